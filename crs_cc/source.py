@@ -1,0 +1,104 @@
+"""Places in source files, and messages about them.
+
+A `Location` is carried by everything that can be blamed: tokens, IR instructions, world
+elements. A `Diagnostic` is one message at one place; `Diagnostics` collects them so that a
+user hears of many errors in one run.
+
+>>> place = Location("wander.c", 3, 9)
+>>> print(Diagnostic("error", place, "unknown identifier 'sped'", "    vm(sped, 0, 0);").render())
+wander.c:3:9: error: unknown identifier 'sped'
+        vm(sped, 0, 0);
+            ^
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+Severity = Literal["error", "warning", "note"]
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Location:
+    """A place in a source file.
+
+    Attributes:
+        file: the path as the user gave it.
+        line: line number, counted from 1; 0 when the message is about the whole file.
+        column: column number in characters, counted from 1; 0 when only the line is known.
+    """
+
+    file: str
+    line: int = 0
+    column: int = 0
+
+    def __str__(self) -> str:
+        parts = [self.file, *(str(number) for number in (self.line, self.column) if number)]
+        return ":".join(parts)
+
+
+@dataclass(frozen=True, slots=True)
+class Diagnostic:
+    """One message about one place.
+
+    Attributes:
+        severity: how bad it is.
+        location: what it is about.
+        text: the message, without place and severity.
+        source_line: the line of source at the place, empty when unknown.
+        hint: what the user can do about it, empty when there is nothing to add.
+    """
+
+    severity: Severity
+    location: Location
+    text: str
+    source_line: str = ""
+    hint: str = ""
+
+    def render(self) -> str:
+        """Gives the message as `file:line:col: severity: text`, the line, a caret and the hint."""
+        rows = [f"{self.location}: {self.severity}: {self.text}"]
+        if self.source_line.strip():
+            rows.append("    " + self.source_line.replace("\t", " ").rstrip())
+            if self.location.column:
+                rows.append(" " * (4 + self.location.column - 1) + "^")
+        if self.hint:
+            rows.append(f"    hint: {self.hint}")
+        return "\n".join(rows)
+
+
+@dataclass(slots=True)
+class Diagnostics:
+    """The messages of one run, in the order in which they were found.
+
+    Attributes:
+        messages: every message so far.
+        lines: the lines of each known file, to be shown with a message.
+    """
+
+    messages: list[Diagnostic] = field(default_factory=list)
+    lines: dict[str, list[str]] = field(default_factory=dict)
+
+    def add(self, severity: Severity, location: Location, text: str, hint: str = "") -> None:
+        """Records a message, unless the same one was recorded at the same place before."""
+        message = Diagnostic(severity, location, text, self._line(location), hint)
+        if message not in self.messages:
+            self.messages.append(message)
+
+    def error(self, location: Location, text: str, hint: str = "") -> None:
+        """Records an error."""
+        self.add("error", location, text, hint)
+
+    def warning(self, location: Location, text: str, hint: str = "") -> None:
+        """Records a warning."""
+        self.add("warning", location, text, hint)
+
+    @property
+    def errors(self) -> list[Diagnostic]:
+        """Gives the errors alone."""
+        return [message for message in self.messages if message.severity == "error"]
+
+    def _line(self, location: Location) -> str:
+        lines = self.lines.get(location.file, [])
+        return lines[location.line - 1] if 0 < location.line <= len(lines) else ""

@@ -1,0 +1,52 @@
+"""The only place where lengths and angles change units: SI and radians inside, others outside.
+
+The Nomadic interface counts in tenths of an inch and tenths of a degree (vendor header
+`Nclient.h` 1.29); its sonar readings are whole inches.
+
+>>> round(tenths_inch_to_m(100), 3)
+0.254
+>>> round(m_to_tenths_inch(0.254), 9)
+100.0
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TypeVar
+
+import numpy as np
+import numpy.typing as npt
+
+Number = TypeVar("Number", float, npt.NDArray[np.float64])
+
+INCH_M = 0.0254  # by definition, international yard and pound agreement of 1959
+
+
+def inch_to_m(value_inch: Number) -> Number:
+    """Converts inches to metres."""
+    return value_inch * INCH_M
+
+
+def m_to_inch(value_m: Number) -> Number:
+    """Converts metres to inches."""
+    return value_m / INCH_M
+
+
+def tenths_inch_to_m(value: Number) -> Number:
+    """Converts tenths of an inch (also per second, per second squared) to metres."""
+    return value * (INCH_M / 10)
+
+
+def m_to_tenths_inch(value_m: Number) -> Number:
+    """Converts metres (also per second, per second squared) to tenths of an inch."""
+    return value_m / (INCH_M / 10)
+
+
+def tenths_deg_to_rad(value: Number) -> Number:
+    """Converts tenths of a degree to radians."""
+    return value * (math.pi / 1800)
+
+
+def rad_to_tenths_deg(value_rad: Number) -> Number:
+    """Converts radians to tenths of a degree."""
+    return value_rad / (math.pi / 1800)
