@@ -1,0 +1,272 @@
+"""A program as text, to be read and compared; what `crs compile --emit ir` prints.
+
+Registers are `%name.number`, frame slots `$name.number`, global names `@name`. A comment gives the
+place in the C source where it differs from the line before.
+
+>>> from crs_cc.ir.program import Binary, Block, Constant, Function, Parameter, Register, Return
+>>> from crs_cc.source import Location
+>>> here = Location("twice.c", 1, 1)
+>>> n, double = Register(0, "i32"), Register(1, "i32")
+>>> body = Block("entry", [Binary(here, double, "i32.mul", n, Constant("i32", 2))])
+>>> body.terminator = Return(Location("twice.c", 2, 5), double)
+>>> print(to_text(Program({"twice": Function(
+...     "twice", here, "i32", [Parameter(n, "i32", 4)], registers=[n, double], blocks=[body])})))
+function @twice(i32 %0) -> i32                    ; twice.c:1:1
+  register %0 i32
+  register %1 i32
+entry:                                            ; fuel 2
+  %1 = i32.mul %0, 2                              ; 1:1
+  return %1                                       ; 2:5
+<BLANKLINE>
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Final
+
+from crs_cc.ir.program import (
+    VARARGS,
+    Address,
+    Argument,
+    Base,
+    Binary,
+    Block,
+    Branch,
+    Call,
+    Copy,
+    Data,
+    Fill,
+    Function,
+    Instruction,
+    Jump,
+    Load,
+    Move,
+    Operand,
+    Program,
+    Register,
+    Request,
+    Return,
+    Slot,
+    Statement,
+    Stop,
+    Store,
+    Switch,
+    Unary,
+)
+from crs_cc.source import Location
+
+_COMMENT_COLUMN: Final = 50
+_BYTES_PER_LINE: Final = 16
+
+
+def to_text(program: Program) -> str:
+    """Gives the program's data, functions and undefined names, in the order in which they stand."""
+    parts = [_data_text(data) for data in program.data.values()]
+    parts += [FunctionText(function).render() for function in program.functions.values()]
+    names = [_line(f"undefined @{name}", str(at)) for name, at in program.undefined.items()]
+    if names:
+        parts.append("".join(names))
+    return "\n".join(parts)
+
+
+def _line(text: str, comment: str = "") -> str:
+    if not comment:
+        return f"{text}\n"
+    return f"{text.ljust(_COMMENT_COLUMN - 1)} ; {comment}\n"
+
+
+def _data_text(data: Data) -> str:
+    kind = " tentative" if data.tentative else ""
+    head = f"data @{data.name} size {data.size} align {data.align}{kind}"
+    lines = [_line(head, str(data.location))]
+    content = data.content or b""
+    for start in range(0, len(content), _BYTES_PER_LINE):
+        row = content[start : start + _BYTES_PER_LINE]
+        printable = "".join(chr(byte) if 32 <= byte < 127 else "." for byte in row)
+        lines.append(_line(f"  {start:04x}: {row.hex(' ')}", printable))
+    for relocation in data.relocations:
+        at, symbol = relocation.offset, relocation.symbol
+        lines.append(_line(f"  {at:04x}: address @{symbol}{_offset(relocation.addend)}"))
+    return "".join(lines)
+
+
+def _offset(offset: int) -> str:
+    if offset == 0:
+        return ""
+    return f" + {offset}" if offset > 0 else f" - {-offset}"
+
+
+class FunctionText:
+    """The text of one function.
+
+    Attributes:
+        function: the function.
+    """
+
+    def __init__(self, function: Function) -> None:
+        self.function = function
+        places = [each.place for each in function.parameters]
+        slots = [place for place in places if isinstance(place, Slot)] + function.slots
+        self._slot_names = {id(slot): f"${slot.name}.{i}" for i, slot in enumerate(slots)}
+        self._slot_names[id(VARARGS)] = "$..."
+        self._place = function.location
+
+    def render(self) -> str:
+        """Gives the head, the registers and slots, and the blocks, each line with its place."""
+        lines = [_line(self._head(), str(self.function.location))]
+        lines += [
+            _line(f"  register {self._operand(register)} {register.type}")
+            for register in self.function.registers
+        ]
+        for slot in self.function.slots:
+            name = self._slot_names[id(slot)]
+            lines.append(_line(f"  slot {name} size {slot.size} align {slot.align}"))
+        for block in self.function.blocks:
+            lines.extend(self._block(block))
+        return "".join(lines)
+
+    def _head(self) -> str:
+        parameters = [
+            f"{each.memory or f'bytes[{each.size}]'} {self._parameter(each.place)}"
+            for each in self.function.parameters
+        ]
+        if self.function.variadic:
+            parameters.append("...")
+        result = f" -> {self.function.result}" if self.function.result else ""
+        return f"function @{self.function.name}({', '.join(parameters)}){result}"
+
+    def _parameter(self, place: Register | Slot) -> str:
+        return self._slot(place) if isinstance(place, Slot) else self._operand(place)
+
+    def _block(self, block: Block) -> Iterator[str]:
+        yield _line(f"{block.label}:", f"fuel {block.fuel}")
+        self._place = Location("")
+        for instruction in block.instructions:
+            yield self._instruction(instruction)
+        if block.terminator is None:
+            yield _line("  (no terminator)")
+        else:
+            yield self._instruction(block.terminator)
+
+    def _instruction(self, instruction: Instruction) -> str:
+        render = _RENDER.get(type(instruction))
+        text = render(self, instruction) if render else f"({type(instruction).__name__})"
+        place, comment = instruction.location, ""
+        if place != self._place:
+            self._place = place
+            comment = str(place).removeprefix(f"{self.function.location.file}:")
+        first, *more = text.split("\n")
+        return _line(f"  {first}", comment) + "".join(_line(f"    {each}") for each in more)
+
+    # Operands
+
+    def _operand(self, operand: Operand) -> str:
+        if not isinstance(operand, Register):
+            return repr(operand.value)
+        name = f"{operand.variable.name}." if operand.variable else ""
+        return f"%{name}{operand.index}"
+
+    def _slot(self, slot: Slot) -> str:
+        return self._slot_names.get(id(slot), f"${slot.name}.?")
+
+    def _address(self, base: Base, offset: int) -> str:
+        if isinstance(base, Register):
+            name = self._operand(base)
+        else:
+            name = self._slot(base) if isinstance(base, Slot) else f"@{base}"
+        return name + _offset(offset)
+
+    def _argument(self, argument: Argument) -> str:
+        value = self._operand(argument.value)
+        if argument.memory is None:
+            return f"bytes[{argument.size}] at {value}"
+        return f"{argument.memory} {value}"
+
+    # Instructions
+
+    def _statement(self, _statement: Statement) -> str:
+        return "statement"
+
+    def _move(self, move: Move) -> str:
+        return f"{self._operand(move.result)} = {self._operand(move.source)}"
+
+    def _unary(self, unary: Unary) -> str:
+        return f"{self._operand(unary.result)} = {unary.op} {self._operand(unary.source)}"
+
+    def _binary(self, binary: Binary) -> str:
+        operands = f"{self._operand(binary.left)}, {self._operand(binary.right)}"
+        return f"{self._operand(binary.result)} = {binary.op} {operands}"
+
+    def _load(self, load: Load) -> str:
+        place = self._address(load.base, load.offset)
+        return f"{self._operand(load.result)} = load {load.memory} [{place}]"
+
+    def _store(self, store: Store) -> str:
+        place = self._address(store.base, store.offset)
+        return f"store {store.memory} [{place}], {self._operand(store.source)}"
+
+    def _take_address(self, address: Address) -> str:
+        place = self._address(address.base, address.offset)
+        return f"{self._operand(address.result)} = address {place}"
+
+    def _copy(self, copy: Copy) -> str:
+        operands = (copy.target, copy.source, copy.size)
+        return "copy [{}], [{}], size {}".format(*map(self._operand, operands))
+
+    def _fill(self, fill: Fill) -> str:
+        operands = (fill.target, fill.value, fill.size)
+        return "fill [{}], {}, size {}".format(*map(self._operand, operands))
+
+    # Terminators
+
+    def _jump(self, jump: Jump) -> str:
+        return f"jump {jump.target.label}"
+
+    def _branch(self, branch: Branch) -> str:
+        condition = self._operand(branch.condition)
+        return f"branch {condition} ? {branch.then.label} : {branch.otherwise.label}"
+
+    def _switch(self, switch: Switch) -> str:
+        rows = [f"{value} -> {block.label}" for value, block in switch.cases]
+        rows.append(f"else -> {switch.default.label}")
+        return "\n".join([f"switch {self._operand(switch.value)}", *rows])
+
+    def _return(self, leave: Return) -> str:
+        return "return" if leave.value is None else f"return {self._operand(leave.value)}"
+
+    def _call(self, call: Call) -> str:
+        pointer = call.callee if isinstance(call.callee, Register) else None
+        callee = f"*{self._operand(pointer)}" if pointer else f"@{call.callee}"
+        arguments = ", ".join(map(self._argument, call.arguments))
+        result = f"{self._operand(call.result)} = " if call.result else ""
+        kind = f"{call.result.type} " if call.result else ""
+        return f"{result}call {kind}{callee}({arguments}) then {call.then.label}"
+
+    def _request(self, request: Request) -> str:
+        code, message = self._operand(request.code), self._operand(request.message)
+        result = self._operand(request.result)
+        return f"{result} = request {code} [{message}] then {request.then.label}"
+
+    def _stop(self, stop: Stop) -> str:
+        return f"stop '{stop.kind}'"
+
+
+_RENDER: Final[dict[type[Instruction], Callable[..., str]]] = {
+    Statement: FunctionText._statement,
+    Move: FunctionText._move,
+    Unary: FunctionText._unary,
+    Binary: FunctionText._binary,
+    Load: FunctionText._load,
+    Store: FunctionText._store,
+    Address: FunctionText._take_address,
+    Copy: FunctionText._copy,
+    Fill: FunctionText._fill,
+    Jump: FunctionText._jump,
+    Branch: FunctionText._branch,
+    Switch: FunctionText._switch,
+    Return: FunctionText._return,
+    Call: FunctionText._call,
+    Request: FunctionText._request,
+    Stop: FunctionText._stop,
+}

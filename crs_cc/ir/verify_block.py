@@ -1,0 +1,274 @@
+"""The verifier's rules for one basic block: what each instruction demands.
+
+One small method for each kind of instruction yields what is wrong with it; a table by class picks
+the method.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator
+from typing import Final, get_args
+
+from crs_cc.ir.operators import OPERATORS
+from crs_cc.ir.program import (
+    MEMORY_SIZE,
+    VALUE_TYPE,
+    VARARGS,
+    Address,
+    Argument,
+    Base,
+    Binary,
+    Block,
+    Branch,
+    Call,
+    Constant,
+    Copy,
+    Fill,
+    Function,
+    Instruction,
+    Jump,
+    Load,
+    MemoryType,
+    Move,
+    Operand,
+    Program,
+    Register,
+    Request,
+    Return,
+    Slot,
+    Statement,
+    Stop,
+    Store,
+    Switch,
+    Terminator,
+    Unary,
+    ValueType,
+)
+from crs_cc.requests import ERROR_KINDS
+from crs_cc.source import Location
+
+Faults = Iterator[str]
+_BITS: Final = {"i32": 32, "i64": 64}
+
+
+class BlockVerifier:
+    """Checks the blocks of one function.
+
+    Attributes:
+        program: the program that the function belongs to.
+        function: the function.
+    """
+
+    def __init__(self, program: Program, function: Function) -> None:
+        self.program = program
+        self.function = function
+        self._registers = set(map(id, function.registers))
+        self._blocks = set(map(id, function.blocks))
+        own = [each.place for each in function.parameters if isinstance(each.place, Slot)]
+        self._slots = set(map(id, [*function.slots, *own]))
+
+    def check(self, block: Block) -> Iterator[tuple[Location | None, str]]:
+        """Gives what is wrong with a block, each with its place if that is known."""
+        for instruction in block.instructions:
+            if isinstance(instruction, get_args(Terminator)):
+                kind = type(instruction).__name__
+                yield instruction.location, f"{kind} stands in the middle of the block"
+            for what in self._instruction(instruction):
+                yield instruction.location, what
+        if block.terminator is None:
+            yield None, "has no terminator"
+        elif not isinstance(block.terminator, get_args(Terminator)):
+            yield None, f"ends with {type(block.terminator).__name__}, which is no terminator"
+        else:
+            for what in self._instruction(block.terminator):
+                yield block.terminator.location, what
+            for target in block.successors():
+                if id(target) not in self._blocks:
+                    yield block.terminator.location, f"target '{target.label}' is not in here"
+
+    def _instruction(self, instruction: Instruction) -> Faults:
+        rule = _RULES.get(type(instruction))
+        if rule is None:
+            yield f"{type(instruction).__name__} is not an instruction"
+            return
+        if not isinstance(instruction.location, Location):
+            yield f"{type(instruction).__name__} has no location"
+        yield from rule(self, instruction)
+
+    # Operands
+
+    def _register(self, what: str, register: Register, wanted: ValueType | None = None) -> Faults:
+        if id(register) not in self._registers:
+            yield f"{what} is a register of another function (%{register.index})"
+        if wanted is not None and register.type != wanted:
+            yield f"{what} has type {register.type}, not {wanted}"
+
+    def _operand(self, what: str, operand: Operand, wanted: ValueType | None = None) -> Faults:
+        if isinstance(operand, Register):
+            yield from self._register(what, operand, wanted)
+            return
+        if not isinstance(operand, Constant):
+            yield f"{what} is neither a register nor a constant"
+            return
+        if wanted is not None and operand.type != wanted:
+            yield f"{what} has type {operand.type}, not {wanted}"
+        bits = _BITS.get(operand.type)
+        if bits is None:
+            if not isinstance(operand.value, float):
+                yield f"{what} is the {operand.type} constant {operand.value!r}, not a float"
+        elif type(operand.value) is not int:
+            yield f"{what} is the {operand.type} constant {operand.value!r}, not an integer"
+        elif not -(1 << bits - 1) <= operand.value < 1 << bits - 1:
+            yield f"{what} is {operand.value}, outside the signed range of {operand.type}"
+
+    def _base(self, base: Base) -> Faults:
+        if isinstance(base, Register):
+            yield from self._register("base", base, "i32")
+        elif isinstance(base, Slot):
+            if base is VARARGS:
+                if not self.function.variadic:
+                    yield "base is VARARGS, but the function is not variadic"
+            elif id(base) not in self._slots:
+                yield f"base is slot '{base.name}' of another function"
+        elif not self._is_known(base):
+            yield f"base '{base}' is neither defined nor listed as undefined"
+
+    def _is_known(self, name: str) -> bool:
+        program = self.program
+        return name in program.functions or name in program.data or name in program.undefined
+
+    def _access(self, base: Base, offset: int, memory: MemoryType) -> Faults:
+        yield from self._base(base)
+        if isinstance(base, str):
+            if base in self.program.functions:
+                yield f"accesses the code of function '{base}'"
+            data = self.program.data.get(base)
+            size = None if data is None else data.size
+        else:
+            size = base.size if isinstance(base, Slot) else None
+        if size is not None and not 0 <= offset <= size - MEMORY_SIZE[memory]:
+            name = base.name if isinstance(base, Slot) else base
+            yield f"{memory} at {offset} lies outside '{name}' with its {size} bytes"
+
+    # Instructions
+
+    def _nothing(self, _instruction: Statement | Jump) -> Faults:
+        return iter(())
+
+    def _move(self, move: Move) -> Faults:
+        yield from self._register("result", move.result)
+        yield from self._operand("source", move.source, move.result.type)
+
+    def _unary(self, unary: Unary) -> Faults:
+        yield from self._operation(unary.op, unary.result, {"source": unary.source})
+
+    def _binary(self, binary: Binary) -> Faults:
+        operands = {"left": binary.left, "right": binary.right}
+        yield from self._operation(binary.op, binary.result, operands)
+
+    def _operation(self, op: str, result: Register, operands: dict[str, Operand]) -> Faults:
+        operator = OPERATORS.get(op)
+        if operator is None or len(operator.operands) != len(operands):
+            yield f"'{op}' is not an operator of {len(operands)} operand(s)"
+            return
+        yield from self._register(f"result of {op}", result, operator.result)
+        for (name, operand), wanted in zip(operands.items(), operator.operands, strict=True):
+            yield from self._operand(f"{name} operand of {op}", operand, wanted)
+
+    def _load(self, load: Load) -> Faults:
+        yield from self._access(load.base, load.offset, load.memory)
+        yield from self._register("result", load.result, VALUE_TYPE[load.memory])
+
+    def _store(self, store: Store) -> Faults:
+        yield from self._access(store.base, store.offset, store.memory)
+        yield from self._operand("source", store.source, VALUE_TYPE[store.memory])
+
+    def _address(self, address: Address) -> Faults:
+        yield from self._base(address.base)
+        yield from self._register("result", address.result, "i32")
+
+    def _copy(self, copy: Copy) -> Faults:
+        yield from self._operand("target", copy.target, "i32")
+        yield from self._operand("source", copy.source, "i32")
+        yield from self._operand("size", copy.size, "i32")
+
+    def _fill(self, fill: Fill) -> Faults:
+        yield from self._operand("target", fill.target, "i32")
+        yield from self._operand("value", fill.value, "i32")
+        yield from self._operand("size", fill.size, "i32")
+
+    # Terminators
+
+    def _branch(self, branch: Branch) -> Faults:
+        yield from self._operand("condition", branch.condition, "i32")
+
+    def _switch(self, switch: Switch) -> Faults:
+        type_ = switch.value.type
+        if type_ not in _BITS:
+            yield f"value has type {type_}, not i32 or i64"
+            return
+        yield from self._operand("value", switch.value)
+        for value, times in Counter(value for value, _ in switch.cases).items():
+            yield from self._operand("case", Constant(type_, value))
+            if times > 1:
+                yield f"case {value} stands {times} times"
+
+    def _return(self, leave: Return) -> Faults:
+        if leave.value is None:
+            return
+        if self.function.result is None:
+            yield "returns a value from a function without a result"
+        else:
+            yield from self._operand("returned value", leave.value, self.function.result)
+
+    def _call(self, call: Call) -> Faults:
+        if isinstance(call.callee, Register):
+            yield from self._register("callee", call.callee, "i32")
+        elif call.callee in self.program.data:
+            yield f"callee '{call.callee}' is an object, not a function"
+        elif not self._is_known(call.callee):
+            yield f"callee '{call.callee}' is neither defined nor listed as undefined"
+        for number, argument in enumerate(call.arguments):
+            yield from self._argument(f"argument {number}", argument)
+        if call.result is not None:
+            yield from self._register("result", call.result)
+
+    def _argument(self, what: str, argument: Argument) -> Faults:
+        if argument.memory is None:
+            yield from self._operand(f"address of {what}", argument.value, "i32")
+            if argument.size < 0:
+                yield f"{what} has negative size {argument.size}"
+            return
+        yield from self._operand(what, argument.value, VALUE_TYPE[argument.memory])
+        if argument.size != MEMORY_SIZE[argument.memory]:
+            yield f"{what} is stored as {argument.memory}, but has size {argument.size}"
+
+    def _request(self, request: Request) -> Faults:
+        yield from self._operand("code", request.code, "i32")
+        yield from self._operand("message", request.message, "i32")
+        yield from self._register("result", request.result, "i32")
+
+    def _stop(self, stop: Stop) -> Faults:
+        if stop.kind not in ERROR_KINDS[1:]:
+            yield f"'{stop.kind}' is not a kind of error"
+
+
+_RULES: Final[dict[type[Instruction], Callable[..., Faults]]] = {
+    Statement: BlockVerifier._nothing,
+    Move: BlockVerifier._move,
+    Unary: BlockVerifier._unary,
+    Binary: BlockVerifier._binary,
+    Load: BlockVerifier._load,
+    Store: BlockVerifier._store,
+    Address: BlockVerifier._address,
+    Copy: BlockVerifier._copy,
+    Fill: BlockVerifier._fill,
+    Jump: BlockVerifier._nothing,
+    Branch: BlockVerifier._branch,
+    Switch: BlockVerifier._switch,
+    Return: BlockVerifier._return,
+    Call: BlockVerifier._call,
+    Request: BlockVerifier._request,
+    Stop: BlockVerifier._stop,
+}
