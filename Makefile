@@ -1,0 +1,50 @@
+# make demo    runs a real control program in a world and draws its path
+# make test    runs the whole test suite
+# make check   checks style, types and layers, and runs the quick tests; under a minute
+# make bench   measures, prints ratios
+
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+
+# Installs the package, with extras $(1), once for each content of pyproject.toml.
+define install
+@cmp -s pyproject.toml '$(VENV)/installed$(1)' || { \
+	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || { \
+		echo "crs_cc needs Python 3.11 or newer, and $(PYTHON) is not." >&2; \
+		echo "Name another one: make $@ PYTHON=/path/to/python3.11" >&2; exit 1; }; \
+	[ -x $(BIN)/python ] || $(PYTHON) -m venv $(VENV) || { \
+		echo "$(PYTHON) cannot make a virtual environment" \
+			"(on Debian and Ubuntu: apt install python3-venv)." >&2; exit 1; }; \
+	echo "installing crs_cc$(1) into $(VENV) ..."; \
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.$(1)' \
+		&& for extras in '' '$(1)'; do cp pyproject.toml "$(VENV)/installed$$extras"; done; }
+endef
+
+.PHONY: demo test check bench install install-dev clean
+
+demo: install
+	$(BIN)/crs run samples/scout_c/wander.c worlds/room.xml --max-time 60 --plot demo.svg --summary
+	@echo "The robot's path is drawn in demo.svg."
+
+test: install-dev
+	$(BIN)/python -m pytest -n 2
+
+check: install-dev
+	$(BIN)/ruff check
+	$(BIN)/ruff format --check
+	$(BIN)/mypy
+	$(BIN)/python -m pytest -n 2 -m "not slow"
+
+bench: install
+	@set -e; for script in bench/c_speed.py bench/fleet.py bench/start.py; do \
+		echo "== $$script"; $(BIN)/python $$script; done
+
+install:
+	$(call install,)
+
+install-dev:
+	$(call install,[dev])
+
+clean:
+	rm -rf $(VENV) build *.egg-info .mypy_cache .pytest_cache .ruff_cache demo.svg

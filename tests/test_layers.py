@@ -1,0 +1,136 @@
+"""Which part may import which: the order that ARCHITECTURE.md draws, held by reading the source.
+
+A module may import its own package and those that stand in an earlier row. Some third-party
+packages may be imported in one place only, so that they can be replaced there.
+"""
+
+from __future__ import annotations
+
+import ast
+import sys
+from collections.abc import Iterator
+from graphlib import CycleError, TopologicalSorter
+from pathlib import Path
+
+import pytest
+
+PACKAGE = Path(__file__).parents[1] / "crs_cc"
+MAX_LINES = 500
+
+ROWS: tuple[frozenset[str], ...] = tuple(
+    frozenset(row.split())
+    for row in (
+        "errors source units requests",
+        "ir",
+        "frontend runtime sim",
+        "session",
+        "record debug",
+        "net viewer sweep",
+        "cli",
+    )
+)
+RANK = {part: rank for rank, row in enumerate(ROWS) for part in row}
+MEET = {"errors", "source", "units", "requests"}  # the first row, whose files may use each other
+
+CONFINED = {
+    "pycparser": ("frontend/",),
+    "wasmtime": ("runtime/",),
+    "pymunk": ("sim/physics.py",),
+    "lxml": ("sim/world_xml.py", "sim/robot_xml.py", "cli/svg.py"),
+    "rich": ("cli/", "debug/"),
+    "click": ("cli/",),
+}
+ANYWHERE = {"numpy"}
+
+
+def modules() -> list[Path]:
+    return sorted(PACKAGE.rglob("*.py"))
+
+
+def name_of(path: Path) -> str:
+    parts = path.relative_to(PACKAGE.parent).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+def imports(tree: ast.AST, *, only_at_import: bool = False) -> Iterator[tuple[int, str]]:
+    """Gives line and full name of everything imported, of `from a import b` both a and a.b."""
+    for node in ast.iter_child_nodes(tree):
+        if only_at_import and isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.If):
+            if isinstance(node, ast.If) and "TYPE_CHECKING" not in ast.unparse(node.test):
+                yield from imports(node, only_at_import=True)
+        elif isinstance(node, ast.Import):
+            yield from ((node.lineno, alias.name) for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"line {node.lineno}: relative import"
+            assert node.module
+            yield node.lineno, node.module
+            yield from ((node.lineno, f"{node.module}.{alias.name}") for alias in node.names)
+        else:
+            yield from imports(node, only_at_import=only_at_import)
+
+
+def part_of(name: str) -> str:
+    """Gives the part of the product that a module belongs to: `ir` for `crs_cc.ir.text`."""
+    return name.split(".")[1] if "." in name else ""
+
+
+def wrong_layer(importer: str, imported: str) -> bool:
+    mine, theirs = part_of(importer), part_of(imported)
+    if mine == theirs or not mine or theirs not in RANK:
+        return False  # its own package, the package itself, or a name in crs_cc/__init__.py
+    return RANK[theirs] >= RANK[mine] and not (mine in MEET and theirs in MEET)
+
+
+@pytest.mark.parametrize("path", modules(), ids=name_of)
+def test_a_module_imports_only_what_stands_before_it(path: Path) -> None:
+    name = name_of(path)
+    assert part_of(name) in RANK or not part_of(name), f"{name} is in no row of the import order"
+    for line, imported in imports(ast.parse(path.read_text())):
+        if imported.split(".")[0] == "crs_cc":
+            assert not wrong_layer(name, imported), f"{path}:{line}: {name} imports {imported}"
+
+
+@pytest.mark.parametrize("path", modules(), ids=name_of)
+def test_third_party_packages_stay_where_they_belong(path: Path) -> None:
+    inside = path.relative_to(PACKAGE).as_posix()
+    for line, imported in imports(ast.parse(path.read_text())):
+        package = imported.split(".")[0]
+        if package in {"crs_cc", *sys.stdlib_module_names, *ANYWHERE}:
+            continue
+        assert package in CONFINED, f"{path}:{line}: {package} is no dependency"
+        assert inside.startswith(CONFINED[package]), (
+            f"{path}:{line}: {package} does not belong here"
+        )
+
+
+def test_no_modules_import_each_other_in_a_circle() -> None:
+    names = {name_of(path) for path in modules()}
+    graph = {
+        name_of(path): {
+            imported
+            for _, imported in imports(ast.parse(path.read_text()), only_at_import=True)
+            if imported in names and imported != name_of(path)
+        }
+        for path in modules()
+        if path.name != "__init__.py"
+    }
+    try:
+        TopologicalSorter(graph).prepare()
+    except CycleError as error:
+        pytest.fail(f"import cycle: {' -> '.join(error.args[1])}")
+
+
+@pytest.mark.parametrize("path", modules(), ids=name_of)
+def test_a_file_is_short_enough_to_be_read(path: Path) -> None:
+    assert len(path.read_text().splitlines()) <= MAX_LINES
+
+
+def test_the_rules_can_fail() -> None:
+    tree = ast.parse("def f():\n    from crs_cc.runtime import link\nimport wasmtime\n")
+    found = [name for _, name in imports(tree)]
+    assert found == ["crs_cc.runtime", "crs_cc.runtime.link", "wasmtime"]
+    assert [name for _, name in imports(tree, only_at_import=True)] == ["wasmtime"]
+    assert wrong_layer("crs_cc.frontend.parse", "crs_cc.runtime.link")
+    assert wrong_layer("crs_cc.ir.text", "crs_cc.cli.main")
+    assert not wrong_layer("crs_cc.cli.run", "crs_cc.session.session")
+    assert not wrong_layer("crs_cc.errors", "crs_cc.source")
