@@ -1,0 +1,491 @@
+"""C types as the target machine lays them out: ILP32, little-endian, natural alignment.
+
+`char` is signed and has 8 bits, `short` 16, `int`, `long` and pointers 32, `long long` 64, `float`
+32, `double` and `long double` 64. Types are values: two types are equal when C calls them the
+same. Only a struct, union or enum is known by its definition, which is filled in when the source
+completes it.
+
+>>> array_of_pointers = ArrayType(PointerType(CHAR), 3)
+>>> print(array_of_pointers, array_of_pointers.size)
+char *[3] 12
+>>> point = Record("struct", "point")
+>>> point.complete([Member("tag", CHAR), Member("x", DOUBLE), Member("on", INT, bit_width=1)])
+>>> [(each.name, each.offset) for each in point.members], point.size, point.align
+([('tag', 0), ('x', 8), ('on', 16)], 24, 8)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+from typing import ClassVar, Final, Literal, TypeAlias, TypeVar
+
+from crs_cc.ir.program import MemoryType
+
+
+@dataclass(frozen=True, slots=True)
+class VoidType:
+    """`void`. Its size is 1, so that pointers to it can be moved (as gcc allows)."""
+
+    const: bool = False
+    volatile: bool = False
+
+    @property
+    def size(self) -> int:
+        """Gives 1 [byte], as gcc does for `sizeof(void)`."""
+        return 1
+
+    @property
+    def align(self) -> int:
+        """Gives 1 [byte]."""
+        return 1
+
+    def __str__(self) -> str:
+        return spell(self)
+
+
+@dataclass(frozen=True, slots=True)
+class IntegerType:
+    """An integer type, `_Bool` and `char` among them.
+
+    Attributes:
+        name: its usual name.
+        size: [bytes], also its alignment.
+        rank: the higher wins in a usual arithmetic conversion (C17 6.3.1.1).
+        memory: how it lies in memory.
+    """
+
+    name: str
+    size: int
+    signed: bool
+    rank: int
+    memory: MemoryType
+    const: bool = False
+    volatile: bool = False
+
+    @property
+    def align(self) -> int:
+        """Gives the alignment [bytes]."""
+        return self.size
+
+    @property
+    def smallest(self) -> int:
+        """Gives the smallest value."""
+        return -(1 << self.size * 8 - 1) if self.signed else 0
+
+    @property
+    def largest(self) -> int:
+        """Gives the largest value."""
+        if self.name == "_Bool":
+            return 1
+        return (1 << self.size * 8 - self.signed) - 1
+
+    def __str__(self) -> str:
+        return spell(self)
+
+
+@dataclass(frozen=True, slots=True)
+class FloatType:
+    """A floating type; attributes as for `IntegerType`."""
+
+    name: str
+    size: int
+    rank: int
+    memory: MemoryType
+    const: bool = False
+    volatile: bool = False
+
+    @property
+    def align(self) -> int:
+        """Gives the alignment [bytes]."""
+        return self.size
+
+    def __str__(self) -> str:
+        return spell(self)
+
+
+@dataclass(slots=True, eq=False)
+class Enumeration:
+    """The definition of an enum: its tag and its constants; None until they are known."""
+
+    tag: str | None
+    constants: dict[str, int] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class EnumType:
+    """An enum: a type of its own that behaves as `int` does."""
+
+    definition: Enumeration
+    const: bool = False
+    volatile: bool = False
+
+    name: ClassVar[str] = "int"
+    size: ClassVar[int] = 4
+    align: ClassVar[int] = 4
+    signed: ClassVar[bool] = True
+    rank: ClassVar[int] = 3
+    memory: ClassVar[MemoryType] = "i32"
+
+    def __str__(self) -> str:
+        return spell(self)
+
+
+@dataclass(frozen=True, slots=True)
+class PointerType:
+    """A pointer to `target`."""
+
+    target: CType
+    const: bool = False
+    volatile: bool = False
+
+    @property
+    def size(self) -> int:
+        """Gives 4 [bytes]."""
+        return 4
+
+    @property
+    def align(self) -> int:
+        """Gives 4 [bytes]."""
+        return 4
+
+    @property
+    def memory(self) -> MemoryType:
+        """Gives how it lies in memory."""
+        return "i32"
+
+    def __str__(self) -> str:
+        return spell(self)
+
+
+@dataclass(frozen=True, slots=True)
+class ArrayType:
+    """`length` elements in a row; the length is None while unknown (`int a[]`)."""
+
+    element: CType
+    length: int | None = None
+
+    @property
+    def size(self) -> int:
+        """Gives the size [bytes], 0 while the length is unknown."""
+        return self.element.size * (self.length or 0)
+
+    @property
+    def align(self) -> int:
+        """Gives the alignment [bytes]."""
+        return self.element.align
+
+    @property
+    def const(self) -> bool:
+        """Tells whether the elements are const (C17 6.7.3p9)."""
+        return self.element.const
+
+    @property
+    def volatile(self) -> bool:
+        """Tells whether the elements are volatile."""
+        return self.element.volatile
+
+    def __str__(self) -> str:
+        return spell(self)
+
+
+@dataclass(frozen=True, slots=True)
+class FunctionType:
+    """A function; `parameters` is None when it was declared without a prototype."""
+
+    result: CType
+    parameters: tuple[CType, ...] | None = None
+    variadic: bool = False
+
+    @property
+    def size(self) -> int:
+        """Gives 1 [byte], as gcc does for `sizeof` of a function."""
+        return 1
+
+    @property
+    def align(self) -> int:
+        """Gives 1 [byte]."""
+        return 1
+
+    @property
+    def const(self) -> bool:
+        """Gives False: functions have no qualifiers."""
+        return False
+
+    @property
+    def volatile(self) -> bool:
+        """Gives False: functions have no qualifiers."""
+        return False
+
+    def __str__(self) -> str:
+        return spell(self)
+
+
+@dataclass(slots=True)
+class Member:
+    """A member of a struct or union.
+
+    Attributes:
+        name: its name, None for an anonymous struct or union and for an unnamed bit-field.
+        offset: where it starts [bytes]; for a bit-field, where the unit it lies in starts.
+        bit_offset: the number of the lowest bit of a bit-field in its unit.
+        bit_width: width of a bit-field [bits]; None for all other members.
+        align: an alignment that `_Alignas` asks for [bytes], 0 for the type's own.
+    """
+
+    name: str | None
+    type: CType
+    offset: int = 0
+    bit_offset: int = 0
+    bit_width: int | None = None
+    align: int = 0
+
+
+@dataclass(slots=True, eq=False)
+class Record:
+    """The definition of a struct or union.
+
+    Attributes:
+        tag: its tag, None when it has none.
+        members: in the order of the source; None until they are known.
+        named: every member that can be named, those of anonymous members among them, with its
+            offset from the start of the whole.
+        size: [bytes].
+        align: [bytes].
+    """
+
+    kind: Literal["struct", "union"]
+    tag: str | None = None
+    members: list[Member] | None = None
+    named: dict[str, Member] = field(default_factory=dict)
+    size: int = 0
+    align: int = 1
+
+    def complete(self, members: Iterable[Member]) -> None:
+        """Gives every member its place, and the whole its size and alignment.
+
+        Bit-fields lie as gcc puts them on i386: in the lowest free bits, but never across a
+        boundary of their own type; one of width 0 ends the unit.
+        """
+        self.members = list(members)
+        end_bits = size_bits = 0
+        for member in self.members:
+            start = 0 if self.kind == "union" else end_bits
+            end_bits = self._place(member, start)
+            size_bits = max(size_bits, end_bits)
+            self._name(member)
+        self.size = -(-size_bits // (8 * self.align)) * self.align
+
+    def _place(self, member: Member, start_bits: int) -> int:
+        """Puts a member at the first fitting place from `start_bits` on; gives where it ends."""
+        align = max(member.align, member.type.align)
+        unit_bits = 8 * member.type.size
+        if member.bit_width is None or member.name is not None:
+            self.align = max(self.align, align)
+        if member.bit_width is None:
+            start_bits = -(-start_bits // (8 * align)) * 8 * align
+            member.offset = start_bits // 8
+            return start_bits + unit_bits
+        crosses = start_bits % unit_bits + member.bit_width > unit_bits
+        if member.bit_width == 0 or crosses or member.align:
+            start_bits = -(-start_bits // (8 * align)) * 8 * align
+        member.offset = start_bits // unit_bits * member.type.size
+        member.bit_offset = start_bits % unit_bits
+        return start_bits + member.bit_width
+
+    def _name(self, member: Member) -> None:
+        if member.name is not None:
+            self.named[member.name] = member
+        elif isinstance(member.type, RecordType):
+            for name, inner in member.type.record.named.items():
+                self.named[name] = replace(inner, offset=member.offset + inner.offset)
+
+
+@dataclass(frozen=True, slots=True)
+class RecordType:
+    """A struct or union."""
+
+    record: Record
+    const: bool = False
+    volatile: bool = False
+
+    @property
+    def size(self) -> int:
+        """Gives the size [bytes], 0 while incomplete."""
+        return self.record.size
+
+    @property
+    def align(self) -> int:
+        """Gives the alignment [bytes]."""
+        return self.record.align
+
+    def __str__(self) -> str:
+        return spell(self)
+
+
+CType: TypeAlias = (
+    VoidType
+    | IntegerType
+    | FloatType
+    | EnumType
+    | PointerType
+    | ArrayType
+    | FunctionType
+    | RecordType
+)
+ScalarType: TypeAlias = IntegerType | FloatType | EnumType | PointerType
+
+VOID: Final = VoidType()
+BOOL: Final = IntegerType("_Bool", 1, False, 0, "u8")
+CHAR: Final = IntegerType("char", 1, True, 1, "i8")
+SCHAR: Final = IntegerType("signed char", 1, True, 1, "i8")
+UCHAR: Final = IntegerType("unsigned char", 1, False, 1, "u8")
+SHORT: Final = IntegerType("short", 2, True, 2, "i16")
+USHORT: Final = IntegerType("unsigned short", 2, False, 2, "u16")
+INT: Final = IntegerType("int", 4, True, 3, "i32")
+UINT: Final = IntegerType("unsigned int", 4, False, 3, "i32")
+LONG: Final = IntegerType("long", 4, True, 4, "i32")
+ULONG: Final = IntegerType("unsigned long", 4, False, 4, "i32")
+LLONG: Final = IntegerType("long long", 8, True, 5, "i64")
+ULLONG: Final = IntegerType("unsigned long long", 8, False, 5, "i64")
+FLOAT: Final = FloatType("float", 4, 6, "f32")
+DOUBLE: Final = FloatType("double", 8, 7, "f64")
+LDOUBLE: Final = FloatType("long double", 8, 8, "f64")
+
+BASIC_TYPES: Final[dict[str, IntegerType | FloatType]] = {
+    each.name: each
+    for each in (
+        BOOL, CHAR, SCHAR, UCHAR, SHORT, USHORT, INT, UINT, LONG, ULONG, LLONG, ULLONG,
+        FLOAT, DOUBLE, LDOUBLE,
+    )
+}  # fmt: skip
+"""Every arithmetic type by its name; what `unqualified` gives back."""
+
+AnyType = TypeVar("AnyType", bound=CType)
+
+
+def qualify(ctype: CType, const: bool, volatile: bool) -> CType:
+    """Adds qualifiers to a type; an array passes them on to its elements (C17 6.7.3p9)."""
+    if not (const or volatile) or isinstance(ctype, FunctionType):
+        return ctype
+    if isinstance(ctype, ArrayType):
+        return ArrayType(qualify(ctype.element, const, volatile), ctype.length)
+    return replace(ctype, const=ctype.const or const, volatile=ctype.volatile or volatile)
+
+
+def unqualified(ctype: CType) -> CType:
+    """Gives the type without its outermost qualifiers."""
+    if not (ctype.const or ctype.volatile) or isinstance(ctype, FunctionType):
+        return ctype
+    if isinstance(ctype, ArrayType):
+        return ArrayType(unqualified(ctype.element), ctype.length)
+    if isinstance(ctype, IntegerType | FloatType):
+        return BASIC_TYPES[ctype.name]
+    return replace(ctype, const=False, volatile=False)
+
+
+def is_complete(ctype: CType) -> bool:
+    """Tells whether an object can have this type (C17 6.2.5p1)."""
+    if isinstance(ctype, ArrayType):
+        return ctype.length is not None and is_complete(ctype.element)
+    if isinstance(ctype, RecordType):
+        return ctype.record.members is not None
+    return not isinstance(ctype, VoidType | FunctionType)
+
+
+def compatible(left: CType, right: CType) -> bool:
+    """Tells whether two types are compatible (C17 6.2.7), an enum with `int` among them."""
+    if left is right or left == right:
+        return True
+    if (left.const, left.volatile) != (right.const, right.volatile):
+        return False
+    if isinstance(left, PointerType) and isinstance(right, PointerType):
+        return compatible(left.target, right.target)
+    if isinstance(left, ArrayType) and isinstance(right, ArrayType):
+        lengths = {left.length, right.length}
+        return (None in lengths or len(lengths) == 1) and compatible(left.element, right.element)
+    if isinstance(left, FunctionType) and isinstance(right, FunctionType):
+        return compatible(left.result, right.result) and _compatible_parameters(left, right)
+    enums = [each for each in (left, right) if isinstance(each, EnumType)]
+    others = [each for each in (left, right) if isinstance(each, IntegerType)]
+    return len(enums) == 1 and len(others) == 1 and others[0].name in {"int", "unsigned int"}
+
+
+def _compatible_parameters(left: FunctionType, right: FunctionType) -> bool:
+    """Compares parameter lists; one that is not known agrees with any promoted one (6.7.6.3)."""
+    if left.parameters is None or right.parameters is None:
+        known = right if left.parameters is None else left
+        return not known.variadic and all(map(is_promoted, known.parameters or ()))
+    if left.variadic != right.variadic or len(left.parameters) != len(right.parameters):
+        return False
+    pairs = zip(left.parameters, right.parameters, strict=True)
+    return all(compatible(unqualified(a), unqualified(b)) for a, b in pairs)
+
+
+def is_promoted(ctype: CType) -> bool:
+    """Tells whether the default argument promotions leave a type as it is (C17 6.5.2.2p6)."""
+    if isinstance(ctype, IntegerType):
+        return ctype.rank >= INT.rank
+    return not (isinstance(ctype, FloatType) and ctype.name == "float")
+
+
+def composite(left: CType, right: CType) -> CType:
+    """Gives what two compatible declarations of one thing say together (C17 6.2.7p3)."""
+    if isinstance(left, ArrayType) and isinstance(right, ArrayType):
+        length = right.length if left.length is None else left.length
+        return ArrayType(composite(left.element, right.element), length)
+    if isinstance(left, FunctionType) and isinstance(right, FunctionType):
+        if left.parameters is None or right.parameters is None:
+            return left if right.parameters is None else right
+        pairs = zip(left.parameters, right.parameters, strict=True)
+        parameters = tuple(composite(a, b) for a, b in pairs)
+        return FunctionType(composite(left.result, right.result), parameters, left.variadic)
+    if isinstance(left, PointerType) and isinstance(right, PointerType):
+        return replace(left, target=composite(left.target, right.target))
+    return left
+
+
+def spell(ctype: CType, declarator: str = "") -> str:
+    """Writes a type as C does, around a declarator if one is given.
+
+    >>> spell(PointerType(FunctionType(INT, (PointerType(CHAR, const=True),), True)), "f")
+    'int (*f)(char *const, ...)'
+    """
+    if isinstance(ctype, PointerType):
+        text = f"*{_qualifiers(ctype)}"
+        gap = " " if text[-1].isalpha() and declarator[:1] not in {"", "[", "("} else ""
+        text += gap + declarator
+        if isinstance(ctype.target, ArrayType | FunctionType):
+            text = f"({text})"
+        return spell(ctype.target, text)
+    if isinstance(ctype, ArrayType):
+        length = "" if ctype.length is None else str(ctype.length)
+        return spell(ctype.element, f"{declarator}[{length}]")
+    if isinstance(ctype, FunctionType):
+        return spell(ctype.result, f"{declarator}({_parameters(ctype)})")
+    name = " ".join(part for part in (_qualifiers(ctype), _name(ctype)) if part)
+    if not declarator or declarator.startswith("["):
+        return name + declarator
+    return f"{name} {declarator}"
+
+
+def _qualifiers(ctype: CType) -> str:
+    words = (("const", ctype.const), ("volatile", ctype.volatile))
+    return " ".join(word for word, is_set in words if is_set)
+
+
+def _parameters(function: FunctionType) -> str:
+    if function.parameters is None:
+        return ""
+    names = [spell(each) for each in function.parameters] + ["..."] * function.variadic
+    return ", ".join(names) or "void"
+
+
+def _name(ctype: VoidType | IntegerType | FloatType | EnumType | RecordType) -> str:
+    if isinstance(ctype, VoidType):
+        return "void"
+    if isinstance(ctype, EnumType):
+        return f"enum {ctype.definition.tag or '<anonymous>'}"
+    if isinstance(ctype, RecordType):
+        return f"{ctype.record.kind} {ctype.record.tag or '<anonymous>'}"
+    return ctype.name
