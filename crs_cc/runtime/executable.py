@@ -1,0 +1,83 @@
+"""A compiled program, ready to be put into robots.
+
+All robots of a process share one wasmtime `Engine`, whose settings decide what machine code looks
+like; an `Executable` holds that machine code.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import wasmtime
+from wasmtime import _bindings
+
+from crs_cc.ir.program import Program
+from crs_cc.runtime.codegen import Compiled, compile_program
+from crs_cc.source import Diagnostic
+
+MAX_WASM_STACK = 4 * 2**20
+"""Host stack for the deepest recursion [bytes]: our own stack check comes first, see `layout`."""
+
+
+@functools.cache
+def engine() -> wasmtime.Engine:
+    """Gives the engine that all fleets share."""
+    config = wasmtime.Config()
+    # The C API refuses a stack above that of asynchronous calls, which Python has no name for.
+    _bindings.wasmtime_config_async_stack_size_set(config.ptr(), MAX_WASM_STACK)
+    config.max_wasm_stack = MAX_WASM_STACK
+    config.cranelift_opt_level = "speed"
+    return wasmtime.Engine(config)
+
+
+@dataclass(slots=True)
+class Executable:
+    """A compiled program.
+
+    Attributes:
+        name: the program as the user named it.
+        machine_code: wasmtime's serialised module.
+        detail: gives what only messages and debuggers need, see `Detail`.
+        warnings: what the compiler had to say.
+    """
+
+    name: str
+    machine_code: bytes
+    detail: Callable[[], Detail]
+    warnings: tuple[Diagnostic, ...] = ()
+    _module: wasmtime.Module | None = field(default=None, repr=False)
+
+    def module(self) -> wasmtime.Module:
+        """Gives the module, loaded once."""
+        if self._module is None:
+            self._module = wasmtime.Module.deserialize(engine(), self.machine_code)
+        return self._module
+
+    @property
+    def program(self) -> Program:
+        """Gives the linked program."""
+        return self.detail().program
+
+    def wat(self) -> str:
+        """Gives the code in WebAssembly's text format."""
+        return self.detail().compiled.module.to_text()
+
+
+@dataclass(slots=True)
+class Detail:
+    """A program in the forms that it had on its way to machine code."""
+
+    program: Program
+    compiled: Compiled
+
+
+def make_executable(
+    program: Program, name: str, *, checked: bool = True, debug: bool = False
+) -> Executable:
+    """Compiles a linked, verified program."""
+    compiled = compile_program(program, checked=checked, debug=debug)
+    module = wasmtime.Module(engine(), compiled.module.to_binary())
+    detail = Detail(program, compiled)
+    return Executable(name, bytes(module.serialize()), lambda: detail, (), module)

@@ -1,0 +1,165 @@
+"""All robots' programs, side by side: one store, one mailbox, one call for a round of all.
+
+Whoever owns a fleet sets `run` and `fuel` in the slots of the robots that shall go on, calls
+`run_round`, and finds in each slot how the program came back: a request to serve, no fuel left,
+ended, or stopped by an error.
+
+>>> from crs_cc.runtime.testing import counting_program
+>>> fleet = Fleet([counting_program()] * 2)
+>>> fleet.slots["run"] = 1
+>>> fleet.slots["fuel"] = 1000
+>>> fleet.run_round()
+2
+>>> fleet.slots["code"].tolist()        # both posted EXIT
+[1, 1]
+"""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+import wasmtime
+
+from crs_cc.requests import ERROR_KINDS, FAILED, SLOT
+from crs_cc.runtime.driver import CURRENT, SLOTS, driver
+from crs_cc.runtime.executable import Executable, engine
+from crs_cc.runtime.layout import MEMORY_SIZE, NULL_SIZE
+from crs_cc.runtime.wasm import PAGE
+from crs_cc.source import Location
+
+CHUNK: Final = 4096  # a snapshot keeps the chunks of memory that are not all zero [bytes]
+
+
+@dataclass(frozen=True, slots=True)
+class Snapshot:
+    """The whole state of one program: it can go on from here in any fleet of the same program.
+
+    Attributes:
+        slot: its slot, one element of dtype `SLOT`.
+        chunks: numbers of the chunks of memory that are not all zero.
+        content: those chunks, shape (len(chunks), CHUNK).
+    """
+
+    slot: npt.NDArray[np.void]
+    chunks: npt.NDArray[np.intp]
+    content: npt.NDArray[np.uint8]
+
+
+@dataclass(frozen=True, slots=True)
+class Failure:
+    """Why a program was stopped.
+
+    Attributes:
+        kind: one of `crs_cc.requests.ERROR_KINDS`.
+        location: the place in the C source.
+        value: the address or function pointer that was refused; 0 when there is none.
+    """
+
+    kind: str
+    location: Location
+    value: int
+
+
+class Fleet:
+    """Robots' programs and their slots.
+
+    Attributes:
+        slots: the slots, an array of dtype `SLOT`, one for each robot.
+    """
+
+    def __init__(self, executables: Sequence[Executable]) -> None:
+        self._executables = tuple(executables)
+        self._store = wasmtime.Store(engine())
+        count = len(executables)
+        self._store.set_limits(instances=count + 1, memories=count + 1, tables=count + 1)
+        pages = -(-(SLOTS + count * SLOT.itemsize) // PAGE)
+        limits = wasmtime.Limits(pages, pages)
+        self._mailbox = wasmtime.Memory(self._store, wasmtime.MemoryType(limits))
+        mailbox = _view(self._store, self._mailbox)
+        self._current = mailbox[CURRENT : CURRENT + 4].view("<u4")
+        self.slots = mailbox[SLOTS : SLOTS + count * SLOT.itemsize].view(SLOT)
+        self.slots["stop_at"] = -1
+        self._memories: list[npt.NDArray[np.uint8]] = []
+        self._start_driver()
+
+    def __len__(self) -> int:
+        return len(self._executables)
+
+    def _start_driver(self) -> None:
+        module = wasmtime.Module(engine(), driver(len(self)).to_binary())
+        exports = wasmtime.Instance(self._store, module, [self._mailbox]).exports(self._store)
+        self._round = exports["round"]
+        table = exports["robots"]
+        assert isinstance(table, wasmtime.Table)
+        for number, executable in enumerate(self._executables):
+            instance = wasmtime.Instance(self._store, executable.module(), [self._mailbox])
+            own = instance.exports(self._store)
+            table.set(self._store, number, own["resume"])
+            self._memories.append(_view(self._store, own["memory"]))
+
+    def memory(self, robot: int) -> npt.NDArray[np.uint8]:
+        """Gives a robot's memory as an array of bytes that shows every change."""
+        return self._memories[robot]
+
+    def run_round(self) -> int:
+        """Resumes every robot whose slot says `run`; gives how many there were."""
+        first, resumed = 0, 0
+        while True:
+            try:
+                count = self._round(self._store, first, len(self))  # type: ignore[operator]
+            except (wasmtime.Trap, wasmtime.WasmtimeError) as trap:
+                first = int(self._current[0])
+                self._trapped(first, trap)
+                resumed, first = resumed + 1, first + 1
+                continue
+            return int(count) + resumed
+
+    def _trapped(self, robot: int, trap: Exception) -> None:
+        """Notes a trap as the robot's own failure, so that the others go on."""
+        slot = self.slots[robot]
+        deep = "call stack exhausted" in str(trap)
+        slot["status"] = FAILED
+        slot["error_kind"] = ERROR_KINDS.index("stack overflow" if deep else "internal trap")
+        slot["fuel"] = min(int(slot["fuel"]), 0)
+
+    def failure(self, robot: int) -> Failure:
+        """Gives why a robot with status FAILED was stopped."""
+        slot = self.slots[robot]
+        detail = self._executables[robot].detail()
+        value = int(slot["error_address"])
+        if slot["error_kind"]:
+            kind = ERROR_KINDS[slot["error_kind"]]
+            return Failure(kind, Location(self._executables[robot].name), value)
+        kind, location = detail.compiled.sites[slot["error_site"]]
+        if kind == "memory":
+            kind = "null pointer" if value < NULL_SIZE else "pointer outside memory"
+        return Failure(kind, location, value)
+
+    def snapshot(self, robot: int) -> Snapshot:
+        """Gives the whole state of one robot's program."""
+        chunks = self._memories[robot].reshape(-1, CHUNK)
+        used = np.flatnonzero(chunks.view(np.uint64).any(axis=1))
+        return Snapshot(self.slots[robot : robot + 1].copy(), used, chunks[used])
+
+    def restore(self, robot: int, snapshot: Snapshot) -> None:
+        """Puts a state that `snapshot` gave into one robot's program."""
+        chunks = self._memories[robot].reshape(-1, CHUNK)
+        stale = np.flatnonzero(chunks.view(np.uint64).any(axis=1))
+        chunks[np.setdiff1d(stale, snapshot.chunks)] = 0
+        chunks[snapshot.chunks] = snapshot.content
+        self.slots[robot : robot + 1] = snapshot.slot
+
+
+def _view(store: wasmtime.Store, memory: object) -> npt.NDArray[np.uint8]:
+    """Gives a memory as an array. It stays valid: our memories have a fixed size."""
+    assert isinstance(memory, wasmtime.Memory)
+    pointer = ctypes.cast(memory.data_ptr(store), ctypes.POINTER(ctypes.c_uint8))
+    return np.ctypeslib.as_array(pointer, shape=(memory.data_len(store),))
+
+
+assert MEMORY_SIZE % CHUNK == 0

@@ -1,0 +1,405 @@
+"""One IR function as one WebAssembly function `(fp) -> status`.
+
+The function keeps its registers in WebAssembly locals. Whenever it must stop (a request, no fuel
+left, a callee that stopped, a statement the debugger waits for) it notes in local `label` the
+landing where it will go on and leaves through its epilogue, which saves the registers to their
+homes in the frame. When it is called again it loads them back and goes to that landing. See
+`layout` for the frame and `flow` for landings.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from crs_cc.ir.program import (
+    Block,
+    Branch,
+    Call,
+    Constant,
+    Function,
+    Jump,
+    Operand,
+    Parameter,
+    Register,
+    Request,
+    Return,
+    Statement,
+    Stop,
+    Switch,
+    ValueType,
+)
+from crs_cc.ir.uses import Liveness, alive_before, all_instructions, reads, writes
+from crs_cc.requests import MESSAGE, SLOT, SUSPENDED
+from crs_cc.runtime.flow import LANDING, UNWIND, Landing, Node, add_dispatchers, emit
+from crs_cc.runtime.layout import (
+    FUNCTION,
+    HEADER_SIZE,
+    NULL_SIZE,
+    RESULT,
+    RESUME,
+    Frame,
+    argument_offsets,
+    lay_out,
+)
+from crs_cc.runtime.selection import (
+    FP,
+    FUEL,
+    FUEL_GLOBAL,
+    LABEL,
+    MAILBOX,
+    MEMORY,
+    SLOT_GLOBAL,
+    SP,
+    STATUS,
+    Names,
+    Selector,
+)
+from crs_cc.runtime.switches import lower_switch
+from crs_cc.runtime.wasm import TYPE_I32_I32, Code, Instr
+from crs_cc.source import Location
+
+
+def slot_offset(field: str) -> int:
+    """Gives where a field lies in a robot's slot."""
+    return int(SLOT.fields[field][1])  # type: ignore[index]
+
+
+MESSAGE_OFFSET = slot_offset("message")
+RESULT_OFFSET = MESSAGE_OFFSET + int(MESSAGE.fields["result"][1])  # type: ignore[index]
+MESSAGE_SIZE = Constant("i32", MESSAGE.itemsize)
+
+
+@dataclass(slots=True)
+class FunctionInfo:
+    """What a debugger needs to read a stopped function's frame.
+
+    Attributes:
+        function: the IR function.
+        frame: where its registers and slots lie.
+        landings: where in the source each landing is, by its number; the entry for 0.
+        callees: for landings at calls by name, the callee, by the landing's number.
+    """
+
+    function: Function
+    frame: Frame
+    landings: dict[int, Location]
+    callees: dict[int, str | Register]
+
+
+def generate(
+    function: Function, names: Names, *, checked: bool, debug: bool
+) -> tuple[Code, FunctionInfo]:
+    """Gives the code of one verified function."""
+    return _FunctionCode(function, names, checked=checked, debug=debug).run()
+
+
+class _FunctionCode:
+    def __init__(self, function: Function, names: Names, *, checked: bool, debug: bool) -> None:
+        self.function = function
+        self.debug = debug
+        self.number = names.functions[function.name]
+        self.names = names
+        self.liveness = Liveness(function)
+        self.headers = _loop_headers(function)
+        saved = self._saved()
+        self.frame = lay_out(function, saved)
+        self.saved = saved
+        self.selector = Selector(names, self.frame, checked=checked)
+        self.lasting = self._lasting()
+        self.nodes = {block: Node() for block in function.blocks}
+        self.landings: list[tuple[Landing, Location, str | Register | None]] = []
+
+    # -- which registers need a home, which a local of their own ------------------------------
+
+    def _saved(self) -> list[Register]:
+        """Gives the registers that must survive a suspension, and all that hold variables."""
+        alive = 0
+        for block in self.function.blocks:
+            if block in self.headers:
+                alive |= self.liveness.at_start(block)
+            if isinstance(block.terminator, Call | Request):
+                alive |= self.liveness.at_end(block)
+                for register in reads(block.terminator):
+                    alive |= 1 << register.index
+            if self.debug:
+                before = alive_before(block, self.liveness)
+                for instruction, bits in zip(block.instructions, before, strict=False):
+                    alive |= bits if isinstance(instruction, Statement) else 0
+        return [r for r in self.function.registers if alive >> r.index & 1 or r.variable]
+
+    def _lasting(self) -> set[Register]:
+        """Gives the registers that keep their local through the whole function."""
+        lasting = set(self.saved)
+        for register in self.function.registers:
+            if self.liveness.shared >> register.index & 1:
+                lasting.add(register)
+        return lasting
+
+    # -- the whole ----------------------------------------------------------------------------
+
+    def run(self) -> tuple[Code, FunctionInfo]:
+        for register in self.function.registers:
+            if register in self.lasting:
+                self.selector.take_local(register)
+        for block in self.function.blocks:
+            self.block(block)
+        entry, start = self.entry(), self.start()
+        numbered = [landing for landing, _, _ in self.landings]
+        damaged = Node()
+        self.selector.code = damaged.code
+        self.selector.fail("damaged stack", self.function.location, [("local.get", LABEL)])
+        if numbered:
+            add_dispatchers(entry, start, numbered, LABEL, damaged)
+        else:
+            entry.jump(start)
+        body = emit(entry) + self.epilogue()
+        code = Code(self.function.name, TYPE_I32_I32, self.selector.local_types, body)
+        return code, self.info()
+
+    def info(self) -> FunctionInfo:
+        places = {0: self.function.location}
+        callees: dict[int, str | Register] = {}
+        for landing, location, callee in self.landings:
+            places[landing.number] = location
+            if callee is not None:
+                callees[landing.number] = callee
+        return FunctionInfo(self.function, self.frame, places, callees)
+
+    def entry(self) -> Node:
+        """Sets up the frame; loads the registers back when the function was suspended."""
+        node = Node()
+        code = self.selector.code = node.code
+        size = self.frame.size
+        code += [("local.get", FP), ("i32.const", NULL_SIZE + size), ("i32.lt_u",), ("if",)]
+        self.selector.fail("stack overflow", self.function.location, [("local.get", FP)])
+        code.pop()  # the epilogue would write to the frame that there is no room for
+        code += [("local.get", STATUS), ("return",), ("end",)]
+        code += [("local.get", FP), ("i32.const", size), ("i32.sub",), ("local.set", SP)]
+        code += [("global.get", FUEL_GLOBAL), ("local.set", FUEL)]
+        if self.landings:
+            self.selector.load_at(FP, RESUME, "i32")
+            code += [("local.tee", LABEL), ("if",)]
+            for register in self.saved:
+                self.selector.load_at(SP, self.frame.offsets[register], register.type)
+                self.selector.pop(register)
+            code.append(("end",))
+        return node
+
+    def start(self) -> Node:
+        """Begins a fresh call: stops if there is no fuel, loads the parameters."""
+        node = Node()
+        code = self.selector.code = node.code
+        code += [("local.get", FUEL), ("i64.const", 0), ("i64.lt_s",), ("if",)]
+        self.selector.store_at(FP, FUNCTION, Constant("i32", self.number), "i32")
+        code += [("i32.const", SUSPENDED), ("return",), ("end",)]
+        for parameter, offset in zip(self.function.parameters, self.frame.parameters, strict=True):
+            self._load_parameter(parameter, offset)
+        node.jump(self.nodes[self.function.blocks[0]])
+        return node
+
+    def _load_parameter(self, parameter: Parameter, offset: int) -> None:
+        place = parameter.place
+        if isinstance(place, Register) and place in self.lasting and parameter.memory:
+            self.selector.load_at(SP, offset, parameter.memory)
+            self.selector.pop(place)
+
+    def epilogue(self) -> list[Instr]:
+        """Saves what a suspended function must keep, and leaves with the status."""
+        code: list[Instr] = []
+        self.selector.code = code
+        for register in self.saved:
+            self.selector.store_at(SP, self.frame.offsets[register], register, register.type)
+        code += [("local.get", FP), ("local.get", LABEL), ("i32.store", MEMORY, RESUME)]
+        self.selector.store_at(FP, FUNCTION, Constant("i32", self.number), "i32")
+        return [*code, ("local.get", FUEL), ("global.set", FUEL_GLOBAL), ("local.get", STATUS)]
+
+    # -- suspending ---------------------------------------------------------------------------
+
+    def land(self, node: Node, location: Location, callee: str | Register | None = None) -> Landing:
+        landing = Landing(node)
+        self.landings.append((landing, location, callee))
+        return landing
+
+    def suspend(self, landing: Landing) -> list[Instr]:
+        return [
+            ("i32.const", SUSPENDED), ("local.set", STATUS),
+            (LANDING, landing), ("local.set", LABEL), (UNWIND,),
+        ]  # fmt: skip
+
+    # -- blocks -------------------------------------------------------------------------------
+
+    def block(self, block: Block) -> None:
+        node = self.nodes[block]
+        selector = self.selector
+        selector.forget()
+        code = selector.code = node.code
+        if block in self.headers:
+            landing = self.land(node, all_instructions(block)[0].location)
+            code += [("local.get", FUEL), ("i64.const", 0), ("i64.lt_s",), ("if",)]
+            code += [*self.suspend(landing), ("end",)]
+        code += [("local.get", FUEL), ("i64.const", block.fuel), ("i64.sub",), ("local.set", FUEL)]
+        last = self._last_uses(block)
+        for number, instruction in enumerate(block.instructions):
+            if not isinstance(instruction, Statement):
+                selector.select(instruction)
+            elif self.debug:
+                node = self.statement(node, instruction)
+            for register in last[number]:
+                selector.release(register)
+        self.terminator(node, block)
+        for register in last[-1]:
+            selector.release(register)
+
+    def _last_uses(self, block: Block) -> list[list[Register]]:
+        """Gives for each instruction the short-lived registers that are not needed behind it."""
+        instructions = all_instructions(block)
+        last: list[list[Register]] = [[] for _ in instructions]
+        seen: set[Register] = set()
+        for number in range(len(instructions) - 1, -1, -1):
+            target = writes(instructions[number])
+            for register in [*reads(instructions[number]), *([target] if target else [])]:
+                if register not in seen and register not in self.lasting:
+                    seen.add(register)
+                    last[number].append(register)
+        return last
+
+    def statement(self, node: Node, statement: Statement) -> Node:
+        """Debug density: stops before the statement whose number the debugger waits for."""
+        following = Node()
+        landing = self.land(following, statement.location)
+        statements, stop_at = slot_offset("statements"), slot_offset("stop_at")
+        node.code += [
+            ("global.get", SLOT_GLOBAL), ("i64.load", MAILBOX, statements),
+            ("global.get", SLOT_GLOBAL), ("i64.load", MAILBOX, stop_at),
+            ("i64.eq",), ("if",), *self.suspend(landing), ("end",),
+        ]  # fmt: skip
+        node.jump(following)
+        following.code += [
+            ("global.get", SLOT_GLOBAL),
+            ("global.get", SLOT_GLOBAL), ("i64.load", MAILBOX, statements),
+            ("i64.const", 1), ("i64.add",), ("i64.store", MAILBOX, statements),
+        ]  # fmt: skip
+        self.selector.forget()
+        self.selector.code = following.code
+        return following
+
+    def terminator(self, node: Node, block: Block) -> None:
+        match block.terminator:
+            case Jump(target=target):
+                node.jump(self.nodes[target])
+            case Branch() as branch:
+                self.selector.push(branch.condition)
+                node.exit = "branch"
+                node.targets = [self.nodes[branch.then], self.nodes[branch.otherwise]]
+            case Switch() as switch:
+                lower_switch(self.selector, node, switch, self.nodes)
+            case Return(value=value):
+                self.leave(node, value)
+            case Call() as call:
+                self.call(node, call)
+            case Request() as request:
+                self.request(node, request)
+            case Stop(kind=kind, location=location):
+                self.selector.fail(kind, location, [("i32.const", 0)])
+
+    def leave(self, node: Node, value: Operand | None) -> None:
+        if value is not None:
+            kind: ValueType = value.type
+            self.selector.store_at(FP, RESULT, value, kind)
+        node.code += [("local.get", FUEL), ("global.set", FUEL_GLOBAL), ("i32.const", 0)]
+        node.code.append(("return",))
+
+    def call(self, node: Node, call: Call) -> None:
+        selector = self.selector
+        offsets = argument_offsets([argument.size for argument in call.arguments])
+        for argument, offset in zip(call.arguments, offsets, strict=False):
+            at = HEADER_SIZE + offset
+            if argument.memory:
+                selector.store_at(SP, at, argument.value, argument.memory)
+                continue
+            size = Constant("i32", argument.size)
+            if selector.checked:
+                selector.check_range(argument.value, size, call.location)
+            selector.code += [("local.get", SP), ("i32.const", at), ("i32.add",)]
+            selector.push(argument.value)
+            selector.push(size)
+            selector.code.append(("memory.copy", MEMORY, MEMORY))
+        selector.store_at(SP, RESUME, Constant("i32", 0), "i32")
+        after = Node()
+        node.jump(after)
+        selector.forget()
+        selector.code = after.code
+        self._enter(call, after)
+
+    def _enter(self, call: Call, after: Node) -> None:
+        """Enters the callee, fresh or again: this is where a suspended caller goes on."""
+        selector = self.selector
+        landing = self.land(after, call.location, call.callee)
+        if isinstance(call.callee, Register):
+            selector.push(call.callee)
+            after.code += [("i32.const", 1), ("i32.sub",)]
+            after.code += [("i32.const", self.names.pointers), ("i32.ge_u",)]
+            blamed = ("local.get", selector.locals[call.callee])
+            selector.fail_if("bad function pointer", call.location, [blamed])
+        after.code += [("local.get", FUEL), ("global.set", FUEL_GLOBAL), ("local.get", SP)]
+        if isinstance(call.callee, Register):
+            selector.push(call.callee)
+            after.code.append(("call_indirect", 0, 0))
+        else:
+            after.code.append(("call", self.names.functions[call.callee]))
+        after.code += [("global.get", FUEL_GLOBAL), ("local.set", FUEL)]
+        after.code += [("local.tee", STATUS), ("if",)]
+        after.code += [(LANDING, landing), ("local.set", LABEL), (UNWIND,), ("end",)]
+        if call.result is not None:
+            selector.load_at(SP, RESULT, call.result.type)
+            selector.pop(call.result)
+        after.jump(self.nodes[call.then])
+
+    def request(self, node: Node, request: Request) -> None:
+        """Copies the message to the slot and stops; copies the reply back when resumed."""
+        selector = self.selector
+        after = Node()
+        landing = self.land(after, request.location)
+        selector.check_range(request.message, MESSAGE_SIZE, request.location)
+        to_slot = [("global.get", SLOT_GLOBAL), ("i32.const", MESSAGE_OFFSET), ("i32.add",)]
+        node.code += to_slot
+        selector.push(request.message)
+        node.code += [("i32.const", MESSAGE.itemsize), ("memory.copy", MAILBOX, MEMORY)]
+        node.code.append(("global.get", SLOT_GLOBAL))
+        selector.push(request.code)
+        node.code.append(("i32.store", MAILBOX, slot_offset("code")))
+        node.code += self.suspend(landing)
+        selector.forget()
+        selector.code = after.code
+        selector.check_range(request.message, MESSAGE_SIZE, request.location)
+        selector.push(request.message)
+        after.code += [*to_slot, ("i32.const", MESSAGE.itemsize)]
+        after.code += [("memory.copy", MEMORY, MAILBOX)]
+        after.code += [("global.get", SLOT_GLOBAL), ("i32.load", MAILBOX, RESULT_OFFSET)]
+        selector.pop(request.result)
+        after.jump(self.nodes[request.then])
+
+
+def _loop_headers(function: Function) -> set[Block]:
+    """Gives the blocks where fuel is tested: on every cycle there is at least one.
+
+    They are the targets of edges that go back in the order of a depth-first walk.
+    """
+    headers: set[Block] = set()
+    entry = function.blocks[0]
+    open_blocks, seen = {entry}, {entry}
+    work = [(entry, iter(entry.successors()))]
+    while work:
+        block, rest = work[-1]
+        for target in rest:
+            if target in open_blocks:
+                headers.add(target)
+            elif target not in seen:
+                seen.add(target)
+                open_blocks.add(target)
+                work.append((target, iter(target.successors())))
+                break
+        else:
+            open_blocks.discard(block)
+            work.pop()
+    return headers

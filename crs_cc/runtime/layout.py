@@ -1,0 +1,96 @@
+"""Where things lie in a robot's memory, and how a stack frame looks.
+
+    0           NULL_SIZE        STACK_TOP                          size of memory
+    | null page | stack  <------ | objects with addresses | heap ... |
+
+The null page is never accessible. The stack grows down. Every call gets the address `fp` of a
+header that its caller set up, with the arguments behind it as on i386; its own frame lies below,
+with the lower end `sp`, which is the `fp` of the functions that it calls in turn:
+
+    fp + 16   arguments, each rounded up to 4 bytes
+    fp + 12   number of the landing at which to go on; 0 for a fresh start
+    fp + 8    number of the function, written when it is suspended
+    fp + 0    returned value
+              --- the callee's own frame ---
+    ...       homes of registers, slots
+    sp        header and arguments of the functions that it calls
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Final
+
+from crs_cc.ir.program import Call, Function, Parameter, Register, Slot
+
+NULL_SIZE: Final = 4096
+STACK_SIZE: Final = 2 * 2**20
+STACK_TOP: Final = NULL_SIZE + STACK_SIZE
+MEMORY_SIZE: Final = 16 * 2**20
+
+HEADER_SIZE: Final = 16
+RESULT, FUNCTION, RESUME = 0, 8, 12  # offsets from fp
+
+MINIMUM_FRAME: Final = 64
+"""Keeps the host's stack, which grows with ours, within a few times of ours."""
+
+
+def round_up(value: int, align: int) -> int:
+    """Gives the next multiple of `align`."""
+    return -(-value // align) * align
+
+
+@dataclass(slots=True)
+class Frame:
+    """The frame of one function.
+
+    Attributes:
+        size: its size in bytes, a multiple of 16: fp - sp.
+        offsets: offset from sp of the home of each register that is saved, and of each slot.
+        parameters: offset from sp of each parameter.
+        varargs: offset from sp of what follows the parameters.
+    """
+
+    size: int = 0
+    offsets: dict[Register | Slot, int] = field(default_factory=dict)
+    parameters: list[int] = field(default_factory=list)
+    varargs: int = 0
+
+
+def argument_offsets(sizes: list[int]) -> list[int]:
+    """Gives the offset of each argument, and the offset behind the last one."""
+    offsets = [0]
+    for size in sizes:
+        offsets.append(offsets[-1] + round_up(size, 4))
+    return offsets
+
+
+def lay_out(function: Function, saved: list[Register]) -> Frame:
+    """Lays out a frame with homes for the registers in `saved`."""
+    frame = Frame()
+    offset = max(
+        (HEADER_SIZE + argument_offsets([each.size for each in block.terminator.arguments])[-1]
+         for block in function.blocks if isinstance(block.terminator, Call)),
+        default=0,
+    )  # fmt: skip
+    for register in saved:
+        size = 8 if register.type in ("i64", "f64") else 4
+        offset = round_up(offset, size)
+        frame.offsets[register] = offset
+        offset += size
+    for slot in function.slots:
+        offset = round_up(offset, max(1, slot.align))
+        frame.offsets[slot] = offset
+        offset += slot.size
+    frame.size = max(MINIMUM_FRAME, round_up(offset, 16))
+    _place_parameters(frame, function.parameters)
+    return frame
+
+
+def _place_parameters(frame: Frame, parameters: list[Parameter]) -> None:
+    first = frame.size + HEADER_SIZE
+    offsets = [first + each for each in argument_offsets([p.size for p in parameters])]
+    frame.parameters, frame.varargs = offsets[:-1], offsets[-1]
+    for parameter, offset in zip(parameters, frame.parameters, strict=True):
+        if isinstance(parameter.place, Slot):
+            frame.offsets[parameter.place] = offset

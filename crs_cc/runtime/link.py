@@ -1,0 +1,177 @@
+"""Joins the programs of several C files, and what they need of the library, into one.
+
+The user's files are joined as object files are: two definitions of one name are an error, and
+tentative definitions (`int count;` in several files, or in a header) become one object, as with
+gcc's `-fcommon`. The library is joined as an archive is: only what is needed and not defined by
+the user.
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import Final, Protocol
+
+from crs_cc.errors import CompileError
+from crs_cc.ir.program import Address, Call, Data, Function, Instruction, Load, Program, Store
+from crs_cc.ir.uses import all_instructions
+from crs_cc.source import Diagnostics, Location
+
+ROOT: Final = "__crs_start"
+"""The library's function that calls `main`; everything reachable from it is linked."""
+
+HEAP_SYMBOLS: Final = ("__heap_start", "__heap_end")
+"""Names that the code generator defines: the ends of the memory left for `malloc`."""
+
+
+class Library(Protocol):
+    """Where definitions that the user's files lack are looked for."""
+
+    def find(self, name: str) -> Function | Data | None:
+        """Gives the library's definition of a name."""
+
+    def names(self) -> Sequence[str]:
+        """Gives all names that the library defines for programs to use."""
+
+
+def link(units: Sequence[Program], library: Library, diagnostics: Diagnostics) -> Program:
+    """Gives the whole program.
+
+    Args:
+        units: the user's files.
+        library: the C library.
+        diagnostics: takes the errors.
+
+    Raises:
+        CompileError: a name is defined twice, or used and not defined.
+    """
+    user = join(units, diagnostics)
+    whole = Program()
+    work = [ROOT]
+    for name in work:
+        if name in whole.functions or name in whole.data or name in HEAP_SYMBOLS:
+            continue
+        found = _find(name, user, library)
+        if isinstance(found, Function):
+            whole.functions[name] = found
+        elif isinstance(found, Data):
+            whole.data[name] = found
+        else:
+            _undefined(name, user, library, diagnostics)
+            continue
+        work.extend(references(found))
+    if diagnostics.errors:
+        raise CompileError(diagnostics.errors)
+    return whole
+
+
+def join(units: Sequence[Program], diagnostics: Diagnostics) -> Program:
+    """Gives one program with the definitions of all units; reports what is defined twice."""
+    whole = Program()
+    for unit in units:
+        for name, function in unit.functions.items():
+            if name in whole.functions or name in whole.data:
+                _defined_twice(name, function.location, whole, diagnostics)
+            else:
+                whole.functions[name] = function
+        for name, data in unit.data.items():
+            if name in whole.functions:
+                _defined_twice(name, data.location, whole, diagnostics)
+            elif name in whole.data:
+                whole.data[name] = _common(whole.data[name], data, whole, diagnostics)
+            else:
+                whole.data[name] = data
+        for name, location in unit.undefined.items():
+            whole.undefined.setdefault(name, location)
+    return whole
+
+
+def references(definition: Function | Data) -> Iterator[str]:
+    """Gives the names that a definition uses, in the order of their use."""
+    if isinstance(definition, Data):
+        for relocation in definition.relocations:
+            yield relocation.symbol
+        return
+    for block in definition.blocks:
+        for instruction in all_instructions(block):
+            name = _referred(instruction)
+            if name is not None:
+                yield name
+
+
+def _referred(instruction: Instruction) -> str | None:
+    match instruction:
+        case Load(base=str(name)) | Store(base=str(name)) | Address(base=str(name)):
+            return name
+        case Call(callee=str(name)):
+            return name
+    return None
+
+
+def pointed_functions(program: Program) -> list[str]:
+    """Gives the functions whose address is taken, in a fixed order."""
+    found: dict[str, None] = {}
+    for function in program.functions.values():
+        for block in function.blocks:
+            for instruction in block.instructions:
+                match instruction:
+                    case Address(base=str(name)) if name in program.functions:
+                        found[name] = None
+    for data in program.data.values():
+        for relocation in data.relocations:
+            if relocation.symbol in program.functions:
+                found[relocation.symbol] = None
+    return list(found)
+
+
+def _find(name: str, user: Program, library: Library) -> Function | Data | None:
+    """Gives the definition of a name; a tentative object of the user's joins the library's."""
+    mine = user.functions.get(name) or user.data.get(name)
+    if mine is not None and not (isinstance(mine, Data) and mine.tentative):
+        return mine
+    theirs = library.find(name)
+    if isinstance(mine, Data) and isinstance(theirs, Data):
+        return _larger(mine, theirs)
+    return mine or theirs
+
+
+def _larger(first: Data, second: Data) -> Data:
+    """Joins two objects of one name, of which one at least is tentative (gcc -fcommon)."""
+    chosen = first if second.tentative else second
+    other = second if chosen is first else first
+    size, align = max(chosen.size, other.size), max(chosen.align, other.align)
+    content = chosen.content and chosen.content.ljust(size, b"\0")
+    return replace(chosen, size=size, align=align, content=content)
+
+
+def _common(first: Data, second: Data, whole: Program, diagnostics: Diagnostics) -> Data:
+    if not first.tentative and not second.tentative:
+        _defined_twice(first.name, second.location, whole, diagnostics)
+        return first
+    return _larger(first, second)
+
+
+def _defined_twice(name: str, location: Location, whole: Program, diagnostics: Diagnostics) -> None:
+    function = whole.functions.get(name)
+    first = function.location if function else whole.data[name].location
+    diagnostics.error(
+        location, f"multiple definition of '{name}'", f"it is also defined at {first}"
+    )
+
+
+def _undefined(name: str, user: Program, library: Library, diagnostics: Diagnostics) -> None:
+    location = user.undefined.get(name) or Location("<program>")
+    if name == "main":
+        diagnostics.error(_first_place(user), "the program has no function 'main'")
+        return
+    known = [each for each in user.functions if ":" not in each] + list(library.names())
+    close = difflib.get_close_matches(name, known, 1)
+    hint = f"did you mean '{close[0]}'?" if close else ""
+    diagnostics.error(location, f"'{name}' is used, but defined nowhere", hint)
+
+
+def _first_place(user: Program) -> Location:
+    places = [function.location for function in user.functions.values()]
+    places += [data.location for data in user.data.values()]
+    return Location(places[0].file if places else "<program>")

@@ -1,0 +1,252 @@
+"""WebAssembly modules as data: instructions as tuples, written as binary or as text.
+
+An instruction is a tuple of its name and its immediates, for example `("local.get", 0)` or
+`("i32.load", memory, offset)`. Only the part of WebAssembly that the code generator uses is here
+(core specification 3.0, chapters 5 "Binary format" and 6 "Text format").
+
+>>> body = [("local.get", 0), ("i32.const", 1), ("i32.add",)]
+>>> plus_one = Code("plus_one", TYPE_I32_I32, [], body)
+>>> Module(functions=[plus_one], exports=[("plus_one", "func", 0)]).to_binary()[1:4]
+b'asm'
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Final, Literal, TypeAlias
+
+from crs_cc.ir.operators import OPERATORS
+from crs_cc.ir.program import ValueType
+
+Instr: TypeAlias = tuple[Any, ...]
+FuncType: TypeAlias = tuple[tuple[ValueType, ...], tuple[ValueType, ...]]
+
+TYPE_I32_I32: Final[FuncType] = (("i32",), ("i32",))
+PAGE: Final = 65536
+
+_VALUE: Final[dict[str, int]] = {"i32": 0x7F, "i64": 0x7E, "f32": 0x7D, "f64": 0x7C}
+
+_PLAIN: Final[dict[str, bytes]] = {
+    "unreachable": b"\x00", "nop": b"\x01", "else": b"\x05", "end": b"\x0b", "return": b"\x0f",
+    "drop": b"\x1a", "select": b"\x1b",
+}  # fmt: skip
+_PLAIN.update((operator.name, operator.opcode) for operator in OPERATORS.values())
+
+_MEMORY_FROM_0X28: Final = """
+i32.load i64.load f32.load f64.load i32.load8_s i32.load8_u i32.load16_s i32.load16_u
+i64.load8_s i64.load8_u i64.load16_s i64.load16_u i64.load32_s i64.load32_u
+i32.store i64.store f32.store f64.store i32.store8 i32.store16 i64.store8 i64.store16 i64.store32
+"""
+_ACCESS: Final = {name: 0x28 + number for number, name in enumerate(_MEMORY_FROM_0X28.split())}
+_BLOCK: Final = {"block": 0x02, "loop": 0x03, "if": 0x04}
+_INDEX: Final = {
+    "br": 0x0C, "br_if": 0x0D, "call": 0x10, "local.get": 0x20, "local.set": 0x21,
+    "local.tee": 0x22, "global.get": 0x23, "global.set": 0x24,
+}  # fmt: skip
+
+
+def unsigned(value: int) -> bytes:
+    """Gives an unsigned LEB128 number."""
+    if value < 0x80:
+        return bytes((value,))
+    out = bytearray()
+    while value >= 0x80:
+        out.append(value & 0x7F | 0x80)
+        value >>= 7
+    out.append(value)
+    return bytes(out)
+
+
+def signed(value: int) -> bytes:
+    """Gives a signed LEB128 number."""
+    out = bytearray()
+    while not -0x40 <= value < 0x40:
+        out.append(value & 0x7F | 0x80)
+        value >>= 7
+    out.append(value & 0x7F)
+    return bytes(out)
+
+
+def _vector(items: Iterable[bytes]) -> bytes:
+    parts = list(items)
+    return unsigned(len(parts)) + b"".join(parts)
+
+
+def _name(text: str) -> bytes:
+    raw = text.encode()
+    return unsigned(len(raw)) + raw
+
+
+def _section(number: int, content: bytes) -> bytes:
+    return bytes((number,)) + unsigned(len(content)) + content
+
+
+def encode(instr: Instr) -> bytes:
+    """Gives the bytes of one instruction."""
+    name = instr[0]
+    if name in _PLAIN:
+        return _PLAIN[name]
+    if name in _INDEX:
+        return bytes((_INDEX[name],)) + unsigned(instr[1])
+    if name in _ACCESS:  # memory index by bit 6 of the alignment, which is a hint only: 0
+        return bytes((_ACCESS[name], 0x40)) + unsigned(instr[1]) + unsigned(instr[2])
+    if name in _BLOCK:
+        return bytes((_BLOCK[name], 0x40))
+    return _encode_rare(instr)
+
+
+def _encode_rare(instr: Instr) -> bytes:
+    match instr:
+        case ("i32.const", value):
+            return b"\x41" + signed((value + 2**31) % 2**32 - 2**31)
+        case ("i64.const", value):
+            return b"\x42" + signed((value + 2**63) % 2**64 - 2**63)
+        case ("f32.const", value):
+            return b"\x43" + struct.pack("<f", value)
+        case ("f64.const", value):
+            return b"\x44" + struct.pack("<d", value)
+        case ("br_table", targets, default):
+            return b"\x0e" + _vector(map(unsigned, targets)) + unsigned(default)
+        case ("call_indirect", type_index, table):
+            return b"\x11" + unsigned(type_index) + unsigned(table)
+        case ("memory.copy", target, source):
+            return b"\xfc\x0a" + unsigned(target) + unsigned(source)
+        case ("memory.fill", memory):
+            return b"\xfc\x0b" + unsigned(memory)
+    raise AssertionError(f"no encoding for {instr}")
+
+
+@dataclass(slots=True)
+class Code:
+    """A function: its type, the types of its locals behind the parameters, its instructions."""
+
+    name: str
+    type: FuncType
+    locals: Sequence[ValueType]
+    body: list[Instr]
+
+    def to_binary(self) -> bytes:
+        """Gives the function's entry in the code section."""
+        runs: list[tuple[int, str]] = []
+        for kind in self.locals:
+            if runs and runs[-1][1] == kind:
+                runs[-1] = (runs[-1][0] + 1, kind)
+            else:
+                runs.append((1, kind))
+        head = _vector(unsigned(count) + bytes((_VALUE[kind],)) for count, kind in runs)
+        content = head + b"".join(map(encode, self.body)) + b"\x0b"
+        return unsigned(len(content)) + content
+
+
+@dataclass(slots=True)
+class Module:
+    """A module that may import memories and define one more, behind the imported ones.
+
+    Attributes:
+        memory_imports: (module, name) of each imported memory, of one page or more.
+        memory_pages: size of the module's own memory; 0 for none.
+        tables: sizes of its tables of functions.
+        globals: (type, initial value) of its mutable globals.
+        elements: (table, first index, functions) written into tables when it is made.
+        data: (memory, address, bytes) written into memory when it is made.
+        exports: (name, "func" | "memory" | "table" | "global", index).
+    """
+
+    functions: list[Code] = field(default_factory=list)
+    memory_imports: list[tuple[str, str]] = field(default_factory=list)
+    memory_pages: int = 0
+    tables: list[int] = field(default_factory=list)
+    globals: list[tuple[ValueType, int]] = field(default_factory=list)
+    elements: list[tuple[int, int, list[int]]] = field(default_factory=list)
+    data: list[tuple[int, int, bytes]] = field(default_factory=list)
+    exports: list[tuple[str, Literal["func", "memory", "table", "global"], int]] = field(
+        default_factory=list
+    )
+
+    def types(self) -> list[FuncType]:
+        """Gives the function types in the order of the type section."""
+        return list(dict.fromkeys([TYPE_I32_I32, *(code.type for code in self.functions)]))
+
+    def to_binary(self) -> bytes:
+        """Gives the module in the binary format."""
+        kinds = {"func": 0, "table": 1, "memory": 2, "global": 3}
+        types = self.types()
+        memories = [self.memory_pages] if self.memory_pages else []
+        sections = [
+            (1, [_func_type(each) for each in types]),
+            (2, [_name(m) + _name(n) + b"\x02\x00\x01" for m, n in self.memory_imports]),
+            (3, [unsigned(types.index(code.type)) for code in self.functions]),
+            (4, [b"\x70" + _limits(size) for size in self.tables]),
+            (5, [_limits(size) for size in memories]),
+            (6, [_global(kind, value) for kind, value in self.globals]),
+            (7, [_name(n) + bytes((kinds[k],)) + unsigned(i) for n, k, i in self.exports]),
+            (9, [_element(*each) for each in self.elements]),
+            (10, [code.to_binary() for code in self.functions]),
+            (11, [_data(*each) for each in self.data]),
+        ]  # fmt: skip
+        return b"\x00asm\x01\x00\x00\x00" + b"".join(
+            _section(number, _vector(items)) for number, items in sections if items
+        )
+
+    def to_text(self) -> str:
+        """Gives the functions in the text format, for people to read."""
+        return "\n".join(_function_text(code) for code in self.functions)
+
+
+def _limits(size: int) -> bytes:
+    return b"\x01" + unsigned(size) + unsigned(size)
+
+
+def _func_type(kind: FuncType) -> bytes:
+    parameters, results = kind
+    return b"\x60" + b"".join(_vector(bytes((_VALUE[t],)) for t in side)
+                              for side in (parameters, results))  # fmt: skip
+
+
+def _global(kind: ValueType, value: int) -> bytes:
+    return bytes((_VALUE[kind], 1)) + encode((f"{kind}.const", value)) + b"\x0b"
+
+
+def _element(table: int, first: int, functions: list[int]) -> bytes:
+    offset = encode(("i32.const", first)) + b"\x0b"
+    return b"\x02" + unsigned(table) + offset + b"\x00" + _vector(map(unsigned, functions))
+
+
+def _data(memory: int, address: int, content: bytes) -> bytes:
+    offset = encode(("i32.const", address)) + b"\x0b"
+    return b"\x02" + unsigned(memory) + offset + unsigned(len(content)) + content
+
+
+def _function_text(code: Code) -> str:
+    parameters, results = code.type
+    head = f"(func ${_identifier(code.name)}"
+    head += "".join(f" (param {kind})" for kind in parameters)
+    head += "".join(f" (result {kind})" for kind in results)
+    rows = [head]
+    if code.locals:
+        rows.append("  (local " + " ".join(code.locals) + ")")
+    depth = 1
+    for instr in code.body:
+        if instr[0] in ("end", "else"):
+            depth -= 1
+        rows.append("  " * depth + _instruction_text(instr))
+        if instr[0] in ("block", "loop", "if", "else"):
+            depth += 1
+    return "\n".join(rows) + ")\n"
+
+
+def _identifier(name: str) -> str:
+    return "".join(c if c.isalnum() or c in "_.:$-" else "_" for c in name)
+
+
+def _instruction_text(instr: Instr) -> str:
+    match instr:
+        case ("br_table", targets, default):
+            return "br_table " + " ".join(map(str, [*targets, default]))
+        case ("call_indirect", type_index, table):
+            return f"call_indirect {table} (type {type_index})"
+        case (name, memory, offset) if name in _ACCESS:
+            return f"{name} {memory}" + (f" offset={offset}" if offset else "")
+    return " ".join(map(str, instr))
