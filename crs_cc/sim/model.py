@@ -1,0 +1,248 @@
+"""What a world is: constant data, apart from everything that changes while it runs.
+
+A `WorldModel` says what stands where before the first timestep: walls, boxes, cylinders, and
+robots, each with the `RobotModel` that says what it is made of. `world_xml` reads it from a file,
+`environment.Environment` is made from it and never changes it. All of it is frozen, compares and
+hashes by content, and pickles.
+
+Units: metres, seconds, kilograms, radians. World frame: x to the right, y up, angles
+counter-clockwise from x. Robot frame: x ahead, y to the left, origin midway between the wheels.
+
+>>> ahead = Sonar(0, x_m=0.2, y_m=0.0, direction_rad=0.0, range_m=6.477, radius_m=1.14)
+>>> scout = RobotModel("scout", radius_m=0.2, drive=Drive(wheel_base_m=0.345), sonars=(ahead,))
+>>> room = WorldModel(
+...     "room",
+...     area=Area(0.0, 0.0, 6.0, 5.0),
+...     walls=(Wall("screen", 3.0, 0.0, 3.0, 2.0, thickness_m=0.1),),
+...     robots=(Robot("robot0", scout, Pose(1.0, 1.0)),),
+... )
+>>> round(math.degrees(room.robots[0].model.sonars[0].half_angle_rad))
+10
+>>> [wall.id for wall in room.edge_walls()]
+['edge-south', 'edge-east', 'edge-north', 'edge-west']
+>>> hash(room) == hash(WorldModel("room", room.area, room.walls, robots=room.robots))
+True
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Final, TypeAlias
+
+FIXED_KG: Final = math.inf
+"""The mass of what cannot be pushed."""
+
+
+@dataclass(frozen=True, slots=True)
+class Pose:
+    """A place and a heading in the world frame."""
+
+    x_m: float = 0.0
+    y_m: float = 0.0
+    heading_rad: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Area:
+    """The rectangle that the world is about.
+
+    Attributes:
+        x_min_m: its left edge.
+        y_min_m: its lower edge.
+        length_m: its size along x.
+        width_m: its size along y.
+        edge_m: thickness of the walls around it, which stand outside of it; 0 when it is open.
+    """
+
+    x_min_m: float
+    y_min_m: float
+    length_m: float
+    width_m: float
+    edge_m: float = 0.1
+
+    @property
+    def x_max_m(self) -> float:
+        """The right edge."""
+        return self.x_min_m + self.length_m
+
+    @property
+    def y_max_m(self) -> float:
+        """The upper edge."""
+        return self.y_min_m + self.width_m
+
+
+@dataclass(frozen=True, slots=True)
+class Wall:
+    """A fixed wall: a line segment with thickness, round at both ends."""
+
+    id: str
+    x1_m: float
+    y1_m: float
+    x2_m: float
+    y2_m: float
+    thickness_m: float = 0.1
+
+
+@dataclass(frozen=True, slots=True)
+class Box:
+    """A rectangular object; `length_m` lies along the heading of its pose, `width_m` across."""
+
+    id: str
+    pose: Pose
+    length_m: float
+    width_m: float
+    mass_kg: float = FIXED_KG
+
+
+@dataclass(frozen=True, slots=True)
+class Cylinder:
+    """A round object."""
+
+    id: str
+    pose: Pose
+    radius_m: float
+    mass_kg: float = FIXED_KG
+
+
+Solid: TypeAlias = Wall | Box | Cylinder
+"""What a robot can run into, other robots apart."""
+
+
+def is_pushable(solid: Solid) -> bool:
+    """Tells whether a robot can push a thing away."""
+    return not isinstance(solid, Wall) and solid.mass_kg < FIXED_KG
+
+
+@dataclass(frozen=True, slots=True)
+class Sonar:
+    """One ultrasonic range sensor.
+
+    Its beam is a cone that starts at the sensor: `range_m` is the height of the cone and
+    `radius_m` the radius of its base.
+
+    Attributes:
+        id: its number, the index of its reading among the vendor's `STATE_SONAR_0` to `_15`.
+        x_m: where it sits in the robot frame, ahead of the axle's middle.
+        y_m: the same, to the left.
+        direction_rad: where it points, counter-clockwise from ahead.
+        range_m: how far it hears.
+        radius_m: how wide the beam is at that distance.
+        z_m: its height above the floor.
+    """
+
+    id: int
+    x_m: float
+    y_m: float
+    direction_rad: float
+    range_m: float
+    radius_m: float
+    z_m: float = 0.0
+
+    @property
+    def half_angle_rad(self) -> float:
+        """The angle between the axis of the beam and its side."""
+        return math.atan2(self.radius_m, self.range_m)
+
+
+@dataclass(frozen=True, slots=True)
+class Drive:
+    """Two driven wheels on one axle.
+
+    Attributes:
+        wheel_base_m: distance between the wheels.
+        speed_limit_mps: the fastest that a wheel can run.
+        acceleration_limit_mps2: the fastest that its speed can change.
+        speed_mps: speed of relative moves until the program sets another.
+        acceleration_mps2: acceleration until the program sets another.
+        timeout_s: the wheels stop when no command came for so long, until the program sets
+            another; 0 for never.
+        push_n: the force with which the robot pushes against what is in its way.
+    """
+
+    wheel_base_m: float
+    speed_limit_mps: float = 1.0
+    acceleration_limit_mps2: float = 2.0
+    speed_mps: float = 0.3
+    acceleration_mps2: float = 0.5
+    timeout_s: float = 0.0
+    push_n: float = 60.0
+
+
+@dataclass(frozen=True, slots=True)
+class RobotModel:
+    """What a kind of robot is made of, as its definition file says.
+
+    Attributes:
+        name: the definition's name.
+        radius_m: radius of its round body.
+        drive: its wheels.
+        mass_kg: its mass.
+        sonars: its sonars, by rising id.
+        sonar_order: firing order until the program sets another.
+        sonar_noise_m: standard deviation of a sonar's error.
+        bumper_switches: number of equal switches around the body; switch 0 is centred ahead and
+            they count counter-clockwise.
+        link_s: time that each command takes on the line between host and robot, by name.
+    """
+
+    name: str
+    radius_m: float
+    drive: Drive
+    mass_kg: float = 20.0
+    sonars: tuple[Sonar, ...] = ()
+    sonar_order: tuple[int, ...] = ()
+    sonar_noise_m: float = 0.0
+    bumper_switches: int = 0
+    link_s: tuple[tuple[str, float], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Robot:
+    """One robot of a world.
+
+    Attributes:
+        id: its name, unique in the world.
+        model: what it is made of.
+        start: its pose at the start.
+        program: the C file that it runs, as a path that can be opened; empty when the world
+            does not say.
+        arguments: what the program gets in `argv`, behind its own name.
+    """
+
+    id: str
+    model: RobotModel
+    start: Pose = Pose()
+    program: str = ""
+    arguments: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class WorldModel:
+    """A whole world; the order within each tuple is that of the file, and is part of it."""
+
+    name: str
+    area: Area
+    walls: tuple[Wall, ...] = ()
+    boxes: tuple[Box, ...] = ()
+    cylinders: tuple[Cylinder, ...] = ()
+    robots: tuple[Robot, ...] = ()
+    timestep_s: float = 0.05
+
+    def edge_walls(self) -> tuple[Wall, ...]:
+        """Gives the walls around the area; their inner sides lie on its edges."""
+        area, half_m = self.area, self.area.edge_m / 2
+        if area.edge_m == 0.0:
+            return ()
+        west, east = area.x_min_m - half_m, area.x_max_m + half_m
+        south, north = area.y_min_m - half_m, area.y_max_m + half_m
+        return (
+            Wall("edge-south", west, south, east, south, area.edge_m),
+            Wall("edge-east", east, south, east, north, area.edge_m),
+            Wall("edge-north", east, north, west, north, area.edge_m),
+            Wall("edge-west", west, north, west, south, area.edge_m),
+        )
+
+    def solids(self) -> tuple[Solid, ...]:
+        """Gives everything that a robot can run into, other robots apart."""
+        return (*self.edge_walls(), *self.walls, *self.boxes, *self.cylinders)
