@@ -17,7 +17,7 @@ The form in short:
 
 Names of operators are WebAssembly's (`i32.add`, `f64.convert_i32_s`), with C's meaning where the
 two differ: the division operators and the conversions from floating to integer types never trap
-silently, codegen adds the checks.
+silently, codegen adds the checks. `ir.instruction` holds the instructions one by one.
 
 >>> from crs_cc.source import Location
 >>> here = Location("twice.c", 1, 1)
@@ -33,244 +33,85 @@ silently, codegen adds the checks.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Final, Literal, TypeAlias
+from collections.abc import Callable
+from dataclasses import dataclass, field, fields, replace
+from typing import TYPE_CHECKING, Any
+
+from crs_cc.ir.instruction import (
+    MEMORY_SIZE,
+    VALUE_TYPE,
+    VARARGS,
+    Address,
+    Argument,
+    Base,
+    Binary,
+    Branch,
+    Call,
+    Constant,
+    Copy,
+    Fill,
+    Instruction,
+    Jump,
+    Load,
+    MemoryType,
+    Move,
+    Operand,
+    Register,
+    Request,
+    Return,
+    Slot,
+    Statement,
+    Stop,
+    Store,
+    Switch,
+    Terminator,
+    Unary,
+    ValueType,
+    Variable,
+)
 
 if TYPE_CHECKING:
     from crs_cc.ir.types import CType
     from crs_cc.source import Location
 
-ValueType: TypeAlias = Literal["i32", "i64", "f32", "f64"]
-MemoryType: TypeAlias = Literal["i8", "u8", "i16", "u16", "i32", "i64", "f32", "f64"]
-
-MEMORY_SIZE: Final[dict[MemoryType, int]] = {
-    "i8": 1, "u8": 1, "i16": 2, "u16": 2, "i32": 4, "i64": 8, "f32": 4, "f64": 8,
-}  # fmt: skip
-VALUE_TYPE: Final[dict[MemoryType, ValueType]] = {
-    "i8": "i32", "u8": "i32", "i16": "i32", "u16": "i32",
-    "i32": "i32", "i64": "i64", "f32": "f32", "f64": "f64",
-}  # fmt: skip
-
-
-@dataclass(frozen=True, slots=True)
-class Variable:
-    """A C variable as its programmer knows it, for debuggers and messages."""
-
-    name: str
-    ctype: CType
-    location: Location
-
-
-@dataclass(slots=True, eq=False)
-class Register:
-    """A typed virtual register; `variable` is set when it holds a C variable."""
-
-    index: int
-    type: ValueType
-    variable: Variable | None = None
-
-
-@dataclass(slots=True, eq=False)
-class Slot:
-    """Bytes in the function's frame; `variable` is set when they hold a C variable."""
-
-    name: str
-    size: int
-    align: int
-    variable: Variable | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Constant:
-    """A constant operand. Integers are kept in the signed range of their type."""
-
-    type: ValueType
-    value: int | float
-
-
-Operand: TypeAlias = Register | Constant
-VARARGS: Final = Slot("...", 0, 4)
-"""As the base of an `Address`: the first byte behind the named parameters (for `va_start`)."""
-Base: TypeAlias = Register | Slot | str
-"""Where an address starts: a pointer value, a frame slot, or a global object or function."""
-
-
-@dataclass(slots=True, eq=False)
-class Instruction:
-    """What all instructions have: the place in the C source to blame."""
-
-    location: Location
-
-
-@dataclass(slots=True, eq=False)
-class Statement(Instruction):
-    """Marks the start of a C statement: no code when running, a stop for the debugger."""
-
-
-@dataclass(slots=True, eq=False)
-class Move(Instruction):
-    """`result = source`."""
-
-    result: Register
-    source: Operand
-
-
-@dataclass(slots=True, eq=False)
-class Unary(Instruction):
-    """`result = op source`, for negation, rounding, counting bits and every conversion."""
-
-    result: Register
-    op: str
-    source: Operand
-
-
-@dataclass(slots=True, eq=False)
-class Binary(Instruction):
-    """`result = left op right`; comparisons give an i32, 0 or 1."""
-
-    result: Register
-    op: str
-    left: Operand
-    right: Operand
-
-
-@dataclass(slots=True, eq=False)
-class Load(Instruction):
-    """`result = *(base + offset)`, widened as `memory` says.
-
-    With a slot or a name as base the access must lie inside that object; an access that is not
-    known to do so goes through a register made by `Address`, and is checked while running.
-    """
-
-    result: Register
-    base: Base
-    offset: int
-    memory: MemoryType
-
-
-@dataclass(slots=True, eq=False)
-class Store(Instruction):
-    """`*(base + offset) = source`, narrowed as `memory` says. Bases as for `Load`."""
-
-    base: Base
-    offset: int
-    source: Operand
-    memory: MemoryType
-
-
-@dataclass(slots=True, eq=False)
-class Address(Instruction):
-    """`result = base + offset`; the name of a function gives its function pointer."""
-
-    result: Register
-    base: Base
-    offset: int
-
-
-@dataclass(slots=True, eq=False)
-class Copy(Instruction):
-    """Copies `size` bytes as `memmove` does; the operands are i32, both ranges are checked."""
-
-    target: Operand
-    source: Operand
-    size: Operand
-
-
-@dataclass(slots=True, eq=False)
-class Fill(Instruction):
-    """Sets `size` bytes to the low byte of `value`, as `memset` does; checked like `Copy`."""
-
-    target: Operand
-    value: Operand
-    size: Operand
-
-
-@dataclass(slots=True, eq=False)
-class Jump(Instruction):
-    """Goes to another block."""
-
-    target: Block
-
-
-@dataclass(slots=True, eq=False)
-class Branch(Instruction):
-    """Goes to `then` when the i32 `condition` is not zero, else to `otherwise`."""
-
-    condition: Operand
-    then: Block
-    otherwise: Block
-
-
-@dataclass(slots=True, eq=False)
-class Switch(Instruction):
-    """Goes to the block of the case equal to the i32 or i64 `value`, else to `default`."""
-
-    value: Operand
-    cases: list[tuple[int, Block]]
-    default: Block
-
-
-@dataclass(slots=True, eq=False)
-class Return(Instruction):
-    """Leaves the function. Without a value the caller finds an unspecified one."""
-
-    value: Operand | None
-
-
-@dataclass(frozen=True, slots=True)
-class Argument:
-    """One argument of a call: a value stored as `memory`, or `size` bytes at address `value`.
-
-    Attributes:
-        value: the value; for a struct its address (i32).
-        memory: how the value is stored; None for a struct, which is copied.
-        size: size in bytes, before rounding up to 4.
-    """
-
-    value: Operand
-    memory: MemoryType | None
-    size: int
-
-
-@dataclass(slots=True, eq=False)
-class Call(Instruction):
-    """Calls a function by name, or through a function pointer in a register; goes on at `then`.
-
-    `result`, if any, takes the returned value. A struct result is returned through a hidden first
-    argument that points to the caller's memory.
-    """
-
-    callee: str | Register
-    arguments: list[Argument]
-    result: Register | None
-    then: Block
-
-
-@dataclass(slots=True, eq=False)
-class Request(Instruction):
-    """Posts request `code` with the message at address `message`, stops, goes on at `then`.
-
-    The message is `struct __crs_message` (see `crs_cc.requests`); the reply takes its place, and
-    `result` takes the reply's i32 result.
-    """
-
-    code: Operand
-    message: Operand
-    result: Register
-    then: Block
-
-
-@dataclass(slots=True, eq=False)
-class Stop(Instruction):
-    """Ends the program with an error that the C source asked for or cannot get past.
-
-    `kind` is one of `crs_cc.requests.ERROR_KINDS`, for example "unreachable".
-    """
-
-    kind: str
-
-
-Terminator: TypeAlias = Jump | Branch | Switch | Return | Call | Request | Stop
+__all__ = [
+    "MEMORY_SIZE",
+    "VALUE_TYPE",
+    "VARARGS",
+    "Address",
+    "Argument",
+    "Base",
+    "Binary",
+    "Block",
+    "Branch",
+    "Call",
+    "Constant",
+    "Copy",
+    "Data",
+    "Fill",
+    "Function",
+    "Instruction",
+    "Jump",
+    "Load",
+    "MemoryType",
+    "Move",
+    "Operand",
+    "Parameter",
+    "Program",
+    "Register",
+    "Relocation",
+    "Request",
+    "Return",
+    "Slot",
+    "Statement",
+    "Stop",
+    "Store",
+    "Switch",
+    "Terminator",
+    "Unary",
+    "ValueType",
+    "Variable",
+]
 
 
 @dataclass(slots=True, eq=False)
@@ -333,6 +174,25 @@ class Function:
     blocks: list[Block] = field(default_factory=list)
     ctype: CType | None = None
 
+    def __getstate__(self) -> dict[str, Any]:
+        """Gives the function with blocks by number, so that pickling does not follow jumps."""
+        number = {block: position for position, block in enumerate(self.blocks)}
+        state = {each.name: getattr(self, each.name) for each in fields(self)}
+        state["blocks"] = [
+            (block.label, block.instructions, renumber(block.terminator, number.__getitem__))
+            for block in self.blocks
+        ]
+        return state
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        rows = state["blocks"]
+        blocks = [Block(label, instructions) for label, instructions, _ in rows]
+        for block, (_, _, terminator) in zip(blocks, rows, strict=True):
+            block.terminator = renumber(terminator, blocks.__getitem__)
+        for name, value in state.items():
+            setattr(self, name, value)
+        self.blocks = blocks
+
 
 @dataclass(frozen=True, slots=True)
 class Relocation:
@@ -370,3 +230,18 @@ class Program:
     functions: dict[str, Function] = field(default_factory=dict)
     data: dict[str, Data] = field(default_factory=dict)
     undefined: dict[str, Location] = field(default_factory=dict)
+
+
+def renumber(terminator: Any, change: Callable[[Any], Any]) -> Any:
+    """Gives a copy of a terminator with `change` applied to each of its targets."""
+    match terminator:
+        case Jump(target=target):
+            return replace(terminator, target=change(target))
+        case Call(then=then) | Request(then=then):
+            return replace(terminator, then=change(then))
+        case Branch(then=then, otherwise=otherwise):
+            return replace(terminator, then=change(then), otherwise=change(otherwise))
+        case Switch(cases=cases, default=default):
+            moved = [(value, change(block)) for value, block in cases]
+            return replace(terminator, cases=moved, default=change(default))
+    return terminator

@@ -1,0 +1,246 @@
+"""The instructions of the IR and what they work on.
+
+`ir.program` says how they make up a program; each class here says what its instruction does.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final, Literal, TypeAlias
+
+if TYPE_CHECKING:
+    from crs_cc.ir.program import Block
+    from crs_cc.ir.types import CType
+    from crs_cc.source import Location
+
+ValueType: TypeAlias = Literal["i32", "i64", "f32", "f64"]
+MemoryType: TypeAlias = Literal["i8", "u8", "i16", "u16", "i32", "i64", "f32", "f64"]
+
+MEMORY_SIZE: Final[dict[MemoryType, int]] = {
+    "i8": 1, "u8": 1, "i16": 2, "u16": 2, "i32": 4, "i64": 8, "f32": 4, "f64": 8,
+}  # fmt: skip
+VALUE_TYPE: Final[dict[MemoryType, ValueType]] = {
+    "i8": "i32", "u8": "i32", "i16": "i32", "u16": "i32",
+    "i32": "i32", "i64": "i64", "f32": "f32", "f64": "f64",
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """A C variable as its programmer knows it, for debuggers and messages."""
+
+    name: str
+    ctype: CType
+    location: Location
+
+
+@dataclass(slots=True, eq=False)
+class Register:
+    """A typed virtual register; `variable` is set when it holds a C variable."""
+
+    index: int
+    type: ValueType
+    variable: Variable | None = None
+
+
+@dataclass(slots=True, eq=False)
+class Slot:
+    """Bytes in the function's frame; `variable` is set when they hold a C variable."""
+
+    name: str
+    size: int
+    align: int
+    variable: Variable | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Constant:
+    """A constant operand. Integers are kept in the signed range of their type."""
+
+    type: ValueType
+    value: int | float
+
+
+Operand: TypeAlias = Register | Constant
+VARARGS: Final = Slot("...", 0, 4)
+"""As the base of an `Address`: the first byte behind the named parameters (for `va_start`)."""
+Base: TypeAlias = Register | Slot | str
+"""Where an address starts: a pointer value, a frame slot, or a global object or function."""
+
+
+@dataclass(slots=True, eq=False)
+class Instruction:
+    """What all instructions have: the place in the C source to blame."""
+
+    location: Location
+
+
+@dataclass(slots=True, eq=False)
+class Statement(Instruction):
+    """Marks the start of a C statement: no code when running, a stop for the debugger."""
+
+
+@dataclass(slots=True, eq=False)
+class Move(Instruction):
+    """`result = source`."""
+
+    result: Register
+    source: Operand
+
+
+@dataclass(slots=True, eq=False)
+class Unary(Instruction):
+    """`result = op source`, for negation, rounding, counting bits and every conversion."""
+
+    result: Register
+    op: str
+    source: Operand
+
+
+@dataclass(slots=True, eq=False)
+class Binary(Instruction):
+    """`result = left op right`; comparisons give an i32, 0 or 1."""
+
+    result: Register
+    op: str
+    left: Operand
+    right: Operand
+
+
+@dataclass(slots=True, eq=False)
+class Load(Instruction):
+    """`result = *(base + offset)`, widened as `memory` says.
+
+    With a slot or a name as base the access must lie inside that object; an access that is not
+    known to do so goes through a register made by `Address`, and is checked while running.
+    """
+
+    result: Register
+    base: Base
+    offset: int
+    memory: MemoryType
+
+
+@dataclass(slots=True, eq=False)
+class Store(Instruction):
+    """`*(base + offset) = source`, narrowed as `memory` says. Bases as for `Load`."""
+
+    base: Base
+    offset: int
+    source: Operand
+    memory: MemoryType
+
+
+@dataclass(slots=True, eq=False)
+class Address(Instruction):
+    """`result = base + offset`; the name of a function gives its function pointer."""
+
+    result: Register
+    base: Base
+    offset: int
+
+
+@dataclass(slots=True, eq=False)
+class Copy(Instruction):
+    """Copies `size` bytes as `memmove` does; the operands are i32, both ranges are checked."""
+
+    target: Operand
+    source: Operand
+    size: Operand
+
+
+@dataclass(slots=True, eq=False)
+class Fill(Instruction):
+    """Sets `size` bytes to the low byte of `value`, as `memset` does; checked like `Copy`."""
+
+    target: Operand
+    value: Operand
+    size: Operand
+
+
+@dataclass(slots=True, eq=False)
+class Jump(Instruction):
+    """Goes to another block."""
+
+    target: Block
+
+
+@dataclass(slots=True, eq=False)
+class Branch(Instruction):
+    """Goes to `then` when the i32 `condition` is not zero, else to `otherwise`."""
+
+    condition: Operand
+    then: Block
+    otherwise: Block
+
+
+@dataclass(slots=True, eq=False)
+class Switch(Instruction):
+    """Goes to the block of the case equal to the i32 or i64 `value`, else to `default`."""
+
+    value: Operand
+    cases: list[tuple[int, Block]]
+    default: Block
+
+
+@dataclass(slots=True, eq=False)
+class Return(Instruction):
+    """Leaves the function. Without a value the caller finds an unspecified one."""
+
+    value: Operand | None
+
+
+@dataclass(frozen=True, slots=True)
+class Argument:
+    """One argument of a call: a value stored as `memory`, or `size` bytes at address `value`.
+
+    Attributes:
+        value: the value; for a struct its address (i32).
+        memory: how the value is stored; None for a struct, which is copied.
+        size: size in bytes, before rounding up to 4.
+    """
+
+    value: Operand
+    memory: MemoryType | None
+    size: int
+
+
+@dataclass(slots=True, eq=False)
+class Call(Instruction):
+    """Calls a function by name, or through a function pointer in a register; goes on at `then`.
+
+    `result`, if any, takes the returned value. A struct result is returned through a hidden first
+    argument that points to the caller's memory.
+    """
+
+    callee: str | Register
+    arguments: list[Argument]
+    result: Register | None
+    then: Block
+
+
+@dataclass(slots=True, eq=False)
+class Request(Instruction):
+    """Posts request `code` with the message at address `message`, stops, goes on at `then`.
+
+    The message is `struct __crs_message` (see `crs_cc.requests`); the reply takes its place, and
+    `result` takes the reply's i32 result.
+    """
+
+    code: Operand
+    message: Operand
+    result: Register
+    then: Block
+
+
+@dataclass(slots=True, eq=False)
+class Stop(Instruction):
+    """Ends the program with an error that the C source asked for or cannot get past.
+
+    `kind` is one of `crs_cc.requests.ERROR_KINDS`, for example "unreachable".
+    """
+
+    kind: str
+
+
+Terminator: TypeAlias = Jump | Branch | Switch | Return | Call | Request | Stop
