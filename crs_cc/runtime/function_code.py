@@ -4,7 +4,7 @@ The function keeps its registers in WebAssembly locals. Whenever it must stop (a
 left, a callee that stopped, a statement the debugger waits for) it notes in local `label` the
 landing where it will go on and leaves through its epilogue, which saves the registers to their
 homes in the frame. When it is called again it loads them back and goes to that landing. See
-`layout` for the frame and `flow` for landings.
+`layout` for the frame and `dispatch` for landings.
 """
 
 from __future__ import annotations
@@ -30,7 +30,8 @@ from crs_cc.ir.program import (
 )
 from crs_cc.ir.uses import Liveness, alive_before, all_instructions, reads, writes
 from crs_cc.requests import MESSAGE, SLOT, SUSPENDED
-from crs_cc.runtime.flow import LANDING, UNWIND, Landing, Node, add_dispatchers, emit
+from crs_cc.runtime.dispatch import add_dispatchers
+from crs_cc.runtime.flow import LANDING, UNWIND, Landing, Node
 from crs_cc.runtime.layout import (
     FUNCTION,
     HEADER_SIZE,
@@ -41,6 +42,7 @@ from crs_cc.runtime.layout import (
     argument_offsets,
     lay_out,
 )
+from crs_cc.runtime.nesting import emit
 from crs_cc.runtime.selection import (
     FP,
     FUEL,

@@ -1,0 +1,1 @@
+"""The run: compiles programs, and lets programs and environment take turns."""

@@ -1,0 +1,132 @@
+"""From the user's C files to an executable: compile, link, generate code, remember."""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import pickle
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from crs_cc.errors import CompileError
+from crs_cc.frontend.options import Options
+from crs_cc.runtime.executable import Detail, Executable
+from crs_cc.session import cache
+from crs_cc.source import Diagnostic, Diagnostics
+
+
+@dataclass(frozen=True, slots=True)
+class _Entry:
+    """A cached executable: what it was made of, and what came out.
+
+    `program` is the pickled IR, which only messages and debuggers need.
+    """
+
+    dependencies: tuple[tuple[str, str], ...]
+    machine_code: bytes
+    program: bytes
+    warnings: tuple[Diagnostic, ...]
+
+
+def build_executable(
+    paths: Sequence[Path],
+    diagnostics: Diagnostics,
+    *,
+    include_paths: Sequence[Path] = (),
+    defines: Sequence[str] = (),
+    undefines: Sequence[str] = (),
+    checked: bool = True,
+    debug: bool = False,
+) -> Executable:
+    """Gives the program made of some C files, from the cache if nothing has changed.
+
+    Args:
+        paths: the C files.
+        diagnostics: takes the warnings.
+        include_paths: folders for `#include`, in order.
+        defines: macros as `NAME`, `NAME=value` or `NAME(x)=value`.
+        undefines: predefined macros to leave out.
+        checked: test every access through a pointer.
+        debug: make every statement a place to stop at.
+
+    Raises:
+        CompileError: the files do not make a program.
+    """
+    name = " ".join(map(str, paths))
+    key = cache.key(
+        map(str, (path.resolve() for path in paths)),
+        map(str, paths),
+        map(str, (path.resolve() for path in include_paths)),
+        defines,
+        undefines,
+        f"checked={checked} debug={debug}",
+    )
+    entry = cache.load(key)
+    if isinstance(entry, _Entry) and _unchanged(entry):
+        diagnostics.messages.extend(entry.warnings)
+        return Executable(name, entry.machine_code, _reload(entry, checked=checked, debug=debug))
+
+    from crs_cc.session.library import HEADERS
+
+    options = Options(tuple(include_paths), (HEADERS,), tuple(defines), tuple(undefines))
+    executable = _compile(paths, options, diagnostics, name, checked=checked, debug=debug)
+    warnings = tuple(diagnostics.messages)
+    files = dict.fromkeys([*map(str, paths), *diagnostics.lines])
+    dependencies = tuple((file, _digest(file)) for file in files)
+    program = pickle.dumps(executable.program, pickle.HIGHEST_PROTOCOL)
+    cache.store(key, _Entry(dependencies, executable.machine_code, program, warnings))
+    return executable
+
+
+def _compile(
+    paths: Sequence[Path],
+    options: Options,
+    diagnostics: Diagnostics,
+    name: str,
+    *,
+    checked: bool,
+    debug: bool,
+) -> Executable:
+    from crs_cc.frontend.unit import compile_file
+    from crs_cc.ir.verify import verify
+    from crs_cc.runtime.executable import make_executable
+    from crs_cc.runtime.link import link
+    from crs_cc.session.library import library
+
+    units = []
+    for path in paths:
+        try:
+            units.append(compile_file(path, options, diagnostics))
+        except CompileError:
+            continue  # its messages are in `diagnostics`; the other files may have more
+    if diagnostics.errors:
+        raise CompileError(diagnostics.messages)
+    for unit in units:
+        verify(unit)
+    program = link(units, library(), diagnostics)
+    return make_executable(program, name, checked=checked, debug=debug)
+
+
+def _unchanged(entry: _Entry) -> bool:
+    return all(_digest(file) == digest for file, digest in entry.dependencies)
+
+
+def _digest(file: str) -> str:
+    try:
+        return hashlib.sha256(Path(file).read_bytes()).hexdigest()
+    except OSError:
+        return ""
+
+
+def _reload(entry: _Entry, *, checked: bool, debug: bool) -> Callable[[], Detail]:
+    """Gives a function that makes a cached program's detail when it is first asked for."""
+
+    @functools.cache
+    def detail() -> Detail:
+        from crs_cc.runtime.codegen import compile_program
+
+        program = pickle.loads(entry.program)  # noqa: S301 - see `crs_cc.session.cache`
+        return Detail(program, compile_program(program, checked=checked, debug=debug))
+
+    return detail

@@ -1,0 +1,128 @@
+"""The requests that a program's host computer answers: streams, time, arguments, the end.
+
+A request costs processor time like a system call; apart from `SLEEP` it is answered at once.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+
+from crs_cc.requests import CODES, DATA_SIZE, REQUESTS
+
+HOST_SPEED: Final = 50_000_000
+"""How many IR instructions a host runs in a second.
+
+Chosen by us: a 100 MHz Pentium laptop, as rode on a Scout around 1998, at two cycles each.
+"""
+
+SYSTEM_CALL: Final = 1000
+"""Processor time of a request to the host [instructions]; chosen by us: 20 microseconds."""
+
+Output = Callable[[int, int, bytes], None]
+"""Takes what a program writes: robot number, stream (1 or 2), bytes."""
+
+Input = Callable[[int, int], bytes]
+"""Gives what a program reads from its standard input: robot number, bytes wanted at most."""
+
+HOST_CODES: Final = frozenset(code for code, row in REQUESTS.items() if row.server == "host")
+
+
+@dataclass(frozen=True, slots=True)
+class HostRequest:
+    """One request to be answered in place.
+
+    Attributes:
+        robot: whose it is.
+        message: a view of its message, one element of dtype `MESSAGE`.
+        clock_s: the program's clock [s].
+        used_s: processor time that the program has used [s].
+    """
+
+    robot: int
+    message: Any
+    clock_s: float
+    used_s: float
+
+
+class Host:
+    """The host computers of all robots.
+
+    Attributes:
+        exit_status: by robot, the status that its program ended with; None while it runs.
+    """
+
+    def __init__(self, arguments: Sequence[Sequence[str]], output: Output, read: Input) -> None:
+        self.exit_status: list[int | None] = [None] * len(arguments)
+        self._arguments = [[each.encode() for each in row] for row in arguments]
+        self._output = output
+        self._read = read
+        self._serve: dict[int, Callable[[HostRequest], float]] = {
+            CODES["EXIT"]: self._exit,
+            CODES["WRITE"]: self._write,
+            CODES["READ"]: self._read_stream,
+            CODES["CLOCK"]: self._clock,
+            CODES["SLEEP"]: self._sleep,
+            CODES["ARGUMENT"]: self._argument,
+        }
+
+    def serve(self, code: int, request: HostRequest) -> float:
+        """Answers a request; an unknown code gets the result -1. Gives when the program goes on."""
+        handler = self._serve.get(code)
+        if handler is not None:
+            return handler(request)
+        request.message["result"] = -1
+        return request.clock_s
+
+    def _exit(self, request: HostRequest) -> float:
+        self.exit_status[request.robot] = int(request.message["i"][0]) & 0xFF
+        return request.clock_s
+
+    def _write(self, request: HostRequest) -> float:
+        message = request.message
+        stream, size = int(message["i"][0]), int(message["size"])
+        if stream not in (1, 2) or not 0 <= size <= DATA_SIZE:
+            message["result"] = -1
+        else:
+            self._output(request.robot, stream, message["data"][:size].tobytes())
+            message["result"] = size
+        return request.clock_s
+
+    def _read_stream(self, request: HostRequest) -> float:
+        message = request.message
+        stream, wanted = int(message["i"][0]), int(message["i"][1])
+        if stream != 0 or wanted < 0:
+            message["result"] = -1
+        else:
+            _reply_bytes(message, self._read(request.robot, min(wanted, DATA_SIZE)))
+            message["result"] = message["size"]
+        return request.clock_s
+
+    def _clock(self, request: HostRequest) -> float:
+        request.message["f"][:2] = request.clock_s, request.used_s
+        return request.clock_s
+
+    def _sleep(self, request: HostRequest) -> float:
+        pause_s = float(request.message["f"][0])
+        request.message["result"] = 0
+        passes = pause_s > 0 and math.isfinite(pause_s)
+        return request.clock_s + pause_s if passes else request.clock_s
+
+    def _argument(self, request: HostRequest) -> float:
+        message, arguments = request.message, self._arguments[request.robot]
+        number, first = int(message["i"][0]), int(message["i"][1])
+        if not 0 <= number < len(arguments) or first < 0:
+            message["result"] = -1
+        else:
+            _reply_bytes(message, arguments[number][first : first + DATA_SIZE])
+            message["result"] = len(arguments[number])
+        return request.clock_s
+
+
+def _reply_bytes(message: Any, content: bytes) -> None:
+    message["size"] = len(content)
+    message["data"][: len(content)] = np.frombuffer(content, np.uint8)

@@ -1,0 +1,61 @@
+"""What came out of a run, as plain data."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from crs_cc.source import Diagnostic
+
+Pose = tuple[float, float, float]
+"""x [m], y [m], heading [rad, counter-clockwise from x]."""
+
+
+@dataclass(frozen=True, slots=True)
+class RobotResult:
+    """One robot at the end of a run.
+
+    Attributes:
+        id: its name in the world.
+        program: the program that it ran.
+        outcome: how its program ended, if it did.
+        exit_status: what the program returned; None unless it exited.
+        error: why the program was stopped; None unless it failed.
+        time_s: the program's clock when it ended, or now [s].
+        odometry: where the robot believes to be, in the frame of its odometry.
+        pose: where it is, in the world's frame.
+        distance_m: how far it has driven [m].
+        collisions: how many contacts began.
+        commands: how many commands it was sent.
+        fuel: IR instructions that the program has run.
+    """
+
+    id: str
+    program: str
+    outcome: Literal["exited", "running", "failed"]
+    exit_status: int | None
+    error: Diagnostic | None
+    time_s: float
+    odometry: Pose
+    pose: Pose
+    distance_m: float
+    collisions: int
+    commands: int
+    fuel: int
+
+
+@dataclass(frozen=True, slots=True)
+class RunResult:
+    """A run so far.
+
+    Attributes:
+        robots: the robots, in the world's order.
+        timesteps: how many timesteps were run.
+        simulated_s: simulated time [s].
+        state_hash: SHA-256 over the whole state: environment, programs' memories, clocks.
+    """
+
+    robots: tuple[RobotResult, ...]
+    timesteps: int
+    simulated_s: float
+    state_hash: str
