@@ -12,7 +12,7 @@ define install
 @cmp -s pyproject.toml '$(VENV)/installed$(1)' || { \
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || { \
 		echo "crs_cc needs Python 3.11 or newer, and $(PYTHON) is not." >&2; \
-		echo "Name another one: make $@ PYTHON=/path/to/python3.11" >&2; exit 1; }; \
+		echo "Name another one: make $(or $(MAKECMDGOALS),demo) PYTHON=/path/to/python3.11" >&2; exit 1; }; \
 	[ -x $(BIN)/python ] || $(PYTHON) -m venv $(VENV) || { \
 		echo "$(PYTHON) cannot make a virtual environment" \
 			"(on Debian and Ubuntu: apt install python3-venv)." >&2; exit 1; }; \

@@ -1,0 +1,81 @@
+"""`crs check`: says what is wrong with C files and world files, and runs nothing."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Final
+
+import click
+
+from crs_cc.cli.compiler_options import CompilerOptions, compiler_options, merged
+from crs_cc.cli.inputs import demand_readable, is_world
+from crs_cc.cli.messages import as_data, say, show
+from crs_cc.errors import CrsError, InternalError
+from crs_cc.source import Diagnostic, Diagnostics
+
+_EXAMPLES: Final = """
+\b
+Examples:
+  crs check wander.c
+  crs check *.c room.xml
+  crs check --json wander.c | jq '.[].text'
+"""
+
+
+@click.command(epilog=_EXAMPLES, short_help="Say what is wrong with C files and world files.")
+@click.argument("files", nargs=-1, required=True, metavar="FILE.c|FILE.xml...")
+@click.option("--json", "as_json", is_flag=True, help="Write the messages to stdout as JSON.")
+@click.option("-q", "--quiet", is_flag=True, help="Leave out warnings and the closing line.")
+@compiler_options
+def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOptions) -> int:
+    """Says what is wrong with C files and world files; runs nothing.
+
+    Each C file is looked at on its own, so that a part of a program can be checked too. Ends with
+    0 when there are no errors (warnings may be), else with the status of the first one: 121 for
+    C, 122 for a world.
+    """
+    status = 0
+    messages: list[Diagnostic] = []
+    for name in files:
+        found, error_status = _messages(Path(name), compiler)
+        messages += [each for each in found if each.severity == "error" or not quiet]
+        status = status or error_status
+    if as_json:
+        click.echo(json.dumps([as_data(message) for message in messages], indent=2))
+        return status
+    show(messages)
+    if not quiet:
+        say(_closing_line(messages, len(files)))
+    return status
+
+
+def _messages(path: Path, compiler: CompilerOptions) -> tuple[Sequence[Diagnostic], int]:
+    """Gives the messages about a file, and the exit status of its errors."""
+    diagnostics = Diagnostics()
+    try:
+        demand_readable(path)
+        if is_world(path.name):
+            from crs_cc.sim.world_xml import load_world
+
+            load_world(path)
+        else:
+            from crs_cc.cli.compile import compile_source
+
+            compile_source(path, compiler, diagnostics)
+    except InternalError:
+        raise
+    except CrsError as error:
+        return merged(diagnostics.messages, error.diagnostics), error.exit_status
+    return diagnostics.messages, 0
+
+
+def _closing_line(messages: Sequence[Diagnostic], files: int) -> str:
+    errors = sum(message.severity == "error" for message in messages)
+    warnings = sum(message.severity == "warning" for message in messages)
+    return f"{files} checked: {_count(errors, 'error')}, {_count(warnings, 'warning')}"
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}{'' if number == 1 else 's'}"

@@ -1,0 +1,96 @@
+"""`crs compile`: shows what becomes of a C program on its way to the robot."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+import click
+
+from crs_cc.cli.compiler_options import CompilerOptions, compiler_options, gathered
+from crs_cc.cli.inputs import demand_readable
+from crs_cc.cli.messages import show
+from crs_cc.source import Diagnostics
+
+if TYPE_CHECKING:
+    from crs_cc.ir.program import Program
+
+
+_EXAMPLES: Final = """
+\b
+Examples:
+  crs compile wander.c
+  crs compile --emit wat --unchecked wander.c | less
+"""
+
+
+@click.command("compile", epilog=_EXAMPLES, short_help="Show the code that a C program becomes.")
+@click.argument("files", nargs=-1, required=True, metavar="PROGRAM.c...")
+@click.option(
+    "--emit",
+    type=click.Choice(["ir", "wat"]),
+    default="ir",
+    show_default=True,
+    help="ir: the typed intermediate code of the files alone. "
+    "wat: the WebAssembly of the whole program, library included.",
+)
+@click.option("-q", "--quiet", is_flag=True, help="Leave out warnings.")
+@click.option("--unchecked", is_flag=True, help="wat: leave out the checks of memory accesses.")
+@compiler_options
+def compile_(
+    files: Sequence[str], emit: str, quiet: bool, unchecked: bool, compiler: CompilerOptions
+) -> int:
+    """Shows the code that a C program becomes, on stdout."""
+    paths = [Path(name) for name in files]
+    diagnostics = Diagnostics()
+    with gathered(diagnostics):
+        for path in paths:
+            demand_readable(path)
+        if emit == "ir":
+            text = "\n".join(_ir(path, compiler, diagnostics) for path in paths)
+        else:
+            text = _wat(paths, compiler, diagnostics, checked=not unchecked)
+    if not quiet:
+        show(diagnostics.messages)
+    click.echo(text, nl=False)
+    return 0
+
+
+def compile_source(path: Path, compiler: CompilerOptions, diagnostics: Diagnostics) -> Program:
+    """Compiles a single C file.
+
+    Raises:
+        CompileError: the C source is at fault.
+    """
+    from crs_cc.frontend.options import Options
+    from crs_cc.frontend.unit import compile_file
+    from crs_cc.ir.verify import verify
+    from crs_cc.session.library import HEADERS
+
+    options = Options(compiler.include_paths, (HEADERS,), compiler.defines, compiler.undefines)
+    program = compile_file(path, options, diagnostics)
+    verify(program)
+    return program
+
+
+def _ir(path: Path, compiler: CompilerOptions, diagnostics: Diagnostics) -> str:
+    from crs_cc.ir.text import to_text
+
+    return to_text(compile_source(path, compiler, diagnostics))
+
+
+def _wat(
+    paths: Sequence[Path], compiler: CompilerOptions, diagnostics: Diagnostics, *, checked: bool
+) -> str:
+    from crs_cc.session.build import build_executable
+
+    executable = build_executable(
+        paths,
+        diagnostics,
+        include_paths=compiler.include_paths,
+        defines=compiler.defines,
+        undefines=compiler.undefines,
+        checked=checked,
+    )
+    return executable.wat()

@@ -1,0 +1,78 @@
+"""The options of every command that compiles C, and how its messages are gathered."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import click
+
+from crs_cc.errors import CrsError
+from crs_cc.source import Diagnostic, Diagnostics
+
+
+@dataclass(frozen=True, slots=True)
+class CompilerOptions:
+    """How to compile.
+
+    Attributes:
+        include_paths: folders in which `#include` looks, in this order.
+        defines: macros, each `NAME` or `NAME=VALUE`.
+        undefines: macros that are not to be defined.
+    """
+
+    include_paths: tuple[Path, ...] = ()
+    defines: tuple[str, ...] = ()
+    undefines: tuple[str, ...] = ()
+
+
+_OPTIONS = (
+    click.option(
+        "-I", "--include", "include_paths", metavar="DIR", multiple=True,
+        type=click.Path(exists=True, file_okay=False, path_type=Path),
+        help="Look for #include files in DIR too; may be repeated.",
+    ),
+    click.option(
+        "-D", "--define", "defines", metavar="NAME[=VALUE]", multiple=True,
+        help="Define a macro, as 1 or as VALUE; may be repeated.",
+    ),
+    click.option(
+        "-U", "--undefine", "undefines", metavar="NAME", multiple=True,
+        help="Do not define a macro; may be repeated.",
+    ),
+)  # fmt: skip
+
+
+def compiler_options(command: Callable[..., int]) -> Callable[..., int]:
+    """Gives a command the options of the compiler, which it takes as `compiler`."""
+
+    @functools.wraps(command)
+    def with_options(
+        include_paths: tuple[Path, ...],
+        defines: tuple[str, ...],
+        undefines: tuple[str, ...],
+        **others: Any,
+    ) -> int:
+        return command(compiler=CompilerOptions(include_paths, defines, undefines), **others)
+
+    for option in reversed(_OPTIONS):
+        with_options = option(with_options)
+    return with_options
+
+
+@contextmanager
+def gathered(diagnostics: Diagnostics) -> Iterator[None]:
+    """Completes an error that leaves the block by the warnings found before it."""
+    try:
+        yield
+    except CrsError as error:
+        raise type(error)(merged(diagnostics.messages, error.diagnostics)) from None
+
+
+def merged(first: Sequence[Diagnostic], second: Sequence[Diagnostic]) -> list[Diagnostic]:
+    """Gives the messages of both, each once, in order."""
+    return list(dict.fromkeys([*first, *second]))

@@ -1,0 +1,78 @@
+"""The files that a user names on the command line.
+
+>>> sort_files(("wander.c", "turn.c", "room.XML"))
+Inputs(sources=(PosixPath('wander.c'), PosixPath('turn.c')), world=PosixPath('room.XML'))
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import click
+
+from crs_cc.errors import CompileError, CrsError, WorldError
+from crs_cc.source import Location
+
+
+@dataclass(frozen=True, slots=True)
+class Inputs:
+    """What to run.
+
+    Attributes:
+        sources: C files, parts of one program.
+        world: the world file, if one is named.
+    """
+
+    sources: tuple[Path, ...]
+    world: Path | None
+
+
+def sort_files(names: Sequence[str]) -> Inputs:
+    """Tells C files and the world file apart, by the ending `.xml`.
+
+    Raises:
+        click.UsageError: more than one world is named.
+    """
+    worlds = [name for name in names if is_world(name)]
+    if len(worlds) > 1:
+        raise click.UsageError(f"more than one world file: {' '.join(worlds)}")
+    sources = tuple(Path(name) for name in names if not is_world(name))
+    return Inputs(sources, Path(worlds[0]) if worlds else None)
+
+
+def is_world(name: str) -> bool:
+    """Tells whether a file's name is that of a world file."""
+    return name.lower().endswith(".xml")
+
+
+def demand_readable(path: Path) -> None:
+    """Makes sure that a file can be read at all.
+
+    Raises:
+        CompileError: a C file cannot be read.
+        WorldError: a world file cannot be read.
+    """
+    blame: type[CrsError] = WorldError if is_world(path.name) else CompileError
+    try:
+        with path.open("rb") as stream:
+            stream.read(1)
+    except FileNotFoundError:
+        raise blame.at(Location(str(path)), "no such file", _similar(path)) from None
+    except IsADirectoryError:
+        raise blame.at(Location(str(path)), "is a directory, not a file") from None
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise blame.at(Location(str(path)), f"cannot be read: {reason}") from None
+
+
+def _similar(path: Path) -> str:
+    """Gives a hint to a file of almost the same name."""
+    try:
+        names = sorted(each.name for each in path.parent.iterdir() if each.suffix == path.suffix)
+    except OSError:
+        return ""
+    close = difflib.get_close_matches(path.name, names, n=1)
+    return f"did you mean '{path.with_name(close[0])}'?" if close else ""

@@ -1,0 +1,54 @@
+"""Ctrl-C: ends a run between two timesteps, so that its results are whole."""
+
+from __future__ import annotations
+
+import signal
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from types import FrameType, TracebackType
+from typing import Self
+
+
+class Interrupt:
+    """Listens to Ctrl-C inside a `with` block.
+
+    The first one only asks for the end of the run; the second, or the first while the run waits
+    for input, raises `KeyboardInterrupt` at once.
+
+    Attributes:
+        requested: the user wants the run to end.
+    """
+
+    def __init__(self) -> None:
+        self.requested = False
+        self._is_waiting = False
+        self._listens = threading.current_thread() is threading.main_thread()
+
+    def __enter__(self) -> Self:
+        if self._listens:
+            self._before = signal.signal(signal.SIGINT, self._hear)
+        return self
+
+    def __exit__(
+        self,
+        _kind: type[BaseException] | None,
+        _error: BaseException | None,
+        _where: TracebackType | None,
+    ) -> None:
+        if self._listens:
+            signal.signal(signal.SIGINT, self._before)
+
+    @contextmanager
+    def waiting(self) -> Iterator[None]:
+        """Marks a block that waits for input, where nobody would look at `requested`."""
+        self._is_waiting = True
+        try:
+            yield
+        finally:
+            self._is_waiting = False
+
+    def _hear(self, _signal: int, _frame: FrameType | None) -> None:
+        if self.requested or self._is_waiting:
+            raise KeyboardInterrupt
+        self.requested = True

@@ -1,0 +1,100 @@
+"""From the files that a user names to what a session takes: a world, and a program per robot."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from crs_cc.cli.compiler_options import gathered, merged
+from crs_cc.cli.inputs import demand_readable
+from crs_cc.session.build import build_executable
+from crs_cc.sim.world_xml import empty_world, load_world
+from crs_cc.source import Diagnostics, Location
+
+if TYPE_CHECKING:
+    from crs_cc.cli.run import RunOptions
+    from crs_cc.runtime.executable import Executable
+    from crs_cc.sim.model import Robot, WorldModel
+
+
+@dataclass(frozen=True, slots=True)
+class Loaded:
+    """What is to be run.
+
+    Attributes:
+        world: the world.
+        executables: each robot's program.
+        arguments: each robot's `argv`.
+    """
+
+    world: WorldModel
+    executables: tuple[Executable, ...]
+    arguments: tuple[tuple[str, ...], ...]
+
+
+def load(options: RunOptions, diagnostics: Diagnostics) -> Loaded:
+    """Reads the world and compiles every program that its robots run, each once.
+
+    Raises:
+        CompileError: a C source is at fault.
+        WorldError: the world file is at fault.
+        click.UsageError: a robot has no program.
+    """
+    with gathered(diagnostics):
+        world = _world(options.inputs.world)
+        programs = [_program(robot, options) for robot in world.robots]
+        if options.inputs.sources and options.inputs.sources not in programs:
+            place = Location(str(options.inputs.sources[0]))
+            diagnostics.warning(place, "not used: every robot has a program in the world file")
+        built = {
+            sources: _build(sources, options, diagnostics) for sources in dict.fromkeys(programs)
+        }
+    return Loaded(
+        world,
+        tuple(built[sources] for sources in programs),
+        tuple(
+            (built[sources].name, *_arguments(robot, options))
+            for robot, sources in zip(world.robots, programs, strict=True)
+        ),
+    )
+
+
+def _world(path: Path | None) -> WorldModel:
+    if path is None:
+        return empty_world()
+    demand_readable(path)
+    return load_world(path)
+
+
+def _program(robot: Robot, options: RunOptions) -> tuple[Path, ...]:
+    if robot.program:
+        return (Path(robot.program),)
+    if not options.inputs.sources:
+        name = options.inputs.world
+        raise click.UsageError(f"{name} names no program for '{robot.id}': name a C file to run.")
+    return options.inputs.sources
+
+
+def _arguments(robot: Robot, options: RunOptions) -> tuple[str, ...]:
+    """Gives the world's arguments if it has any; ours are for the program that we were given."""
+    return robot.arguments or (() if robot.program else options.arguments)
+
+
+def _build(sources: tuple[Path, ...], options: RunOptions, diagnostics: Diagnostics) -> Executable:
+    for path in sources:
+        demand_readable(path)
+    own = Diagnostics()
+    try:
+        return build_executable(
+            sources,
+            own,
+            include_paths=options.compiler.include_paths,
+            defines=options.compiler.defines,
+            undefines=options.compiler.undefines,
+            checked=options.checked,
+        )
+    finally:
+        diagnostics.messages[:] = merged(diagnostics.messages, own.messages)

@@ -1,0 +1,94 @@
+"""How crs shows its messages: on stderr, with the line of source and a caret.
+
+The form is `source.Diagnostic.render`'s; here it is made fit for a terminal: coloured where colours
+are wanted, without control characters that a hostile file could smuggle in, and with very long
+lines cut down to the part around the caret.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+from typing import Final, TextIO
+
+import click
+
+from crs_cc.source import Diagnostic
+
+MAX_MESSAGES: Final = 50
+MAX_LINE_LENGTH: Final = 160
+_COLOURS: Final = {"error": "red", "warning": "magenta", "note": "cyan"}
+_BIDIRECTIONAL: Final = (*range(0x202A, 0x202F), *range(0x2066, 0x206A))
+_CONTROLS: Final = dict.fromkeys(
+    (*range(10), *range(11, 32), *range(127, 160), *_BIDIRECTIONAL), "?"
+)
+
+
+def is_terminal(stream: TextIO | None) -> bool:
+    """Tells whether someone looks at what is written to a stream."""
+    return stream is not None and not stream.closed and stream.isatty()
+
+
+def is_coloured(stream: TextIO | None) -> bool:
+    """Tells whether to write colours: on a terminal, unless NO_COLOR or TERM=dumb forbid it."""
+    forbidden = os.environ.get("NO_COLOR") or os.environ.get("TERM") == "dumb"
+    return is_terminal(stream) and not forbidden
+
+
+def say(text: str) -> None:
+    """Writes a line to stderr, in as far as stderr can show its characters."""
+    click.echo(text, err=True, color=is_coloured(sys.stderr))
+
+
+def show(diagnostics: Sequence[Diagnostic]) -> None:
+    """Writes messages to stderr, the first `MAX_MESSAGES` of them."""
+    for diagnostic in diagnostics[:MAX_MESSAGES]:
+        say(render(diagnostic, coloured=is_coloured(sys.stderr)))
+    if len(diagnostics) > MAX_MESSAGES:
+        say(f"... and {len(diagnostics) - MAX_MESSAGES} more messages")
+
+
+def render(diagnostic: Diagnostic, *, coloured: bool) -> str:
+    """Gives a message as it is shown; without colours and oddities, `Diagnostic.render`'s form."""
+    place = str(diagnostic.location).translate(_CONTROLS | {10: "?"})
+    kind, text = diagnostic.severity, diagnostic.text.translate(_CONTROLS)
+    line, column = _excerpt(diagnostic)
+    caret, hint = "^", diagnostic.hint.translate(_CONTROLS)
+    if coloured:
+        place, text = click.style(place, bold=True), click.style(text, bold=True)
+        caret = click.style(caret, fg="green", bold=True)
+        head = click.style(f"{kind}:", fg=_COLOURS[kind], bold=True)
+    else:
+        head = f"{kind}:"
+    rows = [f"{place}: {head} {text}"]
+    if line.strip():
+        rows.append(f"    {line}")
+        if column:
+            rows.append(" " * (3 + column) + caret)
+    if hint:
+        rows.append(f"    hint: {hint}")
+    return "\n".join(rows)
+
+
+def as_data(diagnostic: Diagnostic) -> dict[str, str | int]:
+    """Gives a message as plain data for JSON."""
+    place = diagnostic.location
+    return {
+        "severity": diagnostic.severity,
+        "file": place.file,
+        "line": place.line,
+        "column": place.column,
+        "text": diagnostic.text,
+        "hint": diagnostic.hint,
+    }
+
+
+def _excerpt(diagnostic: Diagnostic) -> tuple[str, int]:
+    """Gives as much of the line of source as fits on a screen, and the caret's column in it."""
+    line = diagnostic.source_line.translate(_CONTROLS | {9: " ", 10: "?"}).rstrip()
+    column = diagnostic.location.column
+    if len(line) <= MAX_LINE_LENGTH:
+        return line, column
+    start = max(0, min(column - MAX_LINE_LENGTH // 2, len(line) - MAX_LINE_LENGTH))
+    return line[start : start + MAX_LINE_LENGTH], max(0, column - start)

@@ -1,0 +1,327 @@
+"""The picture of a run: the world from above, each robot's path, and where it touched something.
+
+x goes to the right and y goes up, as in the world file. A path runs from a hollow circle (start) to
+the robot's shape with its heading (end).
+"""
+
+from __future__ import annotations
+
+import colorsys
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from crs_cc.cli.svg import Page, Point, View
+from crs_cc.cli.tracks import FloatArray, simplified
+from crs_cc.sim.model import Box, Cylinder, Robot, Solid, Wall, WorldModel, is_pushable
+
+_LONG_SIDE_PX: Final = 760.0
+_SHORT_SIDE_PX: Final = 240.0
+_LEFT_PX: Final = 48.0
+_HEAD_PX: Final = 64.0
+_FOOT_PX: Final = 44.0
+_LEGEND_PX: Final = 190.0
+_ROW_PX: Final = 20.0
+_TOLERANCE_PX: Final = 0.3
+_LARGEST_MARK_PX: Final = 5.0
+_FONT: Final = "Helvetica, Arial, sans-serif"
+_INK: Final = "#2b303a"
+_FAINT_INK: Final = "#7b8494"
+_CONTACT: Final = "#d1242f"
+_WALL: Final = "#4a5160"
+_FIXED: Final = "#8d95a3"
+_MOVABLE: Final = "#d9b88a"
+_PALETTE: Final = (  # Okabe and Ito's colours for the colour-blind, 2008, without yellow and black
+    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9",
+)  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Trip:
+    """What one robot did.
+
+    Attributes:
+        robot: the robot, with its pose at the start.
+        path: where its centre was [m], shape (samples, 2), from start to end.
+        heading_rad: its heading at the end.
+    """
+
+    robot: Robot
+    path: FloatArray
+    heading_rad: float
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """All that is drawn.
+
+    Attributes:
+        title: the heading.
+        subtitle: the line below it.
+        world: what stands where.
+        trips: the robots.
+        contacts: robot number and place [m] of each contact.
+    """
+
+    title: str
+    subtitle: str
+    world: WorldModel
+    trips: Sequence[Trip]
+    contacts: Sequence[tuple[int, float, float]] = ()
+
+    def render(self) -> bytes:
+        """Gives the picture as SVG."""
+        return _Drawing(self).render()
+
+
+class _Drawing:
+    def __init__(self, picture: Picture) -> None:
+        self.picture = picture
+        low, high = _bounds(picture)
+        extent = high - low
+        scale = _LONG_SIDE_PX / float(extent.max())
+        self.size = tuple(max(_SHORT_SIDE_PX, float(side) * scale) for side in extent)
+        centre = (low + high) / 2
+        self.low = centre - np.array(self.size) / scale / 2
+        self.high = centre + np.array(self.size) / scale / 2
+        self.view = View(float(self.low[0]), float(self.high[1]), scale, _LEFT_PX, _HEAD_PX)
+        self.width = _LEFT_PX + self.size[0] + _LEGEND_PX
+        self.height = _HEAD_PX + self.size[1] + _FOOT_PX
+        self.page = Page(self.width, self.height, picture.title)
+
+    def render(self) -> bytes:
+        self.page.rectangle((0, 0), (self.width, self.height), fill="#ffffff")
+        with self.page.group(font_family=_FONT, font_size=12.0, fill=_INK):
+            self._heading()
+            self._grid()
+            self._solids()
+            self._starts()
+            self._paths()
+            self._ends()
+            self._contacts()
+            self._scale_bar()
+            self._legend()
+        return self.page.render()
+
+    def _heading(self) -> None:
+        title = self.picture.title
+        self.page.text((_LEFT_PX, 28), title, font_size=18.0, font_weight="bold")
+        self.page.text((_LEFT_PX, 48), self.picture.subtitle, fill=_FAINT_INK)
+
+    # The ground
+
+    def _grid(self) -> None:
+        left, top = _LEFT_PX, _HEAD_PX
+        width, height = self.size
+        self.page.rectangle((left, top), (width, height), fill="#fbfaf7", stroke="#d5d8de")
+        step = round_length(float((self.high - self.low).max()) / 10)
+        with self.page.group(stroke="#e7e8eb", fill="none"):
+            for x_m in _multiples(self.low[0], self.high[0], step):
+                x_px, _ = self.view.point(x_m, 0.0)
+                self.page.line((x_px, top), (x_px, top + height))
+            for y_m in _multiples(self.low[1], self.high[1], step):
+                _, y_px = self.view.point(0.0, y_m)
+                self.page.line((left, y_px), (left + width, y_px))
+        with self.page.group(font_size=10.0, fill=_FAINT_INK, text_anchor="middle"):
+            for x_m in _multiples(self.low[0], self.high[0], step):
+                self.page.text((self.view.point(x_m, 0.0)[0], top + height + 14), f"{x_m:g}")
+            for y_m in _multiples(self.low[1], self.high[1], step):
+                y_px = self.view.point(0.0, y_m)[1] + 3.5
+                self.page.text((left - 6, y_px), f"{y_m:g}", text_anchor="end")
+
+    def _scale_bar(self) -> None:
+        length_m = round_length(float(self.high[0] - self.low[0]) / 6)
+        end = (_LEFT_PX + self.size[0], _HEAD_PX + self.size[1] + 30)
+        start = (end[0] - self.view.length(length_m), end[1])
+        with self.page.group(stroke=_INK, stroke_width=1.5):
+            self.page.line(start, end)
+            for x_px, y_px in (start, end):
+                self.page.line((x_px, y_px - 4), (x_px, y_px + 4))
+        place = (start[0] - 8, end[1] + 4)
+        self.page.text(place, f"{length_m:g} m", font_size=11.0, text_anchor="end")
+
+    def _solids(self) -> None:
+        for solid in self.picture.world.solids():
+            if isinstance(solid, Wall):
+                ends = (
+                    self.view.point(solid.x1_m, solid.y1_m),
+                    self.view.point(solid.x2_m, solid.y2_m),
+                )
+                width_px = max(1.5, self.view.length(solid.thickness_m))
+                self.page.line(*ends, stroke=_WALL, stroke_width=width_px, stroke_linecap="round")
+                continue
+            paint = _MOVABLE if is_pushable(solid) else _FIXED
+            with self.page.group(fill=paint, stroke=_INK, stroke_width=0.8):
+                if isinstance(solid, Cylinder):
+                    centre = self.view.point(solid.pose.x_m, solid.pose.y_m)
+                    self.page.circle(centre, self.view.length(solid.radius_m))
+                else:
+                    points = [self.view.point(*corner) for corner in corners(solid)]
+                    self.page.polygon(points, stroke_linejoin="round")
+
+    # The robots
+
+    def _paths(self) -> None:
+        trips = self.picture.trips
+        style = {"stroke_width": 2.0 if len(trips) <= 20 else 1.0, "stroke_opacity": 0.85}
+        with self.page.group(fill="none", stroke_linejoin="round", stroke_linecap="round", **style):
+            for number, trip in enumerate(trips):
+                path = simplified(trip.path, _TOLERANCE_PX / self.view.scale)
+                points = [self.view.point(*place) for place in path.tolist()]
+                self.page.polyline(points, stroke=colour(number))
+
+    def _starts(self) -> None:
+        for number, trip in enumerate(self.picture.trips):
+            place = self.view.point(*trip.path[0].tolist())
+            self._hollow(place, self._radius_px(trip), trip.robot.start.heading_rad, colour(number))
+
+    def _ends(self) -> None:
+        for number, trip in enumerate(self.picture.trips):
+            place = self.view.point(*trip.path[-1].tolist())
+            self._robot(place, self._radius_px(trip), trip.heading_rad, colour(number))
+
+    def _radius_px(self, trip: Trip) -> float:
+        return max(3.0, self.view.length(trip.robot.model.radius_m))
+
+    def _hollow(self, centre: Point, radius_px: float, heading_rad: float, paint: str) -> None:
+        style: dict[str, str | float] = {"stroke": paint, "stroke_width": 1.6}
+        self.page.circle(centre, radius_px, fill="#ffffff", fill_opacity=0.6, **style)
+        self.page.line(centre, _ahead(centre, radius_px, heading_rad), **style)
+
+    def _robot(self, centre: Point, radius_px: float, heading_rad: float, paint: str) -> None:
+        self.page.circle(centre, radius_px, fill=paint, stroke="#ffffff", stroke_width=1.0)
+        angles = (heading_rad, heading_rad + 2.5, heading_rad - 2.5)
+        arrow = [_ahead(centre, 0.72 * radius_px, angle) for angle in angles]
+        self.page.polygon(arrow, fill="#ffffff")
+
+    def _contacts(self) -> None:
+        with self.page.group(stroke_linecap="round"):
+            for _, x_m, y_m in self.picture.contacts:
+                self._cross(self.view.point(x_m, y_m))
+
+    def _cross(self, centre: Point) -> None:
+        x_px, y_px = centre
+        for paint, width_px in (("#ffffff", 4.0), (_CONTACT, 2.0)):
+            for slope in (1, -1):
+                start = (x_px - _LARGEST_MARK_PX, y_px - slope * _LARGEST_MARK_PX)
+                end = (x_px + _LARGEST_MARK_PX, y_px + slope * _LARGEST_MARK_PX)
+                self.page.line(start, end, stroke=paint, stroke_width=width_px)
+
+    # The legend
+
+    def _legend(self) -> None:
+        left = _LEFT_PX + self.size[0] + 24
+        rows = int((self.size[1] - 4 * _ROW_PX) // _ROW_PX)
+        trips = self.picture.trips
+        shown = len(trips) if len(trips) <= rows else rows - 1
+        y_px = _HEAD_PX + 10
+        for number, trip in enumerate(trips[:shown]):
+            self._robot((left, y_px), 7.0, 0.0, colour(number))
+            self.page.text((left + 16, y_px + 4), shortened(trip.robot.id))
+            y_px += _ROW_PX
+        if shown < len(trips):
+            text = f"... and {len(trips) - shown} more"
+            self.page.text((left + 16, y_px + 4), text, fill=_FAINT_INK)
+            y_px += _ROW_PX
+        self._symbols(left, y_px + 10)
+
+    def _symbols(self, left: float, y_px: float) -> None:
+        self._hollow((left, y_px), 7.0, 0.0, _FAINT_INK)
+        self.page.text((left + 16, y_px + 4), "start", fill=_FAINT_INK)
+        self._robot((left, y_px + _ROW_PX), 7.0, 0.0, _FAINT_INK)
+        self.page.text((left + 16, y_px + _ROW_PX + 4), "end", fill=_FAINT_INK)
+        if self.picture.contacts:
+            self._cross((left, y_px + 2 * _ROW_PX))
+            self.page.text((left + 16, y_px + 2 * _ROW_PX + 4), "contact", fill=_FAINT_INK)
+
+
+def colour(number: int) -> str:
+    """Gives a robot's colour; after the palette, hues a golden angle apart.
+
+    >>> colour(0), colour(7)
+    ('#0072b2', '#2f2b8c')
+    """
+    if number < len(_PALETTE):
+        return _PALETTE[number]
+    hue = number * 0.381966 % 1.0  # the golden angle's share of a turn
+    lightness = (0.46, 0.36, 0.56)[number % 3]
+    rgb = colorsys.hls_to_rgb(hue, lightness, 0.53)
+    return "#" + "".join(f"{round(part * 255):02x}" for part in rgb)
+
+
+def round_length(length_m: float) -> float:
+    """Gives the nearest of 1, 2 and 5 times a power of ten that is not longer.
+
+    >>> [round_length(length) for length in (0.9, 3.0, 77.0)]
+    [0.5, 2.0, 50.0]
+    """
+    power = 10.0 ** math.floor(math.log10(length_m))
+    return next(step * power for step in (5.0, 2.0, 1.0) if step * power <= length_m * (1 + 1e-9))
+
+
+def shortened(name: str, length: int = 20) -> str:
+    """Gives a name that fits into the legend."""
+    return name if len(name) <= length else name[: length - 3] + "..."
+
+
+def _ahead(centre: Point, distance_px: float, heading_rad: float) -> Point:
+    x_px, y_px = centre
+    return (
+        x_px + distance_px * math.cos(heading_rad),
+        y_px - distance_px * math.sin(heading_rad),
+    )
+
+
+def _multiples(low: float, high: float, step: float) -> Iterator[float]:
+    for count in range(math.ceil(low / step), math.floor(high / step) + 1):
+        yield count * step
+
+
+def corners(box: Box) -> list[Point]:
+    """Gives a box's corners in the world [m].
+
+    >>> from crs_cc.sim.model import Pose
+    >>> corners(Box("crate", Pose(1.0, 1.0, 0.0), 2.0, 1.0))
+    [(2.0, 1.5), (0.0, 1.5), (0.0, 0.5), (2.0, 0.5)]
+    """
+    cosine, sine = math.cos(box.pose.heading_rad), math.sin(box.pose.heading_rad)
+    sides = [(1, 1), (-1, 1), (-1, -1), (1, -1)]
+    return [
+        (
+            box.pose.x_m + cosine * ahead * box.length_m / 2 - sine * left * box.width_m / 2,
+            box.pose.y_m + sine * ahead * box.length_m / 2 + cosine * left * box.width_m / 2,
+        )
+        for ahead, left in sides
+    ]
+
+
+def _bounds(picture: Picture) -> tuple[FloatArray, FloatArray]:
+    """Gives the lower left and upper right corner [m] of all that is drawn, with a rim.
+
+    An open world shows what happened in it; a closed one is shown whole.
+    """
+    clouds = []
+    for trip in picture.trips:
+        clouds += [trip.path - trip.robot.model.radius_m, trip.path + trip.robot.model.radius_m]
+    for solid in picture.world.solids():
+        clouds.append(_outline(solid))
+    if not clouds:
+        area = picture.world.area
+        clouds = [np.array([[area.x_min_m, area.y_min_m], [area.x_max_m, area.y_max_m]])]
+    low = np.min([cloud.min(axis=0) for cloud in clouds], axis=0)
+    high = np.max([cloud.max(axis=0) for cloud in clouds], axis=0)
+    rim = 0.03 * float((high - low).max()) + 0.05
+    return low - rim, high + rim
+
+
+def _outline(solid: Solid) -> FloatArray:
+    if isinstance(solid, Wall):
+        ends = np.array([[solid.x1_m, solid.y1_m], [solid.x2_m, solid.y2_m]])
+        return np.vstack([ends - solid.thickness_m / 2, ends + solid.thickness_m / 2])
+    if isinstance(solid, Cylinder):
+        centre = np.array([[solid.pose.x_m, solid.pose.y_m]])
+        return np.vstack([centre - solid.radius_m, centre + solid.radius_m])
+    return np.array(corners(solid))

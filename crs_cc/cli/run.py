@@ -1,0 +1,149 @@
+"""`crs run`: the options of a run. What it does stands in `cli.simulate`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Final
+
+import click
+
+from crs_cc.cli.compiler_options import CompilerOptions, compiler_options
+from crs_cc.cli.inputs import Inputs, sort_files
+
+_ARGUMENTS = "crs.arguments"
+
+
+@dataclass(frozen=True, slots=True)
+class RunOptions:
+    """What to run, how, and what to show of it.
+
+    Attributes:
+        inputs: the C files and the world.
+        arguments: what `main` finds behind `argv[0]`.
+        compiler: how to compile.
+        checked: with checks of every memory access.
+        seed: start of all random numbers.
+        max_time_s: simulated time after which to stop; None for no end.
+        plot: the picture to draw.
+        trace_requests: show the request queue.
+        as_json: give the results as JSON on stdout.
+        quiet: say nothing but errors.
+        summary: show the summary; None to decide by whether stderr is a terminal.
+    """
+
+    inputs: Inputs
+    arguments: tuple[str, ...] = ()
+    compiler: CompilerOptions = field(default_factory=CompilerOptions)
+    checked: bool = True
+    seed: int = 0
+    max_time_s: float | None = None
+    plot: Path | None = None
+    trace_requests: bool = False
+    as_json: bool = False
+    quiet: bool = False
+    summary: bool | None = None
+
+
+class _WithProgramArguments(click.Command):
+    """A command whose arguments behind `--` belong to the control program."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        own = args
+        if "--" in args:
+            own = args[: args.index("--")]
+            ctx.meta[_ARGUMENTS] = tuple(args[len(own) + 1 :])
+        return super().parse_args(ctx, own)
+
+
+_EXAMPLES: Final = """
+\b
+Examples:
+  crs run wander.c
+  crs run wander.c room.xml --max-time 60 --plot path.svg
+  crs run main.c turn.c office.xml -I include -D SPEED=80 -- fast 3
+  crs run wander.c room.xml --max-time 5 --json | jq .robots[0].pose
+"""
+
+
+@click.command(
+    cls=_WithProgramArguments,
+    epilog=_EXAMPLES,
+    short_help="Run C programs in a simulated world.",
+    options_metavar="[OPTIONS]",
+)
+@click.argument("files", nargs=-1, required=True, metavar="PROGRAM.c... [WORLD.xml] [-- ARGS...]")
+@click.option(
+    "--max-time",
+    "max_time_s",
+    type=click.FloatRange(min=0, min_open=True),
+    metavar="S",
+    help="Stop after S seconds of simulated time.",
+)
+@click.option(
+    "--seed",
+    type=click.IntRange(min=0),
+    default=0,
+    show_default=True,
+    metavar="N",
+    help="Start of all random numbers: the same seed gives the same run.",
+)
+@click.option(
+    "--plot",
+    type=click.Path(dir_okay=False, path_type=Path),
+    metavar="FILE.svg",
+    help="Draw the world from above with each robot's path.",
+)
+@click.option(
+    "--trace",
+    type=click.Choice(["requests"]),
+    help="Show the request queue on stderr, a line per robot and timestep.",
+)
+@click.option(
+    "--json",
+    "as_json",
+    is_flag=True,
+    help="Write the results to stdout as JSON; the programs' own stdout then goes to stderr.",
+)
+@click.option(
+    "--summary/--no-summary",
+    default=None,
+    help="Show the closing summary on stderr; by default only on a terminal.",
+)
+@click.option(
+    "-q", "--quiet", is_flag=True, help="Say nothing but errors; no warnings, no summary."
+)
+@click.option("--unchecked", is_flag=True, help="Leave out the checks of memory accesses: faster.")
+@compiler_options
+@click.pass_context
+def run(
+    ctx: click.Context,
+    /,
+    files: Sequence[str],
+    compiler: CompilerOptions,
+    trace: str | None,
+    unchecked: bool,
+    **others: Any,
+) -> int:
+    """Compiles a C control program, and runs it in a simulated world.
+
+    Several C files make one program. In a world with several robots each runs the program that
+    the world file names for it, else the one given here. Without a world file there is one robot
+    in an empty world. What stands behind -- goes to the program's main.
+
+    The programs read our stdin and write to our stdout and stderr; with several robots each line
+    starts with the robot's name. The exit status is the program's own with one robot; with
+    several it is 0 if all ended with 0. A program still running at --max-time counts as 0.
+    """
+    from crs_cc.cli.simulate import simulate
+
+    options = RunOptions(
+        inputs=sort_files(files),
+        arguments=ctx.meta.get(_ARGUMENTS, ()),
+        compiler=compiler,
+        checked=not unchecked,
+        trace_requests=trace == "requests",
+        **others,
+    )
+    return simulate(options)

@@ -1,0 +1,10 @@
+"""The exit statuses of `crs` that are not an error class's own (see `crs_cc.errors`)."""
+
+from typing import Final
+
+USAGE: Final = 2
+"""The command line is wrong."""
+INTERRUPTED: Final = 130
+"""Ctrl-C: 128 and the number of SIGINT, as shells have it."""
+BROKEN_PIPE: Final = 141
+"""Whoever read our output went away: 128 and the number of SIGPIPE."""

@@ -1,0 +1,170 @@
+"""What came of a run: as a table for people, as JSON for programs, as an exit status."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Final
+
+from rich.console import Console
+from rich.markup import escape
+from rich.table import Table
+
+from crs_cc import __version__
+from crs_cc.cli.messages import as_data
+from crs_cc.cli.status import INTERRUPTED
+from crs_cc.errors import ProgramError
+
+if TYPE_CHECKING:
+    from crs_cc.session.result import Pose, RobotResult, RunResult
+
+MAX_ROWS: Final = 20
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """A finished run.
+
+    Attributes:
+        result: what the session says of it.
+        world: the world's file; empty for the built-in world.
+        seed: the start of its random numbers.
+        wall_s: how long it took [s].
+        interrupted: ended by Ctrl-C.
+    """
+
+    result: RunResult
+    world: str
+    seed: int
+    wall_s: float
+    interrupted: bool
+
+    @property
+    def real_time_factor(self) -> float:
+        """Gives how many times faster than real time it went."""
+        return self.result.simulated_s / max(self.wall_s, 1e-9)
+
+
+def exit_status(run: Run) -> int:
+    """Gives what `crs run` ends with."""
+    statuses = [_robot_status(robot) for robot in run.result.robots]
+    if run.interrupted:
+        return INTERRUPTED
+    return statuses[0] if len(statuses) == 1 else int(any(statuses))
+
+
+def _robot_status(robot: RobotResult) -> int:
+    if robot.outcome == "failed":
+        return ProgramError.exit_status
+    return (robot.exit_status or 0) & 0xFF  # all that a parent process sees (POSIX `waitpid`)
+
+
+def as_json(run: Run) -> str:
+    """Gives the results as JSON; all but `timing` is the same for the same seed."""
+    result = run.result
+    data = {
+        "crs": __version__,
+        "world": run.world,
+        "seed": run.seed,
+        "timesteps": result.timesteps,
+        "simulated_s": result.simulated_s,
+        "state_hash": result.state_hash,
+        "interrupted": run.interrupted,
+        "exit_status": exit_status(run),
+        "robots": [_robot_data(robot) for robot in result.robots],
+        "timing": {"wall_s": run.wall_s, "real_time_factor": run.real_time_factor},
+    }
+    return json.dumps(data, indent=2)
+
+
+def _robot_data(robot: RobotResult) -> dict[str, Any]:
+    return {
+        "id": robot.id,
+        "program": robot.program,
+        "outcome": robot.outcome,
+        "exit_status": robot.exit_status,
+        "error": as_data(robot.error) if robot.error else None,
+        "time_s": float(robot.time_s),
+        "odometry": _pose_data(robot.odometry),
+        "pose": _pose_data(robot.pose),
+        "distance_m": float(robot.distance_m),
+        "collisions": int(robot.collisions),
+        "commands": int(robot.commands),
+        "fuel": int(robot.fuel),
+    }
+
+
+def _pose_data(pose: Pose) -> dict[str, float]:
+    x_m, y_m, heading_rad = map(float, pose)
+    return {"x_m": x_m, "y_m": y_m, "heading_rad": heading_rad}
+
+
+def print_summary(run: Run) -> None:
+    """Writes the results to stderr as a table."""
+    console = Console(stderr=True, highlight=False)
+    robots = run.result.robots
+    console.print(_card(robots[0]) if len(robots) == 1 else _table(run))
+    console.print(_closing_line(run), style="dim")
+
+
+def _closing_line(run: Run) -> str:
+    result = run.result
+    return (
+        f"{result.timesteps} timesteps, {result.simulated_s:.2f} s simulated in {run.wall_s:.2f} s "
+        f"({run.real_time_factor:,.1f} x real time), seed {run.seed}, "
+        f"state {result.state_hash[:16]}"
+    )
+
+
+def _card(robot: RobotResult) -> Table:
+    """Gives the table for a single robot: a row for each figure."""
+    card = Table.grid(padding=(0, 2))
+    card.add_row("[bold]robot[/]", f"[bold]{escape(robot.id)}[/]  {escape(robot.program)}")
+    for name, value in _figures(robot):
+        card.add_row(f"[dim]{name}[/]", value)
+    return card
+
+
+def _table(run: Run) -> Table:
+    """Gives the table for several robots: a row for each of the first `MAX_ROWS`."""
+    robots = run.result.robots
+    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
+    table.add_column("robot", style="bold")
+    table.add_column("program")
+    for name, _ in _figures(robots[0]):
+        table.add_column(name)
+    for robot in robots[:MAX_ROWS]:
+        row = [value for _, value in _figures(robot)]
+        table.add_row(escape(robot.id), escape(robot.program), *row)
+    if len(robots) > MAX_ROWS:
+        outcomes = [robot.outcome for robot in robots]
+        counts = [f"{outcomes.count(each)} {each}" for each in dict.fromkeys(outcomes)]
+        table.add_row("...", f"{len(robots)} robots: {', '.join(counts)}")
+    return table
+
+
+def _figures(robot: RobotResult) -> Iterator[tuple[str, str]]:
+    yield "outcome", _outcome(robot)
+    yield "odometry", _pose(robot.odometry)
+    yield "true pose", _pose(robot.pose)
+    yield "driven", f"{robot.distance_m:.2f} m"
+    yield "collisions", str(robot.collisions)
+    yield "commands", str(robot.commands)
+    yield "fuel", f"{robot.fuel:,}"
+
+
+def _outcome(robot: RobotResult) -> str:
+    at = f"at {robot.time_s:.2f} s"
+    if robot.outcome == "failed":
+        return f"[red]stopped by an error[/] {at}"
+    if robot.outcome == "exited":
+        status = robot.exit_status or 0
+        return f"exit {status} {at}" if status == 0 else f"[yellow]exit {status}[/] {at}"
+    return f"still running {at}"
+
+
+def _pose(pose: Pose) -> str:
+    x_m, y_m, heading_rad = pose
+    return f"{x_m:+.3f} {y_m:+.3f} m {math.degrees(heading_rad):+.1f}°"

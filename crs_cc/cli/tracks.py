@@ -1,0 +1,106 @@
+"""Where the robots went and where they touched something, kept for the picture of a run.
+
+A long run of many robots would fill the memory: when there are more samples than `MAX_SAMPLES`,
+every other one is forgotten, and from then on only every other timestep is kept.
+
+>>> import numpy as np
+>>> tracks = Tracks(max_samples=6)
+>>> for step in range(7):
+...     tracks.add(np.array([0.1 * step]), np.array([0.0]))
+>>> tracks.end(np.array([0.65]), np.array([0.0]))
+>>> [round(float(x), 2) for x, _ in tracks.path(0)]
+[0.0, 0.2, 0.4, 0.6, 0.65]
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+FloatArray = npt.NDArray[np.float64]
+
+MAX_SAMPLES: Final = 1_000_000
+MAX_CONTACTS: Final = 5_000
+_CONTACT_CELL_M: Final = 0.1
+
+
+class Tracks:
+    """The robots' paths, thinned evenly in time.
+
+    Attributes:
+        max_samples: how many poses to keep of all robots together.
+        contacts: places of contact with the robot that touched, one for each `0.1 m` cell.
+    """
+
+    def __init__(self, max_samples: int = MAX_SAMPLES) -> None:
+        self.max_samples = max_samples
+        self.contacts: list[tuple[int, float, float]] = []
+        self._cells: set[tuple[int, int, int]] = set()
+        self._samples: list[FloatArray] = []
+        self._stride = 1
+        self._timesteps = 0
+
+    def add(self, x_m: FloatArray, y_m: FloatArray) -> None:
+        """Takes all robots' places after a timestep."""
+        if self._timesteps % self._stride == 0:
+            self._samples.append(np.column_stack([x_m, y_m]))
+            if len(self._samples) > max(2, self.max_samples // max(1, len(x_m))):
+                self._samples = self._samples[::2]
+                self._stride *= 2
+        self._timesteps += 1
+
+    def touch(self, robot: int, x_m: float, y_m: float) -> None:
+        """Takes a place of contact."""
+        cell = (robot, round(x_m / _CONTACT_CELL_M), round(y_m / _CONTACT_CELL_M))
+        if cell not in self._cells and len(self.contacts) < MAX_CONTACTS:
+            self._cells.add(cell)
+            self.contacts.append((robot, x_m, y_m))
+
+    def end(self, x_m: FloatArray, y_m: FloatArray) -> None:
+        """Takes all robots' last places, whatever the thinning."""
+        self._samples.append(np.column_stack([x_m, y_m]))
+
+    def path(self, robot: int) -> FloatArray:
+        """Gives a robot's places [m], shape (samples, 2)."""
+        return np.array([sample[robot] for sample in self._samples]).reshape(-1, 2)
+
+
+def simplified(path: FloatArray, tolerance: float) -> FloatArray:
+    """Gives fewer points whose line keeps within `tolerance` of all points.
+
+    Source: Douglas and Peucker, "Algorithms for the reduction of the number of points required to
+    represent a digitized line", 1973.
+
+    >>> line = np.array([[0.0, 0.0], [1.0, 0.01], [2.0, 0.0], [2.0, 1.0]])
+    >>> simplified(line, 0.1).tolist()
+    [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0]]
+    """
+    kept = np.zeros(len(path), dtype=bool)
+    kept[[0, -1]] = True
+    spans = [(0, len(path) - 1)]
+    while spans:
+        first, last = spans.pop()
+        if last - first < 2:
+            continue
+        distances = _distances(path[first + 1 : last], path[first], path[last])
+        farthest = int(np.argmax(distances))
+        if distances[farthest] > tolerance:
+            middle = first + 1 + farthest
+            kept[middle] = True
+            spans += [(first, middle), (middle, last)]
+    return path[kept]
+
+
+def _distances(points: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
+    """Gives the points' distances from the segment between two points."""
+    along = end - start
+    length_squared = float(along @ along)
+    if length_squared == 0.0:
+        nearest = start[None, :]
+    else:
+        share = np.clip((points - start) @ along / length_squared, 0.0, 1.0)
+        nearest = start + share[:, None] * along
+    distances: FloatArray = np.linalg.norm(points - nearest, axis=1)
+    return distances
