@@ -106,7 +106,8 @@ class Page:
 
     def text(self, place: Point, text: str, **attributes: str | float) -> None:
         """Writes a text whose base line begins at `place`, or as `text_anchor` says."""
-        self._add("text", {"x": place[0], "y": place[1]} | attributes, text)
+        if text:
+            self._add("text", {"x": place[0], "y": place[1]} | attributes, text)
 
     def render(self) -> bytes:
         """Gives the document as UTF-8."""

@@ -1,0 +1,136 @@
+"""The picture of a run, read back as XML."""
+
+from __future__ import annotations
+
+import itertools
+import math
+
+import numpy as np
+import pytest
+from lxml import etree
+
+from crs_cc.cli.plot import Picture, Trip, colour
+from crs_cc.cli.tracks import Tracks, simplified
+from crs_cc.sim.model import Area, Box, Cylinder, Drive, Pose, Robot, RobotModel, Wall, WorldModel
+
+SVG = "{http://www.w3.org/2000/svg}"
+SCOUT = RobotModel("scout", 0.2, Drive(0.35))
+ROOM = WorldModel(
+    "room",
+    Area(0.0, 0.0, 6.0, 4.0),
+    walls=(Wall("screen", 3.0, 0.0, 3.0, 2.0),),
+    boxes=(Box("crate", Pose(1.0, 3.0, 0.3), 0.5, 0.4, mass_kg=3.0),),
+    cylinders=(Cylinder("pillar", Pose(5.0, 3.0), 0.3),),
+    robots=(Robot("robot0", SCOUT, Pose(1.0, 1.0, math.pi / 2)),),
+)
+OPEN = WorldModel("open", Area(-5.0, -5.0, 10.0, 10.0, edge_m=0.0))
+
+
+def trip(*places: tuple[float, float], name: str = "robot0", heading_rad: float = 0.0) -> Trip:
+    robot = Robot(name, SCOUT, Pose(*places[0], math.pi / 2))
+    return Trip(robot, np.array(places), heading_rad)
+
+
+def draw(picture: Picture) -> etree._Element:
+    return etree.fromstring(picture.render())
+
+
+def all_points(root: etree._Element) -> list[tuple[float, float]]:
+    rows = [row.get("points") for row in root.iter(f"{SVG}polyline", f"{SVG}polygon")]
+    pairs = [pair.split(",") for row in rows for pair in row.split()]
+    circles = [(row.get("cx"), row.get("cy")) for row in root.iter(f"{SVG}circle")]
+    return [(float(x), float(y)) for x, y in [*pairs, *circles]]
+
+
+def texts(root: etree._Element) -> list[str]:
+    return [row.text for row in root.iter(f"{SVG}text")]
+
+
+def test_it_shows_world_path_contact_names_and_title() -> None:
+    picture = Picture("wander.c", "60 s", ROOM, [trip((1, 1), (1, 2), (2, 2))], [(0, 3.0, 1.0)])
+    root = draw(picture)
+    shown = texts(root)
+    assert {"wander.c", "60 s", "robot0", "start", "end", "contact"} <= set(shown)
+    assert len(root.findall(f".//{SVG}polyline")) == 1
+    walls = [row for row in root.iter(f"{SVG}line") if row.get("stroke-linecap") == "round"]
+    assert len(walls) == 5
+    assert len([row for row in root.iter(f"{SVG}line") if row.get("stroke") == "#d1242f"]) == 4
+
+
+def test_up_in_the_world_is_up_on_the_page() -> None:
+    root = draw(Picture("", "", OPEN, [trip((0, 0), (3, 0), (3, 1))]))
+    points = root.find(f".//{SVG}polyline").get("points").split()
+    (x1, y1), (x2, y2), (x3, y3) = ([float(part) for part in point.split(",")] for point in points)
+    assert x2 > x1
+    assert y1 == y2
+    assert y3 < y2
+    assert x3 - x2 == pytest.approx(0.0)
+    assert (x2 - x1) == pytest.approx(3 * (y2 - y3), abs=0.5)
+
+
+@pytest.mark.parametrize("places", [[(0.0, 0.0)], [(5.0, 5.0)] * 3, [(0, 0), (1e4, 3.0)]])
+def test_everything_lies_on_the_page_however_odd_the_path(
+    places: list[tuple[float, float]],
+) -> None:
+    root = draw(Picture("t", "", OPEN, [trip(*places)]))
+    width, height = float(root.get("width")), float(root.get("height"))
+    for x, y in all_points(root):
+        assert 0 <= x <= width
+        assert 0 <= y <= height
+
+
+def test_hundreds_of_robots_fit() -> None:
+    trips = [trip((n % 20, n // 20), (n % 20, n // 20 + 0.5), name=f"r{n}") for n in range(400)]
+    root = draw(Picture("crowd", "", OPEN, trips))
+    assert len(root.findall(f".//{SVG}polyline")) == 400
+    assert any("more" in text for text in texts(root))
+    height = float(root.get("height"))
+    assert all(float(row.get("y")) < height for row in root.iter(f"{SVG}text"))
+
+
+def test_no_name_can_break_the_document() -> None:
+    root = draw(Picture('</svg>"&<script>\x00\ud800', "", OPEN, [trip((0, 0), name="<b>")]))
+    assert "<b>" in texts(root)
+    assert not root.findall(f".//{SVG}script")
+
+
+def test_neighbouring_robots_have_different_colours() -> None:
+    colours = [colour(number) for number in range(60)]
+    assert len(set(colours)) == 60
+
+
+def test_a_simplified_path_stays_close_to_the_whole_one() -> None:
+    angle = np.linspace(0, 6, 500)
+    path = np.column_stack([np.cos(angle) * angle, np.sin(angle) * angle])
+    kept = simplified(path, 0.01)
+    assert len(kept) < 150
+    assert kept[0].tolist() == path[0].tolist()
+    assert kept[-1].tolist() == path[-1].tolist()
+    for point in path:
+        gaps = [_gap(point, a, b) for a, b in itertools.pairwise(kept)]
+        assert min(gaps) <= 0.0101
+
+
+def _gap(point: np.ndarray, a: np.ndarray, b: np.ndarray) -> float:
+    share = np.clip((point - a) @ (b - a) / ((b - a) @ (b - a)), 0, 1)
+    return float(np.linalg.norm(point - a - share * (b - a)))
+
+
+def test_a_long_run_keeps_a_bounded_number_of_samples() -> None:
+    tracks = Tracks(max_samples=100)
+    for step in range(1000):
+        tracks.add(np.array([float(step), 0.0]), np.zeros(2))
+    tracks.end(np.array([999.0, 0.0]), np.zeros(2))
+    path = tracks.path(0)
+    assert len(path) <= 52
+    assert path[0, 0] == 0.0
+    assert path[-1, 0] == 999.0
+    assert np.ptp(np.diff(path[:-1, 0])) == 0.0
+
+
+def test_contacts_at_one_place_are_kept_once() -> None:
+    tracks = Tracks()
+    for x_m in (1.0, 1.01, 1.02, 2.0):
+        tracks.touch(0, x_m, 0.0)
+    tracks.touch(1, 1.0, 0.0)
+    assert tracks.contacts == [(0, 1.0, 0.0), (0, 2.0, 0.0), (1, 1.0, 0.0)]
