@@ -1,0 +1,145 @@
+"""A fleet runs, saves and restores programs, and survives whatever one of them does."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from crs_cc.ir.program import (
+    Address,
+    Block,
+    Constant,
+    Function,
+    Jump,
+    Load,
+    Move,
+    Program,
+    Register,
+    Slot,
+    Store,
+)
+from crs_cc.requests import CODES, ERROR_KINDS, FAILED, SLOT, SUSPENDED
+from crs_cc.runtime.executable import Executable, make_executable
+from crs_cc.runtime.fleet import Fleet
+from crs_cc.runtime.layout import MEMORY_SIZE
+from crs_cc.runtime.testing import counting_program
+from crs_cc.source import Location
+
+HERE = Location("wild.c", 7, 3)
+
+
+def wild_program(address: int, *, checked: bool) -> Executable:
+    """Gives a program that reads from an address and then loops for ever."""
+    pointer, value = Register(0, "i32"), Register(1, "i32")
+    entry, loop = Block("entry"), Block("loop")
+    entry.instructions = [
+        Move(HERE, pointer, Constant("i32", address)),
+        Load(HERE, value, pointer, 0, "i32"),
+    ]
+    entry.terminator = Jump(HERE, loop)
+    loop.terminator = Jump(HERE, loop)
+    start = Function("__crs_start", HERE, "i32", registers=[pointer, value], blocks=[entry, loop])
+    return make_executable(Program({start.name: start}), "wild.c", checked=checked)
+
+
+def run(fleet: Fleet, fuel: int = 1000) -> None:
+    fleet.slots["run"] = 1
+    fleet.slots["fuel"] = fuel
+    fleet.run_round()
+
+
+def test_only_robots_that_shall_run_are_resumed() -> None:
+    fleet = Fleet([counting_program()] * 5)
+    fleet.slots["fuel"] = 1000
+    fleet.slots["run"][[1, 4]] = 1
+    assert fleet.run_round() == 2
+    assert fleet.slots["code"].tolist() == [0, CODES["EXIT"], 0, 0, CODES["EXIT"]]
+
+
+def test_a_loop_without_end_comes_back_when_its_fuel_is_used_up() -> None:
+    fleet = Fleet([wild_program(MEMORY_SIZE - 4, checked=True)])
+    run(fleet, 500)
+    assert fleet.slots["status"][0] == SUSPENDED
+    assert fleet.slots["code"][0] == 0
+    assert -10 <= fleet.slots["fuel"][0] < 0
+
+
+def test_a_wild_read_is_named_and_stops_only_its_robot() -> None:
+    good = counting_program()
+    fleet = Fleet([good, wild_program(MEMORY_SIZE - 3, checked=True), good])
+    run(fleet)
+    assert fleet.slots["status"].tolist() == [SUSPENDED, FAILED, SUSPENDED]
+    assert fleet.slots["code"][[0, 2]].tolist() == [CODES["EXIT"]] * 2
+    failure = fleet.failure(1)
+    assert (failure.kind, failure.location) == ("pointer outside memory", HERE)
+    assert failure.value == MEMORY_SIZE - 3
+
+
+def test_a_null_pointer_is_told_from_a_wild_one() -> None:
+    fleet = Fleet([wild_program(12, checked=True)])
+    run(fleet)
+    assert fleet.failure(0).kind == "null pointer"
+
+
+def test_a_trap_stops_its_robot_alone_and_the_round_is_finished() -> None:
+    good = counting_program()
+    fleet = Fleet([good, wild_program(MEMORY_SIZE, checked=False), good, good])
+    run(fleet)
+    assert fleet.slots["status"].tolist() == [SUSPENDED, FAILED, SUSPENDED, SUSPENDED]
+    assert fleet.slots["code"][[0, 2, 3]].tolist() == [CODES["EXIT"]] * 3
+    assert ERROR_KINDS[fleet.slots["error_kind"][1]] == "internal trap"
+
+
+def test_a_snapshot_goes_on_in_another_fleet() -> None:
+    program = counting_program(rounds=1000)
+    first, second = Fleet([program]), Fleet([program, program])
+    run(first, 100)
+    assert first.slots["code"][0] == 0
+    second.restore(1, first.snapshot(0))
+    for fleet in (first, second):
+        run(fleet, 10_000)
+    assert first.slots["message"]["i"][0, 0] == second.slots["message"]["i"][1, 0] == 1000
+    assert first.slots["fuel"][0] == second.slots["fuel"][1]
+    assert np.array_equal(first.memory(0), second.memory(1))
+
+
+def test_restoring_clears_what_was_written_since() -> None:
+    fleet = Fleet([counting_program()])
+    before = fleet.snapshot(0)
+    fleet.memory(0)[9 * 2**20] = 1
+    fleet.restore(0, before)
+    assert not fleet.memory(0).any()
+
+
+def test_ten_thousand_robots_can_be_made() -> None:
+    fleet = Fleet([counting_program()] * 10_000)
+    run(fleet)
+    assert (fleet.slots["code"] == CODES["EXIT"]).all()
+
+
+def test_slots_do_not_reach_into_each_other() -> None:
+    assert SLOT.itemsize == 384
+    assert SLOT.fields["message"][1] + SLOT["message"].itemsize == SLOT.itemsize
+
+
+def test_a_slot_in_the_frame_survives_a_stop() -> None:
+    slot, pointer, value = Slot("x", 4, 4), Register(0, "i32"), Register(1, "i32")
+    entry, loop = Block("entry"), Block("loop")
+    entry.instructions = [
+        Store(HERE, slot, 0, Constant("i32", 77), "i32"),
+        Address(HERE, pointer, slot, 0),
+    ]
+    entry.terminator = Jump(HERE, loop)
+    loop.instructions = [Load(HERE, value, pointer, 0, "i32")]
+    loop.terminator = Jump(HERE, loop)
+    start = Function(
+        "__crs_start", HERE, "i32", registers=[pointer, value], slots=[slot],
+        blocks=[entry, loop],
+    )  # fmt: skip
+    executable = make_executable(Program({start.name: start}), "slot.c")
+    fleet = Fleet([executable])
+    run(fleet, 10)
+    run(fleet, 10)
+    info = executable.detail().compiled.functions[0]
+    base = 4096 + 2 * 2**20 - 16 - info.frame.size
+    at = base + info.frame.offsets[slot]
+    assert fleet.memory(0)[at : at + 4].view("<i4")[0] == 77
