@@ -1,0 +1,187 @@
+/* The Nomadic client: how a control program talks to its robot.
+
+   Written anew with the names, values and meanings of the vendor's header 1.29 of 1999. On the
+   Scout axis 1 ("translation") is the right wheel and axis 2 ("steering") the left wheel.
+   Lengths are in 0.1 inch, angles in 0.1 degree, counted counterclockwise, sonar readings in
+   inches; speeds and accelerations the same per second and per second squared.
+   Functions give TRUE, or FALSE when they failed or no robot is connected. */
+#ifndef _HOST_CLIENT_H_
+#define _HOST_CLIENT_H_
+
+#ifndef FALSE
+#define FALSE 0
+#endif
+#ifndef TRUE
+#define TRUE 1
+#endif
+
+#define MAX_VERTICES 10
+#define NUM_STATE 45
+#define NUM_MASK 44
+#define NUM_LASER 482
+#define BUFSIZE 4096
+#define MAX_USER_BUF 0xFFFF
+#define USER_BUFFER_LENGTH 0xFFFF
+#define SONARS 16
+#define INFRAREDS 16
+
+/* Robot models. */
+#define MODEL_N200 0
+#define MODEL_N150 1
+#define MODEL_SCOUT 2
+#define MODEL_SCOUT2 2
+
+/* Modes of an axis, for mv. */
+#define MV_IGNORE 0
+#define MV_VM 1
+#define MV_PR 2
+#define MV_LP 3
+#define MV_AC 4
+#define MV_SP 5
+#define MV_PA 6
+#define MV_TQ 7
+#define MV_MT 8
+
+/* Where things stand in State. */
+#define STATE_SIM_SPEED 0       /* speed of the simulation, 10 is real time */
+#define STATE_IR_0 1
+#define STATE_IR_1 2
+#define STATE_IR_2 3
+#define STATE_IR_3 4
+#define STATE_IR_4 5
+#define STATE_IR_5 6
+#define STATE_IR_6 7
+#define STATE_IR_7 8
+#define STATE_IR_8 9
+#define STATE_IR_9 10
+#define STATE_IR_10 11
+#define STATE_IR_11 12
+#define STATE_IR_12 13
+#define STATE_IR_13 14
+#define STATE_IR_14 15
+#define STATE_IR_15 16
+#define STATE_SONAR_0 17          /* front; the others counterclockwise, 22.5 degrees apart */
+#define STATE_SONAR_1 18
+#define STATE_SONAR_2 19
+#define STATE_SONAR_3 20
+#define STATE_SONAR_4 21
+#define STATE_SONAR_5 22
+#define STATE_SONAR_6 23
+#define STATE_SONAR_7 24
+#define STATE_SONAR_8 25
+#define STATE_SONAR_9 26
+#define STATE_SONAR_10 27
+#define STATE_SONAR_11 28
+#define STATE_SONAR_12 29
+#define STATE_SONAR_13 30
+#define STATE_SONAR_14 31
+#define STATE_SONAR_15 32
+#define STATE_BUMPER 33
+#define STATE_CONF_X 34
+#define STATE_CONF_Y 35
+#define STATE_CONF_STEER 36     /* heading, 0 to 3599 */
+#define STATE_CONF_TURRET 37
+#define STATE_VEL_TRANS 38
+#define STATE_VEL_RIGHT 38
+#define STATE_VEL_STEER 39
+#define STATE_VEL_LEFT 39
+#define STATE_VEL_TURRET 40
+#define STATE_MOTOR_STATUS 41   /* bit 0: right motor active, bit 1: left motor */
+#define STATE_LASER 42
+#define STATE_COMPASS 43
+#define STATE_ERROR 44
+
+/* Where things stand in Smask. */
+#define SMASK_POS_DATA 0
+#define SMASK_IR_1 1
+#define SMASK_IR_2 2
+#define SMASK_IR_3 3
+#define SMASK_IR_4 4
+#define SMASK_IR_5 5
+#define SMASK_IR_6 6
+#define SMASK_IR_7 7
+#define SMASK_IR_8 8
+#define SMASK_IR_9 9
+#define SMASK_IR_10 10
+#define SMASK_IR_11 11
+#define SMASK_IR_12 12
+#define SMASK_IR_13 13
+#define SMASK_IR_14 14
+#define SMASK_IR_15 15
+#define SMASK_IR_16 16
+#define SMASK_SONAR_1 17
+#define SMASK_SONAR_2 18
+#define SMASK_SONAR_3 19
+#define SMASK_SONAR_4 20
+#define SMASK_SONAR_5 21
+#define SMASK_SONAR_6 22
+#define SMASK_SONAR_7 23
+#define SMASK_SONAR_8 24
+#define SMASK_SONAR_9 25
+#define SMASK_SONAR_10 26
+#define SMASK_SONAR_11 27
+#define SMASK_SONAR_12 28
+#define SMASK_SONAR_13 29
+#define SMASK_SONAR_14 30
+#define SMASK_SONAR_15 31
+#define SMASK_SONAR_16 32
+#define SMASK_BUMPER 33
+#define SMASK_CONF_X 34
+#define SMASK_CONF_Y 35
+#define SMASK_CONF_STEER 36
+#define SMASK_CONF_TURRET 37
+#define SMASK_VEL_TRANS 38
+#define SMASK_VEL_STEER 39
+#define SMASK_VEL_TURRET 40
+#define SMASK_RESERVED 41
+#define SMASK_LASER 42
+#define SMASK_COMPASS 43
+
+extern long State[NUM_STATE];
+extern int Smask[NUM_MASK];
+extern char SERVER_MACHINE_NAME[80];
+extern int SERV_TCP_PORT;
+
+/* A rotation of the Scout in degrees, as wheel travel: inches per degree. */
+#define ROTATION_CONSTANT 0.118597
+
+/* Wheel values of a translation and a rotation; the arguments are used as they are written. */
+#define RIGHT(trans, steer) (trans + (int)((float)steer*ROTATION_CONSTANT))
+#define LEFT(trans, steer) (trans - (int)((float)steer*ROTATION_CONSTANT))
+#define scout_vm(trans, steer) vm(RIGHT(trans, steer), LEFT(trans, steer), 0)
+
+/* Connection. */
+int connect_robot(long id, ...);
+int disconnect_robot(long id);
+
+/* Configuration. */
+int conf_sn(int rate, int order[16]);
+int conf_tm(unsigned char timeout);
+
+/* Motion. */
+int ac(int trans, int steer, int turret);
+int sp(int trans, int steer, int turret);
+int pr(int trans, int steer, int turret);
+int vm(int trans, int steer, int turret);
+int mv(int t_mode, int t_mv, int s_mode, int s_mv, int r_mode, int r_mv);
+int st(void);
+int lp(void);
+int ws(unsigned char trans, unsigned char steer, unsigned char turret, unsigned char timeout);
+int dp(int x, int y);
+int da(int th, int tu);
+int zr(void);
+
+/* Reading State, or a group of it. */
+int gs(void);
+int get_sn(void);
+int get_bp(void);
+int get_rc(void);
+int get_rv(void);
+
+/* Not the vendor's: what Scout programs used to define for themselves. They are functions, so
+   that a program's own macros or functions of these names take their place. */
+int scout_pr(int trans, int steer);
+int scout_ws(int seconds);
+int sonarSensorCheck(void);
+
+#endif

@@ -1,0 +1,43 @@
+/* C17 7.24: strings, and what Linux adds. */
+#ifndef _STRING_H
+#define _STRING_H
+
+#include <strings.h>
+
+#ifndef NULL
+#define NULL ((void *)0)
+#endif
+
+void *memcpy(void *to, const void *from, size_t size);
+void *memmove(void *to, const void *from, size_t size);
+void *memset(void *bytes, int value, size_t size);
+int memcmp(const void *left, const void *right, size_t size);
+void *memchr(const void *bytes, int c, size_t size);
+
+char *strcpy(char *to, const char *from);
+char *strncpy(char *to, const char *from, size_t size);
+char *strcat(char *to, const char *from);
+char *strncat(char *to, const char *from, size_t size);
+int strcmp(const char *left, const char *right);
+int strncmp(const char *left, const char *right, size_t size);
+int strcoll(const char *left, const char *right);
+size_t strxfrm(char *to, const char *from, size_t size);
+char *strchr(const char *text, int c);
+char *strrchr(const char *text, int c);
+size_t strspn(const char *text, const char *accept);
+size_t strcspn(const char *text, const char *reject);
+char *strpbrk(const char *text, const char *accept);
+char *strstr(const char *text, const char *part);
+char *strtok(char *text, const char *separators);
+size_t strlen(const char *text);
+char *strerror(int number);
+
+char *strdup(const char *text);
+char *strndup(const char *text, size_t size);
+size_t strnlen(const char *text, size_t size);
+char *strtok_r(char *text, const char *separators, char **rest);
+char *strsep(char **text, const char *separators);
+char *stpcpy(char *to, const char *from);
+void *memccpy(void *to, const void *from, int c, size_t size);
+
+#endif

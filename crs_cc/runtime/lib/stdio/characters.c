@@ -1,0 +1,106 @@
+/* Character and direct input and output (C17 7.21.7 and 7.21.8). */
+#include <errno.h>
+#include <string.h>
+
+#include "stream.h"
+
+int fputc(int c, FILE *stream)
+{
+    unsigned char byte = c;
+
+    return __crs_append(stream, &byte, 1) < 0 || __crs_settle(stream) < 0 ? EOF : byte;
+}
+
+int putc(int c, FILE *stream)
+{
+    return fputc(c, stream);
+}
+
+int putchar(int c)
+{
+    return fputc(c, stdout);
+}
+
+int fputs(const char *text, FILE *stream)
+{
+    return __crs_append(stream, text, strlen(text)) < 0 || __crs_settle(stream) < 0 ? EOF : 1;
+}
+
+int puts(const char *text)
+{
+    if (__crs_append(stdout, text, strlen(text)) < 0 || __crs_append(stdout, "\n", 1) < 0)
+        return EOF;
+    return __crs_settle(stdout) < 0 ? EOF : 1;
+}
+
+size_t fwrite(const void *items, size_t size, size_t count, FILE *stream)
+{
+    if (size == 0 || count == 0)
+        return 0;
+    if (__crs_append(stream, items, size * count) < 0 || __crs_settle(stream) < 0)
+        return 0;
+    return count;
+}
+
+int fgetc(FILE *stream)
+{
+    return __crs_next(stream);
+}
+
+int getc(FILE *stream)
+{
+    return __crs_next(stream);
+}
+
+int getchar(void)
+{
+    return __crs_next(stdin);
+}
+
+char *fgets(char *text, int size, FILE *stream)
+{
+    char *at = text;
+    int c = 0;
+
+    if (size < 1)
+        return NULL;
+    while (--size > 0 && c != '\n' && (c = __crs_next(stream)) != EOF)
+        *at++ = c;
+    if (c == EOF && (at == text || stream->flags & FAILED))
+        return NULL;
+    *at = 0;
+    return text;
+}
+
+int ungetc(int c, FILE *stream)
+{
+    if (c == EOF || !(stream->flags & READS))
+        return EOF;
+    if (stream->begin == stream->end)
+        stream->begin = stream->end = PUSHBACK;
+    if (stream->begin == 0)
+        return EOF;
+    stream->buffer[--stream->begin] = c;
+    stream->flags &= ~AT_END;
+    return (unsigned char)c;
+}
+
+size_t fread(void *items, size_t size, size_t count, FILE *stream)
+{
+    unsigned char *to = items;
+    size_t total = size * count, done = 0;
+    int c;
+
+    while (done < total && (c = __crs_next(stream)) != EOF)
+        to[done++] = c;
+    return size == 0 ? 0 : done / size;
+}
+
+void perror(const char *text)
+{
+    int number = errno;
+
+    if (text != NULL && *text)
+        fprintf(stderr, "%s: ", text);
+    fprintf(stderr, "%s\n", strerror(number));
+}

@@ -1,0 +1,36 @@
+/* Formatted output: where it goes, and one conversion specification. */
+#ifndef CRS_PRINT_H
+#define CRS_PRINT_H
+
+#include <stdio.h>
+
+enum { LEFT = 1, PLUS = 2, SPACE = 4, ALTERNATE = 8, ZERO = 16 };
+
+struct __crs_sink {
+    FILE *stream;         /* null when the output goes to a string */
+    char *text;
+    unsigned int room;    /* bytes left in the string, without its final null character */
+    unsigned int count;   /* characters given so far, whether or not they had room */
+    int failed;           /* errno of the first error, 0 for none */
+};
+
+struct __crs_conversion {
+    int flags;
+    int width;
+    int precision;        /* -1 when absent */
+    int length;           /* 'H' for hh, 'q' for ll, j and L, else the letter itself, or 0 */
+    char letter;
+};
+
+void __crs_emit(struct __crs_sink *sink, const char *text, int size);
+void __crs_pad(struct __crs_sink *sink, char c, int count);
+
+/* Prints the prefix (a sign, 0x) of a field whose rest is `size` characters, with the padding that
+   comes before and after it; gives the padding that must follow the rest. */
+int __crs_open_field(struct __crs_sink *sink, const struct __crs_conversion *conversion,
+                     const char *prefix, int prefix_size, int size);
+
+void __crs_print_double(struct __crs_sink *sink, const struct __crs_conversion *conversion,
+                        double value);
+
+#endif

@@ -1,0 +1,48 @@
+/* The beginning and the end of a program (C17 5.1.2.2). */
+#include <crs_request.h>
+#include <stdlib.h>
+
+int main();
+
+/* Makes a copy of an argument, or gives a null pointer when there is none of that number. */
+static char *read_argument(int number)
+{
+    struct __crs_message message;
+    char *text = NULL;
+    int length, done = 0;
+
+    do {
+        message.i[0] = number;
+        message.i[1] = done;
+        length = __crs_request(CRS_ARGUMENT, &message);
+        if (length < 0)
+            return NULL;
+        if (text == NULL)
+            text = malloc(length + 1);
+        if (text == NULL || message.size <= 0)
+            break;
+        if (message.size > length - done)
+            message.size = length - done;
+        __builtin_memcpy(text + done, message.data, message.size);
+        done += message.size;
+    } while (done < length);
+    if (text != NULL)
+        text[done] = 0;
+    return text;
+}
+
+/* The outermost function: collects the arguments, calls main, ends the program. */
+int __crs_start(void)
+{
+    int count = 0, capacity = 8;
+    char **arguments = malloc(capacity * sizeof *arguments);
+
+    while (arguments != NULL && (arguments[count] = read_argument(count)) != NULL) {
+        if (++count == capacity) {
+            capacity *= 2;
+            arguments = realloc(arguments, capacity * sizeof *arguments);
+        }
+    }
+    exit(main(count, arguments));
+    return 0;
+}
