@@ -27,6 +27,7 @@ ROWS: tuple[frozenset[str], ...] = tuple(
         "record debug",
         "net viewer sweep",
         "cli",
+        "__main__",
     )
 )
 RANK = {part: rank for rank, row in enumerate(ROWS) for part in row}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -67,6 +68,12 @@ Examples:
 """
 
 
+def _time(_ctx: click.Context, _option: click.Parameter, time_s: float | None) -> float | None:
+    if time_s is not None and math.isnan(time_s):
+        raise click.BadParameter("nan is not a time.")
+    return time_s
+
+
 @click.command(
     cls=_WithProgramArguments,
     epilog=_EXAMPLES,
@@ -78,6 +85,7 @@ Examples:
     "--max-time",
     "max_time_s",
     type=click.FloatRange(min=0, min_open=True),
+    callback=_time,
     metavar="S",
     help="Stop after S seconds of simulated time.",
 )
@@ -136,8 +144,6 @@ def run(
     starts with the robot's name. The exit status is the program's own with one robot; with
     several it is 0 if all ended with 0. A program still running at --max-time counts as 0.
     """
-    from crs_cc.cli.simulate import simulate
-
     options = RunOptions(
         inputs=sort_files(files),
         arguments=ctx.meta.get(_ARGUMENTS, ()),
@@ -146,4 +152,8 @@ def run(
         trace_requests=trace == "requests",
         **others,
     )
+    if options.plot is not None and not options.plot.absolute().parent.is_dir():
+        raise click.UsageError(f"no such folder for the picture: '{options.plot.parent}'.")
+    from crs_cc.cli.simulate import simulate
+
     return simulate(options)

@@ -45,8 +45,6 @@ def simulate(options: RunOptions) -> int:
 
 
 def _simulate(options: RunOptions) -> int:
-    if options.plot is not None and not options.plot.absolute().parent.is_dir():
-        raise click.UsageError(f"no such folder for the picture: '{options.plot.parent}'.")
     diagnostics = Diagnostics()
     loaded = load(options, diagnostics)
     if not options.quiet:

@@ -1,0 +1,171 @@
+"""The command line's own behaviour: help, usage, unreadable files, whose fault it was."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from crs_cc import __version__
+from crs_cc.cli import check
+from crs_cc.cli.main import crs, main
+from crs_cc.errors import InternalError
+from crs_cc.source import Location
+
+
+def run_crs(*arguments: str, **options: object) -> subprocess.CompletedProcess[str]:
+    """Runs crs in a process of its own."""
+    command = [sys.executable, "-m", "crs_cc", *arguments]
+    return subprocess.run(command, capture_output=True, text=True, check=False, **options)  # type: ignore[call-overload]
+
+
+def test_version(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["-V"]) == main(["--version"]) == 0
+    assert capsys.readouterr().out == f"crs {__version__}\n" * 2
+
+
+@pytest.mark.parametrize("command", [[], *([name] for name in crs.commands)])
+def test_help_of_every_command_has_examples(
+    command: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main([*command, "--help"]) == main([*command, "-h"]) == 0
+    text = capsys.readouterr().out
+    assert "Examples:\n    crs " in text
+
+
+def test_help_imports_nothing_heavy() -> None:
+    code = (
+        "import sys\nfrom crs_cc.cli.main import main\nmain(['--help'])\n"
+        "heavy = {'numpy', 'wasmtime', 'pymunk', 'lxml', 'pycparser', 'rich'} & set(sys.modules)\n"
+        "sys.exit(f'imported {heavy}' if heavy else 0)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["rum"], "No such command 'rum'"),
+        (["run"], "Missing argument"),
+        (["run", "a.c", "--max-time", "soon"], "'soon' is not a valid float"),
+        (["run", "a.c", "--max-time", "0"], "0.0 is not in the range"),
+        (["run", "a.c", "--max-time", "nan"], "nan is not a time"),
+        (["run", "a.c", "--seed", "-1"], "-1 is not in the range"),
+        (["run", "a.c", "--trace", "all"], "'all' is not 'requests'"),
+        (["run", "a.c", "a.xml", "b.xml"], "more than one world file: a.xml b.xml"),
+        (["run", "a.c", "-I", "nowhere"], "'nowhere' does not exist"),
+        (["run", "a.c", "--plot", "nowhere/a.svg"], "no such folder for the picture"),
+        (["compile", "--emit", "exe", "a.c"], "'exe' is not one of"),
+    ],
+)
+def test_a_wrong_command_line_ends_with_2(
+    arguments: list[str],
+    message: str,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(arguments) == 2
+    shown = capsys.readouterr()
+    assert message in shown.err
+    assert shown.out == ""
+
+
+@pytest.mark.parametrize("command", ["run", "check", "compile"])
+def test_a_missing_file_is_named_with_a_proposal(
+    command: str,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("wander.c").touch()
+    assert main([command, "wnader.c", *["-q"][: command == "check"]]) == 121
+    shown = capsys.readouterr().err
+    assert shown == "wnader.c: error: no such file\n    hint: did you mean 'wander.c'?\n"
+
+
+@pytest.mark.parametrize(("name", "status"), [("folder.c", 121), ("folder.xml", 122)])
+def test_a_folder_is_no_file(
+    name: str, status: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / name).mkdir()
+    assert main(["check", "-q", str(tmp_path / name)]) == status
+    assert capsys.readouterr().err == f"{tmp_path / name}: error: is a directory, not a file\n"
+
+
+def test_an_unreadable_file_is_named(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def forbid(path: Path, mode: str) -> None:
+        raise PermissionError(13, "Permission denied", str(path))
+
+    monkeypatch.setattr(Path, "open", forbid)  # root, who may run the tests, can read everything
+    assert main(["check", "-q", "secret.c"]) == 121
+    assert capsys.readouterr().err == "secret.c: error: cannot be read: Permission denied\n"
+
+
+def test_a_name_that_cannot_be_a_files_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", "-q", "x" * 10_000 + ".c"]) == 121
+    assert "cannot be read: File name too long" in capsys.readouterr().err
+
+
+def test_the_file_named_first_decides_the_status(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", "no.xml", "no.c"]) == 122
+    assert main(["check", "no.c", "no.xml"]) == 121
+    assert "2 checked: 2 errors, 0 warnings" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("error", "message"),
+    [
+        (KeyError("slot"), "crs: internal error: KeyError: 'slot'"),
+        (RecursionError("too deep"), "crs: internal error: RecursionError: too deep"),
+        (InternalError.at(Location("a.c", 3), "malformed IR"), "a.c:3: error: malformed IR"),
+    ],
+)
+def test_our_own_mistakes_ask_for_a_report_and_show_no_traceback(
+    error: Exception,
+    message: str,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def fail(*_arguments: object) -> None:
+        raise error
+
+    monkeypatch.setattr(check, "demand_readable", fail)
+    monkeypatch.delenv("CRS_DEBUG", raising=False)
+    assert main(["check", "a.c"]) == 70
+    shown = capsys.readouterr().err
+    assert shown.startswith(message)
+    assert "Please report it" in shown
+    assert "Traceback" not in shown
+    monkeypatch.setenv("CRS_DEBUG", "1")
+    assert main(["check", "a.c"]) == 70
+    assert "Traceback" in capsys.readouterr().err
+
+
+def test_ctrl_c_while_compiling_ends_with_130(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(*_arguments: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(check, "demand_readable", fail)
+    assert main(["check", "a.c"]) == 130
+    assert capsys.readouterr().err == "\ncrs: interrupted\n"
+
+
+@pytest.mark.slow
+def test_help_is_there_at_once() -> None:
+    durations_s = []
+    for _ in range(5):
+        started_s = time.perf_counter()
+        assert run_crs("--help").returncode == 0
+        durations_s.append(time.perf_counter() - started_s)
+    assert min(durations_s) < 0.3  # 0.08 s on an idle machine
