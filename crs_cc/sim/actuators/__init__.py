@@ -1,0 +1,1 @@
+"""The actuators, one file each."""

@@ -1,0 +1,213 @@
+"""From the elements of a world file to a `WorldModel`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field, replace
+from pathlib import Path, PurePosixPath
+from typing import Final, TypeAlias, TypeVar
+
+from crs_cc.sim.document import Element, Reader
+from crs_cc.sim.model import (
+    FIXED_KG,
+    Area,
+    Box,
+    Cylinder,
+    Pose,
+    Robot,
+    RobotModel,
+    Wall,
+    WorldModel,
+)
+from crs_cc.sim.placement import misplaced
+from crs_cc.sim.quantity import ANGLE, LENGTH, MASS, TIME
+
+SHORTEST_TIMESTEP_S: Final = 0.001
+LONGEST_TIMESTEP_S: Final = 0.1
+MAX_THINGS: Final = 100_000
+_TOO_SMALL_M: Final = 0.001
+
+Thing = TypeVar("Thing")
+FindModel: TypeAlias = Callable[[Element, str], RobotModel]
+"""Gives the robot model with a name; notes it as a mistake of the element when there is none."""
+
+
+@dataclass(slots=True)
+class Names:
+    """The ids of a world file.
+
+    Attributes:
+        elements: the element that used each id.
+        counts: how many elements of each kind came before.
+    """
+
+    elements: dict[str, Element] = field(default_factory=dict)
+    counts: dict[str, int] = field(default_factory=dict)
+
+    def name(self, element: Element, reader: Reader) -> str:
+        """Gives the id of a thing, and remembers where it was used."""
+        number = self.counts.get(element.tag, 0)
+        self.counts[element.tag] = number + 1
+        given = element.attributes.get("id", f"{element.tag}{number}")
+        if given in self.elements:
+            line = self.elements[given].line
+            reader.error(
+                element, f"a second thing with the id {given!r}; the first is in line {line}"
+            )
+        elif given.startswith("edge-"):
+            reader.error(element, f"the id {given!r}: names that begin with edge- are the world's")
+        self.elements.setdefault(given, element)
+        return given
+
+
+def world_model(
+    root: Element, name: str, folder: Path | None, reader: Reader, find_model: FindModel
+) -> WorldModel:
+    """Gives the world that a world file describes; mistakes go to the reader.
+
+    Args:
+        root: the outermost element.
+        name: the world's name, if the file gives none.
+        folder: where programs are looked for; None when the world came from no file.
+        reader: reads the values.
+        find_model: finds robot definitions.
+    """
+    names = Names()
+    if len(root.children) > MAX_THINGS:
+        reader.error(root, f"more than {MAX_THINGS} things in one world")
+        root.children = root.children[:1]
+    world = WorldModel(
+        root.attributes.get("name", name),
+        area=_area(root.first("area"), reader),
+        walls=tuple(_wall(element, names, reader) for element in root.all("wall")),
+        boxes=tuple(_box(element, names, reader) for element in root.all("box")),
+        cylinders=tuple(_cylinder(element, names, reader) for element in root.all("cylinder")),
+        robots=tuple(
+            Robot(
+                names.name(element, reader),
+                find_model(element, element.attributes.get("definition", "scout")),
+                _pose(element, reader),
+                _program(element, folder, reader),
+                tuple(argument.text for argument in element.all("argument")),
+            )
+            for element in root.all("robot")
+        ),
+        timestep_s=_timestep(root, reader),
+    )
+    _check(world, root, reader)
+    return world
+
+
+def _check(world: WorldModel, root: Element, reader: Reader) -> None:
+    """Notes what is wrong with the whole, as far as its numbers could be read."""
+    if not world.robots:
+        reader.error(root, "no robot in the world", "add <robot x='1m' y='1m'/>")
+    if root.first("area").broken:
+        return
+    readable = replace(
+        world,
+        walls=_readable(world.walls, root.all("wall")),
+        boxes=_readable(world.boxes, root.all("box")),
+        cylinders=_readable(world.cylinders, root.all("cylinder")),
+        robots=_readable(world.robots, root.all("robot")),
+    )
+    robots = [element for element in root.all("robot") if not element.broken]
+    for robot, complaint in misplaced(readable):
+        reader.error(robots[robot], complaint)
+
+
+def _readable(things: tuple[Thing, ...], elements: Iterable[Element]) -> tuple[Thing, ...]:
+    pairs = zip(things, elements, strict=True)
+    return tuple(thing for thing, element in pairs if not element.broken)
+
+
+def _area(element: Element, reader: Reader) -> Area:
+    length_m = reader.positive(element, "length", LENGTH)
+    width_m = reader.positive(element, "width", LENGTH)
+    edge_m = reader.not_negative(element, "edge", LENGTH, 0.1)
+    if 0.0 < edge_m < _TOO_SMALL_M:
+        reader.refuse(element, "edge: walls must be 1mm thick or more, or 0 for none")
+    if element.attributes.get("origin") == "centre":
+        return Area(-length_m / 2, -width_m / 2, length_m, width_m, edge_m)
+    return Area(0.0, 0.0, length_m, width_m, edge_m)
+
+
+def _wall(element: Element, names: Names, reader: Reader) -> Wall:
+    wall = Wall(
+        names.name(element, reader),
+        reader.quantity(element, "x1", LENGTH),
+        reader.quantity(element, "y1", LENGTH),
+        reader.quantity(element, "x2", LENGTH),
+        reader.quantity(element, "y2", LENGTH),
+        _size(element, "thickness", reader),
+    )
+    if not element.broken and (wall.x1_m, wall.y1_m) == (wall.x2_m, wall.y2_m):
+        reader.error(element, f"wall {wall.id!r} has no length: both its ends are the same point")
+    return wall
+
+
+def _box(element: Element, names: Names, reader: Reader) -> Box:
+    return Box(
+        names.name(element, reader),
+        _pose(element, reader),
+        _size(element, "length", reader),
+        _size(element, "width", reader),
+        reader.positive(element, "mass", MASS, FIXED_KG),
+    )
+
+
+def _cylinder(element: Element, names: Names, reader: Reader) -> Cylinder:
+    return Cylinder(
+        names.name(element, reader),
+        _pose(element, reader),
+        _size(element, "radius", reader),
+        reader.positive(element, "mass", MASS, FIXED_KG),
+    )
+
+
+def _pose(element: Element, reader: Reader) -> Pose:
+    return Pose(
+        reader.quantity(element, "x", LENGTH),
+        reader.quantity(element, "y", LENGTH),
+        reader.quantity(element, "heading", ANGLE),
+    )
+
+
+def _size(element: Element, name: str, reader: Reader) -> float:
+    value_m = reader.positive(element, name, LENGTH)
+    if value_m < _TOO_SMALL_M:
+        reader.refuse(element, f"{name}: must be 1mm or more")
+    return value_m
+
+
+def _timestep(root: Element, reader: Reader) -> float:
+    value_s = reader.positive(root, "timestep", TIME, 0.05)
+    if not SHORTEST_TIMESTEP_S <= value_s <= LONGEST_TIMESTEP_S:
+        reader.refuse(root, f"timestep: {value_s:g}s must be 1ms or more and 100ms or less")
+        return 0.05
+    return value_s
+
+
+def _program(element: Element, folder: Path | None, reader: Reader) -> str:
+    """Gives a path that can be opened; only C files, and nothing by an absolute path."""
+    text = element.attributes.get("program", "")
+    if not text:
+        return ""
+    path = PurePosixPath(text)
+    if path.suffix != ".c" or path.is_absolute() or "\0" in text:
+        reader.error(
+            element, f"program {text!r}: must be a C file (.c), by a path relative to this file"
+        )
+        return ""
+    if folder is None:
+        return str(path)
+    if not _is_file(folder / path):
+        reader.error(element, f"program {text!r}: there is no such file")
+    return str(folder / path)
+
+
+def _is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except OSError:  # a name that no file can have
+        return False

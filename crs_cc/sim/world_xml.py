@@ -1,0 +1,239 @@
+"""World and robot files, read by a parser that trusts nothing.
+
+The text may come from anywhere: entities are not resolved, nothing is fetched, a document type
+declaration is refused, depth and size are limited (by libxml2 and by `MAX_BYTES`). The schema
+(`world.xsd`, `robot.xsd`) checks the form; what a schema cannot say is checked afterwards. This
+file alone knows lxml.
+
+>>> world = parse_world(b'''<world version="1" timestep="50ms">
+...   <area length="6m" width="5m"/>
+...   <robot x="1m" y="1m" heading="90deg"/>
+... </world>''', "room")
+>>> world.robots[0].model.name, len(world.robots[0].model.sonars)
+('scout', 16)
+>>> parse_world(b"<world version='1'><area length='6m'/></world>", "room")
+Traceback (most recent call last):
+crs_cc.errors.WorldError: room:1: error: <area> lacks the attribute 'width'
+    <world version='1'><area length='6m'/></world>
+"""
+
+from __future__ import annotations
+
+import stat
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path, PurePosixPath
+from typing import Final
+
+from lxml import etree
+
+from crs_cc.errors import WorldError
+from crs_cc.sim.document import Element, Reader
+from crs_cc.sim.model import Drive, RobotModel, WorldModel
+from crs_cc.sim.robot_elements import robot_model
+from crs_cc.sim.schema_messages import explain
+from crs_cc.sim.world_elements import world_model
+from crs_cc.source import Diagnostic, Diagnostics, Location
+
+MAX_BYTES: Final = 16 * 1024 * 1024
+
+_HERE: Final = Path(__file__).parent
+_ROBOTS: Final = _HERE / "robots"
+_STAND_IN: Final = RobotModel("unknown", 0.001, Drive(1.0))
+_SAID_BETTER_LATER: Final = (
+    "SCHEMAV_CVC_PATTERN_VALID",  # numbers: with the units that are known
+    "SCHEMAV_CVC_IDC",  # ids: with the place of the other one
+)
+_EMPTY_WORLD: Final = b"""<world version="1" name="empty">
+  <area length="1000m" width="1000m" origin="centre" edge="0"/>
+  <robot x="0" y="0"/>
+</world>"""
+
+
+def load_world(path: Path) -> WorldModel:
+    """Gives the world that a file describes.
+
+    Raises:
+        WorldError: the file cannot be read, or is wrong; all mistakes are told at once.
+    """
+    return _parse_world(_read_file(path), str(path), path.stem, path.parent)
+
+
+def parse_world(text: bytes, name: str) -> WorldModel:
+    """Gives the world that a text describes; `name` stands for it in messages.
+
+    Raises:
+        WorldError: the text is wrong; all mistakes are told at once.
+    """
+    return _parse_world(text, name, name, None)
+
+
+def empty_world() -> WorldModel:
+    """Gives the built-in world: one Scout at the origin, wide and empty."""
+    return parse_world(_EMPTY_WORLD, "empty")
+
+
+def load_robot(path: Path) -> RobotModel:
+    """Gives the kind of robot that a definition file describes.
+
+    Raises:
+        WorldError: the file cannot be read, or is wrong; all mistakes are told at once.
+    """
+    text, file = _read_file(path), str(path)
+    diagnostics = Diagnostics(lines={file: _lines(text)})
+    root = _elements(text, "robot.xsd", file, diagnostics)
+    model = robot_model(root, Reader(file, diagnostics))
+    _raise_errors(diagnostics)
+    return model
+
+
+def known_robots() -> list[str]:
+    """Gives the names of the robot definitions that come with crs."""
+    return sorted(path.stem for path in _ROBOTS.glob("*.xml"))
+
+
+def _parse_world(text: bytes, file: str, name: str, folder: Path | None) -> WorldModel:
+    diagnostics = Diagnostics(lines={file: _lines(text)})
+    root = _elements(text, "world.xsd", file, diagnostics)
+    reader = Reader(file, diagnostics)
+    definitions = _Definitions(folder, reader)
+    world = world_model(root, name, folder, reader, definitions.find)
+    _raise_errors(diagnostics)
+    return world
+
+
+@dataclass(slots=True)
+class _Definitions:
+    """The robot definitions that a world uses, each read once."""
+
+    folder: Path | None
+    reader: Reader
+    found: dict[str, RobotModel | None] = field(default_factory=dict)
+
+    def find(self, element: Element, name: str) -> RobotModel:
+        if name not in self.found:
+            self.found[name] = self._load(element, name)
+        model = self.found[name]
+        if model is None:
+            element.broken = True
+            return _STAND_IN
+        return model
+
+    def _load(self, element: Element, name: str) -> RobotModel | None:
+        path = self._path(name)
+        if path is None:
+            self.reader.error(
+                element,
+                f"unknown robot definition {name!r}",
+                f"known are {', '.join(known_robots())}, and files (.xml) in the world's folder",
+            )
+            return None
+        try:
+            return load_robot(path)
+        except WorldError as wrong:
+            self.reader.error(element, f"robot definition {name!r} cannot be used")
+            self.reader.diagnostics.messages.extend(wrong.diagnostics)
+            return None
+
+    def _path(self, name: str) -> Path | None:
+        """Gives a definition's file: one of ours, or one in the world's folder or below."""
+        if name in known_robots():
+            return _ROBOTS / f"{name}.xml"
+        path = PurePosixPath(name)
+        outside = path.is_absolute() or ".." in path.parts or path.suffix != ".xml"
+        return None if outside or self.folder is None else self.folder / path
+
+
+def _read_file(path: Path) -> bytes:
+    """Gives what is in a file, which must be a regular one and not too large."""
+    place = Location(str(path))
+    try:
+        status = path.stat()
+        if not stat.S_ISREG(status.st_mode):
+            raise WorldError.at(place, "not a regular file")
+        if status.st_size > MAX_BYTES:
+            raise WorldError.at(place, f"larger than {MAX_BYTES} bytes")
+        with path.open("rb") as file:
+            return file.read(MAX_BYTES)
+    except OSError as error:
+        reason = error.strerror or type(error).__name__
+        raise WorldError.at(place, f"cannot be read: {reason}") from None
+    except ValueError:  # a null character in the name
+        raise WorldError.at(place, "cannot be read: not a file name") from None
+
+
+def _elements(text: bytes, schema: str, file: str, diagnostics: Diagnostics) -> Element:
+    """Gives the outermost element of a document that keeps to a schema."""
+    if len(text) > MAX_BYTES:
+        raise WorldError.at(Location(file), f"larger than {MAX_BYTES} bytes")
+    parser = etree.XMLParser(
+        resolve_entities=False,
+        no_network=True,
+        load_dtd=False,
+        dtd_validation=False,
+        huge_tree=False,
+        remove_comments=True,
+        remove_pis=True,
+    )
+    try:
+        root = etree.fromstring(text, parser)
+    except etree.XMLSyntaxError as error:
+        if b"<!DOCTYPE" in text:
+            _refuse_document_type(file)
+        line, column = error.position
+        place = Location(file, line or 0, max(column, 0))
+        raise WorldError([_syntax_message(place, str(error.msg), diagnostics)]) from None
+    if root.getroottree().docinfo.doctype:
+        _refuse_document_type(file)
+    _validate(root, schema, file, diagnostics)
+    return _plain(root)
+
+
+def _refuse_document_type(file: str) -> None:
+    raise WorldError.at(
+        Location(file), "a document type declaration is not allowed", "take <!DOCTYPE ...> out"
+    )
+
+
+def _validate(root: etree._Element, name: str, file: str, diagnostics: Diagnostics) -> None:
+    """Checks a document against a schema, and completes it with the schema's defaults."""
+    schema = _schema(name)
+    if schema.validate(root):
+        return
+    reader = Reader(file, diagnostics)
+    for entry in schema.error_log:
+        if entry.type_name not in _SAID_BETTER_LATER:
+            text, hint = explain(entry.message)
+            reader.error(Element("", entry.line), text, hint)
+    _raise_errors(diagnostics)
+
+
+@cache
+def _schema(name: str) -> etree.XMLSchema:
+    return etree.XMLSchema(etree.parse(_HERE / name), attribute_defaults=True)
+
+
+def _plain(node: etree._Element) -> Element:
+    """Copies an lxml element; the depth is limited by the schema."""
+    return Element(
+        node.tag,
+        node.sourceline or 0,
+        dict(node.attrib),
+        (node.text or "").strip(),
+        [_plain(child) for child in node],
+    )
+
+
+def _lines(text: bytes) -> list[str]:
+    return text.decode("utf-8", errors="replace").splitlines()
+
+
+def _syntax_message(place: Location, text: str, diagnostics: Diagnostics) -> Diagnostic:
+    shown = Diagnostics(lines=diagnostics.lines)
+    shown.error(place, f"not well-formed XML: {text}")
+    return shown.messages[0]
+
+
+def _raise_errors(diagnostics: Diagnostics) -> None:
+    if diagnostics.errors:
+        raise WorldError(diagnostics.errors)
