@@ -74,7 +74,9 @@ def _messages(path: Path, compiler: CompilerOptions) -> tuple[Sequence[Diagnosti
 def _closing_line(messages: Sequence[Diagnostic], files: int) -> str:
     errors = sum(message.severity == "error" for message in messages)
     warnings = sum(message.severity == "warning" for message in messages)
-    return f"{files} checked: {_count(errors, 'error')}, {_count(warnings, 'warning')}"
+    return (
+        f"{_count(files, 'file')} checked: {_count(errors, 'error')}, {_count(warnings, 'warning')}"
+    )
 
 
 def _count(number: int, noun: str) -> str:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator
+import sys
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final
 
@@ -13,7 +14,7 @@ from rich.markup import escape
 from rich.table import Table
 
 from crs_cc import __version__
-from crs_cc.cli.messages import as_data
+from crs_cc.cli.messages import as_data, is_terminal
 from crs_cc.cli.status import INTERRUPTED
 from crs_cc.errors import ProgramError
 
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from crs_cc.session.result import Pose, RobotResult, RunResult
 
 MAX_ROWS: Final = 20
+_WIDTH_ELSEWHERE: Final = 120
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +68,7 @@ def as_json(run: Run) -> str:
     result = run.result
     data = {
         "crs": __version__,
-        "world": run.world,
+        "world": run.world or None,
         "seed": run.seed,
         "timesteps": result.timesteps,
         "simulated_s": result.simulated_s,
@@ -103,10 +105,11 @@ def _pose_data(pose: Pose) -> dict[str, float]:
 
 def print_summary(run: Run) -> None:
     """Writes the results to stderr as a table."""
-    console = Console(stderr=True, highlight=False)
+    width = None if is_terminal(sys.stderr) else _WIDTH_ELSEWHERE
+    console = Console(stderr=True, highlight=False, width=width)
     robots = run.result.robots
-    console.print(_card(robots[0]) if len(robots) == 1 else _table(run))
-    console.print(_closing_line(run), style="dim")
+    console.print(_card(robots[0]) if len(robots) == 1 else _table(robots))
+    console.print(_closing_line(run), style="dim", soft_wrap=True)
 
 
 def _closing_line(run: Run) -> str:
@@ -114,7 +117,7 @@ def _closing_line(run: Run) -> str:
     return (
         f"{result.timesteps} timesteps, {result.simulated_s:.2f} s simulated in {run.wall_s:.2f} s "
         f"({run.real_time_factor:,.1f} x real time), seed {run.seed}, "
-        f"state {result.state_hash[:16]}"
+        f"state {result.state_hash[:12]}"
     )
 
 
@@ -127,21 +130,18 @@ def _card(robot: RobotResult) -> Table:
     return card
 
 
-def _table(run: Run) -> Table:
+def _table(robots: Sequence[RobotResult]) -> Table:
     """Gives the table for several robots: a row for each of the first `MAX_ROWS`."""
-    robots = run.result.robots
-    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
+    table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0))
     table.add_column("robot", style="bold")
-    table.add_column("program")
     for name, _ in _figures(robots[0]):
         table.add_column(name)
     for robot in robots[:MAX_ROWS]:
-        row = [value for _, value in _figures(robot)]
-        table.add_row(escape(robot.id), escape(robot.program), *row)
+        table.add_row(escape(robot.id), *(value for _, value in _figures(robot)))
     if len(robots) > MAX_ROWS:
         outcomes = [robot.outcome for robot in robots]
         counts = [f"{outcomes.count(each)} {each}" for each in dict.fromkeys(outcomes)]
-        table.add_row("...", f"{len(robots)} robots: {', '.join(counts)}")
+        table.add_row("...", f"in all {', '.join(counts)}")
     return table
 
 
@@ -158,13 +158,14 @@ def _figures(robot: RobotResult) -> Iterator[tuple[str, str]]:
 def _outcome(robot: RobotResult) -> str:
     at = f"at {robot.time_s:.2f} s"
     if robot.outcome == "failed":
-        return f"[red]stopped by an error[/] {at}"
+        return f"[red]error[/] {at}"
     if robot.outcome == "exited":
         status = robot.exit_status or 0
         return f"exit {status} {at}" if status == 0 else f"[yellow]exit {status}[/] {at}"
-    return f"still running {at}"
+    return f"running {at}"
 
 
 def _pose(pose: Pose) -> str:
     x_m, y_m, heading_rad = pose
-    return f"{x_m:+.3f} {y_m:+.3f} m {math.degrees(heading_rad):+.1f}°"
+    heading_deg = math.degrees(math.remainder(heading_rad, math.tau))
+    return f"{x_m:.2f} {y_m:.2f} m {heading_deg:.0f}°"

@@ -118,7 +118,7 @@ def test_a_name_that_cannot_be_a_files_is_refused(capsys: pytest.CaptureFixture[
 def test_the_file_named_first_decides_the_status(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["check", "no.xml", "no.c"]) == 122
     assert main(["check", "no.c", "no.xml"]) == 121
-    assert "2 checked: 2 errors, 0 warnings" in capsys.readouterr().err
+    assert "2 files checked: 2 errors, 0 warnings" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(
