@@ -1,0 +1,1 @@
+"""The front end: C source to the typed intermediate representation, see `frontend.unit`."""

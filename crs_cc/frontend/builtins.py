@@ -1,0 +1,172 @@
+"""Calls that become instructions in place: what the C library in C cannot say in C.
+
+__crs_request(code, message)       posts a request and stops, see `crs_cc.requests`
+__crs_stop("null pointer")         ends the program with an error, see `requests.ERROR_KINDS`
+__builtin_sqrt, floor, clz, ...    one WebAssembly instruction each
+__builtin_memcpy, memmove, memset  whole blocks of memory
+__builtin_va_start, va_copy, ...   arguments of variadic functions; a `va_list` is a `char *`
+__builtin_expect, unreachable, trap, inf, nan, huge_val
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Final
+
+from crs_cc.frontend import tree
+from crs_cc.frontend.check import CheckError, Unit, expression
+from crs_cc.frontend.check_expr import rvalue
+from crs_cc.frontend.check_operator import modifiable
+from crs_cc.frontend.convert import assigned, convert, promote_argument
+from crs_cc.frontend.declare import type_name
+from crs_cc.frontend.parse import Node
+from crs_cc.frontend.tree import Expression
+from crs_cc.ir.types import (
+    CHAR,
+    DOUBLE,
+    FLOAT,
+    INT,
+    LDOUBLE,
+    LONG,
+    UINT,
+    ULLONG,
+    ULONG,
+    VOID,
+    CType,
+    PointerType,
+    RecordType,
+    is_complete,
+    is_promoted,
+    qualify,
+    unqualified,
+)
+from crs_cc.requests import ERROR_KINDS
+from crs_cc.source import Location
+
+_ADDRESS: Final = PointerType(VOID)
+_CONST_ADDRESS: Final = PointerType(qualify(VOID, const=True, volatile=False))
+VA_LIST: Final = PointerType(CHAR)
+
+
+@dataclass(frozen=True, slots=True)
+class Builtin:
+    """How a builtin is called."""
+
+    result: CType
+    parameters: tuple[CType, ...]
+
+
+def _table() -> dict[str, Builtin]:
+    table = {
+        "__crs_request": Builtin(INT, (INT, _ADDRESS)),
+        "__builtin_memcpy": Builtin(_ADDRESS, (_ADDRESS, _CONST_ADDRESS, UINT)),
+        "__builtin_memmove": Builtin(_ADDRESS, (_ADDRESS, _CONST_ADDRESS, UINT)),
+        "__builtin_memset": Builtin(_ADDRESS, (_ADDRESS, INT, UINT)),
+        "__builtin_unreachable": Builtin(VOID, ()),
+        "__builtin_trap": Builtin(VOID, ()),
+        "__builtin_expect": Builtin(LONG, (LONG, LONG)),
+    }
+    for suffix, ctype in (("", UINT), ("l", ULONG), ("ll", ULLONG)):
+        for name in ("clz", "ctz", "popcount"):
+            table[f"__builtin_{name}{suffix}"] = Builtin(INT, (ctype,))
+    for suffix, real in (("", DOUBLE), ("f", FLOAT), ("l", LDOUBLE)):
+        for name in ("sqrt", "fabs", "floor", "ceil", "trunc", "rint"):
+            table[f"__builtin_{name}{suffix}"] = Builtin(real, (real,))
+        table[f"__builtin_copysign{suffix}"] = Builtin(real, (real, real))
+    return table
+
+
+BUILTINS: Final = _table()
+
+_CONSTANTS: Final = {
+    f"__builtin_{name}{suffix}": (ctype, value)
+    for name, value in (("inf", math.inf), ("huge_val", math.inf), ("nan", math.nan))
+    for suffix, ctype in (("", DOUBLE), ("f", FLOAT), ("l", LDOUBLE))
+}
+
+
+def call_builtin(unit: Unit, name: str, node: Node) -> Expression | None:
+    """Checks a call if the name is a builtin's; gives None for all other names."""
+    location = unit.at(node)
+    nodes = [] if node.args is None else node.args.exprs
+    special = _SPECIAL.get(name)
+    if special is not None:
+        return special(unit, nodes, location)
+    if name in _CONSTANTS:
+        ctype, value = _CONSTANTS[name]
+        return tree.Literal(ctype, location, value)
+    builtin = BUILTINS.get(name)
+    if builtin is None:
+        return None
+    _count(nodes, len(builtin.parameters), location)
+    arguments = [
+        assigned(unit, rvalue(unit, each), ctype, "pass")
+        for each, ctype in zip(nodes, builtin.parameters, strict=True)
+    ]
+    if name == "__builtin_expect":
+        return arguments[0]
+    return tree.Intrinsic(builtin.result, location, name, arguments)
+
+
+def _count(nodes: list[Node], wanted: int, location: Location) -> None:
+    if len(nodes) != wanted:
+        what = "few" if len(nodes) < wanted else "many"
+        text = f"too {what} arguments to function call, expected {wanted}, have {len(nodes)}"
+        raise CheckError(location, text)
+
+
+def _stop(unit: Unit, nodes: list[Node], location: Location) -> Expression:
+    _count(nodes, 1, location)
+    kind = expression(unit, nodes[0])
+    text = kind.content[:-1].decode() if isinstance(kind, tree.StringLiteral) else ""
+    if text not in ERROR_KINDS[1:]:
+        raise CheckError(location, "'__crs_stop' needs the name of an error kind")
+    return tree.Intrinsic(VOID, location, "__crs_stop", [], text)
+
+
+def _list(unit: Unit, node: Node) -> Expression:
+    """Checks an argument that must be a `va_list` variable."""
+    found = expression(unit, node)
+    if unqualified(found.type) != VA_LIST:
+        raise CheckError(found.location, f"expected a 'va_list', not '{found.type}'")
+    return modifiable(unit, found)
+
+
+def _va_start(unit: Unit, nodes: list[Node], location: Location) -> Expression:
+    _count(nodes, 2, location)
+    if unit.function is None or not unit.function.is_variadic:
+        raise CheckError(location, "'va_start' used in function with fixed args")
+    return tree.Intrinsic(VOID, location, "__builtin_va_start", [_list(unit, nodes[0])])
+
+
+def _va_copy(unit: Unit, nodes: list[Node], location: Location) -> Expression:
+    _count(nodes, 2, location)
+    target, source = _list(unit, nodes[0]), assigned(unit, rvalue(unit, nodes[1]), VA_LIST, "pass")
+    return convert(tree.Assign(VA_LIST, location, target, source), VOID)
+
+
+def _va_end(unit: Unit, nodes: list[Node], location: Location) -> Expression:
+    _count(nodes, 1, location)
+    return convert(_list(unit, nodes[0]), VOID)
+
+
+def _va_arg(unit: Unit, nodes: list[Node], location: Location) -> Expression:
+    arguments, ctype = _list(unit, nodes[0]), unqualified(type_name(unit, nodes[1]))
+    if not is_complete(ctype):
+        raise CheckError(location, f"'va_arg' of incomplete type '{ctype}'")
+    if isinstance(ctype, RecordType) or is_promoted(ctype):
+        return tree.VarArg(ctype, location, arguments)
+    promoted = promote_argument(tree.VarArg(ctype, location, arguments)).type
+    text = f"'{ctype}' is promoted to '{promoted}' when passed through '...'"
+    unit.warning(location, text, f"so pass '{promoted}' not '{ctype}' to 'va_arg'")
+    return convert(tree.VarArg(promoted, location, arguments), ctype)
+
+
+_SPECIAL: Final = {
+    "__crs_stop": _stop,
+    "__builtin_va_start": _va_start,
+    "__builtin_va_copy": _va_copy,
+    "__builtin_va_end": _va_end,
+    "__builtin_va_arg": _va_arg,
+}

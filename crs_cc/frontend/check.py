@@ -1,0 +1,192 @@
+"""Checking: what every checker shares, and the tables that say who checks which node.
+
+Each `check_*.py` file enters its functions here under pycparser's node classes. A mistake raises
+`CheckError`; whoever checks a statement or declaration catches it with `Unit.attempt`, so that
+the rest of the file is checked too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import Any, Final, TypeAlias, TypeVar
+
+from crs_cc.frontend import tree
+from crs_cc.frontend.parse import MOST_ERRORS, Node, TooManyErrors
+from crs_cc.frontend.scope import FunctionSymbol, ObjectSymbol, Scope, Symbol
+from crs_cc.ir.types import CType
+from crs_cc.source import Diagnostics, Location
+
+Result = TypeVar("Result")
+
+
+class CheckError(Exception):
+    """A mistake in the source; an empty text means that it was reported before."""
+
+    def __init__(self, location: Location, text: str, hint: str = "") -> None:
+        super().__init__(text)
+        self.location = location
+        self.text = text
+        self.hint = hint
+
+
+@dataclass(slots=True, eq=False)
+class SwitchState:
+    """An open `switch`: the type of its value, its labels, and where each value stands."""
+
+    type: CType
+    labels: list[tree.CaseLabel] = field(default_factory=list)
+    places: dict[int | None, Location] = field(default_factory=dict)
+
+
+@dataclass(slots=True, eq=False)
+class FunctionState:
+    """What is known while a function's body is checked.
+
+    Attributes:
+        returns_implicit_int: no result type was written, so that no value need be returned.
+        loops: how many loops are open.
+        switches: every open switch.
+        breakable: how many loops and switches are open.
+        labels: where each label stands.
+        gotos: every `goto`.
+    """
+
+    symbol: FunctionSymbol
+    result: CType
+    returns_implicit_int: bool = False
+    is_variadic: bool = False
+    loops: int = 0
+    switches: list[SwitchState] = field(default_factory=list)
+    breakable: int = 0
+    labels: dict[str, Location] = field(default_factory=dict)
+    gotos: list[tree.Goto] = field(default_factory=list)
+
+
+@dataclass(slots=True, eq=False)
+class Unit:
+    """One C file while it is checked.
+
+    Attributes:
+        name: the file's name as the user gave it.
+        scope: the innermost scope.
+        externals: objects and functions with linkage, by name, wherever they were declared.
+        objects: the objects with static storage, in the order of their definitions.
+        functions: the functions that are defined.
+        specified: the type of each specifier node; declarators share them.
+        function: the function being checked.
+        place: the last known place, for nodes without one.
+    """
+
+    name: str
+    diagnostics: Diagnostics
+    place: Location
+    scope: Scope = field(default_factory=Scope)
+    externals: dict[str, ObjectSymbol | FunctionSymbol] = field(default_factory=dict)
+    objects: list[tree.ObjectDefinition] = field(default_factory=list)
+    functions: list[tree.FunctionDefinition] = field(default_factory=list)
+    specified: dict[Any, CType] = field(default_factory=dict)
+    function: FunctionState | None = None
+    link_names: set[str] = field(default_factory=set)
+    unknown: set[tuple[str, str]] = field(default_factory=set)
+    suggestions: int = 20
+
+    def at(self, node: Node) -> Location:
+        """Gives a node's place, the last known one if it has none."""
+        if node.coord is not None:
+            self.place = node.coord
+        return self.place
+
+    def error(self, location: Location, text: str, hint: str = "") -> None:
+        """Reports a mistake that need not stop the check of the expression.
+
+        Raises:
+            TooManyErrors: when the file is hopeless.
+        """
+        self.diagnostics.error(location, text, hint)
+        if len(self.diagnostics.errors) >= MOST_ERRORS:
+            raise TooManyErrors
+
+    def warning(self, location: Location, text: str, hint: str = "") -> None:
+        """Reports a habit that works, but should not."""
+        self.diagnostics.warning(location, text, hint)
+
+    def attempt(self, action: Callable[..., Result], *arguments: Any) -> Result | None:
+        """Calls `action(unit, *arguments)`; on a mistake reports it and gives None."""
+        scope = self.scope
+        try:
+            return action(self, *arguments)
+        except CheckError as mistake:
+            self.scope = scope
+            if mistake.text:
+                self.error(mistake.location, mistake.text, mistake.hint)
+            return None
+
+    def suggest(self, name: str, kind: type[Symbol] | None = None) -> str:
+        """Gives a hint for an unknown name; after some of them none, as they take time."""
+        self.suggestions -= 1
+        similar = self.scope.closest(name, kind) if self.suggestions >= 0 else None
+        return f"did you mean '{similar}'?" if similar is not None else ""
+
+    @contextmanager
+    def new_scope(self) -> Iterator[Scope]:
+        """Opens a scope inside the present one and closes it again."""
+        outer = self.scope
+        self.scope = Scope(outer)
+        try:
+            yield self.scope
+        finally:
+            self.scope = outer
+
+    def static_name(self, name: str) -> str:
+        """Makes a linker name that no other file can use: `wander.c:turn`."""
+        made = wanted = f"{self.name}:{name}"
+        number = 2
+        while made in self.link_names:
+            made = f"{wanted}.{number}"
+            number += 1
+        self.link_names.add(made)
+        return made
+
+
+CheckExpression: TypeAlias = Callable[[Unit, Node], tree.Expression]
+CheckStatement: TypeAlias = Callable[[Unit, Node, list[tree.Statement]], None]
+
+EXPRESSIONS: Final[dict[type, CheckExpression]] = {}
+"""Who checks each class of expression."""
+
+STATEMENTS: Final[dict[type, CheckStatement]] = {}
+"""Who checks each class of statement and declaration in a block, adding to a list."""
+
+
+def checks(*classes: type) -> Callable[[CheckExpression], CheckExpression]:
+    """Enters a function into `EXPRESSIONS`."""
+
+    def enter(function: CheckExpression) -> CheckExpression:
+        EXPRESSIONS.update(dict.fromkeys(classes, function))
+        return function
+
+    return enter
+
+
+def checks_statement(*classes: type) -> Callable[[CheckStatement], CheckStatement]:
+    """Enters a function into `STATEMENTS`."""
+
+    def enter(function: CheckStatement) -> CheckStatement:
+        STATEMENTS.update(dict.fromkeys(classes, function))
+        return function
+
+    return enter
+
+
+def expression(unit: Unit, node: Node) -> tree.Expression:
+    """Checks an expression; arrays and functions stay what they are.
+
+    Raises:
+        CheckError: at the first mistake in it.
+    """
+    found = EXPRESSIONS.get(node.__class__)
+    if found is None:
+        raise CheckError(unit.at(node), f"expected an expression, not {node.__class__.__name__}")
+    return found(unit, node)

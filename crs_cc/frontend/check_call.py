@@ -1,0 +1,95 @@
+"""Checks calls (C17 6.5.2.2), also of functions that nobody declared."""
+
+from __future__ import annotations
+
+from pycparser import c_ast
+
+from crs_cc.frontend import tree
+from crs_cc.frontend.builtins import call_builtin
+from crs_cc.frontend.check import CheckError, Unit, checks
+from crs_cc.frontend.check_expr import offset_of, rvalue
+from crs_cc.frontend.convert import assigned, promote_argument
+from crs_cc.frontend.parse import Node
+from crs_cc.frontend.scope import FunctionSymbol
+from crs_cc.frontend.tree import Expression
+from crs_cc.ir.types import (
+    INT,
+    FunctionType,
+    PointerType,
+    VoidType,
+    is_complete,
+    unqualified,
+)
+from crs_cc.source import Location
+
+_OFFSETOF = {"offsetof", "__builtin_offsetof"}
+
+
+@checks(c_ast.FuncCall)
+def call(unit: Unit, node: Node) -> Expression:
+    """Checks `function(arguments)`."""
+    if isinstance(node.name, c_ast.ID):
+        name = node.name.name
+        if name in _OFFSETOF:
+            return offset_of(unit, node)
+        if name.startswith("__"):
+            found = call_builtin(unit, name, node)
+            if found is not None:
+                return found
+        if unit.scope.find(name) is None:
+            _declare_implicitly(unit, name, unit.at(node.name))
+    location = unit.at(node)
+    callee = rvalue(unit, node.name)
+    pointer = callee.type
+    if not isinstance(pointer, PointerType) or not isinstance(pointer.target, FunctionType):
+        text = f"called object type '{callee.type}' is not a function or function pointer"
+        raise CheckError(location, text)
+    function = pointer.target
+    if not isinstance(function.result, VoidType) and not is_complete(function.result):
+        raise CheckError(
+            location, f"calling function with incomplete result type '{function.result}'"
+        )
+    nodes = [] if node.args is None else node.args.exprs
+    arguments = _arguments(unit, function, nodes, location)
+    if isinstance(callee, tree.AddressOf) and isinstance(callee.operand, tree.FunctionName):
+        callee = callee.operand
+    return tree.Call(unqualified(function.result), location, callee, arguments)
+
+
+def _arguments(
+    unit: Unit, function: FunctionType, nodes: list[Node], location: Location
+) -> list[Expression]:
+    """Converts the arguments to the parameters' types (C17 6.5.2.2p6, p7)."""
+    values = [rvalue(unit, each) for each in nodes]
+    for value in values:
+        if not is_complete(value.type):
+            raise CheckError(value.location, f"argument type '{value.type}' is incomplete")
+    if function.parameters is None:
+        return [promote_argument(value) for value in values]
+    wanted = len(function.parameters)
+    if len(values) < wanted or (len(values) > wanted and not function.variadic):
+        what = "few" if len(values) < wanted else "many"
+        least = "at least " if function.variadic else ""
+        text = (
+            f"too {what} arguments to function call, expected {least}{wanted}, have {len(values)}"
+        )
+        raise CheckError(location, text)
+    fixed = [
+        assigned(unit, value, ctype, "pass")
+        for value, ctype in zip(values, function.parameters, strict=False)
+    ]
+    return fixed + [promote_argument(value) for value in values[wanted:]]
+
+
+def _declare_implicitly(unit: Unit, name: str, location: Location) -> None:
+    """Takes an unknown function for one that gives `int` (C90 6.3.2.2)."""
+    hint = unit.suggest(name, FunctionSymbol)
+    unit.warning(location, f"implicit declaration of function '{name}'", hint)
+    outermost = unit.scope
+    while outermost.outer is not None:
+        outermost = outermost.outer
+    known = unit.externals.get(name)
+    if not isinstance(known, FunctionSymbol):
+        known = FunctionSymbol(name, FunctionType(INT), location, name, is_implicit=True)
+        unit.externals[name] = known
+    outermost.names[name] = known

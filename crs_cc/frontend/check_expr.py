@@ -1,0 +1,224 @@
+"""Checks names, constants, members, casts and the other primary and postfix expressions."""
+
+from __future__ import annotations
+
+from pycparser import c_ast
+
+from crs_cc.frontend import convert, literal, tree
+from crs_cc.frontend.check import CheckError, Unit, checks, expression
+from crs_cc.frontend.check_init import initialise
+from crs_cc.frontend.declare import type_name
+from crs_cc.frontend.parse import Node
+from crs_cc.frontend.scope import (
+    EnumConstant,
+    FunctionSymbol,
+    ObjectSymbol,
+    TypedefName,
+)
+from crs_cc.frontend.tree import Expression
+from crs_cc.ir.types import (
+    CHAR,
+    UINT,
+    ArrayType,
+    CType,
+    FunctionType,
+    Member,
+    PointerType,
+    RecordType,
+    VoidType,
+    compatible,
+    is_complete,
+    qualify,
+    unqualified,
+)
+from crs_cc.source import Location
+
+_FUNCTION_NAMES = {"__func__", "__FUNCTION__", "__PRETTY_FUNCTION__"}
+
+
+def rvalue(unit: Unit, node: Node) -> Expression:
+    """Checks an expression whose value is wanted."""
+    return convert.decay(expression(unit, node))
+
+
+@checks(c_ast.ID)
+def name(unit: Unit, node: Node) -> Expression:
+    """Resolves a name."""
+    location = unit.at(node)
+    symbol = unit.scope.find(node.name)
+    if isinstance(symbol, ObjectSymbol):
+        return tree.ObjectName(symbol.type, location, symbol)
+    if isinstance(symbol, FunctionSymbol):
+        return tree.FunctionName(symbol.type, location, symbol)
+    if isinstance(symbol, EnumConstant):
+        return tree.Literal(symbol.type, location, symbol.value)
+    if isinstance(symbol, TypedefName):
+        raise CheckError(location, f"unexpected type name '{node.name}': expected an expression")
+    if node.name in _FUNCTION_NAMES and unit.function is not None:
+        content = unit.function.symbol.name.encode("utf-8", "surrogateescape") + b"\0"
+        ctype = ArrayType(qualify(CHAR, const=True, volatile=False), len(content))
+        return tree.StringLiteral(ctype, location, content)
+    raise unknown_name(unit, node.name, location)
+
+
+def unknown_name(unit: Unit, unknown: str, location: Location) -> CheckError:
+    """Makes the error for a name that nobody declared; without text when told before."""
+    place = unit.function.symbol.name if unit.function is not None else ""
+    if (unknown, place) in unit.unknown:
+        return CheckError(location, "")
+    unit.unknown.add((unknown, place))
+    return CheckError(location, f"use of undeclared identifier '{unknown}'", unit.suggest(unknown))
+
+
+@checks(c_ast.Constant)
+def constant(unit: Unit, node: Node) -> Expression:
+    """Checks a number, character or string."""
+    location = unit.at(node)
+    try:
+        if node.type == "string":
+            content, element = literal.string(node.value)
+            length = len(content) // element.size
+            return tree.StringLiteral(ArrayType(element, length), location, content)
+        read = literal.character if node.type == "char" else literal.number
+        value, ctype = read(node.value)
+    except ValueError as problem:
+        raise CheckError(location, str(problem)) from None
+    return tree.Literal(ctype, location, value)
+
+
+@checks(c_ast.ExprList)
+def comma(unit: Unit, node: Node) -> Expression:
+    """Checks `a, b, c`."""
+    result = rvalue(unit, node.exprs[0])
+    for each in node.exprs[1:]:
+        value = rvalue(unit, each)
+        result = tree.Comma(value.type, result.location, result, value)
+    return result
+
+
+@checks(c_ast.StructRef)
+def member(unit: Unit, node: Node) -> Expression:
+    """Checks `record.member` and `pointer->member`."""
+    location = unit.at(node.field)
+    record = expression(unit, node.name)
+    if node.type == "->":
+        record = convert.decay(record)
+        if not isinstance(record.type, PointerType):
+            hint = "use '.'" if isinstance(record.type, RecordType) else ""
+            text = f"member reference type '{record.type}' is not a pointer"
+            raise CheckError(location, text, hint)
+        record = tree.Dereference(record.type.target, record.location, record)
+    return access(record, find_member(record.type, node.field.name, location))
+
+
+def access(record: Expression, found: Member) -> Expression:
+    """Makes the access of a member, with the qualifiers of the whole (C17 6.5.2.3p3)."""
+    ctype = qualify(found.type, record.type.const, record.type.volatile)
+    return tree.MemberAccess(ctype, record.location, record, found)
+
+
+def find_member(ctype: CType, wanted: str, location: Location) -> Member:
+    """Gives the member of a struct or union by its name.
+
+    Raises:
+        CheckError: when the type has none of that name.
+    """
+    if not isinstance(ctype, RecordType):
+        is_pointer = isinstance(ctype, PointerType) and isinstance(ctype.target, RecordType)
+        hint = "use '->'" if is_pointer else ""
+        text = f"member reference type '{ctype}' is not a structure or union"
+        raise CheckError(location, text, hint)
+    if ctype.record.members is None:
+        raise CheckError(location, f"incomplete definition of type '{unqualified(ctype)}'")
+    found = ctype.record.named.get(wanted)
+    if found is None:
+        members = ", ".join(ctype.record.named)
+        text = f"no member named '{wanted}' in '{unqualified(ctype)}'"
+        raise CheckError(location, text, f"its members are {members}" if members else "")
+    return found
+
+
+@checks(c_ast.Cast)
+def cast(unit: Unit, node: Node) -> Expression:
+    """Checks `(type)value`."""
+    location = unit.at(node)
+    ctype = type_name(unit, node.to_type)
+    value = expression(unit, node.expr)
+    result = convert.cast(unit, value, ctype)
+    if result is not value and isinstance(result, tree.Convert | tree.Literal):
+        result.location = location
+    return result
+
+
+@checks(c_ast.CompoundLiteral)
+def compound_literal(unit: Unit, node: Node) -> Expression:
+    """Checks `(type){...}` (C17 6.5.2.5)."""
+    location = unit.at(node)
+    ctype = type_name(unit, node.type)
+    initialiser, ctype = initialise(unit, ctype, node.init, unit.function is None)
+    symbol = ObjectSymbol("", ctype, location, is_defined=True, in_memory=True)
+    if unit.function is None:
+        symbol.link_name = unit.static_name(".literal")
+        unit.objects.append(tree.ObjectDefinition(symbol, initialiser))
+    return tree.CompoundLiteral(ctype, location, symbol, initialiser)
+
+
+@checks(c_ast.GenericSelection)
+def generic(unit: Unit, node: Node) -> Expression:
+    """Chooses an association of `_Generic` (C17 6.5.1.1)."""
+    controlling = unqualified(rvalue(unit, node.expr).type)
+    default = None
+    for association in node.associations:
+        if association.type is None:
+            default = association.expr
+        elif compatible(type_name(unit, association.type), controlling):
+            return expression(unit, association.expr)
+    if default is None:
+        text = f"controlling expression type '{controlling}' not compatible with any association"
+        raise CheckError(unit.at(node), text)
+    return expression(unit, default)
+
+
+def size_of(unit: Unit, node: Node) -> Expression:
+    """Checks `sizeof` and `_Alignof` (C17 6.5.3.4)."""
+    location = unit.at(node)
+    if isinstance(node.expr, c_ast.Typename):
+        ctype = type_name(unit, node.expr)
+    else:
+        operand = expression(unit, node.expr)
+        ctype = operand.type
+        if isinstance(operand, tree.MemberAccess) and operand.member.bit_width is not None:
+            raise CheckError(location, f"'{node.op}' of a bit-field")
+    if not is_complete(ctype) and not isinstance(ctype, VoidType | FunctionType):
+        raise CheckError(
+            location, f"invalid application of '{node.op}' to incomplete type '{ctype}'"
+        )
+    return tree.integer(ctype.size if node.op == "sizeof" else ctype.align, UINT, location)
+
+
+def offset_of(unit: Unit, node: Node) -> Expression:
+    """Checks `__builtin_offsetof(type, member)`."""
+    type_node, designator = node.args.exprs
+    location = unit.at(node)
+    offset = _offset(unit, type_name(unit, type_node), designator)[1]
+    return tree.integer(offset, UINT, location)
+
+
+def _offset(unit: Unit, ctype: CType, node: Node) -> tuple[CType, int]:
+    """Gives the type of the part that a designator names, and its offset [bytes]."""
+    location = unit.at(node)
+    if isinstance(node, c_ast.ArrayRef):
+        inner, offset = _offset(unit, ctype, node.name)
+        index = expression(unit, node.subscript)
+        if not isinstance(inner, ArrayType) or not isinstance(index, tree.Literal):
+            raise CheckError(location, "'offsetof' needs members and constant indices")
+        return inner.element, offset + int(index.value) * inner.element.size
+    if isinstance(node, c_ast.StructRef):
+        inner, offset = _offset(unit, ctype, node.name)
+        found = find_member(inner, node.field.name, unit.at(node.field))
+    else:
+        offset = 0
+        found = find_member(ctype, node.name, location)
+    if found.bit_width is not None:
+        raise CheckError(location, f"'offsetof' of the bit-field '{found.name}'")
+    return found.type, offset + found.offset

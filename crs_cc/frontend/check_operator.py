@@ -1,0 +1,408 @@
+"""Checks the operators (C17 6.5.3 to 6.5.16)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final
+
+from pycparser import c_ast
+
+from crs_cc.frontend import fold, tree
+from crs_cc.frontend.check import CheckError, Unit, checks, expression
+from crs_cc.frontend.check_expr import rvalue, size_of
+from crs_cc.frontend.convert import (
+    assigned,
+    convert,
+    decay,
+    is_arithmetic,
+    is_integer,
+    is_null_constant,
+    is_scalar,
+    promote,
+    usual,
+)
+from crs_cc.frontend.parse import Node
+from crs_cc.frontend.tree import Expression
+from crs_cc.ir.types import (
+    INT,
+    VOID,
+    ArrayType,
+    CType,
+    FunctionType,
+    PointerType,
+    RecordType,
+    VoidType,
+    compatible,
+    composite,
+    is_complete,
+    qualify,
+    unqualified,
+)
+from crs_cc.source import Location
+
+
+def _invalid(left: Expression, right: Expression) -> CheckError:
+    text = f"invalid operands to binary expression ('{left.type}' and '{right.type}')"
+    return CheckError(left.location, text)
+
+
+# Binary operators
+
+
+@checks(c_ast.BinaryOp)
+def binary(unit: Unit, node: Node) -> Expression:
+    """Checks `left op right`."""
+    left = decay(expression(unit, node.left))
+    right = decay(expression(unit, node.right))
+    return operate(unit, node.op, left, right)
+
+
+def operate(unit: Unit, op: str, left: Expression, right: Expression) -> Expression:
+    """Makes `left op right` of two values."""
+    if op in {"&&", "||"}:
+        return _logical(op, left, right)
+    if op in fold.COMPARISONS:
+        return _comparison(unit, op, left, right)
+    if op in {"+", "-"} and (
+        isinstance(left.type, PointerType) or isinstance(right.type, PointerType)
+    ):
+        return _pointer_arithmetic(op, left, right)
+    if op in {"<<", ">>"}:
+        return _shift(unit, op, left, right)
+    allowed = is_integer if op in {"%", "&", "|", "^"} else is_arithmetic
+    if not allowed(left.type) or not allowed(right.type):
+        raise _invalid(left, right)
+    left, right = usual(left, right)
+    return _folded(unit, op, left.type, left, right)
+
+
+def _folded(unit: Unit, op: str, ctype: CType, left: Expression, right: Expression) -> Expression:
+    """Makes an operation on operands that are converted already, at once if they are constant."""
+    if isinstance(right, tree.Literal):
+        if isinstance(left, tree.Literal):
+            value = fold.binary(op, left.type, left.value, right.value)
+            if value is not None:
+                return tree.Literal(ctype, left.location, value)
+        if op in {"/", "%"} and right.value == 0 and is_integer(right.type):
+            unit.warning(left.location, "division by zero is undefined")
+    return tree.Binary(ctype, left.location, op, left, right)
+
+
+def _shift(unit: Unit, op: str, left: Expression, right: Expression) -> Expression:
+    if not is_integer(left.type) or not is_integer(right.type):
+        raise _invalid(left, right)
+    left, right = promote(left), promote(right)
+    if isinstance(right, tree.Literal) and not 0 <= right.value < 8 * left.type.size:
+        what = "negative" if right.value < 0 else ">= width of type"
+        unit.warning(right.location, f"shift count is {what}")
+    return _folded(unit, op, left.type, left, right)
+
+
+def _logical(op: str, left: Expression, right: Expression) -> Expression:
+    if not is_scalar(left.type) or not is_scalar(right.type):
+        raise _invalid(left, right)
+    if isinstance(left, tree.Literal):
+        if bool(left.value) == (op == "||"):
+            return tree.integer(int(op == "||"), INT, left.location)
+        if isinstance(right, tree.Literal):
+            return tree.integer(int(right.value != 0), INT, left.location)
+    return tree.Logical(INT, left.location, op, left, right)
+
+
+def _comparison(unit: Unit, op: str, left: Expression, right: Expression) -> Expression:
+    if is_arithmetic(left.type) and is_arithmetic(right.type):
+        left, right = usual(left, right)
+        return _folded(unit, op, INT, left, right)
+    if not is_scalar(left.type) or not is_scalar(right.type):
+        raise _invalid(left, right)
+    _compare_pointers(unit, left, right)
+    if not isinstance(left.type, PointerType):
+        left = convert(left, right.type)
+    elif not isinstance(right.type, PointerType):
+        right = convert(right, left.type)
+    return _folded(unit, op, INT, left, right)
+
+
+def _compare_pointers(unit: Unit, left: Expression, right: Expression) -> None:
+    if is_null_constant(left) or is_null_constant(right):
+        return
+    if isinstance(left.type, PointerType) and isinstance(right.type, PointerType):
+        a, b = unqualified(left.type.target), unqualified(right.type.target)
+        if VOID not in (a, b) and not compatible(a, b):
+            text = f"comparison of distinct pointer types ('{left.type}' and '{right.type}')"
+            unit.warning(left.location, text)
+        return
+    if not is_integer(left.type) and not is_integer(right.type):
+        raise _invalid(left, right)
+    text = f"comparison between pointer and integer ('{left.type}' and '{right.type}')"
+    unit.warning(left.location, text)
+
+
+def _pointer_arithmetic(op: str, left: Expression, right: Expression) -> Expression:
+    if isinstance(left.type, PointerType) and isinstance(right.type, PointerType):
+        return _difference(op, left, right)
+    if op == "+" and isinstance(right.type, PointerType):
+        return _moved(right, left, op, left)
+    return _moved(left, right, op, left)
+
+
+def _moved(pointer: Expression, index: Expression, op: str, first: Expression) -> Expression:
+    if not isinstance(pointer.type, PointerType) or not is_integer(index.type):
+        raise _invalid(pointer, index)
+    _need_size(pointer, pointer.type)
+    index = convert(promote(index), INT)
+    return tree.PointerAdd(pointer.type, first.location, pointer, index, op == "-")
+
+
+def _need_size(pointer: Expression, ctype: PointerType) -> None:
+    target = ctype.target
+    if not is_complete(target) and not isinstance(target, VoidType | FunctionType):
+        raise CheckError(pointer.location, f"arithmetic on a pointer to incomplete type '{target}'")
+
+
+def _difference(op: str, left: Expression, right: Expression) -> Expression:
+    assert isinstance(left.type, PointerType)
+    assert isinstance(right.type, PointerType)
+    same = compatible(unqualified(left.type.target), unqualified(right.type.target))
+    if op != "-" or not same:
+        raise _invalid(left, right)
+    _need_size(left, left.type)
+    return tree.PointerDifference(INT, left.location, left, right, max(1, left.type.target.size))
+
+
+@checks(c_ast.ArrayRef)
+def index(unit: Unit, node: Node) -> Expression:
+    """Checks `array[index]`, which is `*(array + index)` (C17 6.5.2.1)."""
+    array = decay(expression(unit, node.name))
+    subscript = decay(expression(unit, node.subscript))
+    if not isinstance(array.type, PointerType) and isinstance(subscript.type, PointerType):
+        array, subscript = subscript, array
+    if not isinstance(array.type, PointerType):
+        raise CheckError(array.location, "subscripted value is not an array or pointer")
+    if not is_integer(subscript.type):
+        raise CheckError(
+            subscript.location, f"array subscript is not an integer ('{subscript.type}')"
+        )
+    if isinstance(array.type.target, FunctionType):
+        raise CheckError(array.location, "subscript of pointer to function type")
+    moved = _moved(array, subscript, "+", array)
+    return tree.Dereference(array.type.target, array.location, moved)
+
+
+# Unary operators
+
+
+@checks(c_ast.UnaryOp)
+def unary(unit: Unit, node: Node) -> Expression:
+    """Checks the operators with one operand."""
+    return _UNARY[node.op](unit, node)
+
+
+def _sign(unit: Unit, node: Node) -> Expression:
+    operand = rvalue(unit, node.expr)
+    if not is_arithmetic(operand.type) or (node.op == "~" and not is_integer(operand.type)):
+        text = f"invalid argument type '{operand.type}' to unary expression"
+        raise CheckError(operand.location, text)
+    operand = promote(operand)
+    if node.op == "+":
+        return operand
+    if isinstance(operand, tree.Literal):
+        value = fold.unary(node.op, operand.type, operand.value)
+        if value is not None:
+            return tree.Literal(operand.type, operand.location, value)
+    return tree.Unary(operand.type, operand.location, node.op, operand)
+
+
+def _not(unit: Unit, node: Node) -> Expression:
+    operand = rvalue(unit, node.expr)
+    if not is_scalar(operand.type):
+        text = f"invalid argument type '{operand.type}' to unary expression"
+        raise CheckError(operand.location, text)
+    if isinstance(operand, tree.Literal):
+        return tree.integer(int(operand.value == 0), INT, operand.location)
+    return tree.Unary(INT, operand.location, "!", operand)
+
+
+def _dereference(unit: Unit, node: Node) -> Expression:
+    operand = rvalue(unit, node.expr)
+    if not isinstance(operand.type, PointerType):
+        text = f"indirection requires pointer operand ('{operand.type}' invalid)"
+        raise CheckError(operand.location, text)
+    return tree.Dereference(operand.type.target, operand.location, operand)
+
+
+def _address(unit: Unit, node: Node) -> Expression:
+    operand = expression(unit, node.expr)
+    if isinstance(operand, tree.Dereference):
+        return convert(operand.pointer, PointerType(operand.type))
+    if not is_lvalue(operand) and not isinstance(operand, tree.FunctionName):
+        text = f"cannot take the address of an rvalue of type '{operand.type}'"
+        raise CheckError(operand.location, text)
+    if isinstance(operand, tree.MemberAccess) and operand.member.bit_width is not None:
+        raise CheckError(
+            operand.location, f"address of bit-field '{operand.member.name}' requested"
+        )
+    if isinstance(operand, tree.ObjectName):
+        operand.symbol.in_memory = True
+    return tree.AddressOf(PointerType(operand.type), operand.location, operand)
+
+
+def _increment(unit: Unit, node: Node) -> Expression:
+    target = modifiable(unit, expression(unit, node.expr))
+    ctype = target.type
+    if isinstance(ctype, PointerType):
+        _need_size(target, ctype)
+    elif not is_arithmetic(ctype):
+        what = "increment" if node.op[-1] == "+" else "decrement"
+        raise CheckError(target.location, f"cannot {what} value of type '{ctype}'")
+    step = 1 if node.op[-1] == "+" else -1
+    is_postfix = node.op[0] == "p"
+    return tree.Increment(unqualified(ctype), target.location, target, step, is_postfix)
+
+
+_UNARY: Final[dict[str, Callable[[Unit, Node], Expression]]] = {
+    "+": _sign, "-": _sign, "~": _sign, "!": _not, "*": _dereference, "&": _address,
+    "++": _increment, "--": _increment, "p++": _increment, "p--": _increment,
+    "sizeof": size_of, "_Alignof": size_of,
+}  # fmt: skip
+
+
+# Assignment
+
+
+def is_lvalue(value: Expression) -> bool:
+    """Tells whether an expression names an object (C17 6.3.2.1p1)."""
+    match value:
+        case tree.ObjectName() | tree.Dereference() | tree.StringLiteral() | tree.CompoundLiteral():
+            return not isinstance(value.type, FunctionType)
+        case tree.MemberAccess(record=record):
+            return is_lvalue(record)
+    return False
+
+
+def modifiable(unit: Unit, target: Expression) -> Expression:
+    """Checks that an expression names an object that may be changed.
+
+    Raises:
+        CheckError: when it does not.
+    """
+    _ = unit
+    ctype = target.type
+    if not is_lvalue(target):
+        raise CheckError(target.location, "expression is not assignable")
+    if isinstance(ctype, ArrayType):
+        raise CheckError(target.location, f"array type '{ctype}' is not assignable")
+    if isinstance(ctype, VoidType) or not is_complete(ctype):
+        raise CheckError(target.location, f"incomplete type '{ctype}' is not assignable")
+    if ctype.const:
+        raise CheckError(target.location, _read_only(target))
+    if isinstance(ctype, RecordType) and _has_const_member(ctype):
+        raise CheckError(target.location, f"cannot assign to '{ctype}' with a const member")
+    return target
+
+
+def _read_only(target: Expression) -> str:
+    what = "read-only location"
+    if isinstance(target, tree.ObjectName):
+        what = f"variable '{target.symbol.name}'"
+    elif isinstance(target, tree.MemberAccess):
+        what = f"member '{target.member.name}'"
+    return f"cannot assign to {what} with const-qualified type '{target.type}'"
+
+
+def _has_const_member(ctype: RecordType) -> bool:
+    return any(
+        each.type.const or (isinstance(each.type, RecordType) and _has_const_member(each.type))
+        for each in ctype.record.members or []
+    )
+
+
+@checks(c_ast.Assignment)
+def assignment(unit: Unit, node: Node) -> Expression:
+    """Checks `target = value` and `target op= value`."""
+    target = modifiable(unit, expression(unit, node.lvalue))
+    value = decay(expression(unit, node.rvalue))
+    ctype = unqualified(target.type)
+    if node.op == "=":
+        value = assigned(unit, value, target.type, "assign")
+        return tree.Assign(ctype, target.location, target, value)
+    return _compound(unit, node.op[:-1], target, value, ctype)
+
+
+def _compound(
+    unit: Unit, op: str, target: Expression, value: Expression, ctype: CType
+) -> Expression:
+    place = target.location
+    if isinstance(ctype, PointerType):
+        if op not in {"+", "-"} or not is_integer(value.type):
+            raise _invalid(target, value)
+        _need_size(target, ctype)
+        index_ = convert(promote(value), INT)
+        return tree.CompoundAssign(ctype, place, op, target, index_, ctype)
+    made = operate(unit, op, decay(target), value)
+    if not isinstance(made, tree.Binary):
+        raise _invalid(target, value)
+    return tree.CompoundAssign(ctype, place, op, target, made.right, made.left.type)
+
+
+# The conditional operator
+
+
+@checks(c_ast.TernaryOp)
+def conditional(unit: Unit, node: Node) -> Expression:
+    """Checks `condition ? then : otherwise` (C17 6.5.15)."""
+    condition = rvalue(unit, node.cond)
+    if not is_scalar(condition.type):
+        text = f"used type '{condition.type}' where arithmetic or pointer type is required"
+        raise CheckError(condition.location, text)
+    then, otherwise = rvalue(unit, node.iftrue), rvalue(unit, node.iffalse)
+    ctype = _conditional_type(unit, then, otherwise)
+    if ctype != VOID:
+        then, otherwise = convert(then, ctype), convert(otherwise, ctype)
+    if isinstance(condition, tree.Literal):
+        return then if condition.value else otherwise
+    return tree.Conditional(ctype, condition.location, condition, then, otherwise)
+
+
+def _conditional_type(unit: Unit, then: Expression, otherwise: Expression) -> CType:
+    left, right = then.type, otherwise.type
+    if is_arithmetic(left) and is_arithmetic(right):
+        return usual(then, otherwise)[0].type
+    if VOID in (left, right):
+        return VOID
+    if isinstance(left, PointerType) or isinstance(right, PointerType):
+        return _conditional_pointer(unit, then, otherwise)
+    if left == right and isinstance(left, RecordType):
+        return left
+    text = f"incompatible operand types ('{left}' and '{right}')"
+    raise CheckError(then.location, text)
+
+
+def _conditional_pointer(unit: Unit, then: Expression, otherwise: Expression) -> CType:
+    left, right = then.type, otherwise.type
+    if is_null_constant(otherwise) and isinstance(left, PointerType):
+        return left
+    if is_null_constant(then) and isinstance(right, PointerType):
+        return right
+    if not isinstance(left, PointerType) or not isinstance(right, PointerType):
+        if not is_integer(left) and not is_integer(right):
+            text = f"incompatible operand types ('{left}' and '{right}')"
+            raise CheckError(then.location, text)
+        text = f"pointer/integer type mismatch in conditional expression ('{left}' and '{right}')"
+        unit.warning(then.location, text)
+        return left if isinstance(left, PointerType) else right
+    return PointerType(_common_target(unit, left, right, then.location))
+
+
+def _common_target(unit: Unit, left: PointerType, right: PointerType, place: Location) -> CType:
+    """Gives what the pointer that a conditional expression gives points to (C17 6.5.15p6)."""
+    a, b = left.target, right.target
+    const, volatile = a.const or b.const, a.volatile or b.volatile
+    plain_a, plain_b = unqualified(a), unqualified(b)
+    if VOID in (plain_a, plain_b):
+        return qualify(VOID, const, volatile)
+    if compatible(plain_a, plain_b):
+        return qualify(composite(plain_a, plain_b), const, volatile)
+    text = f"pointer type mismatch in conditional expression ('{left}' and '{right}')"
+    unit.warning(place, text)
+    return qualify(VOID, const, volatile)

@@ -1,0 +1,268 @@
+"""Checks statements (C17 6.8). A mistake in one leaves the next ones to be checked."""
+
+from __future__ import annotations
+
+from pycparser import c_ast
+
+from crs_cc.frontend import constant, tree
+from crs_cc.frontend.check import (
+    EXPRESSIONS,
+    STATEMENTS,
+    CheckError,
+    FunctionState,
+    SwitchState,
+    Unit,
+    checks,
+    checks_statement,
+    expression,
+)
+from crs_cc.frontend.check_expr import rvalue
+from crs_cc.frontend.convert import assigned, convert, decay, is_integer, is_scalar, promote
+from crs_cc.frontend.fold import wrap
+from crs_cc.frontend.parse import Node
+from crs_cc.frontend.refuse import refused
+from crs_cc.frontend.tree import Expression, Statement
+from crs_cc.ir.types import INT, VOID, IntegerType, VoidType
+
+
+def statement(unit: Unit, node: Node, out: list[Statement]) -> None:
+    """Checks a statement or a declaration in a block and adds what it means to `out`."""
+    found = STATEMENTS.get(node.__class__)
+    if found is not None:
+        found(unit, node, out)
+        return
+    unit.attempt(_expression_statement, node, out)
+
+
+def _expression_statement(unit: Unit, node: Node, out: list[Statement]) -> None:
+    if node.__class__ not in EXPRESSIONS:
+        raise refused(unit, node)
+    checked = expression(unit, node)
+    out.append(tree.ExpressionStatement(checked.location, checked))
+
+
+def body(unit: Unit, node: Node | None) -> list[Statement]:
+    """Checks a statement that is part of another, in a scope of its own."""
+    out: list[Statement] = []
+    if node is not None:
+        with unit.new_scope():
+            statement(unit, node, out)
+    return out
+
+
+def _function(unit: Unit) -> FunctionState:
+    assert unit.function is not None
+    return unit.function
+
+
+@checks_statement(c_ast.Compound)
+def compound(unit: Unit, node: Node, out: list[Statement]) -> None:
+    """Checks `{ ... }`."""
+    with unit.new_scope():
+        for each in node.block_items or []:
+            statement(unit, each, out)
+
+
+@checks_statement(c_ast.EmptyStatement, c_ast.Pragma)
+def nothing(_unit: Unit, _node: Node, _out: list[Statement]) -> None:
+    """Checks `;`, and passes over `#pragma`."""
+
+
+def _condition(unit: Unit, node: Node) -> Expression:
+    """Checks a controlling expression; a wrong one is reported and replaced."""
+    found = unit.attempt(_scalar, node)
+    return tree.integer(1, INT, unit.at(node)) if found is None else found
+
+
+def _scalar(unit: Unit, node: Node) -> Expression:
+    value = rvalue(unit, node)
+    if not is_scalar(value.type):
+        text = f"statement requires an expression of scalar type ('{value.type}' invalid)"
+        raise CheckError(value.location, text)
+    return value
+
+
+@checks_statement(c_ast.If)
+def if_(unit: Unit, node: Node, out: list[Statement]) -> None:
+    """Checks `if`."""
+    condition = _condition(unit, node.cond)
+    then = body(unit, node.iftrue)
+    otherwise = body(unit, node.iffalse)
+    out.append(tree.If(condition.location, condition, then, otherwise))
+
+
+@checks_statement(c_ast.While, c_ast.DoWhile)
+def while_(unit: Unit, node: Node, out: list[Statement]) -> None:
+    """Checks `while` and `do`."""
+    location = unit.at(node)
+    condition = _condition(unit, node.cond)
+    inner = _loop_body(unit, node.stmt)
+    is_while = isinstance(node, c_ast.While)
+    out.append(tree.Loop(location, [], condition, None, inner, tests_first=is_while))
+
+
+@checks_statement(c_ast.For)
+def for_(unit: Unit, node: Node, out: list[Statement]) -> None:
+    """Checks `for`."""
+    location = unit.at(node)
+    start: list[Statement] = []
+    with unit.new_scope():
+        if isinstance(node.init, c_ast.DeclList):
+            for each in node.init.decls:
+                statement(unit, each, start)
+        elif node.init is not None:
+            statement(unit, node.init, start)
+        condition = None if node.cond is None else _condition(unit, node.cond)
+        step = None if node.next is None else unit.attempt(rvalue, node.next)
+        inner = _loop_body(unit, node.stmt)
+    out.append(tree.Loop(location, start, condition, step, inner))
+
+
+def _loop_body(unit: Unit, node: Node) -> list[Statement]:
+    state = _function(unit)
+    state.loops += 1
+    state.breakable += 1
+    inner = body(unit, node)
+    state.loops -= 1
+    state.breakable -= 1
+    return inner
+
+
+@checks_statement(c_ast.Break)
+def break_(unit: Unit, node: Node, out: list[Statement]) -> None:
+    """Checks `break`."""
+    if _function(unit).breakable == 0:
+        unit.error(unit.at(node), "'break' statement not in loop or switch statement")
+    out.append(tree.Break(unit.at(node)))
+
+
+@checks_statement(c_ast.Continue)
+def continue_(unit: Unit, node: Node, out: list[Statement]) -> None:
+    """Checks `continue`."""
+    if _function(unit).loops == 0:
+        unit.error(unit.at(node), "'continue' statement not in loop statement")
+    out.append(tree.Continue(unit.at(node)))
+
+
+@checks_statement(c_ast.Goto)
+def goto(unit: Unit, node: Node, out: list[Statement]) -> None:
+    """Checks `goto`; whether its label exists is known at the function's end."""
+    made = tree.Goto(unit.at(node), node.name)
+    _function(unit).gotos.append(made)
+    out.append(made)
+
+
+@checks_statement(c_ast.Label)
+def label(unit: Unit, node: Node, out: list[Statement]) -> None:
+    """Checks a label and the statement behind it."""
+    location, labels = unit.at(node), _function(unit).labels
+    if node.name in labels:
+        hint = f"first at {labels[node.name]}"
+        unit.error(location, f"redefinition of label '{node.name}'", hint)
+    labels[node.name] = location
+    out.append(tree.Label(location, node.name))
+    if node.stmt is not None:
+        statement(unit, node.stmt, out)
+
+
+def check_labels(unit: Unit) -> None:
+    """Reports every `goto` whose label does not exist."""
+    state = _function(unit)
+    for each in state.gotos:
+        if each.name not in state.labels:
+            unit.error(each.location, f"use of undeclared label '{each.name}'")
+
+
+@checks_statement(c_ast.Switch)
+def switch(unit: Unit, node: Node, out: list[Statement]) -> None:
+    """Checks `switch`."""
+    location = unit.at(node)
+    value = unit.attempt(_switch_value, node.cond)
+    if value is None:
+        value = tree.integer(0, INT, location)
+    state = _function(unit)
+    opened = SwitchState(value.type)
+    state.switches.append(opened)
+    state.breakable += 1
+    inner = body(unit, node.stmt)
+    state.breakable -= 1
+    state.switches.pop()
+    out.append(tree.Switch(value.location, value, inner, opened.labels))
+
+
+def _switch_value(unit: Unit, node: Node) -> Expression:
+    value = rvalue(unit, node)
+    if not is_integer(value.type):
+        text = f"statement requires expression of integer type ('{value.type}' invalid)"
+        raise CheckError(value.location, text)
+    return promote(value)
+
+
+@checks_statement(c_ast.Case, c_ast.Default)
+def case(unit: Unit, node: Node, out: list[Statement]) -> None:
+    """Checks a `case` or `default` label and the statements behind it."""
+    made = unit.attempt(_case_label, node)
+    if made is not None:
+        out.append(made)
+    for each in node.stmts or []:
+        statement(unit, each, out)
+
+
+def _case_label(unit: Unit, node: Node) -> tree.CaseLabel:
+    state, location = _function(unit), unit.at(node)
+    what = "case" if isinstance(node, c_ast.Case) else "default"
+    if not state.switches:
+        raise CheckError(location, f"'{what}' statement not in switch statement")
+    opened = state.switches[-1]
+    value = None
+    if isinstance(node, c_ast.Case):
+        exact, ctype = constant.integer(unit, node.expr, "case label"), opened.type
+        assert isinstance(ctype, IntegerType)
+        value = wrap(exact, 8 * ctype.size, ctype.signed)
+    if value in opened.places:
+        text = "multiple default labels in one switch"
+        if value is not None:
+            text = f"duplicate case value '{value}'"
+        raise CheckError(location, text, f"first at {opened.places[value]}")
+    opened.places[value] = location
+    made = tree.CaseLabel(location, value)
+    opened.labels.append(made)
+    return made
+
+
+@checks_statement(c_ast.Return)
+def return_(unit: Unit, node: Node, out: list[Statement]) -> None:
+    """Checks `return`."""
+    unit.attempt(_return, node, out)
+
+
+def _return(unit: Unit, node: Node, out: list[Statement]) -> None:
+    state, location = _function(unit), unit.at(node)
+    name = state.symbol.name
+    if node.expr is None:
+        if not isinstance(state.result, VoidType) and not state.returns_implicit_int:
+            unit.warning(location, f"non-void function '{name}' should return a value")
+        out.append(tree.Return(location, None))
+        return
+    value = decay(expression(unit, node.expr))
+    if isinstance(state.result, VoidType):
+        if not isinstance(value.type, VoidType):
+            unit.warning(location, f"void function '{name}' should not return a value")
+        out.append(tree.ExpressionStatement(location, convert(value, VOID)))
+        out.append(tree.Return(location, None))
+        return
+    out.append(tree.Return(location, assigned(unit, value, state.result, "return")))
+
+
+@checks(c_ast.Compound)
+def statement_expression(unit: Unit, node: Node) -> Expression:
+    """Checks `({ ... })`, a statement used as an expression (as gcc has it)."""
+    location = unit.at(node)
+    if unit.function is None:
+        raise CheckError(location, "statement expression not allowed at file scope")
+    out: list[Statement] = []
+    compound(unit, node, out)
+    if out and isinstance(out[-1], tree.ExpressionStatement):
+        value = decay(out.pop().expression)  # type: ignore[union-attr]
+        return tree.StatementExpression(value.type, location, out, value)
+    return tree.StatementExpression(VOID, location, out, None)

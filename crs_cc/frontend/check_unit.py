@@ -1,0 +1,169 @@
+"""Checks a whole file: external declarations and function definitions (C17 6.9)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Final
+
+from pycparser import c_ast
+
+from crs_cc.frontend import check_call, tree
+from crs_cc.frontend.check import CheckError, FunctionState, Unit
+from crs_cc.frontend.check_stmt import check_labels, statement
+from crs_cc.frontend.convert import is_scalar
+from crs_cc.frontend.declaration import declare, declare_function, finish_objects, typedef
+from crs_cc.frontend.declare import declared_type, parameter_type
+from crs_cc.frontend.declare_tag import static_assert
+from crs_cc.frontend.parse import Node
+from crs_cc.frontend.refuse import refused
+from crs_cc.frontend.scope import FunctionSymbol, ObjectSymbol
+from crs_cc.ir.types import (
+    DOUBLE,
+    INT,
+    ArrayType,
+    CType,
+    FloatType,
+    FunctionType,
+    IntegerType,
+    VoidType,
+    compatible,
+    is_complete,
+    is_promoted,
+    unqualified,
+)
+
+_ = check_call  # enters the checker of calls
+
+
+def check_unit(unit: Unit, nodes: list[Node]) -> None:
+    """Checks all external declarations of a file; what is wrong goes to the diagnostics."""
+    for node in nodes:
+        checker = EXTERNAL.get(node.__class__)
+        if checker is None:
+            error = refused(unit, node)
+            unit.error(error.location, error.text)
+        else:
+            unit.attempt(checker, node)
+    finish_objects(unit)
+
+
+def _nothing(_unit: Unit, _node: Node) -> None:
+    """Passes over `#pragma`."""
+
+
+def function_definition(unit: Unit, node: Node) -> None:
+    """Checks a function with its body."""
+    declaration = node.decl
+    location = unit.at(declaration)
+    ctype = declared_type(unit, declaration.type)
+    if not isinstance(ctype, FunctionType):
+        raise CheckError(location, f"expected ';' after the declaration of '{declaration.name}'")
+    known = unit.externals.get(declaration.name)
+    before = known.type if isinstance(known, FunctionSymbol) and not known.is_implicit else None
+    if not isinstance(ctype.result, VoidType) and not is_complete(ctype.result):
+        raise CheckError(
+            location, f"incomplete result type '{ctype.result}' in function definition"
+        )
+    storage = [*(declaration.storage or []), *(declaration.funcspec or [])]
+    is_static = "static" in storage or ("inline" in storage and "extern" in storage)
+    symbol = declare_function(unit, declaration.name, ctype, location, is_static)
+    if symbol.is_defined:
+        text = f"redefinition of '{declaration.name}'"
+        raise CheckError(location, text, f"first at {symbol.location}")
+    symbol.is_defined, symbol.location = True, location
+    specifier = _specifier(declaration.type)
+    implicit = getattr(specifier, "coord", None) == location and ctype.result == INT
+    state = FunctionState(symbol, ctype.result, implicit, symbol.type.variadic)
+    unit.function = state
+    with unit.new_scope():
+        parameters, passed = _parameters(unit, node, ctype, before)
+        body: list[tree.Statement] = []
+        for each in node.body.block_items or []:
+            statement(unit, each, body)
+    check_labels(unit)
+    unit.function = None
+    unit.functions.append(tree.FunctionDefinition(location, symbol, parameters, passed, body))
+
+
+def _specifier(node: Node) -> Node:
+    while not isinstance(node, c_ast.TypeDecl):
+        node = node.type
+    return node.type
+
+
+def _parameters(
+    unit: Unit, node: Node, ctype: FunctionType, before: CType | None
+) -> tuple[list[ObjectSymbol], list[CType]]:
+    """Declares the parameters; gives them and the types in which callers pass them."""
+    declarator = node.decl.type
+    if not isinstance(declarator, c_ast.FuncDecl):
+        raise CheckError(unit.at(node.decl), "function definition declared through a typedef")
+    arguments = [] if declarator.args is None else declarator.args.params
+    arguments = [each for each in arguments if not isinstance(each, c_ast.EllipsisParam)]
+    if ctype.parameters is None and arguments:
+        return _old_style(unit, node, arguments, before)
+    symbols = [
+        _declare_parameter(unit, each, each.name, parameter)
+        for each, parameter in zip(arguments, ctype.parameters or (), strict=False)
+    ]
+    return symbols, list(ctype.parameters or ())
+
+
+def _declare_parameter(unit: Unit, node: Node, name: str | None, ctype: CType) -> ObjectSymbol:
+    location = unit.at(node)
+    if not is_complete(ctype):
+        raise CheckError(location, f"parameter '{name or ''}' has incomplete type '{ctype}'")
+    symbol = ObjectSymbol(name or "", ctype, location, in_memory=not is_scalar(ctype))
+    if name is not None:
+        if name in unit.scope.names:
+            raise CheckError(location, f"redefinition of parameter '{name}'")
+        unit.scope.names[name] = symbol
+    return symbol
+
+
+def _old_style(
+    unit: Unit, node: Node, names: list[Node], before: CType | None
+) -> tuple[list[ObjectSymbol], list[CType]]:
+    """Declares the parameters of `f(a, b) int a; {...}` (C17 6.9.1p6)."""
+    declared: dict[str, tuple[Node, CType]] = {}
+    listed = {each.name for each in names}
+    for each in node.param_decls or []:
+        if not isinstance(each, c_ast.Decl) or each.name is None:
+            unit.attempt(declared_type, each.type) if isinstance(each, c_ast.Decl) else None
+            continue
+        if each.name not in listed:
+            text = f"declaration for parameter '{each.name}' but no such parameter"
+            unit.error(unit.at(each), text)
+        declared[each.name] = (each, parameter_type(unit, each))
+    symbols, passed = [], []
+    prototype = before.parameters if isinstance(before, FunctionType) else None
+    for number, each in enumerate(names):
+        place, ctype = declared.get(each.name, (each, INT))
+        symbols.append(_declare_parameter(unit, place, each.name, ctype))
+        promised = prototype[number] if prototype and number < len(prototype) else None
+        passed.append(_passed(ctype, promised))
+    return symbols, passed
+
+
+def _passed(ctype: CType, promised: CType | None) -> CType:
+    """Gives the type in which an old-style parameter arrives (C17 6.5.2.2p6).
+
+    After a prototype that says the same type it comes as that type (as gcc has it).
+    """
+    plain = unqualified(ctype)
+    if is_promoted(plain) or (promised is not None and compatible(unqualified(promised), plain)):
+        return plain
+    return DOUBLE if isinstance(plain, FloatType) else INT
+
+
+External = Callable[[Unit, Any], None]
+EXTERNAL: Final[dict[type, External]] = {
+    c_ast.Decl: declare,
+    c_ast.FuncDef: function_definition,
+    c_ast.Pragma: _nothing,
+    c_ast.StaticAssert: static_assert,
+    c_ast.Typedef: typedef,
+}
+"""Who checks each class of external declaration."""
+
+__all__ = ["ArrayType", "IntegerType"]

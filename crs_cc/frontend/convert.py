@@ -1,0 +1,255 @@
+"""Conversions (C17 6.3): promotions, the usual arithmetic conversions, casts and assignments.
+
+>>> from crs_cc.source import Location
+>>> from crs_cc.ir.types import LONG
+>>> here = Location("a.c", 1, 1)
+>>> left, right = usual(tree.integer(1, UINT, here), tree.integer(2, LONG, here))
+>>> print(left.type, right.value)
+unsigned long 2
+"""
+
+from __future__ import annotations
+
+from typing import Final, NoReturn
+
+from crs_cc.frontend import fold, tree
+from crs_cc.frontend.check import CheckError, Unit
+from crs_cc.frontend.tree import Expression
+from crs_cc.ir.types import (
+    BOOL,
+    DOUBLE,
+    INT,
+    UINT,
+    ULLONG,
+    ULONG,
+    VOID,
+    ArrayType,
+    CType,
+    EnumType,
+    FloatType,
+    FunctionType,
+    IntegerType,
+    PointerType,
+    RecordType,
+    VoidType,
+    compatible,
+    unqualified,
+)
+
+_UNSIGNED: Final = {"int": UINT, "long": ULONG, "long long": ULLONG}
+
+PHRASES: Final = {
+    "assign": (
+        "assigning to '{to}' from '{of}'",
+        "assigning to '{to}' from incompatible type '{of}'",
+    ),
+    "initialise": (
+        "initializing '{to}' with an expression of type '{of}'",
+        "initializing '{to}' with an expression of incompatible type '{of}'",
+    ),
+    "pass": (
+        "passing '{of}' to parameter of type '{to}'",
+        "passing '{of}' to parameter of incompatible type '{to}'",
+    ),
+    "return": (
+        "returning '{of}' from a function with result type '{to}'",
+        "returning '{of}' from a function with incompatible result type '{to}'",
+    ),
+}  # fmt: skip
+"""How to say what a conversion is for: as part of a warning, and when it is impossible."""
+
+
+def is_integer(ctype: CType) -> bool:
+    """Tells whether a type is an integer type, enums among them (C17 6.2.5p17)."""
+    return isinstance(ctype, IntegerType | EnumType)
+
+
+def is_arithmetic(ctype: CType) -> bool:
+    """Tells whether a type is an integer or floating type."""
+    return isinstance(ctype, IntegerType | FloatType | EnumType)
+
+
+def is_scalar(ctype: CType) -> bool:
+    """Tells whether a type is an arithmetic or pointer type."""
+    return isinstance(ctype, IntegerType | FloatType | EnumType | PointerType)
+
+
+def is_null_constant(expression: Expression) -> bool:
+    """Tells whether an expression is a null pointer constant (C17 6.3.2.3p3)."""
+    if not isinstance(expression, tree.Literal) or expression.value != 0:
+        return False
+    ctype = expression.type
+    return is_integer(ctype) or (isinstance(ctype, PointerType) and ctype.target == VOID)
+
+
+def decay(expression: Expression) -> Expression:
+    """Turns what an expression names into its value: arrays and functions become pointers.
+
+    C17 6.3.2.1.
+    """
+    ctype = expression.type
+    if isinstance(ctype, ArrayType):
+        return tree.AddressOf(PointerType(ctype.element), expression.location, expression)
+    if isinstance(ctype, FunctionType):
+        return tree.AddressOf(PointerType(ctype), expression.location, expression)
+    if ctype.const or ctype.volatile:
+        expression.type = unqualified(ctype)
+    return expression
+
+
+def convert(expression: Expression, target: CType) -> Expression:
+    """Converts a value to a type, at once if it is constant; says nothing of whether it may."""
+    source = expression.type
+    if source is target or source == target:
+        return expression
+    if isinstance(expression, tree.Literal):
+        value = fold.convert(expression.value, source, target)
+        if value is not None:
+            return tree.Literal(target, expression.location, value)
+    return tree.Convert(target, expression.location, expression)
+
+
+def promote(expression: Expression) -> Expression:
+    """Does the integer promotions (C17 6.3.1.1p2); leaves all other types alone."""
+    ctype = expression.type
+    if ctype is INT or not isinstance(ctype, IntegerType | EnumType):
+        return expression
+    if ctype.rank < INT.rank or isinstance(ctype, EnumType) or _is_small_field(expression):
+        return convert(expression, INT)
+    return expression
+
+
+def _is_small_field(expression: Expression) -> bool:
+    if not isinstance(expression, tree.MemberAccess) or expression.member.bit_width is None:
+        return False
+    return expression.member.bit_width < 8 * INT.size
+
+
+def promote_argument(expression: Expression) -> Expression:
+    """Does the default argument promotions (C17 6.5.2.2p6)."""
+    if isinstance(expression.type, FloatType) and expression.type.size == 4:
+        return convert(expression, DOUBLE)
+    return promote(expression)
+
+
+def usual(left: Expression, right: Expression) -> tuple[Expression, Expression]:
+    """Brings two arithmetic operands to their common type (C17 6.3.1.8)."""
+    left, right = promote(left), promote(right)
+    if left.type is right.type:
+        return left, right
+    common = _common(left.type, right.type)
+    return convert(left, common), convert(right, common)
+
+
+def _common(left: CType, right: CType) -> CType:
+    assert isinstance(left, IntegerType | FloatType)
+    assert isinstance(right, IntegerType | FloatType)
+    high, low = (left, right) if left.rank >= right.rank else (right, left)
+    if isinstance(high, FloatType):
+        return high
+    assert isinstance(low, IntegerType), "floating types have the higher ranks"
+    if high.signed == low.signed or not high.signed:
+        return high
+    if high.rank == low.rank:
+        return low
+    return high if high.size > low.size else _UNSIGNED[high.name]
+
+
+def cast(unit: Unit, expression: Expression, target: CType) -> Expression:
+    """Converts as a cast does (C17 6.5.4)."""
+    value = decay(expression)
+    source = value.type
+    if isinstance(target, VoidType):
+        return tree.Convert(VOID, value.location, value)
+    target = unqualified(target)
+    if isinstance(target, RecordType) and source == target:
+        return value
+    if not is_scalar(target):
+        _fail(value, f"used type '{target}' where arithmetic or pointer type is required")
+    if not is_scalar(source):
+        _fail(value, f"operand of type '{source}' where arithmetic or pointer type is required")
+    if isinstance(target, PointerType) and isinstance(source, FloatType):
+        _fail(value, f"operand of type '{source}' cannot be cast to a pointer type")
+    if isinstance(source, PointerType) and isinstance(target, FloatType):
+        _fail(value, f"pointer cannot be cast to type '{target}'")
+    is_narrow = isinstance(source, PointerType) and is_integer(target) and target.size < 4
+    if is_narrow and target != BOOL:
+        unit.warning(value.location, f"cast to smaller integer type '{target}' from '{source}'")
+    return convert(value, target)
+
+
+def _fail(expression: Expression, text: str) -> NoReturn:
+    raise CheckError(expression.location, text)
+
+
+def assigned(unit: Unit, expression: Expression, target: CType, use: str) -> Expression:
+    """Converts a value as an assignment does (C17 6.5.16.1), with gcc's severities for gnu89.
+
+    Args:
+        unit: takes warnings.
+        expression: the value.
+        target: the type of what it is assigned to.
+        use: what for, a key of `PHRASES`.
+
+    Raises:
+        CheckError: when no conversion exists.
+    """
+    value = decay(expression)
+    source = value.type
+    if source is target:
+        return value
+    target = unqualified(target)
+    if is_arithmetic(target) and is_arithmetic(source):
+        return convert(value, target)
+    if isinstance(target, PointerType):
+        if isinstance(source, PointerType):
+            _check_pointers(unit, value, target, use)
+            return convert(value, target)
+        if is_integer(source):
+            if not is_null_constant(value):
+                _warn(unit, "incompatible integer to pointer conversion", value, target, use)
+            return convert(value, target)
+    if isinstance(source, PointerType) and is_integer(target):
+        if target != BOOL:
+            _warn(unit, "incompatible pointer to integer conversion", value, target, use)
+        return convert(value, target)
+    if isinstance(target, RecordType) and source == target:
+        return value
+    impossible = PHRASES[use][1].format(to=target, of=source)
+    raise CheckError(value.location, impossible)
+
+
+def _warn(unit: Unit, kind: str, value: Expression, target: CType, use: str) -> None:
+    unit.warning(value.location, f"{kind} {PHRASES[use][0].format(to=target, of=value.type)}")
+
+
+def _check_pointers(unit: Unit, value: Expression, target: PointerType, use: str) -> None:
+    assert isinstance(value.type, PointerType)
+    left, right = target.target, value.type.target
+    if left is right or is_null_constant(value):
+        return
+    lost = [
+        word
+        for word, is_lost in (
+            ("const", right.const and not left.const),
+            ("volatile", right.volatile and not left.volatile),
+        )
+        if is_lost
+    ]
+    if lost and not isinstance(right, FunctionType):
+        text = f"{PHRASES[use][0].format(to=target, of=value.type)} discards qualifiers"
+        unit.warning(value.location, text)
+        return
+    left, right = unqualified(left), unqualified(right)
+    if VOID in (left, right) or compatible(left, right):
+        return
+    if _differ_in_sign(left, right):
+        return
+    _warn(unit, "incompatible pointer types", value, target, use)
+
+
+def _differ_in_sign(left: CType, right: CType) -> bool:
+    """Tells whether two pointees differ in sign only, of which gcc says nothing by default."""
+    if not isinstance(left, IntegerType) or not isinstance(right, IntegerType):
+        return False
+    return left.size == right.size and left.rank == right.rank and BOOL not in (left, right)

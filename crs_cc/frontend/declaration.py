@@ -1,0 +1,323 @@
+"""Declarations: which object or function a name stands for (C17 6.2.2, 6.7, 6.9).
+
+Declarations of one name are merged: `extern int State[];` and `int State[45];` are one object, a
+call of an unknown function and its later definition are one function.
+"""
+
+from __future__ import annotations
+
+from pycparser import c_ast
+
+from crs_cc.frontend import tree
+from crs_cc.frontend.check import CheckError, Unit, checks_statement
+from crs_cc.frontend.check_init import initialise
+from crs_cc.frontend.convert import is_scalar
+from crs_cc.frontend.declare import alignment, declared_type, need_complete
+from crs_cc.frontend.declare_tag import static_assert
+from crs_cc.frontend.parse import Node
+from crs_cc.frontend.scope import (
+    FunctionSymbol,
+    ObjectSymbol,
+    Symbol,
+    Tag,
+    TypedefName,
+)
+from crs_cc.ir.types import (
+    INT,
+    ArrayType,
+    CType,
+    EnumType,
+    FunctionType,
+    Record,
+    RecordType,
+    compatible,
+    composite,
+    is_complete,
+)
+from crs_cc.source import Location
+
+
+def declare(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> None:
+    """Checks a declaration; what it does at run time is added to `out`.
+
+    Raises:
+        CheckError: when it is wrong.
+    """
+    if node.name is None:
+        _declare_tag(unit, node)
+        return
+    storage = node.storage or []
+    try:
+        ctype = declared_type(unit, node.type)
+    except CheckError:
+        _declare_anyhow(unit, node)
+        raise
+    location = unit.at(node)
+    if isinstance(ctype, FunctionType):
+        _declare_function(unit, node, ctype, location)
+    elif unit.function is None or "extern" in storage:
+        _declare_global(unit, node, ctype, location)
+    else:
+        _declare_local(unit, node, ctype, location, out)
+
+
+def _declare_anyhow(unit: Unit, node: Node) -> None:
+    """Keeps the name of a broken declaration known, so that its uses give no more errors."""
+    if node.name not in unit.scope.names:
+        name = f"{unit.name}:{node.name}"
+        unit.scope.names[node.name] = ObjectSymbol(node.name, INT, unit.at(node), name)
+
+
+def _declare_tag(unit: Unit, node: Node) -> None:
+    specifier = node.type
+    is_tag = isinstance(specifier, c_ast.Struct | c_ast.Union | c_ast.Enum)
+    if is_tag and specifier.name is not None and specifier.name not in unit.scope.tags:
+        # `struct s;` means a new struct in this scope, whatever an outer one holds (6.7.2.3p7).
+        is_bare = not isinstance(specifier, c_ast.Enum) and specifier.decls is None
+        if is_bare:
+            is_struct = isinstance(specifier, c_ast.Struct)
+            ctype = RecordType(Record("struct" if is_struct else "union", specifier.name))
+            unit.scope.tags[specifier.name] = Tag(ctype, unit.at(specifier))
+    ctype_ = declared_type(unit, specifier)
+    has_tag = isinstance(ctype_, RecordType) and ctype_.record.tag is not None
+    if not has_tag and not isinstance(ctype_, EnumType):
+        unit.warning(unit.at(node), "declaration does not declare anything")
+
+
+def typedef(unit: Unit, node: Node) -> None:
+    """Checks a typedef."""
+    try:
+        ctype = declared_type(unit, node.type)
+    except CheckError:
+        _declare_typedef_anyhow(unit, node)
+        raise
+    location = unit.at(node)
+    known = unit.scope.names.get(node.name)
+    if known is not None and not (isinstance(known, TypedefName) and compatible(known.type, ctype)):
+        raise _redefinition(known, node.name, location)
+    if known is None:
+        unit.scope.names[node.name] = TypedefName(node.name, ctype, location)
+
+
+def _declare_typedef_anyhow(unit: Unit, node: Node) -> None:
+    if node.name not in unit.scope.names:
+        unit.scope.names[node.name] = TypedefName(node.name, INT, unit.at(node))
+
+
+def _redefinition(known: Symbol, name: str, location: Location) -> CheckError:
+    same = {ObjectSymbol: "object", FunctionSymbol: "function", TypedefName: "type"}
+    what = same.get(type(known), "enumerator")
+    text = f"redefinition of '{name}', which is a {what} already"
+    return CheckError(location, text.replace("a object", "an object"), f"first at {known.location}")
+
+
+# Functions
+
+
+def _declare_function(unit: Unit, node: Node, ctype: FunctionType, location: Location) -> None:
+    if node.init is not None:
+        raise CheckError(location, f"function '{node.name}' is initialized like a variable")
+    storage = node.storage or []
+    if unit.function is not None and "static" in storage:
+        raise CheckError(location, "function declared in block scope cannot be 'static'")
+    declare_function(unit, node.name, ctype, location, "static" in storage)
+
+
+def declare_function(
+    unit: Unit, name: str, ctype: FunctionType, location: Location, is_static: bool
+) -> FunctionSymbol:
+    """Enters a function, merging it with what is known of it.
+
+    Raises:
+        CheckError: when that contradicts.
+    """
+    here = unit.scope.names.get(name)
+    if here is not None and not isinstance(here, FunctionSymbol):
+        raise _redefinition(here, name, location)
+    known = here or unit.externals.get(name) or _visible_function(unit, name)
+    if isinstance(known, ObjectSymbol):
+        raise _redefinition(known, name, location)
+    if known is None:
+        link_name = unit.static_name(name) if is_static else name
+        known = FunctionSymbol(name, ctype, location, link_name, is_external=not is_static)
+        if not is_static:
+            unit.externals[name] = known
+    else:
+        _merge_function(unit, known, ctype, location, is_static)
+    unit.scope.names[name] = known
+    return known
+
+
+def _visible_function(unit: Unit, name: str) -> FunctionSymbol | None:
+    found = unit.scope.find(name)
+    return found if isinstance(found, FunctionSymbol) else None
+
+
+def _merge_function(
+    unit: Unit, known: FunctionSymbol, ctype: FunctionType, location: Location, is_static: bool
+) -> None:
+    if is_static and known.is_external:
+        text = f"static declaration of '{known.name}' follows non-static declaration"
+        if not known.is_implicit:
+            raise CheckError(location, text, f"first declared at {known.location}")
+        unit.warning(location, text, f"first called at {known.location}")
+        unit.externals.pop(known.name, None)
+        known.is_external, known.link_name = False, unit.static_name(known.name)
+    if compatible(known.type, ctype):
+        known.type = composite(known.type, ctype)  # type: ignore[assignment]
+    elif known.is_implicit:
+        text = f"conflicting types for '{known.name}'"
+        unit.warning(location, text, f"first called at {known.location}, without a declaration")
+        known.type = ctype
+    elif _differs_in_promotion(known.type, ctype):
+        text = f"declarations of '{known.name}' differ in the promotion of a parameter"
+        unit.warning(location, text, f"first declared at {known.location}")
+        known.type = ctype if known.type.parameters is None else known.type
+    else:
+        text = f"conflicting types for '{known.name}': '{ctype}' and before '{known.type}'"
+        raise CheckError(location, text, f"first declared at {known.location}")
+    if known.is_implicit or not known.is_defined:
+        known.location = location
+    known.is_implicit = False
+
+
+def _differs_in_promotion(left: FunctionType, right: FunctionType) -> bool:
+    """Tells whether an old-style and a new-style declaration disagree, which old code does."""
+    one_is_old = (left.parameters is None) != (right.parameters is None)
+    return one_is_old and compatible(left.result, right.result)
+
+
+# Objects with linkage
+
+
+def _declare_global(unit: Unit, node: Node, ctype: CType, location: Location) -> None:
+    storage = node.storage or []
+    if unit.function is None and ("register" in storage or "auto" in storage):
+        raise CheckError(location, f"illegal storage class on file-scoped variable '{node.name}'")
+    is_extern = "extern" in storage
+    symbol = _global_symbol(unit, node, ctype, location, is_static="static" in storage)
+    symbol.align = max(symbol.align, alignment(unit, node))
+    if node.init is not None:
+        _initialise_global(unit, symbol, node, ctype, location)
+    elif not is_extern:
+        if isinstance(ctype, RecordType) and not is_complete(ctype):
+            pass  # C17 6.9.2p3: it may be completed further down; the end of the file tells.
+        elif not is_complete(ctype) and not isinstance(ctype, ArrayType):
+            raise CheckError(location, f"variable '{node.name}' has incomplete type '{ctype}'")
+        if not symbol.is_tentative and not symbol.is_defined:
+            symbol.is_tentative = True
+            unit.objects.append(tree.ObjectDefinition(symbol, None))
+
+
+def _global_symbol(
+    unit: Unit, node: Node, ctype: CType, location: Location, is_static: bool
+) -> ObjectSymbol:
+    name = node.name
+    here = unit.scope.names.get(name)
+    if here is not None and (not isinstance(here, ObjectSymbol) or here.link_name is None):
+        raise _redefinition(here, name, location)
+    known = here or unit.externals.get(name) or _visible_object(unit, name)
+    if isinstance(known, FunctionSymbol):
+        raise _redefinition(known, name, location)
+    if known is None:
+        link_name = unit.static_name(name) if is_static else name
+        known = ObjectSymbol(name, ctype, location, link_name, is_external=not is_static)
+        if not is_static:
+            unit.externals[name] = known
+    else:
+        if is_static and known.is_external:
+            text = f"static declaration of '{name}' follows non-static declaration"
+            raise CheckError(location, text, f"first declared at {known.location}")
+        if not compatible(known.type, ctype):
+            text = f"redefinition of '{name}' with a different type: '{ctype}' and '{known.type}'"
+            raise CheckError(location, text, f"first declared at {known.location}")
+        known.type = composite(known.type, ctype)
+    unit.scope.names[name] = known
+    return known
+
+
+def _visible_object(unit: Unit, name: str) -> ObjectSymbol | None:
+    found = unit.scope.find(name)
+    return found if isinstance(found, ObjectSymbol) and found.link_name is not None else None
+
+
+def _initialise_global(
+    unit: Unit, symbol: ObjectSymbol, node: Node, ctype: CType, location: Location
+) -> None:
+    if "extern" in (node.storage or []):
+        if unit.function is not None:
+            raise CheckError(location, f"'{node.name}' has both 'extern' and an initializer")
+        unit.warning(location, f"'{node.name}' initialized and declared 'extern'")
+    if symbol.is_defined:
+        raise CheckError(location, f"redefinition of '{node.name}'", f"first at {symbol.location}")
+    symbol.is_defined = True
+    symbol.location = location
+    made, completed = initialise(unit, ctype, node.init, True)
+    symbol.type = composite(symbol.type, completed)
+    need_complete(symbol.type, location, node.name)
+    unit.objects.append(tree.ObjectDefinition(symbol, made))
+
+
+def finish_objects(unit: Unit) -> None:
+    """Settles tentative definitions at the end of the file (C17 6.9.2p2)."""
+    defined = [each for each in unit.objects if each.initialiser is None]
+    for each in defined:
+        symbol = each.symbol
+        if isinstance(symbol.type, ArrayType) and symbol.type.length is None:
+            if symbol.is_defined:
+                continue
+            text = f"array '{symbol.name}' assumed to have one element"
+            unit.warning(symbol.location, text)
+            symbol.type = ArrayType(symbol.type.element, 1)
+        if not is_complete(symbol.type):
+            text = f"variable '{symbol.name}' has incomplete type '{symbol.type}'"
+            unit.error(symbol.location, text)
+    unit.objects = [
+        each
+        for each in unit.objects
+        if each.initialiser is not None
+        or not each.symbol.is_tentative
+        or not each.symbol.is_defined
+    ]
+
+
+# Local objects
+
+
+def _declare_local(
+    unit: Unit, node: Node, ctype: CType, location: Location, out: list[tree.Statement] | None
+) -> None:
+    assert unit.function is not None
+    known = unit.scope.names.get(node.name)
+    if known is not None:
+        raise CheckError(location, f"redefinition of '{node.name}'", f"first at {known.location}")
+    symbol = ObjectSymbol(node.name, ctype, location, align=alignment(unit, node))
+    symbol.in_memory = not is_scalar(ctype)
+    is_static = bool({"static", "_Thread_local"} & set(node.storage or []))
+    if is_static:
+        symbol.link_name = unit.static_name(f"{unit.function.symbol.name}.{node.name}")
+        symbol.is_defined = True
+    unit.scope.names[node.name] = symbol
+    made = None
+    if node.init is not None:
+        made, symbol.type = initialise(unit, ctype, node.init, is_static)
+    need_complete(symbol.type, location, node.name)
+    if is_static:
+        unit.objects.append(tree.ObjectDefinition(symbol, made))
+    elif out is not None:
+        out.append(tree.Declare(location, symbol, made))
+
+
+@checks_statement(c_ast.Decl)
+def _local_declaration(unit: Unit, node: Node, out: list[tree.Statement]) -> None:
+    unit.attempt(declare, node, out)
+
+
+@checks_statement(c_ast.Typedef)
+def _local_typedef(unit: Unit, node: Node, _out: list[tree.Statement]) -> None:
+    unit.attempt(typedef, node)
+
+
+@checks_statement(c_ast.StaticAssert)
+def _local_assertion(unit: Unit, node: Node, _out: list[tree.Statement]) -> None:
+    unit.attempt(static_assert, node)

@@ -1,0 +1,285 @@
+"""Lowering: checked C to IR, one function at a time.
+
+A `Lowering` holds the function being made and the block that takes the next instruction. Who
+lowers which node stands in four tables, one for each thing that can be wanted of an expression:
+
+- `VALUE`: its value, as an operand; put into a given register if one is given;
+- `EFFECT`: only what it does;
+- `PLACE`: where the object lies that it names, as base and offset;
+- `BRANCH`: to go one way or the other.
+
+The `lower_*.py` files enter their functions into them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Final, TypeAlias
+
+from crs_cc.frontend import tree
+from crs_cc.frontend.convert import is_scalar
+from crs_cc.frontend.fold import wrap
+from crs_cc.ir.program import (
+    VALUE_TYPE,
+    Address,
+    Base,
+    Binary,
+    Block,
+    Branch,
+    Constant,
+    Function,
+    Instruction,
+    Jump,
+    MemoryType,
+    Move,
+    Operand,
+    Register,
+    Slot,
+    Statement,
+    Terminator,
+    ValueType,
+    Variable,
+)
+from crs_cc.ir.types import CType, EnumType, FloatType, IntegerType, PointerType
+from crs_cc.source import Location
+
+if TYPE_CHECKING:
+    from crs_cc.frontend.lower_unit import UnitLowering
+    from crs_cc.frontend.scope import ObjectSymbol
+
+Place: TypeAlias = tuple[Base, int]
+"""Where an object lies: `base + offset`."""
+
+
+@dataclass(slots=True, eq=False)
+class Lowering:
+    """One function while its IR is made.
+
+    Attributes:
+        unit: what the functions of the file share.
+        function: what is being made.
+        block: the block that takes the next instruction; one that nothing leads to behind a jump.
+        places: where each local variable lies.
+        result_pointer: where a struct result goes.
+        breaks: where `break` goes, innermost last.
+        continues: where `continue` goes, innermost last.
+        cases: the blocks of case labels.
+        labels: the blocks of named labels.
+        references: global names with the block that uses them, to see which are used at all.
+    """
+
+    unit: UnitLowering
+    function: Function
+    block: Block
+    places: dict[ObjectSymbol, Register | Slot] = field(default_factory=dict)
+    result_pointer: Register | None = None
+    breaks: list[Block] = field(default_factory=list)
+    continues: list[Block] = field(default_factory=list)
+    cases: dict[tree.CaseLabel, Block] = field(default_factory=dict)
+    labels: dict[str, Block] = field(default_factory=dict)
+    references: list[tuple[Block, str, Location]] = field(default_factory=list)
+    block_count: int = 0
+
+    # Blocks
+
+    def new_block(self, name: str) -> Block:
+        """Makes a block that `start` will open."""
+        self.block_count += 1
+        return Block(f"{name}.{self.block_count}")
+
+    def start(self, block: Block, location: Location) -> None:
+        """Goes on in a block; the present one leads there unless it has ended."""
+        if self.block.terminator is None:
+            self.block.terminator = Jump(location, block)
+        self.function.blocks.append(block)
+        self.block = block
+
+    def end(self, terminator: Terminator) -> None:
+        """Ends the present block; what follows is reached by other ways or not at all."""
+        if self.block.terminator is None:
+            self.block.terminator = terminator
+        self.block = Block("dead")
+
+    def emit(self, instruction: Instruction) -> None:
+        """Adds an instruction to the present block."""
+        self.block.instructions.append(instruction)
+
+    def mark(self, location: Location) -> None:
+        """Marks the start of a statement."""
+        self.block.instructions.append(Statement(location))
+
+    # Registers and slots
+
+    def register(self, value_type: ValueType, variable: Variable | None = None) -> Register:
+        """Makes a register."""
+        registers = self.function.registers
+        made = Register(len(registers), value_type, variable)
+        registers.append(made)
+        return made
+
+    def slot(self, name: str, ctype: CType, align: int = 0, symbol: Any = None) -> Slot:
+        """Makes a frame slot."""
+        variable = None if symbol is None else Variable(symbol.name, ctype, symbol.location)
+        made = Slot(name, ctype.size, max(align, ctype.align), variable)
+        self.function.slots.append(made)
+        return made
+
+    def local(self, symbol: ObjectSymbol) -> Register | Slot:
+        """Gives where a local variable lies."""
+        found = self.places.get(symbol)
+        if found is None:
+            if symbol.in_memory:
+                found = self.slot(symbol.name, symbol.type, symbol.align, symbol)
+            else:
+                variable = Variable(symbol.name, symbol.type, symbol.location)
+                found = self.register(value_type(symbol.type), variable)
+            self.places[symbol] = found
+        return found
+
+    def move(self, target: Register, source: Operand, location: Location) -> None:
+        """Puts an operand into a register, unless it is there."""
+        if target is not source:
+            self.block.instructions.append(Move(location, target, source))
+
+    def binary(
+        self,
+        location: Location,
+        op: str,
+        left: Operand,
+        right: Operand,
+        into: Register | None = None,
+    ) -> Register:
+        """Emits a binary operation whose result has the type that `op` begins with."""
+        result = self.register(op[:3]) if into is None else into  # type: ignore[arg-type]
+        self.block.instructions.append(Binary(location, result, op, left, right))
+        return result
+
+    # Addresses
+
+    def refer(self, name: str, location: Location) -> str:
+        """Notes that a global name is used."""
+        self.references.append((self.block, name, location))
+        return name
+
+    def address(self, place: Place, location: Location, into: Register | None = None) -> Operand:
+        """Gives the address of a place as a value."""
+        base, offset = place
+        if isinstance(base, Register):
+            if offset == 0:
+                return base
+            constant = Constant("i32", wrap(offset, 32, signed=True))
+            return self.binary(location, "i32.add", base, constant, into)
+        result = self.register("i32") if into is None else into
+        self.block.instructions.append(Address(location, result, base, offset))
+        return result
+
+    def access(self, place: Place, size: int, location: Location) -> Place:
+        """Gives a place as `Load` and `Store` take it: surely inside its object, or in a register.
+
+        Args:
+            place: the place.
+            size: how many bytes are accessed.
+            location: whom to blame.
+        """
+        base, offset = place
+        if isinstance(base, Register):
+            if offset >= 0:
+                return place
+        else:
+            room = base.size if isinstance(base, Slot) else self.unit.sizes.get(base, 0)
+            if 0 <= offset <= room - size:
+                return place
+        made = self.address(place, location)
+        assert isinstance(made, Register)
+        return made, 0
+
+
+def memory_type(ctype: CType) -> MemoryType:
+    """Gives how a scalar lies in memory."""
+    assert isinstance(ctype, IntegerType | FloatType | EnumType | PointerType)
+    return ctype.memory
+
+
+def value_type(ctype: CType) -> ValueType:
+    """Gives the type of the registers that hold a scalar."""
+    return VALUE_TYPE[memory_type(ctype)]
+
+
+def constant(ctype: CType, value: float) -> Constant:
+    """Makes an operand of a number in the range of a scalar type."""
+    wanted = value_type(ctype)
+    if wanted in {"f32", "f64"}:
+        return Constant(wanted, float(value))
+    return Constant(wanted, wrap(int(value), 32 if wanted == "i32" else 64, signed=True))
+
+
+LowerValue: TypeAlias = Callable[[Lowering, Any, "Register | None"], Operand]
+LowerEffect: TypeAlias = Callable[[Lowering, Any], None]
+LowerPlace: TypeAlias = Callable[[Lowering, Any], Place]
+LowerBranch: TypeAlias = Callable[[Lowering, Any, Block, Block], None]
+LowerStatement: TypeAlias = Callable[[Lowering, Any], None]
+
+VALUE: Final[dict[type, LowerValue]] = {}
+EFFECT: Final[dict[type, LowerEffect]] = {}
+PLACE: Final[dict[type, LowerPlace]] = {}
+BRANCH: Final[dict[type, LowerBranch]] = {}
+STATEMENT: Final[dict[type, LowerStatement]] = {}
+
+
+def value(low: Lowering, expression: tree.Expression, into: Register | None = None) -> Operand:
+    """Gives the value of a scalar expression.
+
+    Args:
+        low: the function.
+        expression: the expression.
+        into: where its last instruction may put the value; it need not.
+    """
+    return VALUE[expression.__class__](low, expression, into)
+
+
+def value_into(low: Lowering, expression: tree.Expression, target: Register) -> None:
+    """Puts the value of a scalar expression into a register."""
+    low.move(target, value(low, expression, target), expression.location)
+
+
+def effect(low: Lowering, expression: tree.Expression) -> None:
+    """Does what an expression does and drops its value."""
+    found = EFFECT.get(expression.__class__)
+    if found is not None:
+        found(low, expression)
+    elif expression.__class__ in VALUE and is_scalar(expression.type):
+        value(low, expression)
+    elif expression.__class__ in PLACE:
+        place(low, expression)
+
+
+def place(low: Lowering, expression: tree.Expression) -> Place:
+    """Gives where the object lies that an expression names, or a struct that it gives."""
+    return PLACE[expression.__class__](low, expression)
+
+
+def branch(low: Lowering, condition: tree.Expression, then: Block, otherwise: Block) -> None:
+    """Goes to `then` when a scalar is not zero, else to `otherwise`."""
+    found = BRANCH.get(condition.__class__)
+    if found is not None:
+        found(low, condition, then, otherwise)
+        return
+    low.end(Branch(condition.location, truth(low, condition), then, otherwise))
+
+
+def truth(low: Lowering, condition: tree.Expression) -> Operand:
+    """Gives an i32 that is zero exactly when a scalar is."""
+    operand = value(low, condition)
+    if operand.type == "i32":
+        return operand
+    zero = Constant(operand.type, 0 if operand.type == "i64" else 0.0)
+    result = low.register("i32")
+    low.emit(Binary(condition.location, result, f"{operand.type}.ne", operand, zero))
+    return result
+
+
+def statements(low: Lowering, body: list[tree.Statement]) -> None:
+    """Lowers statements one after the other."""
+    for each in body:
+        STATEMENT[each.__class__](low, each)

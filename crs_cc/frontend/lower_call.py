@@ -1,0 +1,234 @@
+"""Lowers calls, builtins and the arguments of variadic functions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final
+
+from crs_cc.frontend import tree
+from crs_cc.frontend.lower import (
+    EFFECT,
+    PLACE,
+    VALUE,
+    Lowering,
+    Place,
+    memory_type,
+    place,
+    value,
+    value_type,
+)
+from crs_cc.frontend.lower_convert import convert_operand, narrow
+from crs_cc.frontend.lower_place import load, store
+from crs_cc.frontend.tree import Expression
+from crs_cc.ir.program import (
+    MEMORY_SIZE,
+    VARARGS,
+    Address,
+    Argument,
+    Binary,
+    Call,
+    Constant,
+    Copy,
+    Fill,
+    Move,
+    Operand,
+    Register,
+    Request,
+    Stop,
+    Unary,
+)
+from crs_cc.ir.types import INT, ULLONG, RecordType, VoidType
+
+
+def argument(low: Lowering, expression: Expression) -> Argument:
+    """Lowers one argument; what is narrower than `int` is passed as an `int` (as on i386)."""
+    ctype = expression.type
+    if isinstance(ctype, RecordType):
+        address = low.address(place(low, expression), expression.location)
+        return Argument(address, None, ctype.size)
+    operand = value(low, expression)
+    memory = memory_type(ctype)
+    if MEMORY_SIZE[memory] < 4:
+        memory = "i32"
+    return Argument(operand, memory, MEMORY_SIZE[memory])
+
+
+def _call(low: Lowering, expression: tree.Call, into: Register | None) -> Register:
+    """Lowers a call whose value is wanted."""
+    ctype, location = expression.type, expression.location
+    result = low.register(value_type(ctype)) if into is None else into
+    _end_with_call(low, expression, [], result)
+    # Whoever declared a narrow result may be wrong about the function: trust only its low bits.
+    narrowed = narrow(low, result, ctype, location, into=result)
+    assert isinstance(narrowed, Register)
+    return narrowed
+
+
+def _call_effect(low: Lowering, expression: tree.Call) -> None:
+    if isinstance(expression.type, RecordType):
+        _call_place(low, expression)
+    else:
+        _end_with_call(low, expression, [], None)
+
+
+def _call_place(low: Lowering, expression: tree.Call) -> Place:
+    """Lowers a call that gives a struct, into a slot of its own."""
+    slot = low.slot("result", expression.type)
+    call_into(low, expression, low.address((slot, 0), expression.location))
+    return slot, 0
+
+
+def call_into(low: Lowering, expression: tree.Call, address: Operand) -> None:
+    """Lowers a call that gives a struct; it is written to an address."""
+    _end_with_call(low, expression, [Argument(address, "i32", 4)], None)
+
+
+def _end_with_call(
+    low: Lowering, expression: tree.Call, arguments: list[Argument], result: Register | None
+) -> None:
+    location, callee = expression.location, expression.callee
+    pointer: Operand | None = None
+    if not isinstance(callee, tree.FunctionName):
+        pointer = value(low, callee)
+        if isinstance(pointer, Constant):
+            register = low.register("i32")
+            low.emit(Move(location, register, pointer))
+            pointer = register
+    arguments += [argument(low, each) for each in expression.arguments]
+    then = low.new_block("after")
+    called: str | Register
+    if isinstance(callee, tree.FunctionName):
+        called = low.refer(callee.symbol.link_name, callee.location)
+    else:
+        assert isinstance(pointer, Register)
+        called = pointer
+    low.end(Call(location, called, arguments, result, then))
+    low.start(then, location)
+
+
+# Variadic functions
+
+
+def _next_argument(low: Lowering, expression: tree.VarArg) -> Place:
+    """Takes the next argument off a list: gives its place and moves the list's pointer on."""
+    location = expression.location
+    step = Constant("i32", (expression.type.size + 3) // 4 * 4)
+    variable = expression.list
+    if isinstance(variable, tree.ObjectName) and variable.symbol.link_name is None:
+        pointer = low.local(variable.symbol)
+        if isinstance(pointer, Register):
+            at = low.register("i32")
+            low.emit(Move(location, at, pointer))
+            low.emit(Binary(location, pointer, "i32.add", pointer, step))
+            return at, 0
+    where = low.access(place(low, variable), 4, location)
+    at = load(low, where, variable.type, location)
+    store(low, where, variable.type, low.binary(location, "i32.add", at, step), location)
+    return at, 0
+
+
+def _var_arg(low: Lowering, expression: tree.VarArg, into: Register | None) -> Operand:
+    where = _next_argument(low, expression)
+    return load(low, where, expression.type, expression.location, into)
+
+
+# Builtins
+
+_UNARY: Final = {
+    "sqrt": "sqrt", "fabs": "abs", "floor": "floor", "ceil": "ceil", "trunc": "trunc",
+    "rint": "nearest",
+}  # fmt: skip
+_COUNTS: Final = {"clz": "clz", "ctz": "ctz", "popcount": "popcnt"}
+
+
+def _intrinsic(low: Lowering, expression: tree.Intrinsic, into: Register | None) -> Operand:
+    """Lowers a builtin; one without value gives zero."""
+    name, location = expression.name.removeprefix("__builtin_"), expression.location
+    found = _SPECIAL.get(expression.name)
+    if found is not None:
+        return found(low, expression)
+    operands = [value(low, each) for each in expression.arguments]
+    bare = name.rstrip("fl") if name.rstrip("fl") in _UNARY else name.rstrip("l")
+    if bare in _COUNTS:
+        counted = low.register(operands[0].type)
+        low.emit(Unary(location, counted, f"{counted.type}.{_COUNTS[bare]}", operands[0]))
+        return convert_operand(
+            low, counted, ULLONG if counted.type == "i64" else INT, INT, location
+        )
+    kind = operands[0].type
+    result = low.register(kind) if into is None else into
+    if bare in _UNARY:
+        low.emit(Unary(location, result, f"{kind}.{_UNARY[bare]}", operands[0]))
+    else:
+        low.emit(Binary(location, result, f"{kind}.copysign", operands[0], operands[1]))
+    return result
+
+
+def _request(low: Lowering, expression: tree.Intrinsic) -> Operand:
+    code, message = (value(low, each) for each in expression.arguments)
+    result, then = low.register("i32"), low.new_block("after")
+    low.end(Request(expression.location, code, message, result, then))
+    low.start(then, expression.location)
+    return result
+
+
+def _copy(low: Lowering, expression: tree.Intrinsic) -> Operand:
+    target, source, size = (value(low, each) for each in expression.arguments)
+    low.emit(Copy(expression.location, target, source, size))
+    return target
+
+
+def _fill(low: Lowering, expression: tree.Intrinsic) -> Operand:
+    target, byte, size = (value(low, each) for each in expression.arguments)
+    low.emit(Fill(expression.location, target, byte, size))
+    return target
+
+
+def _stop(low: Lowering, expression: tree.Intrinsic) -> Operand:
+    kinds = {
+        "__builtin_unreachable": "unreachable code reached",
+        "__builtin_trap": "abort called",
+        "__crs_stop": expression.kind,
+    }
+    low.end(Stop(expression.location, kinds[expression.name]))
+    return Constant("i32", 0)
+
+
+def _va_start(low: Lowering, expression: tree.Intrinsic) -> Operand:
+    variable, location = expression.arguments[0], expression.location
+    if isinstance(variable, tree.ObjectName) and variable.symbol.link_name is None:
+        pointer = low.local(variable.symbol)
+        if isinstance(pointer, Register):
+            low.emit(Address(location, pointer, VARARGS, 0))
+            return pointer
+    made = low.register("i32")
+    low.emit(Address(location, made, VARARGS, 0))
+    store(low, place(low, variable), variable.type, made, location)
+    return made
+
+
+_SPECIAL: Final[dict[str, Callable[[Lowering, tree.Intrinsic], Operand]]] = {
+    "__crs_request": _request,
+    "__crs_stop": _stop,
+    "__builtin_memcpy": _copy,
+    "__builtin_memmove": _copy,
+    "__builtin_memset": _fill,
+    "__builtin_trap": _stop,
+    "__builtin_unreachable": _stop,
+    "__builtin_va_start": _va_start,
+}
+
+
+def _intrinsic_effect(low: Lowering, expression: tree.Intrinsic) -> None:
+    _intrinsic(low, expression, None)
+
+
+VALUE[tree.Call] = _call
+VALUE[tree.VarArg] = _var_arg
+VALUE[tree.Intrinsic] = _intrinsic
+EFFECT[tree.Call] = _call_effect
+EFFECT[tree.Intrinsic] = _intrinsic_effect
+PLACE[tree.Call] = _call_place
+PLACE[tree.VarArg] = _next_argument
+
+__all__ = ["VoidType"]

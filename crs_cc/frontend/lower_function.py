@@ -1,0 +1,92 @@
+"""Lowers a function definition: parameters, body, and the clean-up of its graph."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from crs_cc.frontend import lower_expr, lower_init, lower_stmt, tree
+from crs_cc.frontend.lower import Lowering, memory_type, statements, value_type
+from crs_cc.frontend.lower_convert import convert_operand
+from crs_cc.frontend.lower_graph import tidy
+from crs_cc.frontend.lower_place import store
+from crs_cc.frontend.scope import ObjectSymbol
+from crs_cc.ir.program import (
+    MEMORY_SIZE,
+    Block,
+    Constant,
+    Function,
+    Parameter,
+    Register,
+    Return,
+    Slot,
+    Variable,
+)
+from crs_cc.ir.types import INT, CType, RecordType, VoidType
+from crs_cc.source import Location
+
+if TYPE_CHECKING:
+    from crs_cc.frontend.lower_unit import UnitLowering
+
+_ = lower_expr, lower_init, lower_stmt  # enter their functions into the tables
+
+
+def lower_function(unit: UnitLowering, definition: tree.FunctionDefinition) -> Function:
+    """Makes the IR of a function."""
+    symbol, location = definition.symbol, definition.location
+    result = symbol.type.result
+    function = Function(
+        symbol.link_name, location, variadic=symbol.type.variadic, ctype=symbol.type
+    )
+    entry = Block("entry")
+    low = Lowering(unit, function, entry)
+    function.blocks.append(entry)
+    if isinstance(result, RecordType):
+        low.result_pointer = low.register("i32")
+        function.parameters.append(Parameter(low.result_pointer, "i32", 4))
+    elif not isinstance(result, VoidType):
+        function.result = value_type(result)
+    for parameter, passed in zip(definition.parameters, definition.passed, strict=True):
+        _parameter(low, parameter, passed)
+    statements(low, definition.body)
+    is_main = symbol.name == "main" and result == INT
+    low.end(Return(location, Constant("i32", 0) if is_main else None))
+    kept = tidy(function)
+    for block, name, place in low.references:
+        if block in kept:
+            unit.use(name, place)
+    return function
+
+
+def _parameter(low: Lowering, symbol: ObjectSymbol, passed: CType) -> None:
+    """Makes a parameter; an old-style one is converted from the type it is passed as."""
+    variable = Variable(symbol.name, symbol.type, symbol.location)
+    ctype, location = symbol.type, symbol.location
+    if isinstance(ctype, RecordType):
+        place: Register | Slot = Slot(symbol.name, ctype.size, ctype.align, variable)
+        low.function.parameters.append(Parameter(place, None, ctype.size))
+        low.places[symbol] = place
+        return
+    memory = memory_type(passed)
+    if passed == ctype:
+        if symbol.in_memory:
+            place = Slot(symbol.name, ctype.size, min(4, ctype.align), variable)
+        else:
+            place = low.register(value_type(ctype), variable)
+        low.places[symbol] = place
+        low.function.parameters.append(Parameter(place, memory, MEMORY_SIZE[memory]))
+        return
+    arrived = low.register(value_type(passed))
+    low.function.parameters.append(Parameter(arrived, memory, MEMORY_SIZE[memory]))
+    _convert_parameter(low, symbol, arrived, passed, location)
+
+
+def _convert_parameter(
+    low: Lowering, symbol: ObjectSymbol, arrived: Register, passed: CType, location: Location
+) -> None:
+    place = low.local(symbol)
+    if isinstance(place, Register):
+        made = convert_operand(low, arrived, passed, symbol.type, location, into=place)
+        low.move(place, made, location)
+    else:
+        made = convert_operand(low, arrived, passed, symbol.type, location)
+        store(low, (place, 0), symbol.type, made, location)

@@ -1,0 +1,146 @@
+"""Lowers statements to blocks in the order of the source."""
+
+from __future__ import annotations
+
+from crs_cc.frontend import tree
+from crs_cc.frontend.fold import wrap
+from crs_cc.frontend.lower import (
+    STATEMENT,
+    Lowering,
+    branch,
+    effect,
+    place,
+    statements,
+    value,
+)
+from crs_cc.frontend.lower_place import copy
+from crs_cc.ir.program import Block, Jump, Return, Switch
+from crs_cc.ir.types import RecordType
+
+
+def _expression(low: Lowering, statement: tree.ExpressionStatement) -> None:
+    low.mark(statement.location)
+    effect(low, statement.expression)
+
+
+def _if(low: Lowering, statement: tree.If) -> None:
+    location = statement.location
+    low.mark(location)
+    then, end = low.new_block("then"), low.new_block("endif")
+    otherwise = low.new_block("else") if statement.otherwise else end
+    branch(low, statement.condition, then, otherwise)
+    low.start(then, location)
+    statements(low, statement.then)
+    if statement.otherwise:
+        low.end(Jump(location, end))
+        low.start(otherwise, location)
+        statements(low, statement.otherwise)
+    low.start(end, location)
+
+
+def _loop(low: Lowering, statement: tree.Loop) -> None:
+    statements(low, statement.start)
+    test, body = low.new_block("test"), low.new_block("body")
+    step, end = low.new_block("step"), low.new_block("endloop")
+    location = statement.location
+    if statement.tests_first:
+        low.start(test, location)
+        _test(low, statement, body, end)
+    low.start(body, location)
+    low.breaks.append(end)
+    low.continues.append(step)
+    statements(low, statement.body)
+    low.breaks.pop()
+    low.continues.pop()
+    low.start(step, location)
+    if statement.step is not None:
+        low.mark(statement.step.location)
+        effect(low, statement.step)
+    if statement.tests_first:
+        low.end(Jump(location, test))
+    else:
+        _test(low, statement, body, end)
+    low.start(end, location)
+
+
+def _test(low: Lowering, statement: tree.Loop, body: Block, end: Block) -> None:
+    if statement.condition is None:
+        low.end(Jump(statement.location, body))
+        return
+    low.mark(statement.condition.location)
+    branch(low, statement.condition, body, end)
+
+
+def _switch(low: Lowering, statement: tree.Switch) -> None:
+    location = statement.location
+    low.mark(location)
+    operand = value(low, statement.value)
+    end = default = low.new_block("endswitch")
+    cases: list[tuple[int, Block]] = []
+    bits = 64 if operand.type == "i64" else 32
+    for label in statement.labels:
+        block = low.new_block("default" if label.value is None else "case")
+        low.cases[label] = block
+        if label.value is None:
+            default = block
+        else:
+            cases.append((wrap(label.value, bits, signed=True), block))
+    low.end(Switch(location, operand, cases, default))
+    low.breaks.append(end)
+    statements(low, statement.body)
+    low.breaks.pop()
+    low.start(end, location)
+
+
+def _case(low: Lowering, statement: tree.CaseLabel) -> None:
+    low.start(low.cases[statement], statement.location)
+
+
+def _label_block(low: Lowering, name: str) -> Block:
+    if name not in low.labels:
+        low.labels[name] = low.new_block(name)
+    return low.labels[name]
+
+
+def _label(low: Lowering, statement: tree.Label) -> None:
+    low.start(_label_block(low, statement.name), statement.location)
+
+
+def _goto(low: Lowering, statement: tree.Goto) -> None:
+    low.mark(statement.location)
+    low.end(Jump(statement.location, _label_block(low, statement.name)))
+
+
+def _break(low: Lowering, statement: tree.Break) -> None:
+    low.mark(statement.location)
+    low.end(Jump(statement.location, low.breaks[-1]))
+
+
+def _continue(low: Lowering, statement: tree.Continue) -> None:
+    low.mark(statement.location)
+    low.end(Jump(statement.location, low.continues[-1]))
+
+
+def _return(low: Lowering, statement: tree.Return) -> None:
+    location, result = statement.location, statement.value
+    low.mark(location)
+    if result is None:
+        low.end(Return(location, None))
+    elif isinstance(result.type, RecordType):
+        assert low.result_pointer is not None
+        copy(low, (low.result_pointer, 0), place(low, result), result.type.size, location)
+        low.end(Return(location, None))
+    else:
+        low.end(Return(location, value(low, result)))
+
+
+STATEMENT[tree.ExpressionStatement] = _expression
+STATEMENT[tree.If] = _if
+STATEMENT[tree.Loop] = _loop
+STATEMENT[tree.Switch] = _switch
+STATEMENT[tree.CaseLabel] = _case
+STATEMENT[tree.Label] = _label
+STATEMENT[tree.Goto] = _goto
+STATEMENT[tree.Break] = _break
+STATEMENT[tree.Continue] = _continue
+STATEMENT[tree.Return] = _return

@@ -1,0 +1,135 @@
+"""What names mean: symbols, and the scopes that hold them (C17 6.2.1, 6.2.3).
+
+>>> from crs_cc.ir.types import INT
+>>> from crs_cc.source import Location
+>>> outer = Scope()
+>>> outer.names["speed"] = TypedefName("speed", INT, Location("a.c", 1, 1))
+>>> inner = Scope(outer)
+>>> inner.find("speed").name, inner.find("sped"), inner.closest("sped")
+('speed', None, 'speed')
+"""
+
+from __future__ import annotations
+
+import difflib
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+from crs_cc.ir.types import CType, EnumType, FunctionType, RecordType
+from crs_cc.source import Location
+
+
+@dataclass(slots=True, eq=False)
+class ObjectSymbol:
+    """A variable or parameter.
+
+    Attributes:
+        link_name: the linker's name; None for a variable that lives in the function's frame.
+        is_external: known to other files.
+        is_defined: has an initialiser, or is static.
+        is_tentative: declared at file scope without `extern` and initialiser (C17 6.9.2).
+        in_memory: its address is taken, or it is no scalar, so that no register can hold it.
+        align: alignment that `_Alignas` asks for [bytes], 0 for the type's own.
+    """
+
+    name: str
+    type: CType
+    location: Location
+    link_name: str | None = None
+    is_external: bool = False
+    is_defined: bool = False
+    is_tentative: bool = False
+    in_memory: bool = False
+    align: int = 0
+
+
+@dataclass(slots=True, eq=False)
+class FunctionSymbol:
+    """A function.
+
+    Attributes:
+        is_implicit: known only because it was called.
+        is_old_style: defined without a prototype.
+    """
+
+    name: str
+    type: FunctionType
+    location: Location
+    link_name: str
+    is_external: bool = True
+    is_defined: bool = False
+    is_implicit: bool = False
+
+
+@dataclass(slots=True, eq=False)
+class TypedefName:
+    """A name for a type."""
+
+    name: str
+    type: CType
+    location: Location
+
+
+@dataclass(slots=True, eq=False)
+class EnumConstant:
+    """A constant of an enum."""
+
+    name: str
+    type: CType
+    location: Location
+    value: int
+
+
+Symbol: TypeAlias = ObjectSymbol | FunctionSymbol | TypedefName | EnumConstant
+
+
+@dataclass(slots=True, eq=False)
+class Tag:
+    """A struct, union or enum tag."""
+
+    type: RecordType | EnumType
+    location: Location
+
+
+@dataclass(slots=True, eq=False)
+class Scope:
+    """The names of one file, parameter list or block, inside an outer scope."""
+
+    outer: Scope | None = None
+    names: dict[str, Symbol] = field(default_factory=dict)
+    tags: dict[str, Tag] = field(default_factory=dict)
+
+    def find(self, name: str) -> Symbol | None:
+        """Gives what a name means here, None when it is unknown."""
+        scope: Scope | None = self
+        while scope is not None:
+            if name in scope.names:
+                return scope.names[name]
+            scope = scope.outer
+        return None
+
+    def find_tag(self, name: str) -> Tag | None:
+        """Gives what a tag means here, None when it is unknown."""
+        scope: Scope | None = self
+        while scope is not None:
+            if name in scope.tags:
+                return scope.tags[name]
+            scope = scope.outer
+        return None
+
+    def closest(self, name: str, kind: type[Symbol] | None = None) -> str | None:
+        """Gives the known name most like an unknown one, None when none is like it."""
+        scope: Scope | None = self
+        known: dict[str, None] = {}
+        while scope is not None:
+            known |= {
+                each: None
+                for each, symbol in scope.names.items()
+                if kind is None or isinstance(symbol, kind)
+            }
+            scope = scope.outer
+        found = difflib.get_close_matches(name, list(known)[:_MOST_COMPARED], n=1, cutoff=0.7)
+        return found[0] if found else None
+
+
+_MOST_COMPARED = 5000

@@ -1,0 +1,130 @@
+"""The front end's entry: one C file in, one `Program` out.
+
+    preprocess -> parse -> check -> lower
+
+>>> from crs_cc.frontend.options import Options
+>>> from crs_cc.source import Diagnostics
+>>> source = "int twice(int n) { return 2 * n; }"
+>>> program = compile_text(source, "twice.c", Options(), Diagnostics())
+>>> list(program.functions)
+['twice']
+"""
+
+from __future__ import annotations
+
+import sys
+import threading
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.errors import CompileError
+from crs_cc.frontend.check import Unit
+from crs_cc.frontend.check_unit import check_unit
+from crs_cc.frontend.lower_unit import lower_unit
+from crs_cc.frontend.options import Options
+from crs_cc.frontend.parse import TooManyErrors, parse
+from crs_cc.frontend.preprocess import preprocess, preprocess_text
+from crs_cc.ir.program import Program
+from crs_cc.source import Diagnostics, Location
+
+if TYPE_CHECKING:
+    from crs_cc.frontend.preprocess import Preprocessed
+
+_STACK_BYTES: Final = 256 << 20
+_RECURSION_LIMIT: Final = 60_000
+"""Deep enough for thousands of parentheses; Python's own frames are small."""
+
+
+def compile_file(path: Path, options: Options, diagnostics: Diagnostics) -> Program:
+    """Compiles a C file.
+
+    Args:
+        path: the file.
+        options: where to look for headers, and macros to define.
+        diagnostics: takes errors and warnings; the warnings stay there.
+
+    Returns:
+        The program, not verified yet.
+
+    Raises:
+        CompileError: when there are errors in the file.
+    """
+    return _compile(lambda: preprocess(path, options, diagnostics), str(path), diagnostics)
+
+
+def compile_text(text: str, name: str, options: Options, diagnostics: Diagnostics) -> Program:
+    """Compiles C text as if it stood in the file `name`.
+
+    Raises:
+        CompileError: when there are errors in it.
+    """
+    return _compile(lambda: preprocess_text(text, name, options, diagnostics), name, diagnostics)
+
+
+def _compile(
+    preprocessed: Callable[[], Preprocessed], name: str, diagnostics: Diagnostics
+) -> Program:
+    unit = Unit(name, diagnostics, Location(name))
+    programs: list[Program] = []
+
+    def work() -> None:
+        programs.append(_stages(unit, preprocessed()))
+
+    try:
+        _with_deep_stack(work)
+    except RecursionError:
+        unit.diagnostics.error(unit.place, "the program is nested too deeply here")
+    except TooManyErrors:
+        last = diagnostics.errors[-1].location
+        diagnostics.error(Location(last.file, last.line), "too many errors, giving up")
+    if diagnostics.errors:
+        raise CompileError(diagnostics.errors)
+    return programs[0]
+
+
+def _stages(unit: Unit, source: Preprocessed) -> Program:
+    if unit.diagnostics.errors:
+        raise CompileError(unit.diagnostics.errors)
+    last_place = [unit.place]
+
+    def locate(line: int, column: int) -> Location:
+        unit.place = last_place[0] = source.location(line, column)
+        return unit.place
+
+    nodes = parse(source.text, unit.name, locate, unit.diagnostics)
+    if unit.diagnostics.errors:
+        raise CompileError(unit.diagnostics.errors)
+    check_unit(unit, nodes)
+    if unit.diagnostics.errors:
+        raise CompileError(unit.diagnostics.errors)
+    return lower_unit(unit)
+
+
+def _with_deep_stack(work: Callable[[], None]) -> None:
+    """Runs `work` in a thread whose stack is deep enough for nested programs.
+
+    The thread is joined at once: no result depends on it.
+
+    Raises:
+        Exception: whatever `work` raised.
+    """
+    raised: list[BaseException] = []
+
+    def run() -> None:
+        try:
+            work()
+        except BaseException as problem:
+            raised.append(problem)
+
+    limit, stack = sys.getrecursionlimit(), threading.stack_size(_STACK_BYTES)
+    sys.setrecursionlimit(max(limit, _RECURSION_LIMIT))
+    try:
+        thread = threading.Thread(target=run, daemon=True)
+        thread.start()
+        thread.join()
+    finally:
+        threading.stack_size(stack)
+        sys.setrecursionlimit(limit)
+    if raised:
+        raise raised[0]
