@@ -7,6 +7,8 @@ Inputs(sources=(PosixPath('wander.c'), PosixPath('turn.c')), world=PosixPath('ro
 from __future__ import annotations
 
 import difflib
+import os
+import stat
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -56,16 +58,18 @@ def demand_readable(path: Path) -> None:
         WorldError: a world file cannot be read.
     """
     blame: type[CrsError] = WorldError if is_world(path.name) else CompileError
+    place = Location(str(path))
     try:
-        with path.open("rb") as stream:
-            stream.read(1)
+        mode = path.stat().st_mode
     except FileNotFoundError:
-        raise blame.at(Location(str(path)), "no such file", _similar(path)) from None
-    except IsADirectoryError:
-        raise blame.at(Location(str(path)), "is a directory, not a file") from None
+        raise blame.at(place, "no such file", _similar(path)) from None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        raise blame.at(Location(str(path)), f"cannot be read: {reason}") from None
+        raise blame.at(place, f"cannot be read: {reason}") from None
+    if stat.S_ISDIR(mode):
+        raise blame.at(place, "is a directory, not a file")
+    if not os.access(path, os.R_OK):
+        raise blame.at(place, "cannot be read: permission denied")
 
 
 def _similar(path: Path) -> str:

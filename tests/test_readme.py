@@ -1,0 +1,84 @@
+"""Everything in the README and ARCHITECTURE is true: commands run, names exist."""
+
+from __future__ import annotations
+
+import ast
+import re
+import shlex
+import shutil
+from pathlib import Path
+
+import pytest
+
+from crs_cc.cli.main import main
+
+ROOT = Path(__file__).parents[1]
+README = (ROOT / "README.md").read_text()
+ARCHITECTURE = (ROOT / "ARCHITECTURE.md").read_text()
+
+
+def blocks(language: str) -> list[str]:
+    return re.findall(rf"```{language}\n(.*?)```", README, re.DOTALL)
+
+
+def commands() -> list[str]:
+    lines = "".join(blocks("sh")).splitlines()
+    return [line for line in lines if line.startswith("crs ")]
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with the samples, the worlds and the README's own program, to work in."""
+    for name in ("samples", "worlds"):
+        shutil.copytree(ROOT / name, tmp_path / name)
+    (tmp_path / "approach.c").write_text("".join(blocks("c")))
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.mark.parametrize("command", commands())
+def test_every_command_of_the_readme_runs(
+    command: str, folder: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    assert main(shlex.split(command, comments=True)[1:]) == 0, capfd.readouterr().err
+    shown = capfd.readouterr()
+    assert shown.out + shown.err
+    assert "error" not in shown.err
+
+
+def test_the_readmes_own_program_does_what_its_text_says(
+    folder: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    command = next(command for command in commands() if "approach.c" in command)
+    main(shlex.split(command)[1:])
+    inches = re.match(r"(\d+) inches ahead of the wall at x = ", capfd.readouterr().out)
+    assert inches
+    assert 5 < int(inches[1]) <= 20
+    assert (folder / "approach.svg").read_text().startswith("<?xml")
+
+
+def test_every_file_that_the_texts_name_exists() -> None:
+    links = re.findall(r"\]\(([^)#]+)\)", README + ARCHITECTURE)
+    paths = re.findall(r"`((?:[\w.]+/)+[\w.]*)`", README)
+    assert links
+    for name in [*links, *paths]:
+        if not name.startswith((".venv", "http")):
+            assert (ROOT / name).exists(), name
+
+
+def test_every_make_target_that_the_texts_name_exists() -> None:
+    makefile = (ROOT / "Makefile").read_text()
+    texts = README + (ROOT / "CONTRIBUTING.md").read_text()
+    targets = re.findall(r"^ *make (\w+)", texts, re.MULTILINE)
+    assert {"demo", "test", "check", "bench"} <= set(targets)
+    for target in targets:
+        assert re.search(rf"^{target}:", makefile, re.MULTILINE)
+
+
+def test_every_test_that_the_architecture_names_exists() -> None:
+    named = re.findall(r"`(tests/[\w/]+\.py)(?:::(\w+))?`", ARCHITECTURE)
+    assert len(named) >= 8
+    for file, test in named:
+        tree = ast.parse((ROOT / file).read_text())
+        names = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
+        assert not test or test in names, f"{file}::{test}"
