@@ -8,15 +8,16 @@ from typing import Any, Final
 from pycparser import c_ast
 
 from crs_cc.frontend import check_call, tree
+from crs_cc.frontend.builtins import VA_LIST
 from crs_cc.frontend.check import CheckError, FunctionState, Unit
 from crs_cc.frontend.check_stmt import check_labels, statement
 from crs_cc.frontend.convert import is_scalar
 from crs_cc.frontend.declaration import declare, declare_function, finish_objects, typedef
 from crs_cc.frontend.declare import declared_type, parameter_type
 from crs_cc.frontend.declare_tag import static_assert
-from crs_cc.frontend.parse import Node
+from crs_cc.frontend.parse import PREDECLARED_TYPES, Node
 from crs_cc.frontend.refuse import refused
-from crs_cc.frontend.scope import FunctionSymbol, ObjectSymbol
+from crs_cc.frontend.scope import FunctionSymbol, ObjectSymbol, TypedefName
 from crs_cc.ir.types import (
     DOUBLE,
     INT,
@@ -37,6 +38,8 @@ _ = check_call  # enters the checker of calls
 
 def check_unit(unit: Unit, nodes: list[Node]) -> None:
     """Checks all external declarations of a file; what is wrong goes to the diagnostics."""
+    for name in PREDECLARED_TYPES:
+        unit.scope.names[name] = TypedefName(name, VA_LIST, unit.place)
     for node in nodes:
         checker = EXTERNAL.get(node.__class__)
         if checker is None:

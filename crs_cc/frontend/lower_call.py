@@ -37,7 +37,7 @@ from crs_cc.ir.program import (
     Stop,
     Unary,
 )
-from crs_cc.ir.types import INT, ULLONG, RecordType, VoidType
+from crs_cc.ir.types import INT, ULLONG, RecordType
 
 
 def argument(low: Lowering, expression: Expression) -> Argument:
@@ -134,33 +134,45 @@ def _var_arg(low: Lowering, expression: tree.VarArg, into: Register | None) -> O
 
 # Builtins
 
-_UNARY: Final = {
-    "sqrt": "sqrt", "fabs": "abs", "floor": "floor", "ceil": "ceil", "trunc": "trunc",
-    "rint": "nearest",
-}  # fmt: skip
-_COUNTS: Final = {"clz": "clz", "ctz": "ctz", "popcount": "popcnt"}
+_FLOAT: Final = {
+    f"__builtin_{name}{suffix}": operator
+    for suffix in ("", "f", "l")
+    for name, operator in (
+        ("sqrt", "sqrt"),
+        ("fabs", "abs"),
+        ("floor", "floor"),
+        ("ceil", "ceil"),
+        ("trunc", "trunc"),
+        ("rint", "nearest"),
+        ("copysign", "copysign"),
+    )
+}
+_COUNTS: Final = {
+    f"__builtin_{name}{suffix}": operator
+    for suffix in ("", "l", "ll")
+    for name, operator in (("clz", "clz"), ("ctz", "ctz"), ("popcount", "popcnt"))
+}
 
 
 def _intrinsic(low: Lowering, expression: tree.Intrinsic, into: Register | None) -> Operand:
     """Lowers a builtin; one without value gives zero."""
-    name, location = expression.name.removeprefix("__builtin_"), expression.location
     found = _SPECIAL.get(expression.name)
     if found is not None:
         return found(low, expression)
+    location = expression.location
     operands = [value(low, each) for each in expression.arguments]
-    bare = name.rstrip("fl") if name.rstrip("fl") in _UNARY else name.rstrip("l")
-    if bare in _COUNTS:
-        counted = low.register(operands[0].type)
-        low.emit(Unary(location, counted, f"{counted.type}.{_COUNTS[bare]}", operands[0]))
-        return convert_operand(
-            low, counted, ULLONG if counted.type == "i64" else INT, INT, location
-        )
     kind = operands[0].type
+    if expression.name in _COUNTS:
+        counted = low.register(kind)
+        low.emit(Unary(location, counted, f"{kind}.{_COUNTS[expression.name]}", operands[0]))
+        source = ULLONG if kind == "i64" else INT
+        return convert_operand(low, counted, source, INT, location, into=into)
     result = low.register(kind) if into is None else into
-    if bare in _UNARY:
-        low.emit(Unary(location, result, f"{kind}.{_UNARY[bare]}", operands[0]))
+    op = f"{kind}.{_FLOAT[expression.name]}"
+    if len(operands) == 1:
+        low.emit(Unary(location, result, op, operands[0]))
     else:
-        low.emit(Binary(location, result, f"{kind}.copysign", operands[0], operands[1]))
+        low.emit(Binary(location, result, op, operands[0], operands[1]))
     return result
 
 
@@ -230,5 +242,3 @@ EFFECT[tree.Call] = _call_effect
 EFFECT[tree.Intrinsic] = _intrinsic_effect
 PLACE[tree.Call] = _call_place
 PLACE[tree.VarArg] = _next_argument
-
-__all__ = ["VoidType"]

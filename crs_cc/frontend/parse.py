@@ -34,6 +34,9 @@ Locate: TypeAlias = Callable[[int, int], Location]
 MOST_ERRORS: Final = 20
 """After so many errors in one file the rest would mostly be echoes."""
 
+PREDECLARED_TYPES: Final = ("__builtin_va_list",)
+"""Type names that every file knows."""
+
 _SPELLING: Final = {
     "SEMI": "';'", "LPAREN": "'('", "RPAREN": "')'", "LBRACE": "'{'", "RBRACE": "'}'",
     "LBRACKET": "'['", "RBRACKET": "']'", "COLON": "':'", "COMMA": "','", "EQUALS": "'='",
@@ -150,6 +153,7 @@ class _Parser(CParser):  # type: ignore[misc]
 
     def _parse_translation_unit(self) -> list[Node]:
         found: list[Node] = []
+        self._scope_stack[0].update(dict.fromkeys(PREDECLARED_TYPES, True))
         while self._peek() is not None:
             start = self._tokens.mark()
             try:
