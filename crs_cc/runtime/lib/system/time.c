@@ -33,7 +33,7 @@ time_t time(time_t *now)
     return result;
 }
 
-/* The clock's microsecond: a time such as 0.3 s, slightly below it as a double, counts as reached. */
+/* The clock's microsecond: a time such as 0.3 s, as a double slightly less, counts as reached. */
 int gettimeofday(struct timeval *now, void *zone)
 {
     long long microseconds = (long long)(now_s() * 1e6 + 1e-3);
