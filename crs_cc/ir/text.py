@@ -12,8 +12,7 @@ place in the C source where it differs from the line before.
 >>> print(to_text(Program({"twice": Function(
 ...     "twice", here, "i32", [Parameter(n, "i32", 4)], registers=[n, double], blocks=[body])})))
 function @twice(i32 %0) -> i32                    ; twice.c:1:1
-  register %0 i32
-  register %1 i32
+  i32 %0 %1
 entry:                                            ; fuel 2
   %1 = i32.mul %0, 2                              ; 1:1
   return %1                                       ; 2:5
@@ -23,6 +22,7 @@ entry:                                            ; fuel 2
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from textwrap import TextWrapper
 from typing import Final
 
 from crs_cc.ir.program import (
@@ -58,6 +58,7 @@ from crs_cc.source import Location
 
 _COMMENT_COLUMN: Final = 50
 _BYTES_PER_LINE: Final = 16
+_REGISTERS: Final = TextWrapper(92, break_long_words=False, break_on_hyphens=False)
 
 
 def to_text(program: Program) -> str:
@@ -115,10 +116,9 @@ class FunctionText:
     def render(self) -> str:
         """Gives the head, the registers and slots, and the blocks, each line with its place."""
         lines = [_line(self._head(), str(self.function.location))]
-        lines += [
-            _line(f"  register {self._operand(register)} {register.type}")
-            for register in self.function.registers
-        ]
+        for type_ in ("i32", "i64", "f32", "f64"):
+            names = [self._operand(each) for each in self.function.registers if each.type == type_]
+            lines += [_line(f"  {type_} {row}") for row in _REGISTERS.wrap(" ".join(names))]
         for slot in self.function.slots:
             name = self._slot_names[id(slot)]
             lines.append(_line(f"  slot {name} size {slot.size} align {slot.align}"))
