@@ -132,8 +132,8 @@ def set_record(low: Lowering, where: Place, source: Expression, location: Locati
 
 
 def _compound(low: Lowering, expression: tree.CompoundAssign) -> Operand:
+    right = value(low, expression.value)  # first, as gcc does
     target = _target(low, expression.target)
-    right = value(low, expression.value)
     if isinstance(expression.computed, PointerType):
         return _move_pointer(low, expression, target, right)
     computed, location = expression.computed, expression.location

@@ -94,7 +94,9 @@ def _end_with_call(
             register = low.register("i32")
             low.emit(Move(location, register, pointer))
             pointer = register
-    arguments += [argument(low, each) for each in expression.arguments]
+    # From the last to the first, as gcc does on i386: programs came to rely on it.
+    lowered = [argument(low, each) for each in reversed(expression.arguments)]
+    arguments = [*arguments, *reversed(lowered)]
     then = low.new_block("after")
     called: str | Register
     if isinstance(callee, tree.FunctionName):

@@ -264,5 +264,7 @@ def _value_of_moved(low: Lowering, expression: tree.PointerAdd, into: Register |
 VALUE[tree.ObjectName] = _value_of_object
 VALUE[tree.Dereference] = _value_of_object
 VALUE[tree.MemberAccess] = _value_of_object
+VALUE[tree.CompoundLiteral] = _value_of_object
+
 VALUE[tree.AddressOf] = _value_of_address
 VALUE[tree.PointerAdd] = _value_of_moved
