@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final, Literal, TypeAlias
+from typing import TYPE_CHECKING, Any, Final, Literal, SupportsIndex, TypeAlias
 
 if TYPE_CHECKING:
     from crs_cc.ir.program import Block
@@ -51,6 +51,10 @@ class Slot:
     size: int
     align: int
     variable: Variable | None = None
+
+    def __reduce_ex__(self, protocol: SupportsIndex) -> str | tuple[Any, ...]:
+        """Keeps `VARARGS` the one object that it is when a program is pickled."""
+        return "VARARGS" if self is VARARGS else object.__reduce_ex__(self, protocol)
 
 
 @dataclass(frozen=True, slots=True)

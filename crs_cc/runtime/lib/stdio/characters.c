@@ -2,7 +2,7 @@
 #include <errno.h>
 #include <string.h>
 
-#include "stream.h"
+#include <crs/stream.h>
 
 int fputc(int c, FILE *stream)
 {

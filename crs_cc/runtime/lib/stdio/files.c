@@ -2,7 +2,7 @@
    files: opening one fails as on a read-only, empty disk. */
 #include <errno.h>
 
-#include "stream.h"
+#include <crs/stream.h>
 
 static void *refuse(const char *mode)
 {

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "print.h"
-#include "stream.h"
+#include <crs/stream.h>
 
 void __crs_emit(struct __crs_sink *sink, const char *text, int size)
 {

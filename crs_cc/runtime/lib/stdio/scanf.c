@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "stream.h"
+#include <crs/stream.h>
 
 #define ROOM 512
 

@@ -2,8 +2,8 @@
 #include <crs_request.h>
 #include <errno.h>
 
-#include "../system/write.h"
-#include "stream.h"
+#include <crs/write.h>
+#include <crs/stream.h>
 
 static unsigned char input[PUSHBACK + CRS_DATA_SIZE], output[BUFSIZ], errors[CRS_DATA_SIZE];
 

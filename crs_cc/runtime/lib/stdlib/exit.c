@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "../stdio/stream.h"
+#include <crs/stream.h>
 
 /* Handlers in blocks of 32, the number that C17 7.22.4.2 guarantees; more blocks on demand. */
 struct handlers {

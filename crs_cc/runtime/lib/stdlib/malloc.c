@@ -14,7 +14,7 @@
 #include <errno.h>
 #include <stdlib.h>
 
-#include "../system/write.h"
+#include <crs/write.h>
 
 #define HEADER 8
 #define IN_USE 1u

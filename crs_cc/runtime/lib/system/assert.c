@@ -3,7 +3,7 @@
 #include <crs_request.h>
 #include <stdio.h>
 
-#include "../stdio/stream.h"
+#include <crs/stream.h>
 
 void __crs_assert_failed(const char *expression, const char *file, int line, const char *function)
 {

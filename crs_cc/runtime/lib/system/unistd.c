@@ -3,7 +3,7 @@
 #include <errno.h>
 #include <unistd.h>
 
-#include "write.h"
+#include <crs/write.h>
 
 ssize_t read(int descriptor, void *bytes, size_t size)
 {

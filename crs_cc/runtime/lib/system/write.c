@@ -3,7 +3,7 @@
 #include <errno.h>
 #include <string.h>
 
-#include "write.h"
+#include <crs/write.h>
 
 int __crs_write(int descriptor, const void *bytes, int size)
 {
