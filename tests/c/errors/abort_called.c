@@ -1,0 +1,14 @@
+/* abort() stops the program at once; what was written before has come out or not. */
+#include <stdlib.h>
+
+static void give_up(void)
+{
+    abort();
+}
+
+int main(void)
+{
+    give_up();
+    return 0;
+}
+// error: abort called (anywhere)

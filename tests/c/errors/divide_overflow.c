@@ -1,0 +1,11 @@
+/* INT_MIN / -1 does not fit. */
+#include <limits.h>
+#include <stdio.h>
+
+int main(void)
+{
+    volatile int n = INT_MIN, m = -1;
+
+    printf("before\n");
+    return n / m; // error: division overflow
+}

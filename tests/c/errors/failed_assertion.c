@@ -1,0 +1,19 @@
+/* A failed assertion says what failed, on stderr. */
+#include <assert.h>
+#include <stdio.h>
+
+static int checked(int n)
+{
+    assert(n < 3);
+    return n;
+}
+
+int main(void)
+{
+    int i;
+
+    for (i = 0; i < 5; i++)
+        printf("%d\n", checked(i));
+    return 0;
+}
+// error: assertion failed (anywhere)

@@ -1,0 +1,10 @@
+/* A pointer far behind the end of memory. */
+#include <stdio.h>
+
+int main(void)
+{
+    int *wild = (int *) 0xDEADBEEC;
+
+    printf("before\n");
+    return *wild; // error: pointer outside memory
+}

@@ -1,0 +1,10 @@
+/* Allocates and writes without asking whether it got anything. */
+#include <stdlib.h>
+
+int main(void)
+{
+    for (;;) {
+        char *p = malloc(100000);
+        p[99999] = 1;
+    }
+}

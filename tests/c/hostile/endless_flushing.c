@@ -1,0 +1,11 @@
+/* One byte at a time, flushed, without end, to both streams. */
+#include <stdio.h>
+
+int main(void)
+{
+    for (;;) {
+        putchar('.');
+        fflush(stdout);
+        fputc('!', stderr);
+    }
+}

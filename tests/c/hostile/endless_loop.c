@@ -1,0 +1,6 @@
+/* A loop without end. Costs processor time, never hangs the simulator. */
+int main(void)
+{
+    for (;;)
+        ;
+}

@@ -1,0 +1,10 @@
+/* Output without end. */
+#include <stdio.h>
+
+int main(void)
+{
+    unsigned n = 0;
+
+    for (;;)
+        printf("%u bottles of beer on the wall\n", n++);
+}

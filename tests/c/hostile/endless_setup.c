@@ -1,0 +1,13 @@
+/* A handler that registers itself again: exit() never ends. */
+#include <stdlib.h>
+
+static void again(void)
+{
+    atexit(again);
+}
+
+int main(void)
+{
+    again();
+    exit(0);
+}

@@ -1,0 +1,10 @@
+/* Recursion that returns, 2 to the 60 times. */
+static int f(int n)
+{
+    return n ? f(n - 1) + f(n - 1) : 1;
+}
+
+int main(void)
+{
+    return f(60);
+}

@@ -1,0 +1,7 @@
+/* No message at all. */
+#include <crs_request.h>
+
+int main(void)
+{
+    return __crs_request(CRS_CLOCK, 0);
+}

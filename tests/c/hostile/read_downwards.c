@@ -1,0 +1,11 @@
+/* Reads downwards through its own stack into the null page. */
+static volatile unsigned sum;
+
+int main(void)
+{
+    int here;
+    const int *p;
+
+    for (p = &here;; p--)
+        sum += *p;
+}

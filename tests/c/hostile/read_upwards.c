@@ -1,0 +1,11 @@
+/* Reads upwards from its own data until memory ends. */
+static char here;
+static volatile unsigned sum;
+
+int main(void)
+{
+    const char *p;
+
+    for (p = &here;; p++)
+        sum += *p;
+}

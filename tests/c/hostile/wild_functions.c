@@ -1,0 +1,12 @@
+/* Calls every small integer as if it were a function, with odd arguments. */
+static int mine(int n) { return n; }
+static volatile unsigned sum;
+
+int main(void)
+{
+    unsigned start = (unsigned) mine, i;
+
+    for (i = 0; i < 100000; i++)
+        sum += ((int (*)(void *, double, int, int, int)) (start + i))((void *) i, 1.5, -1, 0, i);
+    return 0;
+}

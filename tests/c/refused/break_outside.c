@@ -1,0 +1,6 @@
+/* break without a loop. */
+int main(void)
+{
+    break; // error: break
+    return 0;
+}

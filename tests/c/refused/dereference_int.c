@@ -1,0 +1,7 @@
+/* * of an int. */
+int main(void)
+{
+    int n = 5;
+
+    return *n; // error: pointer
+}

@@ -1,0 +1,5 @@
+/* The file ends inside a function. */
+int main(void)
+{
+    if (1) {
+        return 0; // error: end of the file

@@ -1,0 +1,3 @@
+/* A comment without end. */
+int main(void) { return 0; }
+/* // error: comment

@@ -1,0 +1,8 @@
+/* A string without end. */
+#include <stdio.h>
+
+int main(void)
+{
+    printf("no end); // error: 
+    return 0;
+}
