@@ -17,6 +17,7 @@ import numpy as np
 from crs_cc.cli.svg import Page, Point, View
 from crs_cc.cli.tracks import FloatArray, simplified
 from crs_cc.sim.model import Box, Cylinder, Robot, Solid, Wall, WorldModel, is_pushable
+from crs_cc.sim.scene import box_corners_m
 
 _LONG_SIDE_PX: Final = 760.0
 _SHORT_SIDE_PX: Final = 240.0
@@ -64,6 +65,7 @@ class Picture:
         world: what stands where.
         trips: the robots.
         contacts: robot number and place [m] of each contact.
+        pushed: what was pushed away, at the end.
     """
 
     title: str
@@ -71,6 +73,7 @@ class Picture:
     world: WorldModel
     trips: Sequence[Trip]
     contacts: Sequence[tuple[int, float, float]] = ()
+    pushed: Sequence[Box | Cylinder] = ()
 
     def render(self) -> bytes:
         """Gives the picture as SVG."""
@@ -144,23 +147,35 @@ class _Drawing:
         self.page.text(place, f"{length_m:g} m", font_size=11.0, text_anchor="end")
 
     def _solids(self) -> None:
+        pushed = {thing.id for thing in self.picture.pushed}
         for solid in self.picture.world.solids():
             if isinstance(solid, Wall):
-                ends = (
-                    self.view.point(solid.x1_m, solid.y1_m),
-                    self.view.point(solid.x2_m, solid.y2_m),
-                )
-                width_px = max(1.5, self.view.length(solid.thickness_m))
-                self.page.line(*ends, stroke=_WALL, stroke_width=width_px, stroke_linecap="round")
-                continue
-            paint = _MOVABLE if is_pushable(solid) else _FIXED
-            with self.page.group(fill=paint, stroke=_INK, stroke_width=0.8):
-                if isinstance(solid, Cylinder):
-                    centre = self.view.point(solid.pose.x_m, solid.pose.y_m)
-                    self.page.circle(centre, self.view.length(solid.radius_m))
-                else:
-                    points = [self.view.point(*corner) for corner in corners(solid)]
-                    self.page.polygon(points, stroke_linejoin="round")
+                self._wall(solid)
+            elif solid.id in pushed:
+                with self.page.group(fill="none", stroke=_FAINT_INK, stroke_dasharray="3 3"):
+                    self._thing(solid)
+            else:
+                self._standing(solid)
+        for thing in self.picture.pushed:
+            self._standing(thing)
+
+    def _standing(self, thing: Box | Cylinder) -> None:
+        paint = _MOVABLE if is_pushable(thing) else _FIXED
+        with self.page.group(fill=paint, stroke=_INK, stroke_width=0.8):
+            self._thing(thing)
+
+    def _thing(self, thing: Box | Cylinder) -> None:
+        if isinstance(thing, Cylinder):
+            centre = self.view.point(thing.pose.x_m, thing.pose.y_m)
+            self.page.circle(centre, self.view.length(thing.radius_m))
+        else:
+            corners = [self.view.point(*corner) for corner in box_corners_m(thing).tolist()]
+            self.page.polygon(corners, stroke_linejoin="round")
+
+    def _wall(self, wall: Wall) -> None:
+        ends = self.view.point(wall.x1_m, wall.y1_m), self.view.point(wall.x2_m, wall.y2_m)
+        width_px = max(1.5, self.view.length(wall.thickness_m))
+        self.page.line(*ends, stroke=_WALL, stroke_width=width_px, stroke_linecap="round")
 
     # The robots
 
@@ -280,24 +295,6 @@ def _multiples(low: float, high: float, step: float) -> Iterator[float]:
         yield count * step
 
 
-def corners(box: Box) -> list[Point]:
-    """Gives a box's corners in the world [m].
-
-    >>> from crs_cc.sim.model import Pose
-    >>> corners(Box("crate", Pose(1.0, 1.0, 0.0), 2.0, 1.0))
-    [(2.0, 1.5), (0.0, 1.5), (0.0, 0.5), (2.0, 0.5)]
-    """
-    cosine, sine = math.cos(box.pose.heading_rad), math.sin(box.pose.heading_rad)
-    sides = [(1, 1), (-1, 1), (-1, -1), (1, -1)]
-    return [
-        (
-            box.pose.x_m + cosine * ahead * box.length_m / 2 - sine * left * box.width_m / 2,
-            box.pose.y_m + sine * ahead * box.length_m / 2 + cosine * left * box.width_m / 2,
-        )
-        for ahead, left in sides
-    ]
-
-
 def _bounds(picture: Picture) -> tuple[FloatArray, FloatArray]:
     """Gives the lower left and upper right corner [m] of all that is drawn, with a rim.
 
@@ -306,8 +303,7 @@ def _bounds(picture: Picture) -> tuple[FloatArray, FloatArray]:
     clouds = []
     for trip in picture.trips:
         clouds += [trip.path - trip.robot.model.radius_m, trip.path + trip.robot.model.radius_m]
-    for solid in picture.world.solids():
-        clouds.append(_outline(solid))
+    clouds += [_outline(solid) for solid in (*picture.world.solids(), *picture.pushed)]
     if not clouds:
         area = picture.world.area
         clouds = [np.array([[area.x_min_m, area.y_min_m], [area.x_max_m, area.y_max_m]])]
@@ -324,4 +320,4 @@ def _outline(solid: Solid) -> FloatArray:
     if isinstance(solid, Cylinder):
         centre = np.array([[solid.pose.x_m, solid.pose.y_m]])
         return np.vstack([centre - solid.radius_m, centre + solid.radius_m])
-    return np.array(corners(solid))
+    return box_corners_m(solid)

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+import math
 import sys
 import time
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 import click
 
@@ -20,11 +22,17 @@ from crs_cc.cli.summary import Run, as_json, exit_status, print_summary
 from crs_cc.cli.tracks import Tracks
 from crs_cc.errors import CrsError
 from crs_cc.session.session import Session
-from crs_cc.session.trace import Trace
-from crs_cc.source import Diagnostics
+from crs_cc.sim.model import Box, Cylinder, Pose
+from crs_cc.sim.scene import Scene
+from crs_cc.source import Diagnostic, Diagnostics, Location
 
 if TYPE_CHECKING:
     from crs_cc.cli.run import RunOptions
+    from crs_cc.session.result import RobotResult
+    from crs_cc.session.trace import Trace
+    from crs_cc.sim.step import Step
+
+_MOVED_M: Final = 0.005
 
 
 def simulate(options: RunOptions) -> int:
@@ -79,6 +87,7 @@ class Runner:
         self._interrupt = Interrupt()
         self._started_s = time.monotonic()
         self.tracks = Tracks()
+        self._trace = _request_trace() if options.trace_requests else None
         self.session = Session(
             loaded.world,
             loaded.executables,
@@ -86,7 +95,7 @@ class Runner:
             arguments=loaded.arguments,
             output=self._output.write,
             read=self._read,
-            trace=Trace(say) if options.trace_requests else None,
+            trace=self,
         )
 
     def run(self) -> Run:
@@ -118,12 +127,20 @@ class Runner:
             if end_s is not None and self.session.time_s >= end_s - 1e-9:
                 return
 
+    def step(self, step: Step) -> None:
+        """Hears from the session what happened in a timestep."""
+        if self._trace is not None:
+            self._trace.step(step)
+        if self._options.plot is not None:
+            contacts = step.contacts
+            for robot, x_m, y_m in zip(contacts.robot, contacts.x_m, contacts.y_m, strict=True):
+                self.tracks.touch(int(robot), float(x_m), float(y_m))
+
     def _look(self) -> None:
         """Keeps what the picture needs."""
-        if self._options.plot is None:
-            return
-        environment = self.session.environment
-        self.tracks.add(environment.state.x_m, environment.state.y_m)
+        if self._options.plot is not None:
+            state = self.session.environment.state
+            self.tracks.add(state.x_m, state.y_m)
 
     def _read(self, _robot: int, size: int) -> bytes:
         self._progress.clear()
@@ -148,13 +165,30 @@ class Runner:
             Trip(robot, self.tracks.path(number), float(state.heading_rad[number]))
             for number, robot in enumerate(world.robots)
         ]
-        programs = dict.fromkeys(robot.program for robot in run.result.robots)
-        title = f"{', '.join(programs)} in {run.world or 'an empty world'}"
+        programs = dict.fromkeys(Path(robot.program).name for robot in run.result.robots)
+        where = Path(run.world).name if run.world else "an empty world"
+        title = f"{', '.join(programs)} in {where}"
         collisions = sum(robot.collisions for robot in run.result.robots)
-        subtitle = (
-            f"{run.result.simulated_s:.2f} s simulated, seed {run.seed}, {collisions} collisions"
-        )
-        return Picture(title, subtitle, world, trips, self.tracks.contacts)
+        subtitle = f"{run.result.simulated_s:.2f} s simulated, seed {run.seed}, "
+        subtitle += f"{collisions} collision{'' if collisions == 1 else 's'}"
+        return Picture(title, subtitle, world, trips, self.tracks.contacts, self._pushed())
+
+    def _pushed(self) -> list[Box | Cylinder]:
+        """Gives the things that were moved, where they are now."""
+        bodies = self.session.environment.state.bodies
+        scene = Scene(self._loaded.world)
+        pushed = []
+        for body, thing in enumerate(scene.pushables, scene.robots):
+            (x_m, y_m), angle_rad = bodies.position_m[body], bodies.angle_rad[body]
+            if math.hypot(x_m - thing.pose.x_m, y_m - thing.pose.y_m) > _MOVED_M:
+                pushed.append(replace(thing, pose=Pose(float(x_m), float(y_m), float(angle_rad))))
+        return pushed
+
+
+def _request_trace() -> Trace:
+    from crs_cc.session.trace import Trace
+
+    return Trace(say)
 
 
 def _write(path: Path, picture: bytes) -> None:
@@ -166,15 +200,27 @@ def _write(path: Path, picture: bytes) -> None:
 
 def _report(run: Run, options: RunOptions) -> None:
     """Says what came of the run, as far as anybody wants to know."""
-    several = len(run.result.robots) > 1
-    for robot in run.result.robots:
-        if robot.error is not None:
-            text = f"[{robot.id}] {robot.error.text}" if several else robot.error.text
-            show([replace(robot.error, text=text)])
+    show(list(_failures(run.result.robots)))
     if options.as_json:
         click.echo(as_json(run))
-    wanted = options.summary
-    if wanted is None:
-        wanted = is_terminal(sys.stderr) and not options.as_json
-    if wanted and not options.quiet:
+    asked = options.summary
+    if asked or (asked is None and is_terminal(sys.stderr) and not options.quiet):
         print_summary(run)
+
+
+def _failures(robots: Sequence[RobotResult]) -> Iterator[Diagnostic]:
+    """Gives why programs were stopped, with the lines of source; of several, with their robots."""
+    for robot in robots:
+        if robot.error is not None:
+            text = robot.error.text
+            text = f"[{robot.id}] {text}" if len(robots) > 1 else text
+            yield replace(robot.error, text=text, source_line=_source_line(robot.error.location))
+
+
+def _source_line(place: Location) -> str:
+    """Gives the line at a place, if its file can still be read."""
+    try:
+        lines = Path(place.file).read_text(encoding="utf-8", errors="replace").split("\n")
+    except (OSError, ValueError):
+        return ""
+    return lines[place.line - 1] if 0 < place.line <= len(lines) else ""
