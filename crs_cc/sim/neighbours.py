@@ -32,7 +32,7 @@ def expand(starts: IndexArray, counts: IndexArray) -> tuple[IndexArray, IndexArr
     """
     owners = np.repeat(np.arange(len(counts)), counts)
     ends = np.cumsum(counts)
-    members = np.arange(len(owners)) + (starts - ends + counts)[owners]
+    members = np.arange(len(owners)) + (starts - ends + counts).take(owners)
     return owners, members
 
 
@@ -65,7 +65,7 @@ class CellList:
         starts = np.searchsorted(self._keys, first.ravel(), side="left")
         counts = np.searchsorted(self._keys, last.ravel(), side="right") - starts
         owners, members = expand(starts, counts)
-        return owners // rows.shape[1], self._order[members]
+        return owners // rows.shape[1], self._order.take(members)
 
     def _cells(self, x_m: FloatArray, y_m: FloatArray) -> tuple[IndexArray, IndexArray]:
         columns = np.clip(np.floor(x_m / self._cell_m), -_FAR_CELLS, _FAR_CELLS)

@@ -1,0 +1,80 @@
+"""What a robot does for each request: one small function each, for all robots that posted it.
+
+A handler changes the state and gives, for each robot, whether the request was good. Wheels have
+been turned to the instant of the request before. The table and `requests.REQUESTS` must name the
+same codes; a test holds them together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.requests import CODES
+from crs_cc.sim.actuators import drive
+from crs_cc.sim.equipment import Equipment
+from crs_cc.sim.sensors import odometry, sonar
+from crs_cc.sim.state import EnvState
+
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+Messages = npt.NDArray[np.void]
+
+Handler: TypeAlias = Callable[[EnvState, Equipment, IndexArray, Messages], BoolArray | None]
+"""Gives whether each request was good; None when all were."""
+
+
+def connect(state: EnvState, _equipment: Equipment, rows: IndexArray, _messages: Messages) -> None:
+    """Connects; whatever the number, a program's robot is the one that it runs in."""
+    state.connected[rows] = True
+
+
+def disconnect(
+    state: EnvState, _equipment: Equipment, rows: IndexArray, _messages: Messages
+) -> None:
+    """Ends the connection; the wheels go on as they were told (vendor source `Ndirect.c` 2.7)."""
+    state.connected[rows] = False
+
+
+def tell(_state: EnvState, _equipment: Equipment, _rows: IndexArray, _messages: Messages) -> None:
+    """Changes nothing: readings come with the reply."""
+
+
+HANDLERS: Final[dict[int, Handler]] = {
+    CODES[name]: handler
+    for name, handler in (
+        ("CONNECT", connect),
+        ("DISCONNECT", disconnect),
+        ("AC", drive.ac),
+        ("SP", drive.sp),
+        ("PR", drive.pr),
+        ("VM", drive.vm),
+        ("MV", drive.mv),
+        ("ST", drive.st),
+        ("LP", drive.lp),
+        ("WS", drive.ws),
+        ("DP", odometry.dp),
+        ("DA", odometry.da),
+        ("ZR", odometry.zr),
+        ("CONF_SN", sonar.conf_sn),
+        ("CONF_TM", drive.conf_tm),
+        ("GS", tell),
+        ("GET_SN", tell),
+        ("GET_BP", tell),
+        ("GET_RC", tell),
+        ("GET_RV", tell),
+    )
+}
+"""The handler of each request that a robot answers."""
+
+FIRES_SONARS: Final = frozenset(HANDLERS) - {
+    CODES[name] for name in ("CONNECT", "DISCONNECT", "GET_BP", "GET_RC", "GET_RV")
+}
+"""Requests whose reply carries fresh sonar readings: all that are answered with the whole state
+(vendor source `Ndirect.c` 2.7), and `get_sn`."""
+
+WAITS: Final = frozenset({CODES["WS"]})
+"""Requests that can make a robot wait."""

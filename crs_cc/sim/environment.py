@@ -1,0 +1,237 @@
+"""The environment: the world as it changes, cycle after cycle, for all robots at once.
+
+A cycle [k dt, (k + 1) dt) goes like this. First the session hands over what the programs ask for
+(`serve`), each request at its own instant: the wheels of that robot are turned on to the instant,
+then the command changes their motion or the sensors are read. Then `step` ends the cycle: all
+wheels are turned on to its end, which makes each robot's slice of the cycle; the physics moves the
+bodies along these slices; contacts press bumpers; time goes on.
+
+>>> from crs_cc.requests import CODES, MESSAGE
+>>> from crs_cc.sim.world_xml import empty_world
+>>> environment = Environment(empty_world(), seed=1)
+>>> robots, messages = np.array([0]), np.zeros(1, MESSAGE)
+>>> environment.serve(CODES["CONNECT"], robots, messages, np.array([0.0]))
+array([0.])
+>>> messages["i"][0, :2] = 100, 100                       # a move of 10 inches
+>>> environment.serve(CODES["PR"], robots, messages, np.array([0.02]))
+array([0.02])
+>>> for _ in range(40):
+...     step = environment.step()
+>>> round(float(environment.state.x_m[0]), 6), environment.time_s
+(0.254, 2.0)
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.requests import CODES, MESSAGE, NUM_STATE, REQUESTS
+from crs_cc.sim.actuators import drive
+from crs_cc.sim.commands import FIRES_SONARS, HANDLERS, WAITS
+from crs_cc.sim.equipment import Equipment
+from crs_cc.sim.model import WorldModel
+from crs_cc.sim.physics import Contacts, Physics, PhysicsSnapshot
+from crs_cc.sim.scene import Scene
+from crs_cc.sim.sensors import bumper
+from crs_cc.sim.sensors.sonar import SonarRing
+from crs_cc.sim.state import EnvState
+from crs_cc.sim.state_vector import state_vector
+from crs_cc.sim.step import Served, Step, slices_of
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+Messages = npt.NDArray[np.void]
+
+_ALL: Final = slice(None)
+_TURN: Final = 2 * np.pi
+_STATE_BYTES: Final = 4 * NUM_STATE
+
+
+@dataclass(frozen=True, slots=True)
+class Snapshot:
+    """Everything that an environment needs to go on from an instant; never changed."""
+
+    state: EnvState
+    physics: PhysicsSnapshot
+    served: tuple[Served, ...]
+
+
+class Environment:
+    """A world while it runs.
+
+    Attributes:
+        world: the world, which never changes.
+        state: what changes; to be read by others, changed only here.
+    """
+
+    def __init__(self, world: WorldModel, seed: int) -> None:
+        """Makes the environment.
+
+        Args:
+            world: the world.
+            seed: decides all that is random.
+        """
+        self.world = world
+        self.state = EnvState.at_start(world)
+        scene = Scene(world)
+        self._names = scene.names
+        self._equipment = Equipment.of(world)
+        self._physics = Physics(world, scene, self.state.bodies)
+        self._sonars = SonarRing(world, scene, abs(seed))
+        self._served: list[Served] = []
+        self._link_s = [dict(robot.model.link_s) for robot in world.robots]
+
+    @property
+    def timestep_s(self) -> float:
+        """Gives the length of a cycle [s]."""
+        return self.world.timestep_s
+
+    @property
+    def time_s(self) -> float:
+        """Gives the start of the current cycle [s]."""
+        return self.state.cycle * self.timestep_s
+
+    @property
+    def end_s(self) -> float:
+        """Gives the end of the current cycle [s], the start of the next."""
+        return (self.state.cycle + 1) * self.timestep_s
+
+    def link_s(self, code: int, robot: int = 0) -> float:
+        """Gives the time that a request takes on the line between host and robot [s]."""
+        request = REQUESTS.get(code)
+        return self._link_s[robot].get(request.name, 0.0) if request else 0.0
+
+    def serve(
+        self, code: int, robots: IndexArray, messages: Messages, clock_s: FloatArray
+    ) -> FloatArray:
+        """Answers one kind of request of all robots that posted it.
+
+        What is asked may be nonsense: it is refused (result 0) or brought within limits.
+
+        Args:
+            code: the request's code.
+            robots: who asks, rising, k of them.
+            messages: what each asks, of dtype `MESSAGE`; changed in place into the replies.
+            clock_s: when each request reaches the robot, within the current cycle.
+
+        Returns:
+            when each program goes on, shape (k,): at once, or at the end of a wait that ends in
+            this cycle, or infinite for a wait that goes on (`step` tells when it ends).
+        """
+        state, rows = self.state, np.asarray(robots, dtype=np.intp)
+        if code not in HANDLERS or not len(rows):
+            messages["result"] = 0
+            return np.array(clock_s, dtype=np.float64)
+        now_s = np.fmax(np.fmin(clock_s, self.end_s), state.clock_s[rows])
+        drive.advance(state, self._equipment, rows, now_s)
+        good = self._handle(code, rows, messages)
+        state.commands[rows] += 1
+        state.deadline_s[rows] = now_s + state.timeout_s[rows]
+        goes_on_s = now_s.copy()
+        if code in WAITS:
+            waits = state.waiting[rows].any(axis=1) & good
+            ends_s = drive.settle_waits(state, self._equipment, rows[waits], self.end_s)
+            goes_on_s[waits] = ends_s
+        answered = np.isfinite(goes_on_s)
+        replies = messages[answered]
+        self._reply(code, rows[answered], replies, goes_on_s[answered], good[answered])
+        messages[answered] = replies
+        return goes_on_s
+
+    def step(self) -> Step:
+        """Ends the cycle, and gives what happened in it and which waits end in the next."""
+        state = self.state
+        robots = len(state.clock_s)
+        drive.advance(state, self._equipment, _ALL, np.full(robots, self.end_s))
+        slices = slices_of(state, self.timestep_s)
+        before_m = state.bodies.position_m[:robots].copy()
+        contacts = self._physics.step(state.bodies, state.moved_m)
+        went_m = state.bodies.position_m[:robots] - before_m
+        state.distance_m += np.hypot(went_m[:, 0], went_m[:, 1])
+        state.heading_rad = state.facing_rad % _TURN
+        began = self._touch(contacts)
+        cycle, time_s, served = state.cycle, self.time_s, tuple(self._served)
+        self._begin_cycle()
+        rows, at_s, messages = self._end_waits()
+        return Step(cycle, time_s, rows, at_s, messages, began, self._names, slices, served)
+
+    def snapshot(self) -> Snapshot:
+        """Gives all that is needed to come back to this instant."""
+        return Snapshot(self.state.copy(), self._physics.snapshot(), tuple(self._served))
+
+    def restore(self, snapshot: Snapshot) -> None:
+        """Goes back to a snapshot of an environment with the same world and seed."""
+        self.state = snapshot.state.copy()
+        bodies = self._physics.restore(snapshot.physics)
+        assert np.array_equal(bodies.position_m, self.state.bodies.position_m)
+        self._served = list(snapshot.served)
+        self._sonars.forget()
+
+    def hash(self) -> str:
+        """Gives the SHA-256 of the whole state."""
+        return self.state.sha256()
+
+    def _handle(self, code: int, rows: IndexArray, messages: Messages) -> BoolArray:
+        """Lets connected robots do what is asked; gives which requests were good."""
+        if code == CODES["CONNECT"]:
+            good = np.ones(len(rows), dtype=np.bool_)
+        else:
+            good = self.state.connected[rows]
+        verdict = HANDLERS[code](self.state, self._equipment, rows[good], messages[good])
+        if verdict is not None:
+            good[good] = verdict
+        return good
+
+    def _reply(
+        self, code: int, rows: IndexArray, messages: Messages, at_s: FloatArray, good: BoolArray
+    ) -> None:
+        """Writes replies over messages."""
+        if code in FIRES_SONARS:
+            self._sonars.read(self.state, rows[good])
+        states = state_vector(self.state, rows)
+        results = good.astype(np.int32)
+        arguments = messages["i"].copy()
+        messages["result"] = results
+        messages["size"] = _STATE_BYTES
+        messages["data"][:, :_STATE_BYTES] = states.astype("<i4").view(np.uint8)
+        self._served.append(Served(code, rows, at_s, arguments, results, states))
+
+    def _touch(self, contacts: Contacts) -> Contacts:
+        """Presses bumpers, counts collisions, and gives the contacts that began."""
+        state, robot = self.state, contacts.robot
+        keys = robot * len(self._names) + contacts.other
+        began = ~np.isin(keys, state.touching)
+        state.touching = keys.astype(np.int64)
+        np.add.at(state.collisions, robot[began], 1)
+        bearing_rad = np.arctan2(contacts.y_m - state.y_m[robot], contacts.x_m - state.x_m[robot])
+        bearing_rad -= state.heading_rad[robot]
+        state.bumpers[:] = 0
+        bits = bumper.pressed(bearing_rad, self._equipment.switches[robot])
+        np.bitwise_or.at(state.bumpers, robot, bits)
+        return Contacts(
+            robot[began], contacts.other[began], contacts.x_m[began], contacts.y_m[began]
+        )
+
+    def _begin_cycle(self) -> None:
+        state = self.state
+        state.cycle += 1
+        state.moved_m = np.zeros_like(state.moved_m)  # the physics keeps the old array
+        state.slice_m[:] = 0.0
+        state.facing_rad[:] = state.heading_rad
+        self._served = []
+
+    def _end_waits(self) -> tuple[IndexArray, FloatArray, Messages]:
+        """Answers the waits that end in the cycle that begins."""
+        waiting = np.flatnonzero(self.state.waiting.any(axis=1))
+        ends_s = drive.settle_waits(self.state, self._equipment, waiting, self.end_s)
+        ended = np.isfinite(ends_s)
+        rows, at_s = waiting[ended], ends_s[ended]
+        messages = np.zeros(len(rows), MESSAGE)
+        if len(rows):
+            self._reply(CODES["WS"], rows, messages, at_s, np.ones(len(rows), dtype=np.bool_))
+        return rows, at_s, messages

@@ -1,0 +1,51 @@
+"""Random numbers that depend on the seed, the robot, the sensor and their number, and nothing else.
+
+Each robot's sensor has a stream of its own, so that what one robot reads never changes the noise
+of another. A stream is made of blocks: block b of robot r and sensor s comes from a generator
+seeded with `SeedSequence(seed, spawn_key=(r, s, b))`. So there is no generator to save: a row can
+be made again from its number at any time.
+
+>>> noise = Noise(seed=1, sensor=SONAR, width=2, robots=3)
+>>> rows = noise.rows(np.array([0, 2]), np.array([0, 500]))
+>>> again = Noise(seed=1, sensor=SONAR, width=2, robots=3)
+>>> bool((again.rows(np.array([2]), np.array([500]))[0] == rows[1]).all())
+True
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.int64]
+
+SONAR: Final = 0
+"""Number of the sonars among the sensors."""
+
+_BLOCK: Final = 64  # rows in a block: few enough to make quickly, many enough to make rarely
+
+
+class Noise:
+    """Standard normal deviates for one sensor of all robots, in rows of `width`."""
+
+    def __init__(self, seed: int, sensor: int, width: int, robots: int) -> None:
+        self._seed = seed
+        self._sensor = sensor
+        self._blocks = np.zeros((robots, _BLOCK, width))
+        self._numbers = np.full(robots, -1, dtype=np.int64)
+
+    def rows(self, robots: IndexArray, numbers: IndexArray) -> FloatArray:
+        """Gives row number `numbers[i]` of the stream of robot `robots[i]`, shape (k, width)."""
+        blocks = numbers // _BLOCK
+        for place in np.flatnonzero(self._numbers[robots] != blocks):
+            self._make(int(robots[place]), int(blocks[place]))
+        return np.asarray(self._blocks[robots, numbers % _BLOCK])
+
+    def _make(self, robot: int, block: int) -> None:
+        seeds = np.random.SeedSequence(self._seed, spawn_key=(robot, self._sensor, block))
+        generator = np.random.Generator(np.random.PCG64(seeds))
+        generator.standard_normal(out=self._blocks[robot])
+        self._numbers[robot] = block

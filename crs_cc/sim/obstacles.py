@@ -1,0 +1,194 @@
+"""Which outlines lie within reach of a robot, without looking at all of them.
+
+What does not move lies in a uniform grid: each cell lists every shape within reach of any point of
+the cell, so that one look-up finds all that a robot there can measure. What moves is sorted anew
+each timestep (`neighbours.CellList`).
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.neighbours import CellList, expand
+from crs_cc.sim.scene import Outlines
+
+FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.intp]
+
+_FEW_PAIRS: Final = 1_000  # robots times shapes; so few are not worth choosing from
+_MOST_CELLS: Final = 128  # along each side of the grid
+_CELLS_PER_REACH: Final = 8
+_SHAPES_AT_ONCE: Final = 64  # while the grid is made
+_SLACK_M: Final = 1e-6
+
+
+class Obstacles:
+    """Everything that a beam can hit at one instant."""
+
+    def __init__(self, fixed: Outlines, moving: Outlines, reach_m: float, start_m: float) -> None:
+        """Sorts what does not move.
+
+        Args:
+            fixed: what does not move.
+            moving: what moves, where it is now.
+            reach_m: how far from its place any robot measures.
+            start_m: how far from its place any beam of a robot starts.
+        """
+        circles = fixed.circles
+        self._reach_m = reach_m
+        self._fixed = fixed
+        flat = np.zeros(len(fixed.segments))
+        self._segment_grid = Grid(fixed.segments, flat, reach_m, behind_m=start_m)
+        self._circle_grid = Grid(circles[:, [0, 1, 0, 1]], circles[:, 2], reach_m)
+        self.place(moving)
+
+    def place(self, moving: Outlines) -> None:
+        """Says where the bodies that move are now."""
+        self._moving = moving
+        self._segment_cells: CellList | None = None
+        self._circle_cells: CellList | None = None
+
+    def segments_near(self, x_m: FloatArray, y_m: FloatArray) -> tuple[IndexArray, FloatArray]:
+        """Gives pairs of robot and segment; among them all within reach.
+
+        Returns:
+            the robots, and the segments as rows of `Outlines.segments`.
+        """
+        robots, shapes = self._segment_grid.near(x_m, y_m)
+        rows = self._fixed.segments.take(shapes, axis=0)
+        if len(self._moving.segments) == 0:
+            return robots, rows
+        others, movers = self._moving_segments(x_m, y_m)
+        rows = np.concatenate([rows, self._moving.segments[movers]])
+        return np.concatenate([robots, others]), rows
+
+    def circles_near(
+        self, x_m: FloatArray, y_m: FloatArray, own: IndexArray
+    ) -> tuple[IndexArray, FloatArray]:
+        """Gives pairs of robot and circle, without its own; among them all within reach.
+
+        Returns:
+            the robots, and the circles as rows of `Outlines.circles`.
+        """
+        robots, shapes = self._circle_grid.near(x_m, y_m)
+        others, movers = self._moving_circles(x_m, y_m)
+        circles = self._moving.circles
+        x, y, radius = (circles[:, column].take(movers) for column in range(3))
+        x -= x_m.take(others)
+        y -= y_m.take(others)
+        radius += self._reach_m
+        near = x * x + y * y <= radius * radius
+        near &= self._moving.owners.take(movers) != own.take(others)
+        rows = (self._fixed.circles.take(shapes, axis=0), circles.take(movers[near], axis=0))
+        return np.concatenate([robots, others[near]]), np.concatenate(rows)
+
+    def _moving_segments(self, x_m: FloatArray, y_m: FloatArray) -> tuple[IndexArray, IndexArray]:
+        segments = self._moving.segments
+        if len(x_m) * len(segments) <= _FEW_PAIRS:
+            return _all_pairs(len(x_m), len(segments))
+        if self._segment_cells is None:
+            middle = (segments[:, :2] + segments[:, 2:4]) / 2
+            reach_m = self._reach_m + float(segments[:, 4].max()) / 2
+            self._segment_cells = CellList(middle[:, 0], middle[:, 1], reach_m)
+        return self._segment_cells.near(x_m, y_m)
+
+    def _moving_circles(self, x_m: FloatArray, y_m: FloatArray) -> tuple[IndexArray, IndexArray]:
+        circles = self._moving.circles
+        if len(x_m) * len(circles) <= _FEW_PAIRS:
+            return _all_pairs(len(x_m), len(circles))
+        if self._circle_cells is None:
+            reach_m = self._reach_m + float(circles[:, 2].max())
+            self._circle_cells = CellList(circles[:, 0], circles[:, 1], reach_m)
+        return self._circle_cells.near(x_m, y_m)
+
+
+class Grid:
+    """Shapes that do not move, listed by the cells from which they are within reach.
+
+    A shape is everything within a radius of a line segment. Where `behind_m` is given, a place
+    further than that to the left of a segment does not see it.
+    """
+
+    def __init__(
+        self,
+        ends_m: FloatArray,
+        radius_m: FloatArray,
+        reach_m: float,
+        behind_m: float = math.inf,
+    ) -> None:
+        self._count = len(ends_m)
+        self._behind_m = behind_m
+        around_m = (radius_m + reach_m + _SLACK_M)[:, None]
+        low = np.minimum(ends_m[:, 0:2], ends_m[:, 2:4]) - around_m
+        high = np.maximum(ends_m[:, 0:2], ends_m[:, 2:4]) + around_m
+        self._corner_m = low.min(axis=0, initial=np.inf) if self._count else np.zeros(2)
+        extent_m = high.max(axis=0) - self._corner_m if self._count else np.zeros(2)
+        self._cell_m = max(reach_m / _CELLS_PER_REACH, float(extent_m.max()) / _MOST_CELLS, 1e-3)
+        self._size = np.floor(extent_m / self._cell_m).astype(np.intp) + 1
+        found = [
+            self._cells_of(np.arange(first, min(first + _SHAPES_AT_ONCE, self._count)), ends_m,
+                           around_m, low, high)
+            for first in range(0, self._count, _SHAPES_AT_ONCE)
+        ]  # fmt: skip
+        nothing = np.zeros(0, dtype=np.intp)
+        cells = np.concatenate([nothing, *(cells for cells, _ in found)])
+        shapes = np.concatenate([nothing, *(shapes for _, shapes in found)])
+        self._shapes = shapes[np.argsort(cells, kind="stable")]
+        # One cell more than there are stands for all places outside of the grid.
+        self._counts = np.bincount(cells, minlength=int(self._size.prod()) + 1)
+        self._starts = np.cumsum(self._counts) - self._counts
+
+    def near(self, x_m: FloatArray, y_m: FloatArray) -> tuple[IndexArray, IndexArray]:
+        """Gives pairs of point and shape; among them all within reach."""
+        if len(x_m) * self._count <= _FEW_PAIRS:
+            return _all_pairs(len(x_m), self._count)
+        column = np.floor((x_m - self._corner_m[0]) / self._cell_m)
+        row = np.floor((y_m - self._corner_m[1]) / self._cell_m)
+        columns, rows = self._size
+        inside = (column >= 0) & (column < columns) & (row >= 0) & (row < rows)
+        cell = np.where(inside, row * columns + column, columns * rows).astype(np.intp)
+        points, members = expand(self._starts.take(cell), self._counts.take(cell))
+        return points, self._shapes.take(members)
+
+    def _cells_of(
+        self,
+        shapes: IndexArray,
+        ends_m: FloatArray,
+        around_m: FloatArray,
+        low: FloatArray,
+        high: FloatArray,
+    ) -> tuple[IndexArray, IndexArray]:
+        """Gives the cells from which some shapes are within reach, in pairs with the shapes."""
+        first = ((low[shapes] - self._corner_m) / self._cell_m).astype(np.intp)
+        last = np.minimum(((high[shapes] - self._corner_m) / self._cell_m), self._size - 1)
+        span = last.astype(np.intp) - first + 1
+        owner, number = expand(np.zeros(len(shapes), dtype=np.intp), span.prod(axis=1))
+        column = first[owner, 0] + number % span[owner, 0]
+        row = first[owner, 1] + number // span[owner, 0]
+        x = self._corner_m[0] + (column + 0.5) * self._cell_m
+        y = self._corner_m[1] + (row + 0.5) * self._cell_m
+        corner_m = self._cell_m * math.sqrt(0.5)
+        distance_m, left_m = _to_segments(x, y, ends_m[shapes[owner]])
+        near = distance_m <= around_m[shapes[owner], 0] + corner_m
+        near &= left_m <= self._behind_m + corner_m
+        return (row * self._size[0] + column)[near], shapes[owner[near]]
+
+
+def _to_segments(x: FloatArray, y: FloatArray, ends: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Gives how far points are from segments, and how far to the left of their lines."""
+    ax, ay, bx, by = ends[:, 0], ends[:, 1], ends[:, 2], ends[:, 3]
+    along_x, along_y = bx - ax, by - ay
+    length = np.hypot(along_x, along_y)
+    length[length == 0.0] = 1.0
+    along_x, along_y, x, y = along_x / length, along_y / length, x - ax, y - ay
+    share = np.clip(x * along_x + y * along_y, 0.0, length)
+    distance = np.hypot(x - share * along_x, y - share * along_y)
+    return distance, along_x * y - along_y * x
+
+
+def _all_pairs(queries: int, shapes: int) -> tuple[IndexArray, IndexArray]:
+    return np.repeat(np.arange(queries), shapes), np.tile(np.arange(shapes), queries)

@@ -1,0 +1,356 @@
+"""Contacts: what happens when robots and things get in each other's way. Alone knows pymunk.
+
+Seen from above, bodies do not fall. A robot is drawn to the velocity of its wheels, with at most
+the push of its drive; a thing rests, with at most the friction of the floor; contacts push back.
+The cycle is cut into substeps so short that nothing gets deep into anything.
+
+The arrays of `Bodies` are the only truth about positions and velocities; pymunk's space is loaded
+with them at the start of each cycle. A robot that nothing hindered is put exactly where its wheels
+took it, so robots that never meet never change each other's results, not even in the last bit.
+
+What is left inside pymunk, and cannot be read, is the history of its search tree and of its
+contacts. It matters where several bodies touch at once. So the space is made anew from the arrays
+every `REBUILD` cycles, and a snapshot is the arrays of that moment and the ways of the cycles
+since: to restore is to make the space anew and to run these cycles again, to the same bits.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, fields
+from typing import Final, Self
+
+import numpy as np
+import numpy.typing as npt
+import pymunk
+from pymunk import batch
+
+from crs_cc.sim.clearance import clearance_m
+from crs_cc.sim.friction import friction_n, friction_nm, moment_kgm2
+from crs_cc.sim.model import Box, Cylinder, Solid, Wall, WorldModel
+from crs_cc.sim.scene import Scene, box_corners_m
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+
+REBUILD: Final = 50
+"""Cycles after which the space is made anew."""
+
+SUBSTEP_M: Final = 0.008
+"""The furthest that a robot gets in a substep, and so into a wall."""
+
+SURFACE_FRICTION: Final = 0.5
+"""Friction of each surface; where two touch their product counts. Chosen by us."""
+
+_SLOP_M: Final = 0.0005  # overlap that is left alone, so that things at rest stay in contact
+_BIAS: Final = 1e-6  # share of a deeper overlap that is left after a second
+_SAME: Final = 1e-9  # [m], [m/s]: smaller differences are rounding errors
+_FEW_BODIES: Final = 64  # for so few it pays to look first whether anything is near
+
+_MOTION: Final = (
+    batch.BodyFields.POSITION | batch.BodyFields.ANGLE
+    | batch.BodyFields.VELOCITY | batch.BodyFields.ANGULAR_VELOCITY
+)  # fmt: skip
+_CONTACT: Final = (
+    batch.ArbiterFields.BODY_A_ID | batch.ArbiterFields.BODY_B_ID
+    | batch.ArbiterFields.POINT_A_1 | batch.ArbiterFields.DISTANCE_1
+)  # fmt: skip
+_NO_PAIRS: Final = (np.zeros((0, 2), dtype=np.intp), np.zeros((0, 3)))
+
+
+@dataclass(slots=True)
+class Bodies:
+    """Everything that moves, in the order of `Scene`: the robots, then what can be pushed.
+
+    Attributes:
+        position_m: shape (bodies, 2).
+        angle_rad: shape (bodies,); not used for robots, which are round.
+        velocity_mps: shape (bodies, 2).
+        spin_radps: shape (bodies,).
+        slipping: robots that something held back from the velocity of their wheels, (robots,).
+        settled: whether things rest without pressing into anything, shape (1,).
+    """
+
+    position_m: FloatArray
+    angle_rad: FloatArray
+    velocity_mps: FloatArray
+    spin_radps: FloatArray
+    slipping: BoolArray
+    settled: BoolArray
+
+    @classmethod
+    def at_start(cls, scene: Scene) -> Self:
+        """Gives the bodies of a world before the first cycle."""
+        count = len(scene.start)
+        return cls(
+            scene.start[:, :2].copy(),
+            scene.start[:, 2].copy(),
+            np.zeros((count, 2)),
+            np.zeros(count),
+            np.zeros(scene.robots, dtype=np.bool_),
+            np.array([count == scene.robots]),
+        )
+
+    def copy(self) -> Self:
+        """Gives a copy that shares nothing."""
+        return type(self)(*(getattr(self, field.name).copy() for field in fields(self)))
+
+
+@dataclass(frozen=True, slots=True)
+class Contacts:
+    """What robots touched in a cycle, one row for each robot and thing, sorted by both.
+
+    Attributes:
+        robot: number of the robot.
+        other: what it touched, an index into `Scene.names`.
+        x_m: where, in the world frame.
+        y_m: the same.
+    """
+
+    robot: IndexArray
+    other: IndexArray
+    x_m: FloatArray
+    y_m: FloatArray
+
+
+NO_CONTACTS: Final = Contacts(np.zeros(0, np.intp), np.zeros(0, np.intp), np.zeros(0), np.zeros(0))
+
+
+@dataclass(frozen=True, slots=True)
+class PhysicsSnapshot:
+    """The bodies when the space was last made anew, and the ways of the cycles since then."""
+
+    start: Bodies
+    ways_m: tuple[FloatArray, ...]
+
+
+class Physics:
+    """Moves the bodies of a world through its cycles."""
+
+    def __init__(self, world: WorldModel, scene: Scene, bodies: Bodies) -> None:
+        self._world = world
+        self._scene = scene
+        self._robots = scene.robots
+        drives = [robot.model.drive for robot in world.robots]
+        fastest_mps = max((drive.speed_limit_mps for drive in drives), default=0.0)
+        self._substeps = max(1, math.ceil(world.timestep_s * fastest_mps / SUBSTEP_M))
+        self._substep_s = world.timestep_s / self._substeps
+        self._mass_kg = np.array([[robot.model.mass_kg] for robot in world.robots])
+        self._push_n = np.array([[drive.push_n] for drive in drives])
+        self._start = bodies.copy()
+        self._ways: list[FloatArray] = []
+        self._room_m = 0.0
+        # Made once: pymunk never gives the memory of a buffer back. Batches also write the bodies
+        # that are fixed, among them the floor; their rows stay 0.
+        self._read, self._touch = batch.Buffer(), batch.Buffer()
+        self._write_motion, self._write_force = batch.Buffer(), batch.Buffer()
+        self._motion = np.zeros((len(scene.names) + 1, 6))
+        self._force = np.zeros((len(scene.names) + 1, 2))
+        self._write_motion.set_float_buf(self._motion)
+        self._write_force.set_float_buf(self._force)
+        self._make_space()
+
+    def step(self, bodies: Bodies, way_m: FloatArray) -> Contacts:
+        """Moves bodies through one cycle.
+
+        Args:
+            bodies: moved in place.
+            way_m: the way that each robot's wheels take it, in the world frame, (robots, 2).
+
+        Returns:
+            what the robots touched.
+        """
+        if len(self._ways) == REBUILD:
+            self._start, self._ways = bodies.copy(), []
+            self._make_space()
+        self._ways.append(way_m)
+        return self._step(bodies, way_m)
+
+    def snapshot(self) -> PhysicsSnapshot:
+        """Gives all that is needed to come back to here; it is never changed."""
+        return PhysicsSnapshot(self._start, tuple(self._ways))
+
+    def restore(self, snapshot: PhysicsSnapshot) -> Bodies:
+        """Goes back to a snapshot, and gives the bodies as they were then."""
+        self._start, self._ways = snapshot.start, list(snapshot.ways_m)
+        self._make_space()
+        bodies = snapshot.start.copy()
+        for way_m in snapshot.ways_m:
+            self._step(bodies, way_m)
+        return bodies
+
+    def _step(self, bodies: Bodies, way_m: FloatArray) -> Contacts:
+        robots = slice(self._robots)
+        free_m = bodies.position_m[robots] + way_m
+        wanted_mps = way_m / self._world.timestep_s
+        if self._nothing_near(bodies, way_m):
+            bodies.position_m[robots] = free_m
+            bodies.velocity_mps[robots] = wanted_mps
+            return NO_CONTACTS
+        free = ~bodies.slipping
+        bodies.velocity_mps[robots][free] = wanted_mps[free]
+        contacts = self._run_space(bodies, wanted_mps)
+        lag_mps = np.abs(bodies.velocity_mps[robots] - wanted_mps)
+        bodies.slipping[:] = (lag_mps > _SAME).any(axis=1)
+        off_m = np.abs(bodies.position_m[robots] - free_m)
+        unhindered = (off_m <= _SAME).all(axis=1)
+        bodies.position_m[robots][unhindered] = free_m[unhindered]
+        return contacts
+
+    def _nothing_near(self, bodies: Bodies, way_m: FloatArray) -> bool:
+        """Tells whether nothing can touch in this cycle, so that the space need not run.
+
+        `_room_m` is a distance that no robot can have used up since it was measured.
+        """
+        if len(bodies.position_m) > _FEW_BODIES or bodies.slipping.any():
+            return False
+        if not bodies.settled[0] or bodies.velocity_mps[self._robots :].any():
+            return False
+        # Two robots may come towards each other, each by the longest way.
+        need_m = 2 * float(np.abs(way_m).sum(axis=1).max(initial=0.0)) + _SLOP_M
+        if self._room_m < need_m:
+            self._room_m = clearance_m(self._scene, bodies.position_m, bodies.angle_rad)
+        self._room_m -= need_m
+        return self._room_m > 0.0
+
+    # -- pymunk ----------------------------------------------------------------------------------
+
+    def _make_space(self) -> None:
+        """Makes the space; the order in which bodies are added is part of the world."""
+        space = pymunk.Space()
+        space.collision_slop = _SLOP_M
+        space.collision_bias = _BIAS
+        space.collision_persistence = 1  # with 0 contacts are forgotten before they can be read
+        bodies = []
+        for robot in self._world.robots:
+            body = pymunk.Body(robot.model.mass_kg, math.inf)  # only its wheels turn a robot
+            bodies.append(body)
+            _add(space, body, pymunk.Circle(body, robot.model.radius_m))
+        for thing in self._scene.pushables:
+            body = pymunk.Body(thing.mass_kg, moment_kgm2(thing))
+            bodies.append(body)
+            _add(space, body, _thing_shape(body, thing))
+        for solid in self._scene.fixed_solids:
+            body = pymunk.Body(body_type=pymunk.Body.STATIC)
+            bodies.append(body)
+            _add(space, body, _fixed_shape(body, solid))
+        bodies.append(pymunk.Body(body_type=pymunk.Body.STATIC))
+        space.add(bodies[-1])
+        for body, thing in zip(bodies[self._robots :], self._scene.pushables, strict=False):
+            space.add(*_floor_friction(bodies[-1], body, thing))
+        self._space = space
+        self._room_m = 0.0
+        self._learn_ids([body.id for body in bodies])
+
+    def _learn_ids(self, ids: list[int]) -> None:
+        """Learns which of pymunk's ids is which of our bodies."""
+        self._read.clear()
+        batch.get_space_bodies(self._space, batch.BodyFields.BODY_ID, self._read)
+        # Batches list the dynamic bodies, then the static ones, each as they were added.
+        assert np.frombuffer(self._read.int_buf(), dtype=np.uintp).tolist() == ids
+        self._by_id = np.argsort(np.array(ids, dtype=np.uintp))
+        self._ids = np.array(ids, dtype=np.uintp)[self._by_id]
+
+    def _run_space(self, bodies: Bodies, wanted_mps: FloatArray) -> Contacts:
+        motion = self._motion[: len(bodies.position_m)]
+        motion[:, 0:2], motion[:, 2] = bodies.position_m, bodies.angle_rad
+        motion[:, 3:5], motion[:, 5] = bodies.velocity_mps, bodies.spin_radps
+        batch.set_space_bodies(self._space, _MOTION, self._write_motion)
+        velocity_mps = bodies.velocity_mps
+        found = []
+        for _ in range(self._substeps):
+            self._push(wanted_mps, velocity_mps[: self._robots])
+            self._space.step(self._substep_s)
+            found.append(self._touching())
+            velocity_mps = self._read_bodies(batch.BodyFields.VELOCITY, 2)
+        motion = self._read_bodies(_MOTION, 6)[: len(bodies.position_m)]
+        bodies.position_m[:], bodies.angle_rad[:] = motion[:, 0:2], motion[:, 2]
+        bodies.velocity_mps[:], bodies.spin_radps[:] = motion[:, 3:5], motion[:, 5]
+        self._bring_to_rest(bodies)
+        bodies.settled[0] = self._is_settled(*found[-1])
+        self._room_m = 0.0
+        return self._contacts(found)
+
+    def _push(self, wanted_mps: FloatArray, velocity_mps: FloatArray) -> None:
+        """Draws robots to the velocity of their wheels, with the force that they have."""
+        lag_mps = wanted_mps - velocity_mps
+        held = np.flatnonzero(lag_mps.any(axis=1))
+        force_n = lag_mps[held] * (self._mass_kg[held] / self._substep_s)
+        needed_n = np.sqrt((force_n * force_n).sum(axis=1, keepdims=True))
+        force_n *= np.minimum(1.0, self._push_n[held] / np.maximum(needed_n, _SAME))
+        self._force[: self._robots] = 0.0
+        self._force[held] = force_n
+        batch.set_space_bodies(self._space, batch.BodyFields.FORCE, self._write_force)
+
+    def _read_bodies(self, what: batch.BodyFields, columns: int) -> FloatArray:
+        """Gives what pymunk knows of its bodies; valid until the next call."""
+        self._read.clear()
+        batch.get_space_bodies(self._space, what, self._read)
+        return np.frombuffer(self._read.float_buf()).reshape(-1, columns)
+
+    def _touching(self) -> tuple[IndexArray, FloatArray]:
+        """Gives the pairs of bodies in contact, and x, y, distance [m] of each."""
+        self._touch.clear()
+        batch.get_space_arbiters(self._space, _CONTACT, self._touch)
+        ids = np.frombuffer(self._touch.int_buf(), dtype=np.uintp)
+        if not len(ids):
+            return _NO_PAIRS
+        pairs = self._by_id[np.searchsorted(self._ids, ids)].reshape(-1, 2)
+        return pairs, np.frombuffer(self._touch.float_buf()).reshape(-1, 3).copy()
+
+    def _bring_to_rest(self, bodies: Bodies) -> None:
+        """Takes away what rounding left of the velocity of things that stand."""
+        velocity_mps = bodies.velocity_mps[self._robots :]
+        spin_radps = bodies.spin_radps[self._robots :]
+        rest = (np.abs(velocity_mps) < _SAME).all(axis=1) & (np.abs(spin_radps) < _SAME)
+        velocity_mps[rest], spin_radps[rest] = 0.0, 0.0
+
+    def _is_settled(self, pairs: IndexArray, places: FloatArray) -> bool:
+        """Tells whether no thing presses into anything."""
+        things = ((pairs >= self._robots) & (pairs < len(self._scene.start))).any(axis=1)
+        return bool((places[things, 2] >= -2 * _SLOP_M).all())
+
+    def _contacts(self, found: list[tuple[IndexArray, FloatArray]]) -> Contacts:
+        """Gives the first place at which each robot touched each thing."""
+        pairs = np.concatenate([pairs for pairs, _ in found])
+        if not len(pairs):
+            return NO_CONTACTS
+        places = np.concatenate([places for _, places in found])
+        pairs = np.concatenate([pairs, pairs[:, ::-1]])
+        places = np.concatenate([places, places])
+        names = len(self._scene.names)
+        keys, first = np.unique(pairs[:, 0] * names + pairs[:, 1], return_index=True)
+        mine = first[keys // names < self._robots]
+        return Contacts(pairs[mine, 0], pairs[mine, 1], places[mine, 0], places[mine, 1])
+
+
+def _add(space: pymunk.Space, body: pymunk.Body, shape: pymunk.Shape) -> None:
+    shape.friction = SURFACE_FRICTION
+    space.add(body, shape)
+
+
+def _floor_friction(
+    floor: pymunk.Body, body: pymunk.Body, thing: Box | Cylinder
+) -> tuple[pymunk.Constraint, pymunk.Constraint]:
+    """Gives joints that hold a thing's velocity and spin at 0 as far as friction can."""
+    slide = pymunk.PivotJoint(floor, body, (0.0, 0.0), (0.0, 0.0))
+    turn = pymunk.GearJoint(floor, body, 0.0, 1.0)
+    slide.max_force, turn.max_force = friction_n(thing), friction_nm(thing)
+    slide.max_bias = turn.max_bias = 0.0  # they hold no place: what was pushed stays there
+    return slide, turn
+
+
+def _thing_shape(body: pymunk.Body, thing: Box | Cylinder) -> pymunk.Shape:
+    if isinstance(thing, Box):
+        return pymunk.Poly.create_box(body, (thing.length_m, thing.width_m))
+    return pymunk.Circle(body, thing.radius_m)
+
+
+def _fixed_shape(body: pymunk.Body, solid: Solid) -> pymunk.Shape:
+    if isinstance(solid, Wall):
+        ends = (solid.x1_m, solid.y1_m), (solid.x2_m, solid.y2_m)
+        return pymunk.Segment(body, *ends, solid.thickness_m / 2)
+    if isinstance(solid, Box):
+        return pymunk.Poly(body, [(float(x), float(y)) for x, y in box_corners_m(solid)])
+    return pymunk.Circle(body, solid.radius_m, (solid.pose.x_m, solid.pose.y_m))

@@ -1,0 +1,356 @@
+"""What beams hit first: one vectorised function for all robots and all beams of a kind.
+
+A beam is a cone with a half angle; a ray is a cone that has none. What it measures is the distance
+from its start to the nearest point of anything inside the cone: exact, where a handful of rays
+would look past a thin pillar. The nearest point of a segment is found by clipping the segment to
+the cone (Liang and Barsky, "A new concept and method for line clipping", 1984) and dropping the
+perpendicular on what is left; a circle's lies towards its centre, or on the nearer side of the
+cone.
+
+Most shapes are never looked at: `obstacles` gives those within reach of a robot, and of a robot's
+beams, sorted by direction, only those are tried that can point at the shape.
+
+>>> from crs_cc.sim.model import Area, Cylinder, Pose, WorldModel
+>>> from crs_cc.sim.scene import NOTHING, Scene
+>>> world = WorldModel("w", Area(0, 0, 9, 9, 0), cylinders=(Cylinder("c", Pose(3, 1), 0.5),))
+>>> fan = Fan.of([(0.2, 0.0, 0.0, 0.0, 5.0), (0.2, 0.0, math.pi, 0.0, 5.0)])
+>>> nearest(fan, np.array([[1.0, 1.0, 0.0]]), Obstacles(Scene(world).fixed, NOTHING, 6, 1))
+array([[1.3, inf]])
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Final, Self, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.neighbours import expand
+from crs_cc.sim.obstacles import Obstacles
+
+FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.intp]
+Columns: TypeAlias = tuple[FloatArray, ...]
+
+_TURN: Final = 2 * math.pi
+_THIN_RAD: Final = 1e-9  # a cone must have an inside
+_BINS: Final = 360
+_NEAR_M: Final = 1e-9
+_CHUNK: Final = 512  # robots at a time: their pairs stay in the processor's cache
+_FEW: Final = 2_000  # so few pairs are all tried: choosing would cost more
+
+
+@dataclass(frozen=True, slots=True)
+class Fan:
+    """The beams of one kind of robot, in the robot frame, by rising direction.
+
+    Attributes:
+        x_m: where each beam starts, ahead.
+        y_m: the same, to the left.
+        cos: cosine of its direction.
+        sin: sine of its direction.
+        side_cos: cosine of the angle between its axis and its side.
+        side_sin: sine of that angle.
+        range_m: how far it measures.
+        behind: how many beams point before each of `_BINS` directions in a turn, for three turns.
+        order: the place of each beam in the list that the fan was made of.
+        widest_rad: the largest angle between an axis and a side.
+        start_m: the largest distance of a beam's start from the robot's origin.
+        reach_m: how far from the robot's origin anything can be measured.
+        aside_m: the largest distance at which a line inside a beam passes the origin.
+    """
+
+    x_m: FloatArray
+    y_m: FloatArray
+    cos: FloatArray
+    sin: FloatArray
+    side_cos: FloatArray
+    side_sin: FloatArray
+    range_m: FloatArray
+    behind: IndexArray
+    order: IndexArray
+    widest_rad: float
+    start_m: float
+    reach_m: float
+    aside_m: float
+
+    @classmethod
+    def of(cls, beams: Iterable[tuple[float, float, float, float, float]]) -> Self:
+        """Makes a fan of beams: x [m], y [m], direction, half angle [rad], range [m]."""
+        table = np.array(list(beams), dtype=np.float64).reshape(-1, 5)
+        table[:, 2] %= _TURN
+        order = np.argsort(table[:, 2], kind="stable")
+        x_m, y_m, direction, half, range_m = np.ascontiguousarray(table[order].T)
+        half = np.maximum(half, _THIN_RAD)
+        away_m = np.hypot(x_m, y_m)
+        tilt = (np.arctan2(y_m, x_m) - direction) % math.pi  # of the axis against the origin
+        tilt = np.minimum(tilt, math.pi - tilt) + half
+        aside_m = away_m * np.sin(np.minimum(tilt, math.pi / 2))
+        return cls(
+            x_m,
+            y_m,
+            np.cos(direction),
+            np.sin(direction),
+            np.cos(half),
+            np.sin(half),
+            range_m,
+            _beams_behind(direction),
+            order,
+            widest_rad=float(half.max(initial=0.0)),
+            start_m=float(away_m.max(initial=0.0)),
+            reach_m=float((range_m + away_m).max(initial=0.0)),
+            aside_m=float(aside_m.max(initial=0.0)),
+        )
+
+    def __len__(self) -> int:
+        return len(self.order)
+
+
+def nearest(
+    fan: Fan, poses: FloatArray, obstacles: Obstacles, own: IndexArray | None = None
+) -> FloatArray:
+    """Gives what each beam of each robot measures.
+
+    Args:
+        fan: the robots' beams.
+        poses: x, y [m] and heading [rad] of each robot, shape (k, 3).
+        obstacles: what there is to hit.
+        own: the number of each robot's own body, which its beams pass through.
+
+    Returns:
+        distances from the beams' starts [m], infinite where nothing is within range, shape
+        (k, beams), in the order of the list that the fan was made of.
+    """
+    found = np.full((len(poses), len(fan)), np.inf)
+    if own is None:
+        own = np.full(len(poses), -1, dtype=np.intp)
+    for first in range(0, len(poses), _CHUNK):
+        part = slice(first, first + _CHUNK)
+        robots = _Robots.at(fan, poses[part])
+        echoes = found[part].reshape(-1)
+        _try_segments(fan, robots, obstacles, echoes)
+        _try_circles(fan, robots, obstacles, own[part], echoes)
+    found[found > fan.range_m] = np.inf
+    given = np.empty_like(found)
+    given[:, fan.order] = found
+    return given
+
+
+@dataclass(frozen=True, slots=True)
+class _Robots:
+    """Robots, and their beams in the world frame; the beams of all robots in one row.
+
+    Attributes:
+        x_m: where the robots are.
+        y_m: the same.
+        heading_rad: where they head.
+        cos: cosine of each beam's direction.
+        sin: its sine.
+        start_x_m: where each beam starts, seen from the robot's place.
+        start_y_m: the same.
+    """
+
+    x_m: FloatArray
+    y_m: FloatArray
+    heading_rad: FloatArray
+    cos: FloatArray
+    sin: FloatArray
+    start_x_m: FloatArray
+    start_y_m: FloatArray
+
+    @classmethod
+    def at(cls, fan: Fan, poses: FloatArray) -> Self:
+        x_m, y_m, heading_rad = np.ascontiguousarray(poses.T)
+        cos, sin = np.cos(heading_rad)[:, None], np.sin(heading_rad)[:, None]
+        return cls(
+            x_m,
+            y_m,
+            heading_rad,
+            (cos * fan.cos - sin * fan.sin).ravel(),
+            (sin * fan.cos + cos * fan.sin).ravel(),
+            (cos * fan.x_m - sin * fan.y_m).ravel(),
+            (sin * fan.x_m + cos * fan.y_m).ravel(),
+        )
+
+    def seen_from(
+        self, viewers: IndexArray, x_m: FloatArray, y_m: FloatArray
+    ) -> tuple[FloatArray, FloatArray]:
+        return x_m - self.x_m.take(viewers), y_m - self.y_m.take(viewers)
+
+    def along_beams(
+        self, numbers: IndexArray, x_m: FloatArray, y_m: FloatArray
+    ) -> tuple[FloatArray, FloatArray]:
+        """Gives points in the frames of beams: x along the axis, y to its left."""
+        cos, sin = self.cos.take(numbers), self.sin.take(numbers)
+        x_m = x_m - self.start_x_m.take(numbers)
+        y_m = y_m - self.start_y_m.take(numbers)
+        return cos * x_m + sin * y_m, cos * y_m - sin * x_m
+
+
+def _try_segments(fan: Fan, robots: _Robots, obstacles: Obstacles, echoes: FloatArray) -> None:
+    """Shortens echoes to the segments that beams hit."""
+    viewers, shapes = obstacles.segments_near(robots.x_m, robots.y_m)
+    ax, ay = robots.seen_from(viewers, shapes[:, 0], shapes[:, 1])
+    bx, by = robots.seen_from(viewers, shapes[:, 2], shapes[:, 3])
+    if len(viewers) * len(fan) > _FEW:
+        keep, begin, spread, distance = _sectors_of_segments(fan, (ax, ay, bx, by), shapes[:, 4])
+        viewers = viewers.take(keep)
+        ax, ay, bx, by = ax.take(keep), ay.take(keep), bx.take(keep), by.take(keep)
+        begin -= robots.heading_rad.take(viewers)
+        starts, counts = _beams_between(fan, begin, spread, distance)
+    else:
+        starts, counts = _all_beams(fan, len(viewers))
+    pairs, beams = expand(starts, counts)
+    beams %= len(fan)
+    numbers = viewers.take(pairs) * len(fan) + beams
+    ends = (
+        *robots.along_beams(numbers, ax.take(pairs), ay.take(pairs)),
+        *robots.along_beams(numbers, bx.take(pairs), by.take(pairs)),
+    )
+    np.minimum.at(echoes, numbers, _to_segment(fan, beams, ends))
+
+
+def _try_circles(
+    fan: Fan, robots: _Robots, obstacles: Obstacles, own: IndexArray, echoes: FloatArray
+) -> None:
+    """Shortens echoes to the circles that beams hit."""
+    viewers, shapes = obstacles.circles_near(robots.x_m, robots.y_m, own)
+    x, y = robots.seen_from(viewers, shapes[:, 0], shapes[:, 1])
+    radius = shapes[:, 2]
+    if len(viewers) * len(fan) > _FEW:
+        keep, begin, spread, distance = _sectors_of_circles(fan, x, y, radius)
+        viewers = viewers.take(keep)
+        x, y, radius = x.take(keep), y.take(keep), radius.take(keep)
+        begin -= robots.heading_rad.take(viewers)
+        starts, counts = _beams_between(fan, begin, spread, distance)
+    else:
+        starts, counts = _all_beams(fan, len(viewers))
+    pairs, beams = expand(starts, counts)
+    beams %= len(fan)
+    numbers = viewers.take(pairs) * len(fan) + beams
+    centre = robots.along_beams(numbers, x.take(pairs), y.take(pairs))
+    np.minimum.at(echoes, numbers, _to_circle(fan, beams, centre, radius.take(pairs)))
+
+
+def _all_beams(fan: Fan, shapes: int) -> tuple[IndexArray, IndexArray]:
+    counts = np.full(shapes, len(fan), dtype=np.intp)
+    return np.zeros(shapes, dtype=np.intp), counts
+
+
+def _sectors_of_segments(
+    fan: Fan, ends: Columns, length: FloatArray
+) -> tuple[IndexArray, FloatArray, FloatArray, FloatArray]:
+    """Gives what segments look like from robots, each at (0, 0).
+
+    A segment that has all beams' starts to its left is the back of its solid.
+
+    Returns:
+        which segments can be hit, and of these the direction of the clockwise end [rad], the angle
+        that it covers [rad], the distance of its nearest point [m].
+    """
+    ax, ay, bx, by = ends
+    cross, dot = ax * by - ay * bx, ax * bx + ay * by
+    share = (ax * ax + ay * ay - dot) / (length * length)
+    share = np.minimum(np.maximum(share, 0.0), 1.0)
+    foot_x, foot_y = ax + share * (bx - ax), ay + share * (by - ay)
+    distance2 = foot_x * foot_x + foot_y * foot_y
+    near = (distance2 <= fan.reach_m * fan.reach_m) & (cross <= fan.start_m * length)
+    keep = np.flatnonzero(near)
+    turn = np.arctan2(cross.take(keep), dot.take(keep))
+    begin = np.arctan2(ay.take(keep), ax.take(keep)) + np.minimum(turn, 0.0)
+    return keep, begin, np.abs(turn), np.sqrt(distance2.take(keep))
+
+
+def _sectors_of_circles(
+    fan: Fan, x: FloatArray, y: FloatArray, radius: FloatArray
+) -> tuple[IndexArray, FloatArray, FloatArray, FloatArray]:
+    """Gives what circles look like from robots, each at (0, 0); results as for segments."""
+    away = np.sqrt(x * x + y * y)
+    keep = np.flatnonzero(away - radius <= fan.reach_m)
+    away, radius = away.take(keep), radius.take(keep)
+    # Half of what the circle covers, asin(radius / away), is less than its tangent.
+    tangent_m = np.sqrt(np.maximum((away - radius) * (away + radius), _NEAR_M))
+    half = np.minimum(radius / tangent_m, math.pi)
+    begin = np.arctan2(y.take(keep), x.take(keep)) - half
+    return keep, begin, 2 * half, away - radius
+
+
+def _beams_between(
+    fan: Fan, begin: FloatArray, spread: FloatArray, distance: FloatArray
+) -> tuple[IndexArray, IndexArray]:
+    """Gives the range of beams that may meet something in a sector seen from the robot's origin.
+
+    Args:
+        fan: the beams.
+        begin: direction of the sector's clockwise side in the robot frame [rad].
+        spread: its width [rad].
+        distance: how far away the nearest point of the thing is [m].
+
+    Returns:
+        number of the first beam and how many; numbers go on beyond the last beam to the first.
+    """
+    # A point at a distance d on a line that passes the origin at p is seen from the origin at an
+    # angle asin(p / d) from the line's direction, which is at most pi / 2 times p / d.
+    aside = math.pi / 2 * fan.aside_m / np.maximum(distance, _NEAR_M)
+    margin = np.minimum(aside + (fan.widest_rad + _THIN_RAD), math.pi)
+    lower = (begin - margin) % _TURN
+    upper = lower + np.minimum(spread + 2 * margin, _TURN)
+    starts = fan.behind[(lower * (_BINS / _TURN)).astype(np.intp)]
+    ends = fan.behind[(upper * (_BINS / _TURN)).astype(np.intp) + 1]
+    return starts, np.minimum(ends - starts, len(fan))
+
+
+def _beams_behind(direction: FloatArray) -> IndexArray:
+    directions = np.concatenate([direction + turn * _TURN for turn in range(3)])
+    bins = np.arange(3 * _BINS) * (_TURN / _BINS)
+    return np.searchsorted(directions, bins, side="left")
+
+
+def _to_segment(fan: Fan, beam: IndexArray, ends: Columns) -> FloatArray:
+    """Gives the distance from each beam's start to the part of a segment inside the beam.
+
+    Args:
+        fan: the beams.
+        beam: which beam of the fan.
+        ends: ax, ay, bx, by of the segment in the frame of the beam.
+    """
+    ax, ay, bx, by = ends
+    side_cos, side_sin = fan.side_cos.take(beam), fan.side_sin.take(beam)
+    first, last = np.zeros_like(ax), np.ones_like(ax)
+    for side in (side_cos, -side_cos):  # the cone: where the distances outside of both sides
+        outside_a = side * ay - side_sin * ax  # are negative
+        outside_b = side * by - side_sin * bx
+        with np.errstate(divide="ignore", invalid="ignore"):
+            crossing = outside_a / (outside_a - outside_b)
+        first = np.maximum(first, np.where(outside_a > 0.0, crossing, 0.0))
+        last = np.minimum(last, np.where(outside_b > 0.0, crossing, 1.0))
+    along_x, along_y = bx - ax, by - ay
+    foot = -(ax * along_x + ay * along_y) / (along_x * along_x + along_y * along_y)
+    share = np.minimum(np.maximum(foot, first), last)
+    x, y = ax + share * along_x, ay + share * along_y
+    return np.where(first > last, np.inf, np.sqrt(x * x + y * y))
+
+
+def _to_circle(
+    fan: Fan, beam: IndexArray, centre: tuple[FloatArray, FloatArray], radius: FloatArray
+) -> FloatArray:
+    """Gives the distance from each beam's start to the part of a circle inside the beam.
+
+    Args:
+        fan: the beams.
+        beam: which beam of the fan.
+        centre: x, y of the circle in the frame of the beam.
+        radius: its radius.
+    """
+    side_cos, side_sin = fan.side_cos.take(beam), fan.side_sin.take(beam)
+    x, y = centre[0], np.abs(centre[1])  # the nearer side is the upper one
+    along, aside = side_cos * x + side_sin * y, side_cos * y - side_sin * x
+    away = np.sqrt(x * x + y * y)
+    squared = radius * radius - aside * aside
+    on_side = along - np.sqrt(np.maximum(squared, 0.0))
+    missed = (squared < 0.0) | (along < 0.0)
+    distance = np.where(aside <= 0.0, away - radius, np.where(missed, np.inf, on_side))
+    return np.where(away <= radius, 0.0, distance)

@@ -1,0 +1,160 @@
+"""Everything that blocks a beam, as line segments and circles: the world's outlines.
+
+A wall is two parallel segments with a circle at each end, a box four segments, a cylinder or a
+robot a circle. Segments run so that their solid lies to the left of them: seen from outside,
+only those that have the viewer to their right are in front.
+
+Bodies that move are numbered in one order everywhere: the robots, then the boxes and cylinders
+that can be pushed.
+
+>>> from crs_cc.sim.model import Area, Box, Pose, WorldModel
+>>> world = WorldModel("w", Area(0, 0, 4, 4, edge_m=0), boxes=(Box("b", Pose(1, 1), 2, 1),))
+>>> Scene(world).fixed.segments[:, :4].tolist()[0]
+[0.0, 0.5, 2.0, 0.5]
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.model import Box, Cylinder, Pose, Solid, Wall, WorldModel, is_pushable
+
+FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.intp]
+
+
+@dataclass(frozen=True, slots=True)
+class Outlines:
+    """Segments and circles.
+
+    Attributes:
+        segments: x1, y1, x2, y2, length [m], shape (s, 5).
+        circles: x, y, radius [m], shape (c, 3).
+        owners: number of the body of each circle, -1 for what does not move, shape (c,).
+    """
+
+    segments: FloatArray
+    circles: FloatArray
+    owners: IndexArray
+
+
+NOTHING: Final = Outlines(np.zeros((0, 5)), np.zeros((0, 3)), np.zeros(0, dtype=np.intp))
+"""No outlines at all."""
+
+
+class Scene:
+    """The outlines of a world: those that never move, and those that do, at each pose.
+
+    Attributes:
+        robots: how many robots there are: the first bodies.
+        fixed: the outlines of what does not move.
+        pushables: what can be pushed, in the order of the bodies.
+        fixed_solids: what cannot.
+        names: the id of each body, then of each fixed solid.
+        start: the poses of all bodies at the start, shape (bodies, 3): x, y [m], heading [rad].
+    """
+
+    def __init__(self, world: WorldModel) -> None:
+        solids = world.solids()
+        self.robots = len(world.robots)
+        self.pushables: tuple[Box | Cylinder, ...] = tuple(
+            solid for solid in solids if not isinstance(solid, Wall) and is_pushable(solid)
+        )
+        self.fixed_solids = tuple(solid for solid in solids if not is_pushable(solid))
+        self.fixed = _fixed_outlines(self.fixed_solids)
+        ids = [thing.id for thing in (*world.robots, *self.pushables, *self.fixed_solids)]
+        self.names = tuple(ids)
+        poses = [robot.start for robot in world.robots] + [thing.pose for thing in self.pushables]
+        self.start = np.array([(pose.x_m, pose.y_m, pose.heading_rad) for pose in poses])
+        self._boxes = _Boxes(self.pushables, first_body=len(world.robots))
+        radii = [robot.model.radius_m for robot in world.robots]
+        round_bodies = list(range(len(radii)))
+        for body, thing in enumerate(self.pushables, len(radii)):
+            if isinstance(thing, Cylinder):
+                radii.append(thing.radius_m)
+                round_bodies.append(body)
+        self._radii_m = np.array(radii)
+        self._round_bodies = np.array(round_bodies, dtype=np.intp)
+
+    def moving(self, position_m: FloatArray, angle_rad: FloatArray) -> Outlines:
+        """Gives the outlines of the bodies.
+
+        Args:
+            position_m: where they are, shape (bodies, 2).
+            angle_rad: how they are turned, shape (bodies,).
+        """
+        circles = np.column_stack([position_m[self._round_bodies], self._radii_m])
+        return Outlines(self._boxes.segments(position_m, angle_rad), circles, self._round_bodies)
+
+
+class _Boxes:
+    """The corners of the boxes that can be pushed, in their own frames."""
+
+    def __init__(self, pushables: Sequence[Box | Cylinder], first_body: int) -> None:
+        pairs = [
+            (body, thing)
+            for body, thing in enumerate(pushables, first_body)
+            if isinstance(thing, Box)
+        ]
+        self.bodies = np.array([body for body, _ in pairs], dtype=np.intp)
+        halves = np.array([(box.length_m / 2, box.width_m / 2) for _, box in pairs])
+        signs = np.array([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
+        self.corners_m = halves.reshape(-1, 1, 2) * signs
+
+    def segments(self, position_m: FloatArray, angle_rad: FloatArray) -> FloatArray:
+        cos, sin = np.cos(angle_rad[self.bodies]), np.sin(angle_rad[self.bodies])
+        x, y = self.corners_m[..., 0], self.corners_m[..., 1]
+        cos, sin = cos[:, None], sin[:, None]
+        corners = np.stack([cos * x - sin * y, sin * x + cos * y], axis=-1)
+        corners += position_m[self.bodies][:, None, :]
+        return _with_length(np.concatenate([corners, np.roll(corners, -1, axis=1)], axis=2))
+
+
+def box_corners_m(box: Box) -> FloatArray:
+    """Gives the corners of a box in the world frame, counter-clockwise, shape (4, 2)."""
+    segments = _box_segments(box)
+    return segments[:, :2]
+
+
+def _fixed_outlines(solids: Sequence[Solid]) -> Outlines:
+    segments: list[FloatArray] = []
+    circles: list[tuple[float, float, float]] = []
+    for solid in solids:
+        if isinstance(solid, Wall):
+            segments.append(_wall_segments(solid))
+            circles.append((solid.x1_m, solid.y1_m, solid.thickness_m / 2))
+            circles.append((solid.x2_m, solid.y2_m, solid.thickness_m / 2))
+        elif isinstance(solid, Box):
+            segments.append(_box_segments(solid))
+        else:
+            circles.append((solid.pose.x_m, solid.pose.y_m, solid.radius_m))
+    return Outlines(
+        np.concatenate(segments) if segments else np.zeros((0, 5)),
+        np.array(circles).reshape(-1, 3),
+        np.full(len(circles), -1, dtype=np.intp),
+    )
+
+
+def _wall_segments(wall: Wall) -> FloatArray:
+    start, end = np.array([wall.x1_m, wall.y1_m]), np.array([wall.x2_m, wall.y2_m])
+    along = (end - start) / np.hypot(*(end - start))
+    left = np.array([-along[1], along[0]]) * wall.thickness_m / 2
+    sides = [np.concatenate([start - left, end - left]), np.concatenate([end + left, start + left])]
+    return _with_length(np.array(sides))
+
+
+def _box_segments(box: Box) -> FloatArray:
+    pose: Pose = box.pose
+    boxes = _Boxes((box,), first_body=0)
+    return boxes.segments(np.array([[pose.x_m, pose.y_m]]), np.array([pose.heading_rad]))
+
+
+def _with_length(ends_m: FloatArray) -> FloatArray:
+    ends_m = ends_m.reshape(-1, 4)
+    length_m = np.hypot(ends_m[:, 2] - ends_m[:, 0], ends_m[:, 3] - ends_m[:, 1])
+    return np.column_stack([ends_m, length_m])

@@ -1,0 +1,121 @@
+"""The sonar ring.
+
+    reading = round(distance / 1 in), at most 255
+
+with the distance from the sensor, which sits on the shell, to the nearest thing inside its beam
+(`rays`). 255 stands for no echo within range: the reading is a byte on the line (vendor source
+`Ndirect.c` 2.7). Degradation: a normal deviate with the definition's `sonar_noise_m` is added to
+each distance that has an echo.
+
+A sonar that is not in the firing order (`conf_sn`) keeps 255. The robot fires when it is asked,
+from where it was at the start of the cycle, and once in a cycle at most. The time between firings
+is not modelled yet, nor are echoes that glance off (a wall is heard from every angle).
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.noise import SONAR, Noise
+from crs_cc.sim.obstacles import Obstacles
+from crs_cc.sim.rays import Fan, nearest
+from crs_cc.sim.robot_elements import MAX_SONARS
+from crs_cc.sim.scene import Scene
+from crs_cc.sim.state import NO_ECHO
+from crs_cc.units import m_to_inch
+
+if TYPE_CHECKING:
+    from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.model import RobotModel, WorldModel
+    from crs_cc.sim.state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+Messages = npt.NDArray[np.void]
+
+_END: Final = 255  # ends a firing order
+
+
+class SonarRing:
+    """The sonars of all robots of a world."""
+
+    def __init__(self, world: WorldModel, scene: Scene, seed: int) -> None:
+        models = [robot.model for robot in world.robots]
+        kinds = list(dict.fromkeys(models))
+        self._scene = scene
+        self._kind = np.array([kinds.index(model) for model in models], dtype=np.intp)
+        self._fans = [_fan(model) for model in kinds]
+        self._numbers = [
+            np.array([sonar.id for sonar in model.sonars], dtype=np.intp) for model in kinds
+        ]
+        self._noise_m = np.array([model.sonar_noise_m for model in models])
+        noisy = len(models) if self._noise_m.any() else 0
+        self._noise = Noise(seed, SONAR, MAX_SONARS, noisy)
+        reach_m = max((fan.reach_m for fan in self._fans), default=0.0)
+        start_m = max((fan.start_m for fan in self._fans), default=0.0)
+        moving = scene.moving(scene.start[:, :2], scene.start[:, 2])
+        self._obstacles = Obstacles(scene.fixed, moving, max(reach_m, 1.0), start_m)
+        self._placed = -1
+
+    def forget(self) -> None:
+        """Says that bodies may be elsewhere than in the cycle that was seen last."""
+        self._placed = -1
+
+    def read(self, state: EnvState, rows: IndexArray) -> None:
+        """Lets the sonars of robots measure, those that did not yet in this cycle."""
+        rows = rows[state.sonar_cycle[rows] != state.cycle]
+        if not len(rows):
+            return
+        if self._placed != state.cycle:
+            bodies = state.bodies
+            self._obstacles.place(self._scene.moving(bodies.position_m, bodies.angle_rad))
+            self._placed = state.cycle
+        distance_m = np.full((len(rows), MAX_SONARS), np.inf)
+        poses = np.column_stack([state.x_m[rows], state.y_m[rows], state.heading_rad[rows]])
+        kinds = self._kind[rows]
+        for kind, (fan, numbers) in enumerate(zip(self._fans, self._numbers, strict=True)):
+            mine = np.flatnonzero(kinds == kind)
+            if len(numbers) and len(mine):
+                echoes = nearest(fan, poses[mine], self._obstacles, own=rows[mine])
+                distance_m[np.ix_(mine, numbers)] = echoes
+        distance_m += self._errors_m(state, rows)
+        inches = np.clip(np.rint(m_to_inch(distance_m)), 0, NO_ECHO)
+        state.sonar_in[rows] = inches.astype(np.int32)
+        state.sonar_cycle[rows] = state.cycle
+        state.sonar_count[rows] += 1
+
+    def _errors_m(self, state: EnvState, rows: IndexArray) -> FloatArray:
+        if not self._noise_m.any():
+            return np.zeros(1)
+        deviates = self._noise.rows(rows, state.sonar_count[rows])
+        return np.asarray(deviates * self._noise_m[rows, None])
+
+
+def conf_sn(
+    state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages
+) -> BoolArray:
+    """Sets which sonars fire; refuses an order that names a sonar there cannot be.
+
+    The order ends with its last element, or before the first 255.
+    """
+    order = messages["data"][:, :MAX_SONARS].astype(np.intp)
+    place = np.arange(MAX_SONARS)
+    given = place < np.clip(messages["size"], 0, MAX_SONARS)[:, None]
+    given &= np.cumsum(order == _END, axis=1) == 0
+    good: BoolArray = ((order < MAX_SONARS) | ~given).all(axis=1)
+    fires = np.zeros((len(rows), MAX_SONARS), dtype=np.bool_)
+    robot, element = np.nonzero(given & good[:, None])
+    fires[robot, order[robot, element]] = True
+    state.sonar_on[rows[good]] = fires[good]
+    return good
+
+
+def _fan(model: RobotModel) -> Fan:
+    return Fan.of(
+        (sonar.x_m, sonar.y_m, sonar.direction_rad, sonar.half_angle_rad, sonar.range_m)
+        for sonar in model.sonars
+    )

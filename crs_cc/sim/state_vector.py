@@ -1,0 +1,61 @@
+"""The vendor's `State[45]`: what a robot tells its host, in the vendor's indices and units.
+
+Indices and units are those of the vendor header `Nclient.h` 1.29. What a Scout does not have
+(infrared, turret, laser, compass) is 0.
+
+>>> from crs_cc.sim.state import EnvState
+>>> from crs_cc.sim.world_xml import empty_world
+>>> vector = state_vector(EnvState.at_start(empty_world()), np.array([0]))
+>>> vector.shape, vector[0, SIM_SPEED], vector[0, SONAR_0]
+((1, 45), np.int32(10), np.int32(255))
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.requests import NUM_STATE
+from crs_cc.sim.robot_elements import MAX_SONARS
+from crs_cc.sim.state import NO_ECHO, EnvState
+from crs_cc.units import m_to_tenths_inch, rad_to_tenths_deg
+
+IndexArray = npt.NDArray[np.intp]
+
+SIM_SPEED: Final = 0  # 10 is real time
+SONAR_0: Final = 17  # to 32 [in]
+BUMPER: Final = 33  # bit mask
+CONF_X: Final = 34  # [0.1 in]
+CONF_Y: Final = 35  # [0.1 in]
+CONF_STEER: Final = 36  # [0.1 deg], 0 to 3599
+VEL_RIGHT: Final = 38  # [0.1 in/s]
+VEL_LEFT: Final = 39  # [0.1 in/s]
+MOTOR_STATUS: Final = 41  # bit 0 right wheel moves, bit 1 left wheel moves
+
+_REAL_TIME: Final = 10
+_FULL_TURN: Final = 3600
+_LARGEST: Final = 2**31 - 1
+
+
+def state_vector(state: EnvState, rows: IndexArray) -> npt.NDArray[np.int32]:
+    """Gives `State` of robots as their wheels were turned last, shape (k, 45)."""
+    vector = np.zeros((len(rows), NUM_STATE), dtype=np.int32)
+    vector[:, SIM_SPEED] = _REAL_TIME
+    sonar_in = np.where(state.sonar_on[rows], state.sonar_in[rows], NO_ECHO)
+    vector[:, SONAR_0 : SONAR_0 + MAX_SONARS] = sonar_in
+    vector[:, BUMPER] = state.bumpers[rows]
+    vector[:, CONF_X] = _whole(m_to_tenths_inch(state.odometry_x_m[rows]))
+    vector[:, CONF_Y] = _whole(m_to_tenths_inch(state.odometry_y_m[rows]))
+    heading = _whole(rad_to_tenths_deg(state.odometry_heading_rad[rows]))
+    vector[:, CONF_STEER] = heading % _FULL_TURN
+    speed_mps = state.wheels.speed_mps[rows]
+    vector[:, VEL_RIGHT : VEL_LEFT + 1] = _whole(m_to_tenths_inch(speed_mps))
+    moves = speed_mps != 0.0
+    vector[:, MOTOR_STATUS] = moves[:, 0] + 2 * moves[:, 1]
+    return vector
+
+
+def _whole(value: npt.NDArray[np.float64]) -> npt.NDArray[np.int32]:
+    return np.clip(np.rint(value), -_LARGEST, _LARGEST).astype(np.int32)

@@ -1,0 +1,215 @@
+"""What happened in one cycle: for the session, for traces, for viewers.
+
+`Step` holds arrays over robots; `describe_slice` gives one robot's part as plain values: which
+command ran, which slice of it this was, how far the wheels went, and which requests were answered.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.requests import CODES, REQUESTS
+from crs_cc.sim.physics import Contacts
+from crs_cc.sim.state import EnvState
+from crs_cc.sim.state_vector import BUMPER, CONF_X, MOTOR_STATUS, SONAR_0, VEL_RIGHT
+
+FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.intp]
+WholeArray = npt.NDArray[np.int64]
+
+_SONARS: Final = ("sonar_in", slice(SONAR_0, BUMPER))
+_BUMPERS: Final = ("bumper", slice(BUMPER, BUMPER + 1))
+_POSE: Final = ("pose", slice(CONF_X, CONF_X + 3))
+_SPEEDS: Final = ("speed", slice(VEL_RIGHT, VEL_RIGHT + 2))
+_MOTORS: Final = ("motors", slice(MOTOR_STATUS, MOTOR_STATUS + 1))
+_ANSWERS: Final = {
+    CODES["GS"]: (_SONARS, _BUMPERS, _POSE, _SPEEDS, _MOTORS),
+    CODES["GET_SN"]: (_SONARS,),
+    CODES["GET_BP"]: (_BUMPERS,),
+    CODES["GET_RC"]: (_POSE,),
+    CODES["GET_RV"]: (_SPEEDS,),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Served:
+    """Requests of one kind that were answered together; arrays have a row for each robot.
+
+    Attributes:
+        code: the request's code.
+        robots: who asked, rising.
+        clock_s: when each program went on.
+        arguments: the integer arguments, shape (k, 8).
+        results: 1 done, 0 refused.
+        states: `State` as it was told, shape (k, 45).
+    """
+
+    code: int
+    robots: IndexArray
+    clock_s: FloatArray
+    arguments: npt.NDArray[np.int32]
+    results: npt.NDArray[np.int32]
+    states: npt.NDArray[np.int32]
+
+
+@dataclass(frozen=True, slots=True)
+class Slices:
+    """The slice of its motion command that each robot ran in a cycle.
+
+    Attributes:
+        command: code of the command, 0 when the wheels stood and nothing ran, (robots,).
+        number: which slice of the command it was, from 1, (robots,).
+        count: how many there are in all, 0 for a command without an end, (robots,).
+        way_m: way of the right and left wheel in this cycle, (robots, 2).
+        travelled_m: the same since the command, (robots, 2).
+        total_m: what the command asks for; NaN for a command without an end, (robots, 2).
+        waiting: whether the robot waits (`ws`), (robots,).
+    """
+
+    command: WholeArray
+    number: WholeArray
+    count: WholeArray
+    way_m: FloatArray
+    travelled_m: FloatArray
+    total_m: FloatArray
+    waiting: npt.NDArray[np.bool_]
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One cycle that has ended.
+
+    Attributes:
+        cycle: its number, from 0.
+        time_s: when it began.
+        robots: robots whose wait ends in the cycle that begins now, rising.
+        at_s: when in that cycle it ends.
+        messages: the replies, of dtype `requests.MESSAGE`.
+        contacts: contacts that began in the cycle.
+        names: what `contacts.other` counts: robots, things, walls.
+        slices: what the wheels did in the cycle.
+        served: the requests that were answered in the cycle, in order.
+    """
+
+    cycle: int
+    time_s: float
+    robots: IndexArray
+    at_s: FloatArray
+    messages: npt.NDArray[np.void]
+    contacts: Contacts
+    names: tuple[str, ...]
+    slices: Slices
+    served: tuple[Served, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """One request that was answered.
+
+    Attributes:
+        name: the request's name in `REQUESTS`.
+        clock_s: when the program went on.
+        arguments: its integer arguments, as many as it has.
+        result: 1 done, 0 refused.
+        values: what a sensor request told, in the vendor's units: `sonar_in`, `bumper`, `pose`
+            (0.1 in, 0.1 in, 0.1 deg), `speed` (0.1 in/s right, left), `motors`.
+    """
+
+    name: str
+    clock_s: float
+    arguments: tuple[int, ...]
+    result: int
+    values: dict[str, tuple[int, ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class RobotSlice:
+    """One robot's part of a cycle.
+
+    Attributes:
+        command: name of the motion command that ran, empty for none.
+        number: which slice of it this was, from 1.
+        count: how many there are in all; None when it has no end.
+        right_m: way of the right wheel in this cycle.
+        left_m: way of the left wheel.
+        travelled_m: way of both since the command, right and left.
+        total_m: the way that the command asks for; None when it has no end.
+        waiting: whether the robot waits (`ws`).
+        answers: the requests that were answered, by rising clock.
+    """
+
+    command: str
+    number: int
+    count: int | None
+    right_m: float
+    left_m: float
+    travelled_m: tuple[float, float]
+    total_m: tuple[float, float] | None
+    waiting: bool
+    answers: tuple[Answer, ...]
+
+
+def slices_of(state: EnvState, timestep_s: float) -> Slices:
+    """Gives the slices of a cycle whose wheels have been turned to its end."""
+    end_s = state.wheels.end_s().max(axis=1)
+    last = np.ceil(np.where(np.isinf(end_s), 0.0, end_s) / timestep_s - 1e-9).astype(np.int64)
+    count = np.maximum(last - state.command_cycle, 1)
+    number = state.cycle - state.command_cycle + 1
+    endless = np.isinf(end_s)
+    runs = (state.command != 0) & (endless | (number <= count))
+    total_m = state.wheels.total_m
+    return Slices(
+        np.where(runs, state.command, 0),
+        number,
+        np.where(endless, 0, count),
+        state.slice_m.copy(),
+        state.wheels.travelled_m.copy(),
+        total_m.copy(),
+        np.asarray(state.waiting.any(axis=1)),
+    )
+
+
+def describe_slice(step: Step, robot: int) -> RobotSlice:
+    """Gives one robot's part of a cycle as plain values."""
+    slices = step.slices
+    code, count = int(slices.command[robot]), int(slices.count[robot])
+    right_m, left_m = slices.way_m[robot].tolist()
+    total_m = slices.total_m[robot].tolist()
+    travelled_m = slices.travelled_m[robot].tolist()
+    return RobotSlice(
+        command=REQUESTS[code].name if code else "",
+        number=int(slices.number[robot]),
+        count=count or None,
+        right_m=right_m,
+        left_m=left_m,
+        travelled_m=(travelled_m[0], travelled_m[1]),
+        total_m=None if any(math.isnan(way) for way in total_m) else (total_m[0], total_m[1]),
+        waiting=bool(slices.waiting[robot]),
+        answers=_answers(step, robot),
+    )
+
+
+def _answers(step: Step, robot: int) -> tuple[Answer, ...]:
+    found = []
+    for served in step.served:
+        row = int(np.searchsorted(served.robots, robot))
+        if row == len(served.robots) or served.robots[row] != robot:
+            continue
+        request = REQUESTS[served.code]
+        used = sum(argument.place.startswith("i[") for argument in request.arguments)
+        told = served.states[row].tolist()
+        found.append(
+            Answer(
+                request.name,
+                float(served.clock_s[row]),
+                tuple(served.arguments[row, :used].tolist()),
+                int(served.results[row]),
+                {name: tuple(told[part]) for name, part in _ANSWERS.get(served.code, ())},
+            )
+        )
+    return tuple(sorted(found, key=lambda answer: answer.clock_s))
