@@ -30,6 +30,12 @@ void __crs_pad(struct __crs_sink *sink, char c, int count);
 int __crs_open_field(struct __crs_sink *sink, const struct __crs_conversion *conversion,
                      const char *prefix, int prefix_size, int size);
 
+/* These print a value by its conversion; a word is an argument of 4 bytes. */
+void __crs_print_signed(struct __crs_sink *sink, struct __crs_conversion *conversion,
+                        long long value);
+void __crs_print_unsigned(struct __crs_sink *sink, struct __crs_conversion *conversion,
+                          unsigned long long value);
+void __crs_print_word(struct __crs_sink *sink, struct __crs_conversion *conversion, int value);
 void __crs_print_double(struct __crs_sink *sink, const struct __crs_conversion *conversion,
                         double value);
 

@@ -1,226 +1,27 @@
-/* Formatted input (C17 7.21.6.2). A number of more than 511 characters ends there. */
+/* Formatted input (C17 7.21.6.2): the format, white space and characters. */
 #include <ctype.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include <crs/stream.h>
+#include "scan.h"
 
-#define ROOM 512
-
-/* Where the characters come from: a stream, or a string when `stream` is null. */
-struct source {
-    FILE *stream;
-    const char *text;
-    int count;           /* characters read so far */
-};
-
-struct conversion {
-    int suppressed;      /* 1 when the value is not stored */
-    int width;           /* 0 when absent */
-    int length;          /* 'H' for hh, 'q' for ll, j and L, else the letter itself, or 0 */
-};
-
-/* An input item as it grows: at most `width` characters that fit its grammar. */
-struct item {
-    struct source *source;
-    int width, size;
-    char text[ROOM];
-};
-
-static int next(struct source *source)
+static int skip_space(struct __crs_source *source)
 {
     int c;
 
-    if (source->stream != NULL)
-        c = __crs_next(source->stream);
-    else
-        c = *source->text ? (unsigned char)*source->text++ : EOF;
-    source->count += c != EOF;
-    return c;
-}
-
-static void put_back(struct source *source, int c)
-{
-    if (c == EOF)
-        return;
-    source->count--;
-    if (source->stream != NULL)
-        ungetc(c, source->stream);
-    else
-        source->text--;
-}
-
-static int skip_space(struct source *source)
-{
-    int c;
-
-    while (isspace(c = next(source)))
+    while (isspace(c = __crs_next_input(source)))
         ;
-    put_back(source, c);
+    __crs_put_back(source, c);
     return c;
-}
-
-/* Takes the next character into the item if it is one of the set; gives it, or 0. */
-static int accept(struct item *item, const char *set)
-{
-    int c;
-
-    if (item->size == item->width)
-        return 0;
-    c = next(item->source);
-    if (c > 0 && strchr(set, c) != NULL)
-        return item->text[item->size++] = c;
-    put_back(item->source, c);
-    return 0;
-}
-
-static int accept_all(struct item *item, const char *set)
-{
-    int size = item->size;
-
-    while (accept(item, set))
-        ;
-    return item->size - size;
-}
-
-static void open_item(struct item *item, struct source *source, int width)
-{
-    item->source = source;
-    item->size = 0;
-    item->width = width > 0 && width < ROOM - 1 ? width : ROOM - 1;
-}
-
-static const char decimal_digits[] = "0123456789", hexadecimal_digits[] = "0123456789abcdefABCDEF";
-
-/* Reads an integer; gives 0 when there is none. */
-static int read_integer(struct item *item, int base, unsigned long long *value)
-{
-    const char *digits = decimal_digits;
-    int any, negative;
-
-    negative = accept(item, "+-") == '-';
-    any = accept(item, "0");
-    if (any && (base == 0 || base == 16) && accept(item, "xX")) {
-        base = 16;
-        any = 0;
-    } else if (any && base == 0) {
-        base = 8;
-    }
-    if (base == 16)
-        digits = hexadecimal_digits;
-    if (base == 8)
-        digits = "01234567";
-    if (!accept_all(item, digits) && !any)
-        return 0;
-    item->text[item->size] = 0;
-    *value = negative ? (unsigned long long)strtoll(item->text, NULL, base)
-                      : strtoull(item->text, NULL, base);
-    return 1;
-}
-
-/* Takes letters as long as they spell the word, in either case. */
-static int spells(struct item *item, const char *word)
-{
-    char either[3];
-
-    for (; *word; word++) {
-        either[0] = *word;
-        either[1] = toupper(*word);
-        either[2] = 0;
-        if (!accept(item, either))
-            return 0;
-    }
-    return 1;
-}
-
-/* Takes the characters of a floating-point number; gives 0 when they make none. */
-static int read_float(struct item *item)
-{
-    const char *digits = decimal_digits, *exponent = "eE";
-    int any, size;
-
-    accept(item, "+-");
-    size = item->size;
-    if (spells(item, "nan"))
-        return 1;
-    if (item->size > size)
-        return 0;
-    if (spells(item, "inf")) {
-        size = item->size;
-        return spells(item, "inity") || item->size == size;
-    }
-    if (item->size > size)
-        return 0;
-    any = accept(item, "0");
-    if (any && accept(item, "xX")) {
-        digits = hexadecimal_digits;
-        exponent = "pP";
-        any = 0;
-    }
-    any |= accept_all(item, digits);
-    if (accept(item, "."))
-        any |= accept_all(item, digits);
-    if (!any)
-        return 0;
-    if (accept(item, exponent)) {
-        accept(item, "+-");
-        return accept_all(item, decimal_digits);
-    }
-    return 1;
-}
-
-static void store_integer(void *to, int length, unsigned long long value)
-{
-    if (length == 'H')
-        *(char *)to = value;
-    else if (length == 'h')
-        *(short *)to = value;
-    else if (length == 'q')
-        *(unsigned long long *)to = value;
-    else
-        *(int *)to = value;
-}
-
-static int scan_integer(struct source *source, const struct conversion *conversion, int letter,
-                        void *to)
-{
-    struct item item;
-    unsigned long long value;
-    int base = letter == 'd' || letter == 'u' ? 10 : letter == 'i' ? 0 : letter == 'o' ? 8 : 16;
-
-    open_item(&item, source, conversion->width);
-    if (!read_integer(&item, base, &value))
-        return 0;
-    if (to != NULL)
-        store_integer(to, conversion->length, value);
-    return 1;
-}
-
-static int scan_float(struct source *source, const struct conversion *conversion, void *to)
-{
-    struct item item;
-
-    open_item(&item, source, conversion->width);
-    if (!read_float(&item))
-        return 0;
-    item.text[item.size] = 0;
-    if (to == NULL)
-        return 1;
-    if (conversion->length == 'l' || conversion->length == 'q')
-        *(double *)to = strtod(item.text, NULL);
-    else
-        *(float *)to = strtof(item.text, NULL);
-    return 1;
 }
 
 /* Reads characters of a set; a set is what lies between [ and ], already taken apart. */
-static int scan_characters(struct source *source, int most, const char *member, char *to)
+static int scan_characters(struct __crs_source *source, int most, const char *member, char *to)
 {
     int size = 0, c;
 
-    while (size < most && (c = next(source)) != EOF) {
+    while (size < most && (c = __crs_next_input(source)) != EOF) {
         if (!member[c]) {
-            put_back(source, c);
+            __crs_put_back(source, c);
             break;
         }
         if (to != NULL)
@@ -251,9 +52,10 @@ static const char *read_set(const char *at, char *member)
     return at + 1;
 }
 
-/* Does %s, %c and %[; gives the number of characters, and advances *format over a set. */
-static int scan_string(struct source *source, const struct conversion *conversion, int letter,
-                       const char **format, char *to)
+/* Does %s, %[, and %c, whose input may end early, as on Linux. Gives the number of characters, and
+   advances *format over a set. */
+static int scan_string(struct __crs_source *source, const struct __crs_input *conversion,
+                       int letter, const char **format, char *to)
 {
     char member[256];
     int most = conversion->width > 0 ? conversion->width : letter == 'c' ? 1 : 0x7fffffff;
@@ -267,14 +69,14 @@ static int scan_string(struct source *source, const struct conversion *conversio
     }
     size = scan_characters(source, most, member, to);
     if (letter == 'c')
-        return size == most;
+        return size;
     if (to != NULL && size > 0)
         to[size] = 0;
     return size;
 }
 
 /* Reads star, width and length of a conversion; gives the place of its letter. */
-static const char *read_conversion(const char *at, struct conversion *conversion)
+static const char *read_conversion(const char *at, struct __crs_input *conversion)
 {
     conversion->suppressed = *at == '*';
     at += conversion->suppressed;
@@ -293,29 +95,29 @@ static const char *read_conversion(const char *at, struct conversion *conversion
 }
 
 /* Does one conversion; gives 1 when it matched, 0 when not, EOF when the input ended before. */
-static int scan_one(struct source *source, const struct conversion *conversion, int letter,
+static int scan_one(struct __crs_source *source, const struct __crs_input *conversion, int letter,
                     const char **format, void *to)
 {
     int c;
 
     if (letter == 'n') {
         if (to != NULL)
-            store_integer(to, conversion->length, source->count);
+            __crs_store_integer(to, conversion->length, source->count);
         return 1;
     }
     if (letter != 'c' && letter != '[') {
         c = skip_space(source);
     } else {
-        c = next(source);
-        put_back(source, c);
+        c = __crs_next_input(source);
+        __crs_put_back(source, c);
     }
     if (c == EOF)
         return EOF;
     switch (letter) {
     case 'd': case 'i': case 'o': case 'u': case 'x': case 'X': case 'p':
-        return scan_integer(source, conversion, letter, to);
+        return __crs_scan_integer(source, conversion, letter, to);
     case 'a': case 'A': case 'e': case 'E': case 'f': case 'F': case 'g': case 'G':
-        return scan_float(source, conversion, to);
+        return __crs_scan_float(source, conversion, to);
     case 'c': case 's': case '[':
         return scan_string(source, conversion, letter, format, to) > 0;
     }
@@ -323,7 +125,7 @@ static int scan_one(struct source *source, const struct conversion *conversion, 
 }
 
 /* Matches white space or one ordinary character of the format; gives 1, 0 or EOF. */
-static int match(struct source *source, int expected)
+static int match(struct __crs_source *source, int expected)
 {
     int c;
 
@@ -331,16 +133,16 @@ static int match(struct source *source, int expected)
         skip_space(source);
         return 1;
     }
-    c = next(source);
+    c = __crs_next_input(source);
     if (c == expected)
         return 1;
-    put_back(source, c);
+    __crs_put_back(source, c);
     return c == EOF ? EOF : 0;
 }
 
-static int scan(struct source *source, const char *format, va_list arguments)
+static int scan(struct __crs_source *source, const char *format, va_list arguments)
 {
-    struct conversion conversion;
+    struct __crs_input conversion;
     int assigned = 0, result;
     va_list rest;
 
@@ -374,7 +176,7 @@ static int scan(struct source *source, const char *format, va_list arguments)
 
 int vfscanf(FILE *stream, const char *format, va_list arguments)
 {
-    struct source source = {stream, NULL, 0};
+    struct __crs_source source = {stream, NULL, 0};
 
     return scan(&source, format, arguments);
 }
@@ -386,7 +188,7 @@ int vscanf(const char *format, va_list arguments)
 
 int vsscanf(const char *text, const char *format, va_list arguments)
 {
-    struct source source = {NULL, text, 0};
+    struct __crs_source source = {NULL, text, 0};
 
     return scan(&source, format, arguments);
 }

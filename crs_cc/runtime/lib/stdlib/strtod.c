@@ -3,9 +3,9 @@
    A decimal number D * 10^E with few digits is one exact multiplication or division (Clinger, "How
    to Read Floating Point Numbers Accurately", 1990). Any other is made an integer of any length:
    D * 5^E, or, for a negative E, D * 2^s / 5^-E with s such that the quotient has more than 64
-   bits; dividing by small factors one after the other gives the same quotient, and any remainder shows
-   that the number is not exact. The upper 64 bits, and whether anything lies below them, are then
-   rounded once, to the format's 53 or 24 bits or, below its normal range, to fewer. */
+   bits; dividing by small factors one after the other gives the same quotient, and any remainder
+   shows that the number is not exact. The upper 64 bits, and whether anything lies below them,
+   are then rounded once, to the format's 53 or 24 bits or, below its normal range, to fewer. */
 #include <ctype.h>
 #include <errno.h>
 #include <stdlib.h>
