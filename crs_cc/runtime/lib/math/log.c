@@ -3,7 +3,8 @@
    x = 2^n m with m in [0.70, 1.42); a table gives c near 1/m, of 20 bits so that r = m c - 1 is
    exact in two parts, and -log c; then log x = n log 2 - log c + log(1 + r) (P. T. P. Tang,
    "Table-driven implementation of the logarithm function", ACM TOMS 16, 1990), here summed with
-   twice a double's digits because pow and others need them. The polynomial was fitted at Chebyshev points. */
+   twice a double's digits because pow and others need them. The polynomial was fitted at Chebyshev
+   points. */
 #include <math.h>
 
 #include "kernel.h"

@@ -139,6 +139,7 @@ static int read_float(struct item *item)
     if (any && accept(item, "xX")) {
         digits = hexadecimal_digits;
         exponent = "pP";
+        any = 0;
     }
     any |= accept_all(item, digits);
     if (accept(item, "."))
