@@ -41,7 +41,22 @@ Exit status: that of the control program when there is one robot; 2 usage, 121 C
 """
 
 
+class _Crs(click.Group):
+    """Sees to a broken pipe before click does, which would end with 1."""
+
+    def invoke(self, ctx: click.Context) -> object:
+        try:
+            result: object = super().invoke(ctx)
+            sys.stdout.flush()
+        except BrokenPipeError:
+            # the interpreter's own last flush shall go nowhere instead of failing again
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            return BROKEN_PIPE
+        return result
+
+
 @click.group(
+    cls=_Crs,
     context_settings={"help_option_names": ["-h", "--help"]},
     epilog=_EPILOG,
     no_args_is_help=True,
@@ -59,7 +74,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Runs `crs` with these arguments, by default the process's own; gives the exit status."""
     try:
         status = crs.main(arguments, prog_name="crs", standalone_mode=False)
-        sys.stdout.flush()
     except click.ClickException as error:
         error.show()
         return error.exit_code
@@ -71,9 +85,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if isinstance(error, InternalError):
             _ask_for_report()
         return error.exit_status
-    except BrokenPipeError:
-        _silence_stdout()
-        return BROKEN_PIPE
     except Exception as error:
         say(f"crs: internal error: {type(error).__name__}: {error}")
         _ask_for_report()
@@ -87,8 +98,3 @@ def _ask_for_report() -> None:
         return
     say("This is a mistake in crs, not in your program. Please report it with the C program, the")
     say("world file and the command line; CRS_DEBUG=1 in the environment shows where it happened.")
-
-
-def _silence_stdout() -> None:
-    """Makes the interpreter's last flush of stdout go nowhere instead of failing again."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

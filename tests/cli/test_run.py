@@ -1,0 +1,336 @@
+"""`crs run` from end to end: output, exit status, several robots, interruption, results as data."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import pty
+import re
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from lxml import etree
+
+from crs_cc.cli.main import main
+
+PAIR = """<world version="1" name="pair"><area length="6m" width="4m"/>
+<robot id="left" x="1m" y="2m"/><robot id="right" x="5m" y="2m" heading="180deg"/></world>"""
+HELLO = '#include <stdio.h>\nint main(void) { printf("hello\\n"); return 7; }\n'
+LOOP = "int main(void) { for (;;) ; }\n"
+NULL = "int main(void)\n{\n    int *p = 0;\n    return *p;\n}\n"
+DRIVE = """#include <stdio.h>
+#include "Nclient.h"
+int main(int argc, char **argv)
+{
+    connect_robot(1, MODEL_SCOUT, "/dev/ttyS0", 38400);
+    pr(200, 200, 0);
+    ws(1, 1, 0, 20);
+    printf("%s there at %ld\\n", argv[argc - 1], State[STATE_CONF_X]);
+    return 0;
+}
+"""
+NAME_ONLY = re.compile(r"Nclient version.*\nCopyright.*\n")
+
+
+@pytest.fixture(autouse=True)
+def in_a_folder_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("pair.xml").write_text(PAIR)
+    for name, text in (("hello", HELLO), ("loop", LOOP), ("null", NULL), ("drive", DRIVE)):
+        Path(f"{name}.c").write_text(text)
+
+
+def start(*arguments: str, **options: object) -> subprocess.Popen[str]:
+    command = [sys.executable, "-m", "crs_cc", *arguments]
+    pipes = dict.fromkeys(("stdout", "stderr"), subprocess.PIPE) | options
+    return subprocess.Popen(command, text=True, **pipes)  # type: ignore[call-overload]
+
+
+# -- output and exit status ------------------------------------------------------------------------
+
+
+def test_one_robots_output_and_exit_status_are_ours(capfd: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "hello.c"]) == 7
+    assert capfd.readouterr() == ("hello\n", "")
+
+
+def test_each_line_of_several_robots_names_its_robot(capfd: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "hello.c", "pair.xml"]) == 1  # both ended, but not with 0
+    assert capfd.readouterr() == ("[left] hello\n[right] hello\n", "")
+
+
+def test_streams_stay_apart_and_bytes_stay_as_they_are(
+    capfdbinary: pytest.CaptureFixture[bytes],
+) -> None:
+    Path("bytes.c").write_text(
+        "#include <stdio.h>\nint main(void)\n{ int c; for (c = 0; c < 256; c++) putchar(c);\n"
+        'fputs("to stderr", stderr); return 0; }\n'
+    )
+    assert main(["run", "bytes.c"]) == 0
+    assert capfdbinary.readouterr() == (bytes(range(256)), b"to stderr")
+
+
+def test_a_program_that_still_runs_at_max_time_counts_as_0(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    assert main(["run", "loop.c", "--max-time", "0.5", "--json"]) == 0
+    data = json.loads(capfd.readouterr().out)
+    assert data["robots"][0]["outcome"] == "running"
+    assert data["simulated_s"] == pytest.approx(0.5)
+
+
+def test_an_error_of_the_program_shows_its_line(capfd: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "null.c"]) == 123
+    shown = capfd.readouterr().err
+    assert re.match(r"null\.c:4:\d+: error: null pointer.*\n        return \*p;\n +\^\n", shown)
+
+
+def test_errors_of_several_robots_name_them(capfd: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "null.c", "pair.xml"]) == 1
+    shown = capfd.readouterr().err
+    assert re.findall(r"error: \[(\w+)\] null pointer", shown) == ["left", "right"]
+
+
+@pytest.mark.parametrize("flag", [[], ["--json"]])
+def test_a_mistake_in_the_source_ends_with_121(
+    flag: list[str], capfd: pytest.CaptureFixture[str]
+) -> None:
+    Path("bad.c").write_text("int main(void)\n{\n    return sped;\n}\n")
+    assert main(["run", "bad.c", *flag]) == 121
+    shown = capfd.readouterr()
+    assert shown.err.startswith("bad.c:3:12: error: ")
+    assert "    return sped;\n               ^\n" in shown.err
+    if flag:
+        data = json.loads(shown.out)
+        assert data["exit_status"] == 121
+        assert data["diagnostics"][0]["line"] == 3
+
+
+def test_a_mistake_in_the_world_ends_with_122(capfd: pytest.CaptureFixture[str]) -> None:
+    Path("pair.xml").write_text(PAIR.replace('id="right"', 'id="left"'))
+    assert main(["run", "hello.c", "pair.xml"]) == 122
+    assert re.match(r"pair\.xml:2.*error: ", capfd.readouterr().err)
+
+
+@pytest.mark.parametrize(
+    "content", [b"", b"\x00\xff\x7fELF" * 999, b'int main(void) { return "\xfe; }']
+)
+def test_files_full_of_junk_are_refused(content: bytes, capfd: pytest.CaptureFixture[str]) -> None:
+    Path("junk.c").write_bytes(content)
+    Path("junk.xml").write_bytes(content)
+    assert main(["run", "junk.c"]) == 121
+    assert "error: " in capfd.readouterr().err
+    assert main(["run", "hello.c", "junk.xml"]) == 122
+    shown = capfd.readouterr().err
+    assert shown.startswith("junk.xml")
+    assert "Traceback" not in shown
+
+
+def test_warnings_are_shown_unless_quiet(capfd: pytest.CaptureFixture[str]) -> None:
+    Path("old.c").write_text("main()\n{\n    return 0;\n}\n")
+    assert main(["run", "old.c"]) == 0
+    assert "old.c:1:1: warning: " in capfd.readouterr().err
+    assert main(["run", "-q", "old.c"]) == 0
+    assert capfd.readouterr() == ("", "")
+
+
+# -- programs, arguments, input --------------------------------------------------------------------
+
+
+def test_arguments_behind_two_dashes_go_to_main(capfd: pytest.CaptureFixture[str]) -> None:
+    Path("args.c").write_text(
+        "#include <stdio.h>\nint main(int c, char **v)\n{ while (*++v) puts(*v); return c; }\n"
+    )
+    assert main(["run", "args.c", "--", "--seed", "-1", "two words", "ü"]) == 5
+    assert capfd.readouterr().out == "--seed\n-1\ntwo words\nü\n"
+
+
+def test_a_program_reads_our_input(
+    capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    Path("cat.c").write_text(
+        "#include <stdio.h>\nint main(void)\n"
+        "{ int c, n = 0; while ((c = getchar()) != EOF) { putchar(c); n++; } return n; }\n"
+    )
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(b"one\ntwo")))
+    assert main(["run", "cat.c"]) == 7
+    assert capfd.readouterr().out == "one\ntwo"
+
+
+def test_several_files_make_one_program(capfd: pytest.CaptureFixture[str]) -> None:
+    Path("half.c").write_text("int half(int n) { return n / PARTS; }\n")
+    Path("main.c").write_text("int half(int);\nint main(void) { return half(84); }\n")
+    assert main(["run", "main.c", "half.c", "-D", "PARTS=2"]) == 42
+    assert capfd.readouterr() == ("", "")
+
+
+def test_headers_are_found_in_the_folders_given(capfd: pytest.CaptureFixture[str]) -> None:
+    Path("include").mkdir()
+    Path("include/size.h").write_text("#define SIZE 9\n")
+    Path("uses.c").write_text('#include "size.h"\nint main(void) { return SIZE; }\n')
+    assert main(["run", "uses.c"]) == 121
+    assert "size.h" in capfd.readouterr().err
+    assert main(["run", "uses.c", "-I", "include"]) == 9
+
+
+def test_robots_run_the_program_that_the_world_names_or_else_ours(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    world = PAIR.replace(
+        '<robot id="left" x="1m" y="2m"/>',
+        '<robot id="left" x="1m" y="2m" program="drive.c"/>',
+    )
+    Path("pair.xml").write_text(world)
+    assert main(["run", "hello.c", "pair.xml", "-q"]) == 1
+    out = capfd.readouterr().out
+    assert out == "[right] hello\n[left] drive.c there at 200\n"
+    assert main(["run", "pair.xml"]) == 2
+    assert "names no program for 'right'" in capfd.readouterr().err
+
+
+def test_a_program_that_no_robot_runs_is_mentioned(capfd: pytest.CaptureFixture[str]) -> None:
+    Path("pair.xml").write_text(PAIR.replace('y="2m"', 'y="2m" program="drive.c"'))
+    assert main(["run", "hello.c", "pair.xml"]) == 0
+    assert "hello.c: warning: not used" in capfd.readouterr().err
+
+
+# -- what is shown of a run ------------------------------------------------------------------------
+
+
+def test_json_on_stdout_is_pure_and_the_programs_output_goes_to_stderr(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    assert main(["run", "drive.c", "pair.xml", "--json", "--seed", "3"]) == 0
+    shown = capfd.readouterr()
+    assert "[left] drive.c there at 200\n" in shown.err
+    data = json.loads(shown.out)
+    assert data["seed"] == 3
+    left, right = data["robots"]
+    assert left["pose"]["x_m"] == pytest.approx(1.508, abs=1e-3)
+    assert right["pose"]["x_m"] == pytest.approx(5 - 0.508, abs=1e-3)
+    assert left["odometry"]["x_m"] == pytest.approx(0.508, abs=1e-3)
+    assert left["distance_m"] == pytest.approx(0.508, abs=1e-3)
+    assert left["commands"] == 3
+    assert left["exit_status"] == 0
+
+
+def test_the_same_run_gives_the_same_data(capfd: pytest.CaptureFixture[str]) -> None:
+    results = []
+    for _ in range(2):
+        assert main(["run", "drive.c", "pair.xml", "--json", "--seed", "3"]) == 0
+        results.append(json.loads(capfd.readouterr().out))
+        del results[-1]["timing"]
+    assert results[0] == results[1]
+
+
+def test_the_summary_comes_when_asked_for(capfd: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "drive.c", "-q", "--summary"]) == 0
+    shown = capfd.readouterr()
+    assert "exit 0 at" in shown.err
+    assert "0.51 0.00 m 0°" in shown.err
+    assert shown.out == "drive.c there at 200\n"
+
+
+def test_the_picture_shows_the_way(capfd: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "drive.c", "pair.xml", "--plot", "way.svg"]) == 0
+    root = etree.parse("way.svg").getroot()
+    assert len(root.findall(".//{*}polyline")) == 2
+    assert "drive.c in pair.xml" in [row.text for row in root.iter("{*}text")]
+
+
+def test_a_picture_that_cannot_be_written_is_an_error(capfd: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "hello.c", "--plot", "x" * 300 + ".svg"]) == 2
+    assert "cannot write" in capfd.readouterr().err
+
+
+def test_the_trace_has_a_line_for_each_robot_and_timestep(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    assert main(["run", "drive.c", "pair.xml", "--trace", "requests"]) == 0
+    lines = NAME_ONLY.sub("", capfd.readouterr().err).splitlines()
+    assert any("PR" in line and "left" in line for line in lines)
+    assert any("WS" in line and "right" in line for line in lines)
+
+
+# -- from outside ----------------------------------------------------------------------------------
+
+
+def wait_for(path: Path) -> None:
+    deadline_s = time.monotonic() + 60
+    while not path.exists() or not path.read_text():
+        assert time.monotonic() < deadline_s
+        time.sleep(0.02)
+
+
+TALK = """#include <stdio.h>
+int main(void) { for (;;) { puts("on"); fflush(stdout); } }
+"""
+
+
+def test_ctrl_c_ends_a_run_with_its_results() -> None:
+    Path("talk.c").write_text(TALK)
+    with Path("err.txt").open("w") as err:
+        process = start("run", "talk.c", "--json", stderr=err)
+        wait_for(Path("err.txt"))
+        process.send_signal(signal.SIGINT)
+        out, _ = process.communicate(timeout=60)
+    assert process.returncode == 130
+    data = json.loads(out)
+    assert data["interrupted"]
+    assert data["robots"][0]["outcome"] == "running"
+    assert "Traceback" not in Path("err.txt").read_text()
+
+
+def test_ctrl_c_while_waiting_for_input_ends_the_run_too() -> None:
+    Path("ask.c").write_text(
+        '#include <stdio.h>\nint main(void) { fputs("name?\\n", stderr); return getchar(); }\n'
+    )
+    with Path("err.txt").open("w") as err:
+        process = start("run", "ask.c", "--summary", stdin=subprocess.PIPE, stderr=err)
+        wait_for(Path("err.txt"))
+        time.sleep(0.1)
+        process.send_signal(signal.SIGINT)
+        process.wait(timeout=60)
+        process.communicate()
+    shown = Path("err.txt").read_text()
+    assert process.returncode == 130
+    assert "running at" in shown
+    assert "Traceback" not in shown
+
+
+def test_a_reader_that_goes_away_ends_the_run_quietly() -> None:
+    Path("talk.c").write_text(TALK)
+    process = start("run", "talk.c")
+    assert process.stdout
+    assert process.stderr
+    assert process.stdout.readline() == "on\n"
+    process.stdout.close()
+    assert process.wait(timeout=60) == 141
+    assert process.stderr.read() == ""
+    process.stderr.close()
+
+
+def test_on_a_terminal_there_are_colours_progress_and_a_summary() -> None:
+    Path("slow.c").write_text("main()\n{\n    for (;;) ;\n}\n")
+    screen, terminal = pty.openpty()
+    environment = {**os.environ, "TERM": "xterm", "COLUMNS": "100"}
+    environment.pop("NO_COLOR", None)
+    process = start("run", "slow.c", "--max-time", "20", stderr=terminal, env=environment)
+    os.close(terminal)
+    shown = b""
+    try:
+        while piece := os.read(screen, 4096):
+            shown += piece
+    except OSError:  # how Linux says that the terminal is closed
+        pass
+    process.communicate()
+    os.close(screen)
+    assert b"\x1b[35m" in shown  # a magenta "warning"
+    assert b"1 of 1 running" in shown
+    assert b"running at 20.00 s" in shown
+    assert process.returncode == 0
