@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from typing import Any, Final, TypeAlias, TypeVar
 
 from crs_cc.frontend import tree
-from crs_cc.frontend.parse import MOST_ERRORS, Node, TooManyErrors
+from crs_cc.frontend.parse import Node, report
 from crs_cc.frontend.scope import FunctionSymbol, ObjectSymbol, Scope, Symbol
 from crs_cc.ir.types import CType
 from crs_cc.source import Diagnostics, Location
@@ -94,19 +94,18 @@ class Unit:
 
     def at(self, node: Node) -> Location:
         """Gives a node's place, the last known one if it has none."""
-        if node.coord is not None:
-            self.place = node.coord
+        coord = node.coord
+        if coord is not None:
+            self.place = coord.location
         return self.place
 
     def error(self, location: Location, text: str, hint: str = "") -> None:
         """Reports a mistake that need not stop the check of the expression.
 
         Raises:
-            TooManyErrors: when the file is hopeless.
+            GiveUp: when the file is hopeless.
         """
-        self.diagnostics.error(location, text, hint)
-        if len(self.diagnostics.errors) >= MOST_ERRORS:
-            raise TooManyErrors
+        report(self.diagnostics, location, text, hint)
 
     def warning(self, location: Location, text: str, hint: str = "") -> None:
         """Reports a habit that works, but should not."""

@@ -10,6 +10,7 @@ from crs_cc.frontend.check_init import initialise
 from crs_cc.frontend.declare import type_name
 from crs_cc.frontend.parse import Node
 from crs_cc.frontend.scope import (
+    BrokenName,
     EnumConstant,
     FunctionSymbol,
     ObjectSymbol,
@@ -52,6 +53,8 @@ def name(unit: Unit, node: Node) -> Expression:
         return tree.FunctionName(symbol.type, location, symbol)
     if isinstance(symbol, EnumConstant):
         return tree.Literal(symbol.type, location, symbol.value)
+    if isinstance(symbol, BrokenName):
+        raise CheckError(location, "")
     if isinstance(symbol, TypedefName):
         raise CheckError(location, f"unexpected type name '{node.name}': expected an expression")
     if node.name in _FUNCTION_NAMES and unit.function is not None:

@@ -12,7 +12,13 @@ from crs_cc.frontend.builtins import VA_LIST
 from crs_cc.frontend.check import CheckError, FunctionState, Unit
 from crs_cc.frontend.check_stmt import check_labels, statement
 from crs_cc.frontend.convert import is_scalar
-from crs_cc.frontend.declaration import declare, declare_function, finish_objects, typedef
+from crs_cc.frontend.declaration import (
+    declare,
+    declare_function,
+    declared_anyhow,
+    finish_objects,
+    typedef,
+)
 from crs_cc.frontend.declare import declared_type, parameter_type
 from crs_cc.frontend.declare_tag import static_assert
 from crs_cc.frontend.parse import PREDECLARED_TYPES, Node
@@ -56,9 +62,16 @@ def _nothing(_unit: Unit, _node: Node) -> None:
 
 def function_definition(unit: Unit, node: Node) -> None:
     """Checks a function with its body."""
+    try:
+        _function_definition(unit, node)
+    finally:
+        unit.function = None
+
+
+def _function_definition(unit: Unit, node: Node) -> None:
     declaration = node.decl
     location = unit.at(declaration)
-    ctype = declared_type(unit, declaration.type)
+    ctype = declared_anyhow(unit, declaration)
     if not isinstance(ctype, FunctionType):
         raise CheckError(location, f"expected ';' after the declaration of '{declaration.name}'")
     known = unit.externals.get(declaration.name)
@@ -75,7 +88,7 @@ def function_definition(unit: Unit, node: Node) -> None:
         raise CheckError(location, text, f"first at {symbol.location}")
     symbol.is_defined, symbol.location = True, location
     specifier = _specifier(declaration.type)
-    implicit = getattr(specifier, "coord", None) == location and ctype.result == INT
+    implicit = ctype.result == INT and unit.at(specifier) == location
     state = FunctionState(symbol, ctype.result, implicit, symbol.type.variadic)
     unit.function = state
     with unit.new_scope():
@@ -84,7 +97,6 @@ def function_definition(unit: Unit, node: Node) -> None:
         for each in node.body.block_items or []:
             statement(unit, each, body)
     check_labels(unit)
-    unit.function = None
     unit.functions.append(tree.FunctionDefinition(location, symbol, parameters, passed, body))
 
 

@@ -16,6 +16,7 @@ from crs_cc.frontend.declare import alignment, declared_type, need_complete
 from crs_cc.frontend.declare_tag import static_assert
 from crs_cc.frontend.parse import Node
 from crs_cc.frontend.scope import (
+    BrokenName,
     FunctionSymbol,
     ObjectSymbol,
     Symbol,
@@ -23,7 +24,6 @@ from crs_cc.frontend.scope import (
     TypedefName,
 )
 from crs_cc.ir.types import (
-    INT,
     ArrayType,
     CType,
     EnumType,
@@ -47,11 +47,7 @@ def declare(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> 
         _declare_tag(unit, node)
         return
     storage = node.storage or []
-    try:
-        ctype = declared_type(unit, node.type)
-    except CheckError:
-        _declare_anyhow(unit, node)
-        raise
+    ctype = declared_anyhow(unit, node)
     location = unit.at(node)
     if isinstance(ctype, FunctionType):
         _declare_function(unit, node, ctype, location)
@@ -61,11 +57,17 @@ def declare(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> 
         _declare_local(unit, node, ctype, location, out)
 
 
-def _declare_anyhow(unit: Unit, node: Node) -> None:
-    """Keeps the name of a broken declaration known, so that its uses give no more errors."""
-    if node.name not in unit.scope.names:
-        name = f"{unit.name}:{node.name}"
-        unit.scope.names[node.name] = ObjectSymbol(node.name, INT, unit.at(node), name)
+def declared_anyhow(unit: Unit, node: Node) -> CType:
+    """Gives the type of a declaration; when it is broken, keeps its name known.
+
+    Raises:
+        CheckError: when it is broken; uses of the name will give no more errors.
+    """
+    try:
+        return declared_type(unit, node.type)
+    except CheckError:
+        unit.scope.names.setdefault(node.name, BrokenName(node.name, unit.at(node)))
+        raise
 
 
 def _declare_tag(unit: Unit, node: Node) -> None:
@@ -86,11 +88,7 @@ def _declare_tag(unit: Unit, node: Node) -> None:
 
 def typedef(unit: Unit, node: Node) -> None:
     """Checks a typedef."""
-    try:
-        ctype = declared_type(unit, node.type)
-    except CheckError:
-        _declare_typedef_anyhow(unit, node)
-        raise
+    ctype = declared_anyhow(unit, node)
     location = unit.at(node)
     known = unit.scope.names.get(node.name)
     if known is not None and not (isinstance(known, TypedefName) and compatible(known.type, ctype)):
@@ -99,12 +97,9 @@ def typedef(unit: Unit, node: Node) -> None:
         unit.scope.names[node.name] = TypedefName(node.name, ctype, location)
 
 
-def _declare_typedef_anyhow(unit: Unit, node: Node) -> None:
-    if node.name not in unit.scope.names:
-        unit.scope.names[node.name] = TypedefName(node.name, INT, unit.at(node))
-
-
 def _redefinition(known: Symbol, name: str, location: Location) -> CheckError:
+    if isinstance(known, BrokenName):
+        return CheckError(location, "")
     same = {ObjectSymbol: "object", FunctionSymbol: "function", TypedefName: "type"}
     what = same.get(type(known), "enumerator")
     text = f"redefinition of '{name}', which is a {what} already"

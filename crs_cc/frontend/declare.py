@@ -16,7 +16,7 @@ from crs_cc.frontend import constant
 from crs_cc.frontend.check import CheckError, Unit
 from crs_cc.frontend.parse import Node
 from crs_cc.frontend.refuse import refused
-from crs_cc.frontend.scope import TypedefName
+from crs_cc.frontend.scope import BrokenName, ObjectSymbol, TypedefName
 from crs_cc.ir.types import (
     BASIC_TYPES,
     VOID,
@@ -102,6 +102,8 @@ def _identifier(unit: Unit, node: Node) -> CType:
         symbol = unit.scope.find(names[0])
         if isinstance(symbol, TypedefName):
             return symbol.type
+        if isinstance(symbol, BrokenName):
+            raise CheckError(unit.at(node), "")
     return _unknown(unit, names, unit.at(node))
 
 
@@ -141,11 +143,14 @@ def _array(unit: Unit, node: Node) -> CType:
     return ArrayType(element, length)
 
 
+_LENGTH: Final = "array length"
+
+
 def _length(unit: Unit, node: Node) -> int:
     try:
-        length = constant.integer(unit, node.dim, "array length")
+        length = constant.integer(unit, node.dim, _LENGTH)
     except CheckError as mistake:
-        if not mistake.text.startswith("array length is not"):
+        if not mistake.text.startswith(_LENGTH):
             raise
         text = "variable length arrays are not supported"
         raise CheckError(mistake.location, text, "use a constant length or malloc") from None
@@ -171,7 +176,12 @@ def _prototype(unit: Unit, result: CType, nodes: list[Node]) -> CType:
     variadic = isinstance(nodes[-1], c_ast.EllipsisParam)
     if variadic:
         nodes = nodes[:-1]
-    types = [parameter_type(unit, each) for each in nodes]
+    types = []
+    for each in nodes:
+        types.append(parameter_type(unit, each))
+        if each.name is not None:
+            symbol = ObjectSymbol(each.name, types[-1], unit.at(each))
+            unit.scope.names[each.name] = symbol
     if len(types) == 1 and isinstance(types[0], VoidType) and nodes[0].name is None:
         types = []
     for each, ctype in zip(nodes, types, strict=False):

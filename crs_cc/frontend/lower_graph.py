@@ -16,38 +16,48 @@ def tidy(function: Function) -> set[Block]:
     Returns:
         The blocks whose instructions are still there, if perhaps in another block.
     """
+    ends: dict[Block, Block] = {}
     for block in function.blocks:
-        _shorten(block)
+        _shorten(block, ends)
     function.blocks = _reachable(function)
     kept = set(function.blocks)
     _join(function)
     return kept
 
 
-def _destination(block: Block) -> Block:
-    """Follows empty blocks to where they lead; an endless ring of them stays as it is."""
-    seen = {id(block)}
-    while not block.instructions and isinstance(block.terminator, Jump):
-        block = block.terminator.target
-        if id(block) in seen:
+def _destination(block: Block, ends: dict[Block, Block]) -> Block:
+    """Follows empty blocks to where they lead; an endless ring of them stays as it is.
+
+    Args:
+        block: where to start.
+        ends: where each empty block leads, as far as that is known.
+    """
+    passed: dict[Block, None] = {}
+    while not block.instructions and isinstance(jump := block.terminator, Jump):
+        if block in ends:
+            block = ends[block]
             break
-        seen.add(id(block))
+        if block in passed:
+            break
+        passed[block] = None
+        block = jump.target
+    ends.update(dict.fromkeys(passed, block))
     return block
 
 
-def _shorten(block: Block) -> None:
+def _shorten(block: Block, ends: dict[Block, Block]) -> None:
     """Lets a terminator go past empty blocks."""
     match block.terminator:
         case Jump() as jump:
-            jump.target = _destination(jump.target)
+            jump.target = _destination(jump.target, ends)
         case Branch() as branch:
-            branch.then = _destination(branch.then)
-            branch.otherwise = _destination(branch.otherwise)
+            branch.then = _destination(branch.then, ends)
+            branch.otherwise = _destination(branch.otherwise, ends)
         case Switch() as switch:
-            switch.cases = [(value, _destination(each)) for value, each in switch.cases]
-            switch.default = _destination(switch.default)
+            switch.cases = [(value, _destination(each, ends)) for value, each in switch.cases]
+            switch.default = _destination(switch.default, ends)
         case Call() | Request() as call:
-            call.then = _destination(call.then)
+            call.then = _destination(call.then, ends)
 
 
 def _reachable(function: Function) -> list[Block]:

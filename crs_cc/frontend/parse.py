@@ -3,12 +3,13 @@
 pycparser stops at the first error and refuses some of the C of 1990 (`main(argc, argv) char
 **argv; {...}`, `static count;`). This parser makes up for both: it tells what was expected, skips
 to the end of the statement or declaration, and goes on; and it puts in the `int` that old
-programs leave out, with a warning. The nodes' `coord` is a `Location` in the user's own file.
+programs leave out, with a warning. The nodes' `coord` is a `Token`, which knows its place in the
+user's own file.
 
 >>> from crs_cc.source import Diagnostics, Location
 >>> diagnostics = Diagnostics()
->>> tree = parse("main() { return 0 }", "a.c", lambda line, column: Location("a.c", line, column),
-...              diagnostics)
+>>> def locate(line, column): return Location("a.c", line, column)
+>>> nodes = parse("main() { return 0 }", locate, diagnostics)
 >>> for message in diagnostics.messages:
 ...     print(message.render())
 a.c:1:1: warning: type specifier missing, defaults to 'int'
@@ -17,19 +18,27 @@ a.c:1:19: error: expected ';' before '}'
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any, Final, NoReturn, TypeAlias
 
 from pycparser import c_ast
-from pycparser.c_lexer import Token
 from pycparser.c_parser import CParser, ParseError
 
+from crs_cc.frontend.lex import Locate, Token, lex
 from crs_cc.source import Diagnostics, Location
 
 Node: TypeAlias = Any
 """A node of pycparser's tree."""
 
-Locate: TypeAlias = Callable[[int, int], Location]
+_NAMES: Final = frozenset({"ID", "TYPEID"})
+_BEFORE_TYPES: Final = frozenset(
+    {"CONST", "VOLATILE", "STATIC", "EXTERN", "REGISTER", "TYPEDEF", "INLINE", "AUTO"}
+)
+_LEAVES: Final = frozenset({"ID", "INT_CONST_DEC"})
+_SUFFIXES: Final = frozenset({"LBRACKET", "LPAREN", "PERIOD", "ARROW", "PLUSPLUS", "MINUSMINUS"})
+_LOOKAHEAD: Final = 64
+"""How many ends of file stand behind the last token; nothing looks further ahead."""
+
+_IMPLICIT_INT: Final = "type specifier missing, defaults to 'int'"
 
 MOST_ERRORS: Final = 20
 """After so many errors in one file the rest would mostly be echoes."""
@@ -56,16 +65,27 @@ _PLAIN_TEXT: Final = {
 }
 
 
-class TooManyErrors(Exception):  # noqa: N818 - it stops the work, the errors are recorded
-    """There are so many errors that going on makes no sense."""
+class GiveUp(Exception):  # noqa: N818 - it stops the work, the errors are recorded
+    """Going on makes no sense: there are too many errors, or too deep a nesting."""
 
 
-def parse(text: str, name: str, locate: Locate, diagnostics: Diagnostics) -> list[Node]:
+def report(diagnostics: Diagnostics, place: Location, text: str, hint: str = "") -> None:
+    """Records an error; after too many of them gives up.
+
+    Raises:
+        GiveUp: when the file is hopeless.
+    """
+    diagnostics.error(place, text, hint)
+    if len(diagnostics.errors) >= MOST_ERRORS:
+        diagnostics.error(Location(place.file, place.line), "too many errors, giving up")
+        raise GiveUp
+
+
+def parse(text: str, locate: Locate, diagnostics: Diagnostics) -> list[Node]:
     """Parses a preprocessed file.
 
     Args:
         text: the text, without comments and directives apart from `#pragma`.
-        name: the file's name.
         locate: gives the user's place for a line and column of the text.
         diagnostics: takes the messages.
 
@@ -73,89 +93,38 @@ def parse(text: str, name: str, locate: Locate, diagnostics: Diagnostics) -> lis
         The external declarations that could be understood.
 
     Raises:
-        TooManyErrors: when the file is hopeless.
-        RecursionError: when the file is nested too deeply for the stack.
+        GiveUp: when the file is hopeless or nested too deeply.
     """
-    tree = _Parser(locate, diagnostics).parse(text, name)
-    return list(tree.ext)
+    parser = _Parser(lex(text, locate, diagnostics), diagnostics)
+    try:
+        return parser.translation_unit()
+    except RecursionError:
+        diagnostics.error(parser.place(), "the program is nested too deeply here")
+        raise GiveUp from None
 
 
 class _Parser(CParser):  # type: ignore[misc]
-    """pycparser's parser, with recovery.
+    """pycparser's parser, with recovery, and with faster access to the tokens.
 
-    It overrides these of pycparser 3.12's methods: how errors are raised, how coordinates are
-    made, and the entries to declarations and statements.
+    It overrides these of pycparser 3.12's methods: access to tokens, how errors are raised, how
+    coordinates are made, and the entries to declarations and statements.
     """
 
-    def __init__(self, locate: Locate, diagnostics: Diagnostics) -> None:
+    def __init__(self, tokens: list[Token], diagnostics: Diagnostics) -> None:
         super().__init__()
-        self._locate = locate
+        self._buffer: list[Any] = [*tokens, *[None] * _LOOKAHEAD]
+        self._index = 0
         self._diagnostics = diagnostics
         self._last_patch = -1
+        self._typedef_checked_token: Token | None = None
         self._type_names: dict[int, tuple[Any, int]] = {}
+        self._scope_stack = [dict.fromkeys(PREDECLARED_TYPES, True)]
 
-    # Messages
-
-    def _tok_coord(self, tok: Token) -> Location:
-        return self._locate(tok.lineno, tok.column)
-
-    def _lex_error_func(self, msg: str, line: int, column: int) -> None:
-        self._report(self._locate(line, column), msg[:1].lower() + msg[1:])
-
-    def _parse_error(self, msg: str, coord: object) -> NoReturn:
-        """Reports an error at `coord`, or at the next token when that is not a place."""
-        token = self._tokens.peek()
-        if not isinstance(coord, Location):
-            coord = self._end_of_file() if token is None else self._tok_coord(token)
-        text = _PLAIN_TEXT.get(msg)
-        if text is None:
-            text = msg[:1].lower() + msg[1:]
-        elif token is not None and text.startswith("expected"):
-            coord = self._tok_coord(token)
-            text = f"{text} before '{token.value}'"
-        self._report(coord, text)
-        raise ParseError(text)
-
-    def _report(self, place: Location, text: str) -> None:
-        self._diagnostics.error(place, text)
-        if len(self._diagnostics.errors) >= MOST_ERRORS:
-            raise TooManyErrors
-
-    def _end_of_file(self) -> Location:
-        last = next((tok for tok in reversed(self._tokens._buffer) if tok is not None), None)
-        return self._locate(1, 1) if last is None else self._tok_coord(last)
-
-    def _expect(self, wanted: str) -> Token:
-        """Takes the next token, which must be of one type.
-
-        A semicolon that is missing at the end of a line is made up, so that what follows is
-        still understood.
-        """
-        token = self._peek()
-        if token is None:
-            self._parse_error("At end of input", None)
-        if token.type == wanted or (wanted == "ID" and token.type == "TYPEID"):
-            return self._advance()
-        text = f"expected {_SPELLING.get(wanted, wanted.lower())} before '{token.value}'"
-        position = self._tokens.mark()
-        before = self._tokens._buffer[position - 1] if position else token
-        may_patch = wanted == "SEMI" and before.lineno < token.lineno
-        place = self._locate(before.lineno, before.column) if may_patch else self._tok_coord(token)
-        if may_patch and place.column:
-            place = Location(place.file, place.line, place.column + len(before.value))
-        self._report(place, text)
-        if may_patch and position != self._last_patch:
-            self._last_patch = position
-            return Token("SEMI", ";", token.lineno, token.column, token.filename)
-        raise ParseError(text)
-
-    # Recovery
-
-    def _parse_translation_unit(self) -> list[Node]:
+    def translation_unit(self) -> list[Node]:
+        """Parses the whole file."""
         found: list[Node] = []
-        self._scope_stack[0].update(dict.fromkeys(PREDECLARED_TYPES, True))
         while self._peek() is not None:
-            start = self._tokens.mark()
+            start = self._index
             try:
                 found.extend(self._parse_external_declaration())
             except ParseError:
@@ -163,13 +132,103 @@ class _Parser(CParser):  # type: ignore[misc]
                 self._skip(start, is_in_block=False)
         return found
 
+    # Tokens
+
+    def _peek(self, k: int = 1) -> Any:
+        token = self._buffer[self._index + k - 1]
+        if token is not self._typedef_checked_token:
+            if token is not None and token.type in _NAMES:
+                token.type = "TYPEID" if self._is_type_in_scope(token.value) else "ID"
+            self._typedef_checked_token = token
+        return token
+
+    def _peek_type(self, k: int = 1) -> str | None:
+        token = self._peek(k)
+        return None if token is None else token.type
+
+    def _advance(self) -> Any:
+        token = self._peek()
+        if token is None:
+            self._parse_error("At end of input", None)
+        self._index += 1
+        return token
+
+    def _accept(self, token_type: str) -> Any:
+        token = self._peek()
+        if token is not None and token.type == token_type:
+            self._index += 1
+            return token
+        return None
+
+    def _mark(self) -> int:
+        return self._index
+
+    def _reset(self, mark: int) -> None:
+        self._index = mark
+
+    def _tok_coord(self, tok: Token) -> Token:
+        return tok
+
+    # Messages
+
+    def _parse_error(self, msg: str, coord: object) -> NoReturn:
+        """Reports an error at `coord`, or at the next token when that is not a token."""
+        following = self._buffer[self._index]
+        token = coord if isinstance(coord, Token) else following
+        text = _PLAIN_TEXT.get(msg)
+        if text is None:
+            text = msg[:1].lower() + msg[1:]
+        elif following is not None and text.startswith("expected"):
+            token = following
+            text = f"{text} before '{token.value}'"
+        report(self._diagnostics, self.place() if token is None else token.location, text)
+        raise ParseError(text)
+
+    def place(self) -> Location:
+        """Gives the place of the next token, at the end of the file that of the last one."""
+        token: Token | None = self._buffer[self._index]
+        if token is None:
+            token = next(each for each in reversed(self._buffer) if each is not None)
+        return token.location
+
+    def _expect(self, token_type: str) -> Any:
+        """Takes the next token, which must be of one type.
+
+        A semicolon that is missing at the end of a line is made up, so that what follows is
+        still understood.
+        """
+        token = self._peek()
+        if token is not None:
+            kind = token.type
+            if token_type == kind or (kind == "TYPEID" and token_type in _NAMES):
+                self._index += 1
+                return token
+            return self._missing(token_type, token)
+        return self._parse_error("At end of input", None)
+
+    def _missing(self, wanted: str, token: Token) -> Token:
+        text = f"expected {_SPELLING.get(wanted, wanted.lower())} before '{token.value}'"
+        before = self._buffer[self._index - 1] if self._index else token
+        may_patch = wanted == "SEMI" and before.lineno < token.lineno
+        place = token.location
+        if may_patch:
+            place = before.location
+            place = Location(place.file, place.line, place.column + len(before.value))
+        report(self._diagnostics, place, text)
+        if may_patch and self._index != self._last_patch:
+            self._last_patch = self._index
+            return token.copy("SEMI", ";")
+        raise ParseError(text)
+
+    # Recovery
+
     def _parse_block_item(self) -> Node:
-        start, depth = self._tokens.mark(), len(self._scope_stack)
+        start, depth = self._index, len(self._scope_stack)
         try:
             self._declare_unknown_type()
             return super()._parse_block_item()
         except ParseError:
-            if self._tokens.peek() is None:
+            if self._buffer[self._index] is None:
                 raise
             self._forget_scopes(depth)
             self._skip(start, is_in_block=True)
@@ -181,17 +240,15 @@ class _Parser(CParser):  # type: ignore[misc]
 
     def _skip(self, start: int, *, is_in_block: bool) -> None:
         """Goes behind the end of a broken declaration or statement that began at `start`."""
-        stop = self._tokens.mark()
-        self._tokens.reset(start)
-        depth = 0
-        while (token := self._tokens.peek()) is not None:
+        stop, self._index, depth = self._index, start, 0
+        while (token := self._buffer[self._index]) is not None:
             if token.type == "RBRACE" and depth == 0 and is_in_block:
                 return
-            self._tokens.next()
+            self._index += 1
             depth += {"LBRACE": 1, "RBRACE": -1}.get(token.type, 0)
             is_end = token.type in {"SEMI", "RBRACE"} and depth <= 0
-            if is_end and self._tokens.mark() >= stop:
-                following = self._tokens.peek()
+            if is_end and self._index >= stop:
+                following = self._buffer[self._index]
                 if token.type == "SEMI" or following is None or following.type != "SEMI":
                     return
 
@@ -204,8 +261,10 @@ class _Parser(CParser):  # type: ignore[misc]
             if self._peek_type() != "TYPEID":
                 self._put_in_int(token)
         elif token is not None and not self._starts_external(token):
-            self._tokens.next()
-            self._report(self._tok_coord(token), f"expected a declaration before '{token.value}'")
+            self._index += 1
+            report(
+                self._diagnostics, token.location, f"expected a declaration before '{token.value}'"
+            )
             raise ParseError
         found: list[Node] = super()._parse_external_declaration()
         return found
@@ -215,18 +274,15 @@ class _Parser(CParser):  # type: ignore[misc]
         return token.type in others or self._starts_declaration(token)
 
     def _put_in_int(self, token: Token) -> None:
-        self._diagnostics.warning(
-            self._tok_coord(token), "type specifier missing, defaults to 'int'"
-        )
-        made_up = Token("INT", "int", token.lineno, token.column, token.filename)
-        self._tokens._buffer.insert(self._tokens.mark(), made_up)
+        self._diagnostics.warning(token.location, _IMPLICIT_INT)
+        self._buffer.insert(self._index, token.copy("INT", "int"))
         self._typedef_checked_token = None
 
     def _parse_declaration_specifiers(self, allow_no_type: bool = False) -> Any:
         self._declare_unknown_type()
         spec, saw_type, place = super()._parse_declaration_specifiers(allow_no_type)
         if not spec["type"]:
-            self._diagnostics.warning(place, "type specifier missing, defaults to 'int'")
+            self._diagnostics.warning(place.location, _IMPLICIT_INT)
             spec["type"].append(c_ast.IdentifierType(["int"], coord=place))
         return spec, saw_type, place
 
@@ -242,17 +298,21 @@ class _Parser(CParser):  # type: ignore[misc]
 
     def _declare_unknown_type(self) -> bool:
         """Takes the next name for a type if nothing else makes sense; the checker will object."""
-        token = self._peek()
+        ahead = 1
+        while self._peek_type(ahead) in _BEFORE_TYPES:
+            ahead += 1
+        token = self._peek(ahead)
         if token is None or token.type != "ID":
             return False
         if any(token.value in scope for scope in self._scope_stack):
             return False
-        ahead = 2
+        ahead += 1
+        stars = ahead
         while self._peek_type(ahead) == "TIMES":
             ahead += 1
         if self._peek_type(ahead) != "ID":
             return False
-        if ahead > 2 and self._peek_type(ahead + 1) not in {
+        if ahead > stars and self._peek_type(ahead + 1) not in {
             "SEMI", "EQUALS", "COMMA", "RPAREN", "LPAREN", "LBRACKET",
         }:  # fmt: skip
             return False
@@ -260,18 +320,35 @@ class _Parser(CParser):  # type: ignore[misc]
         self._typedef_checked_token = None
         return True
 
+    # Short cuts: most operands are a name or a number, and no C before 2023 has attributes.
+
+    def _parse_cast_expression(self) -> Node:
+        token = self._peek()
+        if token is None or token.type not in _LEAVES:
+            return super()._parse_cast_expression()
+        following = self._buffer[self._index + 1]
+        if following is not None and following.type in _SUFFIXES:
+            return self._parse_postfix_expression()
+        self._index += 1
+        if token.type == "ID":
+            return c_ast.ID(token.value, token)
+        return c_ast.Constant("int", token.value, token)
+
+    def _parse_attribute_specifier_sequence(self) -> list[Node]:
+        return []
+
     # A type name may be tried at one place twice; nested ones would be tried 2^depth times.
 
     def _try_parse_paren_type_name(self) -> Any:
         token = self._peek()
         if token is None or token.type != "LPAREN":
             return None
-        mark = self._tokens.mark()
+        mark = self._index
         known = self._type_names.get(mark)
         if known is not None:
-            self._tokens.reset(known[1])
+            self._index = known[1]
             return known[0]
         result = super()._try_parse_paren_type_name()
         if result is not None:
-            self._type_names[mark] = (result, self._tokens.mark())
+            self._type_names[mark] = (result, self._index)
         return result

@@ -80,7 +80,15 @@ class EnumConstant:
     value: int
 
 
-Symbol: TypeAlias = ObjectSymbol | FunctionSymbol | TypedefName | EnumConstant
+@dataclass(slots=True, eq=False)
+class BrokenName:
+    """A name whose declaration was wrong; of its uses nothing more is said."""
+
+    name: str
+    location: Location
+
+
+Symbol: TypeAlias = ObjectSymbol | FunctionSymbol | TypedefName | EnumConstant | BrokenName
 
 
 @dataclass(slots=True, eq=False)

@@ -23,7 +23,7 @@ from crs_cc.frontend.check import Unit
 from crs_cc.frontend.check_unit import check_unit
 from crs_cc.frontend.lower_unit import lower_unit
 from crs_cc.frontend.options import Options
-from crs_cc.frontend.parse import TooManyErrors, parse
+from crs_cc.frontend.parse import GiveUp, parse
 from crs_cc.frontend.preprocess import preprocess, preprocess_text
 from crs_cc.ir.program import Program
 from crs_cc.source import Diagnostics, Location
@@ -75,9 +75,8 @@ def _compile(
         _with_deep_stack(work)
     except RecursionError:
         unit.diagnostics.error(unit.place, "the program is nested too deeply here")
-    except TooManyErrors:
-        last = diagnostics.errors[-1].location
-        diagnostics.error(Location(last.file, last.line), "too many errors, giving up")
+    except GiveUp:
+        pass  # the reason is among the diagnostics
     if diagnostics.errors:
         raise CompileError(diagnostics.errors)
     return programs[0]
@@ -92,7 +91,7 @@ def _stages(unit: Unit, source: Preprocessed) -> Program:
         unit.place = last_place[0] = source.location(line, column)
         return unit.place
 
-    nodes = parse(source.text, unit.name, locate, unit.diagnostics)
+    nodes = parse(source.text, locate, unit.diagnostics)
     if unit.diagnostics.errors:
         raise CompileError(unit.diagnostics.errors)
     check_unit(unit, nodes)
