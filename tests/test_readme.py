@@ -43,7 +43,7 @@ def test_every_command_of_the_readme_runs(
     assert main(shlex.split(command, comments=True)[1:]) == 0, capfd.readouterr().err
     shown = capfd.readouterr()
     assert shown.out + shown.err
-    assert "error" not in shown.err
+    assert ": error: " not in shown.err
 
 
 def test_the_readmes_own_program_does_what_its_text_says(

@@ -18,7 +18,7 @@ from crs_cc.cli.load import Loaded, load
 from crs_cc.cli.messages import as_data, is_terminal, say, show
 from crs_cc.cli.output import ProgramOutput, ProgressLine, read_line
 from crs_cc.cli.plot import Picture, Trip
-from crs_cc.cli.summary import Run, as_json, exit_status, print_summary
+from crs_cc.cli.summary import Run, as_json, exit_status
 from crs_cc.cli.tracks import Tracks
 from crs_cc.errors import CrsError
 from crs_cc.session.session import Session
@@ -205,6 +205,8 @@ def _report(run: Run, options: RunOptions) -> None:
         click.echo(as_json(run))
     asked = options.summary
     if asked or (asked is None and is_terminal(sys.stderr) and not options.quiet):
+        from crs_cc.cli.table import print_summary
+
         print_summary(run)
 
 

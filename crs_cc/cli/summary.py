@@ -1,28 +1,18 @@
-"""What came of a run: as a table for people, as JSON for programs, as an exit status."""
+"""What came of a run: as an exit status, and as JSON. `cli.table` shows it to people."""
 
 from __future__ import annotations
 
 import json
-import math
-import sys
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Final
-
-from rich.console import Console
-from rich.markup import escape
-from rich.table import Table
+from typing import TYPE_CHECKING, Any
 
 from crs_cc import __version__
-from crs_cc.cli.messages import as_data, is_terminal
+from crs_cc.cli.messages import as_data
 from crs_cc.cli.status import INTERRUPTED
 from crs_cc.errors import ProgramError
 
 if TYPE_CHECKING:
     from crs_cc.session.result import Pose, RobotResult, RunResult
-
-MAX_ROWS: Final = 20
-_WIDTH_ELSEWHERE: Final = 120
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,71 +91,3 @@ def _robot_data(robot: RobotResult) -> dict[str, Any]:
 def _pose_data(pose: Pose) -> dict[str, float]:
     x_m, y_m, heading_rad = map(float, pose)
     return {"x_m": x_m, "y_m": y_m, "heading_rad": heading_rad}
-
-
-def print_summary(run: Run) -> None:
-    """Writes the results to stderr as a table."""
-    width = None if is_terminal(sys.stderr) else _WIDTH_ELSEWHERE
-    console = Console(stderr=True, highlight=False, width=width)
-    robots = run.result.robots
-    console.print(_card(robots[0]) if len(robots) == 1 else _table(robots))
-    console.print(_closing_line(run), style="dim", soft_wrap=True)
-
-
-def _closing_line(run: Run) -> str:
-    result = run.result
-    return (
-        f"{result.timesteps} timesteps, {result.simulated_s:.2f} s simulated in {run.wall_s:.2f} s "
-        f"({run.real_time_factor:,.1f} x real time), seed {run.seed}, "
-        f"state {result.state_hash[:12]}"
-    )
-
-
-def _card(robot: RobotResult) -> Table:
-    """Gives the table for a single robot: a row for each figure."""
-    card = Table.grid(padding=(0, 2))
-    card.add_row("[bold]robot[/]", f"[bold]{escape(robot.id)}[/]  {escape(robot.program)}")
-    for name, value in _figures(robot):
-        card.add_row(f"[dim]{name}[/]", value)
-    return card
-
-
-def _table(robots: Sequence[RobotResult]) -> Table:
-    """Gives the table for several robots: a row for each of the first `MAX_ROWS`."""
-    table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0))
-    table.add_column("robot", style="bold")
-    for name, _ in _figures(robots[0]):
-        table.add_column(name)
-    for robot in robots[:MAX_ROWS]:
-        table.add_row(escape(robot.id), *(value for _, value in _figures(robot)))
-    if len(robots) > MAX_ROWS:
-        outcomes = [robot.outcome for robot in robots]
-        counts = [f"{outcomes.count(each)} {each}" for each in dict.fromkeys(outcomes)]
-        table.add_row("...", f"in all {', '.join(counts)}")
-    return table
-
-
-def _figures(robot: RobotResult) -> Iterator[tuple[str, str]]:
-    yield "outcome", _outcome(robot)
-    yield "odometry", _pose(robot.odometry)
-    yield "true pose", _pose(robot.pose)
-    yield "driven", f"{robot.distance_m:.2f} m"
-    yield "collisions", str(robot.collisions)
-    yield "commands", str(robot.commands)
-    yield "fuel", f"{robot.fuel:,}"
-
-
-def _outcome(robot: RobotResult) -> str:
-    at = f"at {robot.time_s:.2f} s"
-    if robot.outcome == "failed":
-        return f"[red]error[/] {at}"
-    if robot.outcome == "exited":
-        status = robot.exit_status or 0
-        return f"exit {status} {at}" if status == 0 else f"[yellow]exit {status}[/] {at}"
-    return f"running {at}"
-
-
-def _pose(pose: Pose) -> str:
-    x_m, y_m, heading_rad = pose
-    heading_deg = math.degrees(math.remainder(heading_rad, math.tau))
-    return f"{x_m:.2f} {y_m:.2f} m {heading_deg:.0f}°"

@@ -7,7 +7,8 @@ from typing import Any
 
 import pytest
 
-from crs_cc.cli.summary import MAX_ROWS, Run, as_json, exit_status, print_summary
+from crs_cc.cli.summary import Run, as_json, exit_status
+from crs_cc.cli.table import MAX_ROWS, print_summary
 from crs_cc.session.result import RobotResult, RunResult
 from crs_cc.source import Diagnostic, Location
 
