@@ -28,11 +28,14 @@ DRIVE = """#include <stdio.h>
 int main(int argc, char **argv)
 {
     connect_robot(1, MODEL_SCOUT, "/dev/ttyS0", 38400);
-    pr(200, 200, 0);
+    pr(50, 50, 0);
     ws(1, 1, 0, 20);
     printf("%s there at %ld\\n", argv[argc - 1], State[STATE_CONF_X]);
     return 0;
 }
+"""
+TALK = """#include <stdio.h>
+int main(void) { for (;;) { puts("on"); fflush(stdout); } }
 """
 NAME_ONLY = re.compile(r"Nclient version.*\nCopyright.*\n")
 
@@ -188,7 +191,7 @@ def test_robots_run_the_program_that_the_world_names_or_else_ours(
     Path("pair.xml").write_text(world)
     assert main(["run", "hello.c", "pair.xml", "-q"]) == 1
     out = capfd.readouterr().out
-    assert out == "[right] hello\n[left] drive.c there at 200\n"
+    assert out == "[right] hello\n[left] drive.c there at 50\n"
     assert main(["run", "pair.xml"]) == 2
     assert "names no program for 'right'" in capfd.readouterr().err
 
@@ -207,33 +210,58 @@ def test_json_on_stdout_is_pure_and_the_programs_output_goes_to_stderr(
 ) -> None:
     assert main(["run", "drive.c", "pair.xml", "--json", "--seed", "3"]) == 0
     shown = capfd.readouterr()
-    assert "[left] drive.c there at 200\n" in shown.err
+    assert "[left] drive.c there at 50\n" in shown.err
     data = json.loads(shown.out)
     assert data["seed"] == 3
     left, right = data["robots"]
-    assert left["pose"]["x_m"] == pytest.approx(1.508, abs=1e-3)
-    assert right["pose"]["x_m"] == pytest.approx(5 - 0.508, abs=1e-3)
-    assert left["odometry"]["x_m"] == pytest.approx(0.508, abs=1e-3)
-    assert left["distance_m"] == pytest.approx(0.508, abs=1e-3)
+    assert left["pose"]["x_m"] == pytest.approx(1.127, abs=1e-3)
+    assert right["pose"]["x_m"] == pytest.approx(5 - 0.127, abs=1e-3)
+    assert left["odometry"]["x_m"] == pytest.approx(0.127, abs=1e-3)
+    assert left["distance_m"] == pytest.approx(0.127, abs=1e-3)
     assert left["commands"] == 3
     assert left["exit_status"] == 0
 
 
-def test_the_same_run_gives_the_same_data(capfd: pytest.CaptureFixture[str]) -> None:
-    results = []
-    for _ in range(2):
-        assert main(["run", "drive.c", "pair.xml", "--json", "--seed", "3"]) == 0
-        results.append(json.loads(capfd.readouterr().out))
-        del results[-1]["timing"]
-    assert results[0] == results[1]
+def test_the_same_run_gives_the_same_data_in_any_process(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    command = ["run", "drive.c", "pair.xml", "--json", "--seed", "3"]
+    assert main(command) == 0
+    texts = [capfd.readouterr().out]
+    for hash_seed in ("1", "2"):
+        process = start(*command, env={**os.environ, "PYTHONHASHSEED": hash_seed})
+        texts.append(process.communicate(timeout=60)[0])
+    results = [json.loads(text) for text in texts]
+    for result in results:
+        del result["timing"]
+    assert results[0] == results[1] == results[2]
+    assert len(results[0]["state_hash"]) == 64
+
+
+@pytest.mark.parametrize(
+    "other", ["loop.c", "null.c", "deep.c", pytest.param("flood.c", marks=pytest.mark.slow)]
+)
+def test_a_robot_whose_program_misbehaves_changes_nothing_for_the_others(
+    other: str, capfd: pytest.CaptureFixture[str]
+) -> None:
+    Path("deep.c").write_text("int f(int n) { return f(n + 1) + n; }\nint main() { return f(0); }")
+    Path("flood.c").write_text(TALK)
+    left = {}
+    for program in ("hello.c", other):
+        world = PAIR.replace('heading="180deg"', f'heading="180deg" program="{program}"')
+        Path("pair.xml").write_text(world)
+        main(["run", "drive.c", "pair.xml", "--json", "--max-time", "1.5", "-q"])
+        left[program] = json.loads(capfd.readouterr().out)["robots"][0]
+    assert left["hello.c"]["outcome"] == "exited"
+    assert left[other] == left["hello.c"]
 
 
 def test_the_summary_comes_when_asked_for(capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "drive.c", "-q", "--summary"]) == 0
     shown = capfd.readouterr()
     assert "exit 0 at" in shown.err
-    assert "0.51 0.00 m 0°" in shown.err
-    assert shown.out == "drive.c there at 200\n"
+    assert "0.13 0.00 m 0°" in shown.err
+    assert shown.out == "drive.c there at 50\n"
 
 
 def test_the_picture_shows_the_way(capfd: pytest.CaptureFixture[str]) -> None:
@@ -265,11 +293,6 @@ def wait_for(path: Path) -> None:
     while not path.exists() or not path.read_text():
         assert time.monotonic() < deadline_s
         time.sleep(0.02)
-
-
-TALK = """#include <stdio.h>
-int main(void) { for (;;) { puts("on"); fflush(stdout); } }
-"""
 
 
 def test_ctrl_c_ends_a_run_with_its_results() -> None:
