@@ -79,11 +79,13 @@ class Diagnostics:
 
     messages: list[Diagnostic] = field(default_factory=list)
     lines: dict[str, list[str]] = field(default_factory=dict)
+    _known: set[Diagnostic] = field(default_factory=set, repr=False)
 
     def add(self, severity: Severity, location: Location, text: str, hint: str = "") -> None:
         """Records a message, unless the same one was recorded at the same place before."""
         message = Diagnostic(severity, location, text, self._line(location), hint)
-        if message not in self.messages:
+        if message not in self._known:
+            self._known.add(message)
             self.messages.append(message)
 
     def error(self, location: Location, text: str, hint: str = "") -> None:

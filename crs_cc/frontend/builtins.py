@@ -18,6 +18,7 @@ from crs_cc.frontend import tree
 from crs_cc.frontend.check import CheckError, Unit, expression
 from crs_cc.frontend.check_expr import rvalue
 from crs_cc.frontend.check_operator import modifiable
+from crs_cc.frontend.compatible import is_promoted
 from crs_cc.frontend.convert import assigned, convert, promote_argument
 from crs_cc.frontend.declare import type_name
 from crs_cc.frontend.parse import Node
@@ -37,7 +38,6 @@ from crs_cc.ir.types import (
     PointerType,
     RecordType,
     is_complete,
-    is_promoted,
     qualify,
     unqualified,
 )

@@ -77,6 +77,9 @@ class Unit:
         specified: the type of each specifier node; declarators share them.
         function: the function being checked.
         place: the last known place, for nodes without one.
+        link_names: how many statics of each name there are.
+        unknown: unknown names that were reported, with the function that used them.
+        suggestions: how many more unknown names get a hint.
     """
 
     name: str
@@ -88,7 +91,7 @@ class Unit:
     functions: list[tree.FunctionDefinition] = field(default_factory=list)
     specified: dict[Any, CType] = field(default_factory=dict)
     function: FunctionState | None = None
-    link_names: set[str] = field(default_factory=set)
+    link_names: dict[str, int] = field(default_factory=dict)
     unknown: set[tuple[str, str]] = field(default_factory=set)
     suggestions: int = 20
 
@@ -140,13 +143,10 @@ class Unit:
 
     def static_name(self, name: str) -> str:
         """Makes a linker name that no other file can use: `wander.c:turn`."""
-        made = wanted = f"{self.name}:{name}"
-        number = 2
-        while made in self.link_names:
-            made = f"{wanted}.{number}"
-            number += 1
-        self.link_names.add(made)
-        return made
+        wanted = f"{self.name}:{name}"
+        number = self.link_names.get(wanted, 0) + 1
+        self.link_names[wanted] = number
+        return wanted if number == 1 else f"{wanted}.{number}"
 
 
 CheckExpression: TypeAlias = Callable[[Unit, Node], tree.Expression]

@@ -7,6 +7,7 @@ from pycparser import c_ast
 from crs_cc.frontend import convert, literal, tree
 from crs_cc.frontend.check import CheckError, Unit, checks, expression
 from crs_cc.frontend.check_init import initialise
+from crs_cc.frontend.compatible import compatible
 from crs_cc.frontend.declare import type_name
 from crs_cc.frontend.parse import Node
 from crs_cc.frontend.scope import (
@@ -27,7 +28,6 @@ from crs_cc.ir.types import (
     PointerType,
     RecordType,
     VoidType,
-    compatible,
     is_complete,
     qualify,
     unqualified,

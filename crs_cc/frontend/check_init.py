@@ -13,6 +13,7 @@ from pycparser import c_ast
 
 from crs_cc.frontend import constant, tree
 from crs_cc.frontend.check import CheckError, Unit, expression
+from crs_cc.frontend.compatible import compatible
 from crs_cc.frontend.convert import assigned
 from crs_cc.frontend.declare import LARGEST_OBJECT
 from crs_cc.frontend.parse import Node
@@ -23,7 +24,6 @@ from crs_cc.ir.types import (
     IntegerType,
     Member,
     RecordType,
-    compatible,
     is_complete,
     unqualified,
 )

@@ -10,6 +10,7 @@ from pycparser import c_ast
 from crs_cc.frontend import fold, tree
 from crs_cc.frontend.check import CheckError, Unit, checks, expression
 from crs_cc.frontend.check_expr import rvalue, size_of
+from crs_cc.frontend.compatible import compatible, composite
 from crs_cc.frontend.convert import (
     assigned,
     convert,
@@ -32,8 +33,6 @@ from crs_cc.ir.types import (
     PointerType,
     RecordType,
     VoidType,
-    compatible,
-    composite,
     is_complete,
     qualify,
     unqualified,

@@ -11,9 +11,11 @@ from crs_cc.frontend import check_call, tree
 from crs_cc.frontend.builtins import VA_LIST
 from crs_cc.frontend.check import CheckError, FunctionState, Unit
 from crs_cc.frontend.check_stmt import check_labels, statement
+from crs_cc.frontend.compatible import compatible, is_promoted
 from crs_cc.frontend.convert import is_scalar
 from crs_cc.frontend.declaration import (
     declare,
+    declare_broken,
     declare_function,
     declared_anyhow,
     finish_objects,
@@ -21,7 +23,7 @@ from crs_cc.frontend.declaration import (
 )
 from crs_cc.frontend.declare import declared_type, parameter_type
 from crs_cc.frontend.declare_tag import static_assert
-from crs_cc.frontend.parse import PREDECLARED_TYPES, Node
+from crs_cc.frontend.parse import PREDECLARED_TYPES, Broken, Node
 from crs_cc.frontend.refuse import refused
 from crs_cc.frontend.scope import FunctionSymbol, ObjectSymbol, TypedefName
 from crs_cc.ir.types import (
@@ -33,9 +35,7 @@ from crs_cc.ir.types import (
     FunctionType,
     IntegerType,
     VoidType,
-    compatible,
     is_complete,
-    is_promoted,
     unqualified,
 )
 
@@ -173,6 +173,7 @@ def _passed(ctype: CType, promised: CType | None) -> CType:
 
 External = Callable[[Unit, Any], None]
 EXTERNAL: Final[dict[type, External]] = {
+    Broken: declare_broken,
     c_ast.Decl: declare,
     c_ast.FuncDef: function_definition,
     c_ast.Pragma: _nothing,

@@ -14,6 +14,7 @@ from typing import Final, NoReturn
 
 from crs_cc.frontend import fold, tree
 from crs_cc.frontend.check import CheckError, Unit
+from crs_cc.frontend.compatible import compatible
 from crs_cc.frontend.tree import Expression
 from crs_cc.ir.types import (
     BOOL,
@@ -32,7 +33,6 @@ from crs_cc.ir.types import (
     PointerType,
     RecordType,
     VoidType,
-    compatible,
     unqualified,
 )
 

@@ -11,10 +11,11 @@ from pycparser import c_ast
 from crs_cc.frontend import tree
 from crs_cc.frontend.check import CheckError, Unit, checks_statement
 from crs_cc.frontend.check_init import initialise
+from crs_cc.frontend.compatible import compatible, composite
 from crs_cc.frontend.convert import is_scalar
 from crs_cc.frontend.declare import alignment, declared_type, need_complete
 from crs_cc.frontend.declare_tag import static_assert
-from crs_cc.frontend.parse import Node
+from crs_cc.frontend.parse import Broken, Node
 from crs_cc.frontend.scope import (
     BrokenName,
     FunctionSymbol,
@@ -30,8 +31,6 @@ from crs_cc.ir.types import (
     FunctionType,
     Record,
     RecordType,
-    compatible,
-    composite,
     is_complete,
 )
 from crs_cc.source import Location
@@ -95,6 +94,8 @@ def typedef(unit: Unit, node: Node) -> None:
         raise _redefinition(known, node.name, location)
     if known is None:
         unit.scope.names[node.name] = TypedefName(node.name, ctype, location)
+    if isinstance(ctype, RecordType) and ctype.record.tag is None and ctype.record.alias is None:
+        ctype.record.alias = node.name
 
 
 def _redefinition(known: Symbol, name: str, location: Location) -> CheckError:
@@ -301,6 +302,18 @@ def _declare_local(
         unit.objects.append(tree.ObjectDefinition(symbol, made))
     elif out is not None:
         out.append(tree.Declare(location, symbol, made))
+
+
+def declare_broken(unit: Unit, node: Node) -> None:
+    """Takes note of what a declaration that was not understood may have declared."""
+    for name in node.names:
+        if unit.scope.find(name) is None:
+            unit.scope.names[name] = BrokenName(name, unit.at(node))
+
+
+@checks_statement(Broken)
+def _local_broken(unit: Unit, node: Node, _out: list[tree.Statement]) -> None:
+    declare_broken(unit, node)
 
 
 @checks_statement(c_ast.Decl)

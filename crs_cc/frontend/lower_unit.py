@@ -99,6 +99,11 @@ def lower_unit(unit: Unit) -> Program:
         made = lower_function(lowering, function)
         lowering.program.functions[made.name] = made
     program = lowering.program
+    own = f"{unit.name}:"
+    for name, location in lowering.uses.items():
+        if name.startswith(own) and name not in program.functions and name not in program.data:
+            text = f"static function '{name.removeprefix(own)}' is used, but defined nowhere"
+            unit.error(location, text)
     program.undefined = {
         name: location
         for name, location in lowering.uses.items()

@@ -33,10 +33,14 @@ _NAMES: Final = frozenset({"ID", "TYPEID"})
 _BEFORE_TYPES: Final = frozenset(
     {"CONST", "VOLATILE", "STATIC", "EXTERN", "REGISTER", "TYPEDEF", "INLINE", "AUTO"}
 )
+_STATEMENT_ENDS: Final = frozenset({"SEMI", "LBRACE", "RBRACE"})
 _LEAVES: Final = frozenset({"ID", "INT_CONST_DEC"})
 _SUFFIXES: Final = frozenset({"LBRACKET", "LPAREN", "PERIOD", "ARROW", "PLUSPLUS", "MINUSMINUS"})
 _LOOKAHEAD: Final = 64
 """How many ends of file stand behind the last token; nothing looks further ahead."""
+
+_MOST_DERIVATIONS: Final = 200
+"""How many pointers, arrays and functions one declarator may stack up."""
 
 _IMPLICIT_INT: Final = "type specifier missing, defaults to 'int'"
 
@@ -63,6 +67,24 @@ _PLAIN_TEXT: Final = {
     "Invalid typedef": "a function body cannot follow 'typedef'",
     "At end of input": "unexpected end of the file",
 }
+
+
+class Broken(c_ast.Node):  # type: ignore[misc]
+    """Stands for a declaration or statement that could not be understood.
+
+    Attributes:
+        names: the names in it, which it may have declared.
+    """
+
+    __slots__ = ("coord", "names")
+
+    def __init__(self, names: list[str], coord: Token) -> None:
+        self.names = names
+        self.coord = coord
+
+    def children(self) -> tuple[()]:
+        """Gives the nodes inside: none."""
+        return ()
 
 
 class GiveUp(Exception):  # noqa: N818 - it stops the work, the errors are recorded
@@ -129,7 +151,7 @@ class _Parser(CParser):  # type: ignore[misc]
                 found.extend(self._parse_external_declaration())
             except ParseError:
                 self._forget_scopes(1)
-                self._skip(start, is_in_block=False)
+                found.append(self._skip(start, is_in_block=False))
         return found
 
     # Tokens
@@ -207,14 +229,18 @@ class _Parser(CParser):  # type: ignore[misc]
         return self._parse_error("At end of input", None)
 
     def _missing(self, wanted: str, token: Token) -> Token:
-        text = f"expected {_SPELLING.get(wanted, wanted.lower())} before '{token.value}'"
+        text, hint = f"expected {_SPELLING.get(wanted, wanted.lower())} before '{token.value}'", ""
         before = self._buffer[self._index - 1] if self._index else token
         may_patch = wanted == "SEMI" and before.lineno < token.lineno
         place = token.location
         if may_patch:
             place = before.location
             place = Location(place.file, place.line, place.column + len(before.value))
-        report(self._diagnostics, place, text)
+        if wanted == "SEMI" and token.type == "LBRACE":
+            text, hint = "function definition is not allowed here", "is a '}' missing above?"
+        if wanted == "SEMI" and token.type == "ELSE" and before.type in _STATEMENT_ENDS:
+            text = "'else' without a previous 'if'"
+        report(self._diagnostics, place, text, hint)
         if may_patch and self._index != self._last_patch:
             self._last_patch = self._index
             return token.copy("SEMI", ";")
@@ -231,26 +257,29 @@ class _Parser(CParser):  # type: ignore[misc]
             if self._buffer[self._index] is None:
                 raise
             self._forget_scopes(depth)
-            self._skip(start, is_in_block=True)
-            return []
+            return self._skip(start, is_in_block=True)
 
     def _forget_scopes(self, depth: int) -> None:
         del self._scope_stack[depth:]
         self._typedef_checked_token = None
 
-    def _skip(self, start: int, *, is_in_block: bool) -> None:
+    def _skip(self, start: int, *, is_in_block: bool) -> Broken:
         """Goes behind the end of a broken declaration or statement that began at `start`."""
         stop, self._index, depth = self._index, start, 0
+        broken = Broken([], self._buffer[start])
         while (token := self._buffer[self._index]) is not None:
             if token.type == "RBRACE" and depth == 0 and is_in_block:
-                return
+                break
             self._index += 1
+            if token.type in _NAMES and depth == 0:
+                broken.names.append(token.value)
             depth += {"LBRACE": 1, "RBRACE": -1}.get(token.type, 0)
             is_end = token.type in {"SEMI", "RBRACE"} and depth <= 0
             if is_end and self._index >= stop:
                 following = self._buffer[self._index]
                 if token.type == "SEMI" or following is None or following.type != "SEMI":
-                    return
+                    break
+        return broken
 
     # The C of 1990, and names of types that nobody declared
 
@@ -319,6 +348,14 @@ class _Parser(CParser):  # type: ignore[misc]
         self._scope_stack[0][token.value] = True
         self._typedef_checked_token = None
         return True
+
+    def _type_modify_decl(self, decl: Any, modifier: Any) -> Node:
+        tail, depth = decl, 0
+        while not isinstance(tail, c_ast.TypeDecl):
+            tail, depth = tail.type, depth + 1
+        if depth > _MOST_DERIVATIONS:
+            self._parse_error("Declarator is nested too deeply", tail.coord)
+        return super()._type_modify_decl(decl, modifier)
 
     # Short cuts: most operands are a name or a number, and no C before 2023 has attributes.
 

@@ -83,21 +83,18 @@ def _compile(
 
 
 def _stages(unit: Unit, source: Preprocessed) -> Program:
-    if unit.diagnostics.errors:
-        raise CompileError(unit.diagnostics.errors)
-    last_place = [unit.place]
-
-    def locate(line: int, column: int) -> Location:
-        unit.place = last_place[0] = source.location(line, column)
-        return unit.place
-
-    nodes = parse(source.text, locate, unit.diagnostics)
-    if unit.diagnostics.errors:
-        raise CompileError(unit.diagnostics.errors)
+    _stop_on_errors(unit)
+    nodes = parse(source.text, source.location, unit.diagnostics)
     check_unit(unit, nodes)
+    _stop_on_errors(unit)
+    program = lower_unit(unit)
+    _stop_on_errors(unit)
+    return program
+
+
+def _stop_on_errors(unit: Unit) -> None:
     if unit.diagnostics.errors:
         raise CompileError(unit.diagnostics.errors)
-    return lower_unit(unit)
 
 
 def _with_deep_stack(work: Callable[[], None]) -> None:
