@@ -3,8 +3,6 @@
 
 int main(void)
 {
-    int n;
-
     printf("[%d] [%5d] [%-5d] [%05d] [%+d] [% d]\n", 42, 42, 42, 42, 42, 42);
     printf("[%d] [%5d] [%-5d] [%05d] [%+d] [% d]\n", -42, -42, -42, -42, -42, -42);
     printf("[%.3d] [%8.3d] [%-8.3d] [%.0d] [%+.2d]\n", 7, 7, 7, 0, 7);
@@ -19,8 +17,6 @@ int main(void)
     printf("[%*d] [%-*d] [%.*s] [%*s]\n", 6, 42, 6, 42, 2, "abc", -6, "xy");
     printf("[%%] [%5.1f%%]\n", 99.5);
     printf("[%i] [%zu] [%td]\n", 5, sizeof(int), (char *) 4 - (char *) 1);
-    printf("%s%n|", "count", &n);
-    printf("%d\n", n);
     printf("%d\n", printf("%d%s\n", 12345, "abc"));
     printf("[%.10d] [%x] [%d]\n", 12345, -1, -2147483647 - 1);
     printf("[%-08d] [%+ d] [%+u]\n", 5, 5, 5);

@@ -1,0 +1,150 @@
+"""Runs one compiled program to its end, in small steps of several kinds.
+
+A program may be stopped by lack of fuel at any loop, before any statement, and may be saved and
+loaded into another instance; none of that may change what it does.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from crs_cc.requests import FAILED
+from crs_cc.runtime.executable import Executable
+from crs_cc.runtime.fleet import Failure, Fleet
+from crs_cc.session.build import build_executable
+from crs_cc.session.host import Host, HostRequest
+from crs_cc.source import Diagnostics
+
+HERE = Path(__file__).parent
+ENDLESS = 10**9  # fuel that no case needs
+
+
+@dataclass
+class Outcome:
+    """What a program did.
+
+    Attributes:
+        output: what it wrote to the standard output.
+        errors: what it wrote to the standard error stream.
+        status: its exit status; None when it failed.
+        failure: why it failed; None when it exited.
+        fuel: instructions that it ran.
+        rounds: how often it was resumed.
+        statements: statements that it began (debug builds).
+    """
+
+    output: bytes = b""
+    errors: bytes = b""
+    status: int | None = None
+    failure: Failure | None = None
+    fuel: int = 0
+    rounds: int = 0
+    statements: int = 0
+
+
+@dataclass
+class Stepping:
+    """How a program is run.
+
+    Attributes:
+        fuel: fuel for each resume.
+        statements: statements to run in each resume, 0 for no limit (debug builds).
+        restore_every: number of resumes after which the program moves to a fresh instance; 0 never.
+    """
+
+    fuel: int = ENDLESS
+    statements: int = 0
+    restore_every: int = 0
+
+
+@dataclass
+class Run:
+    """A program on its way."""
+
+    executable: Executable
+    stepping: Stepping = field(default_factory=Stepping)
+    outcome: Outcome = field(default_factory=Outcome)
+
+    def to_end(self) -> Outcome:
+        """Resumes the program until it exits or fails."""
+        outcome = self.outcome
+        host = Host([["case"]], self._write, lambda _robot, _wanted: b"")
+        fleet = Fleet([self.executable])
+        while host.exit_status[0] is None and outcome.failure is None:
+            self._resume(fleet)
+            slot = fleet.slots[0]
+            if slot["status"] == FAILED:
+                outcome.failure = fleet.failure(0)
+            elif slot["code"]:
+                host.serve(int(slot["code"]), HostRequest(0, slot["message"], 0.0, 0.0))
+            assert outcome.failure or outcome.fuel < ENDLESS, "the program does not end"
+            if self.stepping.restore_every and outcome.rounds % self.stepping.restore_every == 0:
+                fleet = _moved(fleet, self.executable)
+        outcome.status = host.exit_status[0]
+        return outcome
+
+    def _resume(self, fleet: Fleet) -> None:
+        slot = fleet.slots[0]
+        slot["run"] = 1
+        slot["fuel"] = self.stepping.fuel
+        if self.stepping.statements:
+            slot["stop_at"] = slot["statements"] + self.stepping.statements
+        fleet.run_round()
+        self.outcome.rounds += 1
+        self.outcome.fuel += self.stepping.fuel - int(slot["fuel"])
+        self.outcome.statements = int(slot["statements"])
+
+    def _write(self, _robot: int, stream: int, content: bytes) -> None:
+        if stream == 1:
+            self.outcome.output += content
+        else:
+            self.outcome.errors += content
+
+
+def _moved(fleet: Fleet, executable: Executable) -> Fleet:
+    """Gives a fresh fleet whose program goes on where the old one's stopped."""
+    saved = fleet.snapshot(0)
+    fresh = Fleet([executable])
+    fresh.restore(0, saved)
+    return fresh
+
+
+def build(path: Path, *, debug: bool = False, checked: bool = True) -> Executable:
+    """Gives the program made of one C file, without asking for its warnings."""
+    return build_executable([path], Diagnostics(), debug=debug, checked=checked)
+
+
+def cases(folder: str) -> list[Path]:
+    """Gives the C files of a folder of cases, in a fixed order."""
+    return sorted((HERE / folder).rglob("*.c"))
+
+
+def name(path: Path) -> str:
+    """Gives a case's name: its path without the folder of all cases."""
+    return path.relative_to(HERE).with_suffix("").as_posix()
+
+
+@dataclass(frozen=True)
+class Expected:
+    """What a comment `// error: text` asks for.
+
+    Attributes:
+        line: at which line; 0 for anywhere.
+        text: what the message says, or a part of it.
+    """
+
+    line: int
+    text: str
+
+
+def expected_errors(path: Path) -> list[Expected]:
+    """Gives what the comments of a case ask for."""
+    found = []
+    lines = path.read_text(encoding="latin-1").split("\n")
+    for number, line in enumerate(lines, start=1):
+        match = re.search(r"// error:\s*(.*?)\s*(\(anywhere\))?$", line)
+        if match:
+            found.append(Expected(0 if match[2] else number, match[1]))
+    return found

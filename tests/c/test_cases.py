@@ -1,0 +1,136 @@
+"""Runs the C programs below this folder: valid ones five ways, wrong ones to their messages.
+
+valid/     must print what is in the `.out` file beside them (made with `gcc -m32`), and exit
+with 0 or with what a comment `// exit: N` says
+errors/    must be stopped by the error that a comment `// error: kind` names, at its line
+refused/   must not compile; a comment `// error: text` stands at each line to be blamed
+hostile/   see `test_hostile.py`
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from crs_cc.errors import CompileError
+from crs_cc.requests import ERROR_KINDS
+from tests.c.execution import ENDLESS, Outcome, Run, Stepping, build, cases, expected_errors, name
+
+NOT_YET = {"valid/vla/basics", "valid/setjmp/basics"}
+"""Cases that the compiler refuses so far; the runner tells when one of them passes."""
+
+FUEL_STEPS = 200_000
+"""Programs of up to so many instructions get their fuel one by one, longer ones so many times."""
+
+STATEMENT_STEPS = 4000
+"""Programs of up to so many statements stop before every one, longer ones so many times."""
+
+
+def valid_cases() -> list[object]:
+    """Gives each valid case once; all but the first of a topic are left out of quick runs."""
+    rows, seen = [], set()
+    for path in cases("valid"):
+        marks = []
+        if path.parent in seen:
+            marks.append(pytest.mark.slow)
+        if name(path) in NOT_YET:
+            marks.append(pytest.mark.xfail(raises=CompileError, strict=True))
+        seen.add(path.parent)
+        rows.append(pytest.param(path, id=name(path), marks=marks))
+    return rows
+
+
+@pytest.fixture(params=valid_cases(), scope="module")
+def case(request: pytest.FixtureRequest) -> Path:
+    path: Path = request.param
+    return path
+
+
+@cache
+def plain(path: Path) -> Outcome:
+    """Gives what the program does when nothing interrupts it."""
+    return Run(build(path)).to_end()
+
+
+def same(left: Outcome, right: Outcome) -> bool:
+    """Tells whether two runs did the same, instruction for instruction."""
+    return (left.output, left.errors, left.status, left.fuel) == (
+        right.output, right.errors, right.status, right.fuel,
+    )  # fmt: skip
+
+
+def test_a_valid_program_does_what_gcc_says(
+    case: Path, check_golden: Callable[[Path, bytes], None]
+) -> None:
+    outcome = plain(case)
+    assert outcome.failure is None
+    check_golden(case.with_suffix(".out"), outcome.output)
+    exit_comment = re.search(r"// exit: (\d+)", case.read_text(encoding="latin-1"))
+    assert outcome.status == (int(exit_comment[1]) if exit_comment else 0)
+
+
+def test_running_out_of_fuel_everywhere_changes_nothing(case: Path) -> None:
+    fuel = max(1, plain(case).fuel // FUEL_STEPS)
+    outcome = Run(build(case), Stepping(fuel=fuel)).to_end()
+    assert same(outcome, plain(case))
+
+
+def test_moving_to_a_fresh_instance_changes_nothing(case: Path) -> None:
+    fuel = plain(case).fuel // 20 + 1
+    outcome = Run(build(case), Stepping(fuel=fuel, restore_every=3)).to_end()
+    assert outcome.rounds > 3
+    assert same(outcome, plain(case))
+
+
+@pytest.mark.slow
+def test_stopping_before_statements_changes_nothing(case: Path) -> None:
+    whole = Run(build(case, debug=True)).to_end()
+    assert same(whole, plain(case))
+    every = whole.statements // STATEMENT_STEPS + 1
+    stepped = Run(build(case, debug=True), Stepping(statements=every)).to_end()
+    assert same(stepped, whole)
+    assert stepped.statements == whole.statements
+    assert stepped.rounds >= whole.statements // every
+
+
+@pytest.mark.slow
+def test_leaving_out_the_checks_changes_nothing(case: Path) -> None:
+    assert same(Run(build(case, checked=False)).to_end(), plain(case))
+
+
+@pytest.mark.parametrize("path", cases("errors"), ids=name)
+def test_a_run_time_error_is_named_at_its_line(path: Path) -> None:
+    (wanted,) = expected_errors(path)
+    assert wanted.text in ERROR_KINDS
+    for fuel in (ENDLESS, 2000):
+        failure = Run(build(path), Stepping(fuel)).to_end().failure
+        assert failure is not None
+        assert failure.kind == wanted.text
+        if wanted.line:
+            assert Path(failure.location.file).name == path.name
+            assert failure.location.line == wanted.line
+            assert failure.location.column > 0
+
+
+@pytest.mark.parametrize("path", cases("refused"), ids=name)
+def test_a_wrong_program_is_refused_at_its_line(path: Path) -> None:
+    with pytest.raises(CompileError) as caught:
+        build(path)
+    errors = [each for each in caught.value.diagnostics if each.severity == "error"]
+    for wanted in expected_errors(path):
+        assert any(
+            wanted.line in (0, each.location.line) and wanted.text in each.text for each in errors
+        ), errors
+    assert all(each.location.file for each in errors)
+    assert len(errors) == len(set(errors)), "said twice"
+
+
+def test_every_case_says_what_it_expects() -> None:
+    for path in cases("errors") + cases("refused"):
+        assert expected_errors(path), name(path)
+    for path in cases("valid"):
+        assert path.with_suffix(".out").exists(), name(path)

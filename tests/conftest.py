@@ -1,0 +1,42 @@
+"""What all tests share: a compiler cache of their own, and the flag that rewrites goldens."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--update-goldens",
+        action="store_true",
+        help="rewrite expected outputs that differ, and fail once so that the difference is read",
+    )
+
+
+@pytest.fixture(scope="session", autouse=True)
+def compiler_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """Keeps what is compiled in a folder of this run, which parallel workers share."""
+    folder = tmp_path_factory.getbasetemp()
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        folder = folder.parent
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("CRS_CACHE", str(folder / "crs_cache"))
+        yield
+
+
+@pytest.fixture
+def check_golden(request: pytest.FixtureRequest) -> Callable[[Path, bytes], None]:
+    """Gives a function that compares an output with the file that holds the expected one."""
+
+    def check(golden: Path, output: bytes) -> None:
+        expected = golden.read_bytes() if golden.exists() else b""
+        if output != expected and request.config.getoption("--update-goldens"):
+            golden.write_bytes(output)
+            pytest.fail(f"{golden.name} was rewritten; read the difference, then run again")
+        assert output.decode(errors="replace") == expected.decode(errors="replace")
+
+    return check
