@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from pathlib import Path, PurePosixPath
 from typing import Final, TypeAlias, TypeVar
 
@@ -26,38 +27,11 @@ SHORTEST_TIMESTEP_S: Final = 0.001
 LONGEST_TIMESTEP_S: Final = 0.1
 MAX_THINGS: Final = 100_000
 _TOO_SMALL_M: Final = 0.001
+_ID: Final = re.compile(r"[A-Za-z_][A-Za-z0-9_.\-]{0,63}")
 
 Thing = TypeVar("Thing")
 FindModel: TypeAlias = Callable[[Element, str], RobotModel]
 """Gives the robot model with a name; notes it as a mistake of the element when there is none."""
-
-
-@dataclass(slots=True)
-class Names:
-    """The ids of a world file.
-
-    Attributes:
-        elements: the element that used each id.
-        counts: how many elements of each kind came before.
-    """
-
-    elements: dict[str, Element] = field(default_factory=dict)
-    counts: dict[str, int] = field(default_factory=dict)
-
-    def name(self, element: Element, reader: Reader) -> str:
-        """Gives the id of a thing, and remembers where it was used."""
-        number = self.counts.get(element.tag, 0)
-        self.counts[element.tag] = number + 1
-        given = element.attributes.get("id", f"{element.tag}{number}")
-        if given in self.elements:
-            line = self.elements[given].line
-            reader.error(
-                element, f"a second thing with the id {given!r}; the first is in line {line}"
-            )
-        elif given.startswith("edge-"):
-            reader.error(element, f"the id {given!r}: names that begin with edge- are the world's")
-        self.elements.setdefault(given, element)
-        return given
 
 
 def world_model(
@@ -72,19 +46,19 @@ def world_model(
         reader: reads the values.
         find_model: finds robot definitions.
     """
-    names = Names()
     if len(root.children) > MAX_THINGS:
         reader.error(root, f"more than {MAX_THINGS} things in one world")
         root.children = root.children[:1]
+    _name_things(root, reader)
     world = WorldModel(
         root.attributes.get("name", name),
         area=_area(root.first("area"), reader),
-        walls=tuple(_wall(element, names, reader) for element in root.all("wall")),
-        boxes=tuple(_box(element, names, reader) for element in root.all("box")),
-        cylinders=tuple(_cylinder(element, names, reader) for element in root.all("cylinder")),
+        walls=tuple(_wall(element, reader) for element in root.all("wall")),
+        boxes=tuple(_box(element, reader) for element in root.all("box")),
+        cylinders=tuple(_cylinder(element, reader) for element in root.all("cylinder")),
         robots=tuple(
             Robot(
-                names.name(element, reader),
+                element.attributes["id"],
                 find_model(element, element.attributes.get("definition", "scout")),
                 _pose(element, reader),
                 _program(element, folder, reader),
@@ -96,6 +70,27 @@ def world_model(
     )
     _check(world, root, reader)
     return world
+
+
+def _name_things(root: Element, reader: Reader) -> None:
+    """Gives names to things that have none, and notes names that are used twice."""
+    used: dict[str, int] = {}
+    counts: dict[str, int] = {}
+    for element in root.children[1:]:
+        number = counts.get(element.tag, 0)
+        counts[element.tag] = number + 1
+        name = element.attributes.setdefault("id", f"{element.tag}{number}")
+        if name in used:
+            reader.error(
+                element, f"a second thing with the id {name!r}; the first is in line {used[name]}"
+            )
+        elif name.startswith("edge-"):
+            reader.error(element, f"the id {name!r}: names that begin with edge- are the world's")
+        elif not _ID.fullmatch(name):
+            reader.error(
+                element, f"the id {name!r}: letters, digits, _ . - only, no digit first, at most 64"
+            )
+        used.setdefault(name, element.line)
 
 
 def _check(world: WorldModel, root: Element, reader: Reader) -> None:
@@ -132,9 +127,9 @@ def _area(element: Element, reader: Reader) -> Area:
     return Area(0.0, 0.0, length_m, width_m, edge_m)
 
 
-def _wall(element: Element, names: Names, reader: Reader) -> Wall:
+def _wall(element: Element, reader: Reader) -> Wall:
     wall = Wall(
-        names.name(element, reader),
+        element.attributes["id"],
         reader.quantity(element, "x1", LENGTH),
         reader.quantity(element, "y1", LENGTH),
         reader.quantity(element, "x2", LENGTH),
@@ -146,9 +141,9 @@ def _wall(element: Element, names: Names, reader: Reader) -> Wall:
     return wall
 
 
-def _box(element: Element, names: Names, reader: Reader) -> Box:
+def _box(element: Element, reader: Reader) -> Box:
     return Box(
-        names.name(element, reader),
+        element.attributes["id"],
         _pose(element, reader),
         _size(element, "length", reader),
         _size(element, "width", reader),
@@ -156,9 +151,9 @@ def _box(element: Element, names: Names, reader: Reader) -> Box:
     )
 
 
-def _cylinder(element: Element, names: Names, reader: Reader) -> Cylinder:
+def _cylinder(element: Element, reader: Reader) -> Cylinder:
     return Cylinder(
-        names.name(element, reader),
+        element.attributes["id"],
         _pose(element, reader),
         _size(element, "radius", reader),
         reader.positive(element, "mass", MASS, FIXED_KG),

@@ -19,6 +19,7 @@ crs_cc.errors.WorldError: room:1: error: <area> lacks the attribute 'width'
 
 from __future__ import annotations
 
+import math
 import stat
 from dataclasses import dataclass, field
 from functools import cache
@@ -98,6 +99,7 @@ def _parse_world(text: bytes, file: str, name: str, folder: Path | None) -> Worl
     reader = Reader(file, diagnostics)
     definitions = _Definitions(folder, reader)
     world = world_model(root, name, folder, reader, definitions.find)
+    diagnostics.messages = _by_line(diagnostics.messages, file)
     _raise_errors(diagnostics)
     return world
 
@@ -222,6 +224,17 @@ def _plain(node: etree._Element) -> Element:
         (node.text or "").strip(),
         [_plain(child) for child in node],
     )
+
+
+def _by_line(messages: list[Diagnostic], file: str) -> list[Diagnostic]:
+    """Sorts messages; those about another file stay behind the message that led there."""
+    keys, key = [], math.inf
+    for message in messages:
+        if message.location.file == file:
+            key = message.location.line or math.inf
+        keys.append(key)
+    order = sorted(range(len(messages)), key=keys.__getitem__)
+    return [messages[number] for number in order]
 
 
 def _lines(text: bytes) -> list[str]:

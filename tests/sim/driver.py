@@ -1,0 +1,76 @@
+"""Drives an environment as a session would, in few words."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from crs_cc.requests import CODES, MESSAGE
+from crs_cc.sim.environment import Environment
+from crs_cc.sim.step import Step
+from crs_cc.sim.world_xml import parse_world
+
+INCH = 0.0254
+SCOUT_RADIUS_M = 8 * INCH
+
+
+def world_of(things: str, size: str = 'length="10m" width="10m"', timestep: str = "50ms"):
+    """Gives a world of things, written in XML."""
+    text = f'<world version="1" timestep="{timestep}"><area {size}/>{things}</world>'
+    return parse_world(text.encode(), "test")
+
+
+def open_world(things: str = '<robot x="0" y="0"/>', timestep: str = "50ms"):
+    """Gives a wide world without edges, its origin in the middle."""
+    return world_of(things, 'length="2000m" width="2000m" origin="centre" edge="0"', timestep)
+
+
+@dataclass
+class Driver:
+    """One environment and what its robots were told last."""
+
+    environment: Environment
+    steps: list[Step] = field(default_factory=list)
+
+    @classmethod
+    def of(cls, world, seed: int = 1) -> Driver:
+        """Makes an environment whose robots are all connected."""
+        driver = cls(Environment(world, seed))
+        for robot in range(len(world.robots)):
+            driver.ask("CONNECT", robot=robot)
+        return driver
+
+    @property
+    def state(self):
+        return self.environment.state
+
+    def post(self, name: str, *arguments: int, robot: int = 0, at_s: float = 0.0, data=b""):
+        """Posts a request and gives the message that came back and when the program goes on."""
+        messages = np.zeros(1, MESSAGE)
+        messages["i"][0, : len(arguments)] = arguments
+        messages["data"][0, : len(data)] = list(data)
+        messages["size"] = len(data)
+        clock_s = np.array([max(at_s, self.environment.time_s)])
+        goes_on_s = self.environment.serve(CODES[name], np.array([robot]), messages, clock_s)
+        return messages[0], float(goes_on_s[0])
+
+    def ask(self, name: str, *arguments: int, robot: int = 0, at_s: float = 0.0, data=b""):
+        """Posts a request and gives the `State` that was told."""
+        message, _ = self.post(name, *arguments, robot=robot, at_s=at_s, data=data)
+        return told(message)
+
+    def run(self, cycles: int) -> list[Step]:
+        """Runs cycles and gives what happened in them."""
+        steps = [self.environment.step() for _ in range(cycles)]
+        self.steps += steps
+        return steps
+
+    def run_s(self, time_s: float) -> list[Step]:
+        """Runs for a time, rounded to cycles."""
+        return self.run(round(time_s / self.environment.timestep_s))
+
+
+def told(message) -> np.ndarray:
+    """Gives the `State` that a reply carries."""
+    return message["data"][:180].view("<i4").copy()

@@ -1,0 +1,255 @@
+"""Contacts: nothing gets into anything, pushing is bounded, and runs repeat to the bit."""
+
+import math
+import pickle
+
+import numpy as np
+import pytest
+
+from crs_cc.sim.physics import REBUILD, Bodies, Physics
+from crs_cc.sim.placement import clearance_m
+from crs_cc.sim.scene import Scene
+from tests.sim.driver import SCOUT_RADIUS_M, Driver, world_of
+
+DT = 0.05
+THIN_ROOM = 'length="2m" width="1.6m" edge="5cm"'
+MAZE = (
+    '<wall x1="1.3m" y1="0.7m" x2="1.3m" y2="1.6m" thickness="5cm"/>'
+    '<box x="0.75m" y="1.2m" heading="30" length="0.3m" width="0.05m"/>'
+    '<cylinder x="1.75m" y="1.35m" radius="5cm"/>'
+)
+
+
+class Bench:
+    """The physics of a world alone."""
+
+    def __init__(self, world):
+        self.scene = Scene(world)
+        self.world = world
+        self.bodies = Bodies.at_start(self.scene)
+        self.physics = Physics(world, self.scene, self.bodies)
+
+    def push(self, *ways_m):
+        return self.physics.step(self.bodies, np.array(ways_m, dtype=np.float64))
+
+    def depth_m(self) -> float:
+        """Gives how deep the deepest robot is in a fixed thing."""
+        places = self.bodies.position_m[: self.scene.robots]
+        rooms = [
+            clearance_m(solid, places[:, 0], places[:, 1]).min()
+            for solid in self.scene.fixed_solids
+        ]
+        return SCOUT_RADIUS_M - min(rooms)
+
+    def digest(self):
+        return [getattr(self.bodies, name).tobytes() for name in Bodies.__slots__]
+
+
+# -- walls hold --------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("timestep", "drive_s"), [("1ms", 6), ("50ms", 60), ("100ms", 60)])
+def test_a_robot_at_full_speed_never_gets_through_or_deep_into_a_wall(timestep, drive_s):
+    world = world_of(MAZE + '<robot x="0.3m" y="0.3m"/>', THIN_ROOM, timestep)
+    bench = Bench(world)
+    rng = np.random.default_rng(11)
+    dt, worst_m, touched = world.timestep_s, 0.0, set()
+    for _ in range(round(drive_s / 1.5)):  # another direction every second and a half
+        angle = rng.uniform(0, math.tau)
+        way_m = dt * math.cos(angle), dt * math.sin(angle)
+        for _ in range(round(1.5 / dt)):
+            contacts = bench.push(way_m)
+            touched |= {bench.scene.names[other] for other in contacts.other}
+            worst_m = max(worst_m, bench.depth_m())
+    assert worst_m < 0.01
+    assert len(touched) >= drive_s / 10
+
+
+def test_a_robot_driven_into_a_corner_stays_in_it():
+    bench = Bench(world_of('<robot x="1m" y="0.8m"/>', THIN_ROOM))
+    for angle_deg in (225, 200, 250, 181, 269):
+        angle = math.radians(angle_deg)
+        for _ in range(60):
+            bench.push((DT * math.cos(angle), DT * math.sin(angle)))
+            assert bench.depth_m() < 0.01
+    assert bench.bodies.position_m[0] == pytest.approx([SCOUT_RADIUS_M] * 2, abs=0.01)
+
+
+def test_a_robot_slides_along_a_wall():
+    bench = Bench(world_of('<robot x="1m" y="5m"/>'))
+    angle = math.radians(30)
+    for _ in range(400):
+        bench.push((0.3 * DT * math.cos(angle), 0.3 * DT * math.sin(angle)))
+    x, y = bench.bodies.position_m[0]
+    assert y < 10
+    for _ in range(400):
+        bench.push((0.3 * DT * math.cos(angle), 0.3 * DT * math.sin(angle)))
+    assert bench.bodies.position_m[0][0] > x + 0.5
+    assert bench.bodies.position_m[0][1] == pytest.approx(10 - SCOUT_RADIUS_M, abs=0.01)
+
+
+def test_robots_stop_each_other():
+    bench = Bench(world_of('<robot x="4m" y="5m"/><robot x="6m" y="5m"/>'))
+    for _ in range(100):
+        contacts = bench.push((0.5 * DT, 0), (-0.5 * DT, 0))
+    apart = bench.bodies.position_m[1] - bench.bodies.position_m[0]
+    assert apart == pytest.approx([2 * SCOUT_RADIUS_M, 0], abs=0.01)
+    assert contacts.robot.tolist() == [0, 1]
+    assert contacts.other.tolist() == [1, 0]
+
+
+def test_contacts_name_what_was_touched_and_where():
+    bench = Bench(world_of('<cylinder id="pillar" x="5m" y="5m" radius="20cm"/>'
+                           '<robot x="4m" y="5m"/>'))  # fmt: skip
+    for _ in range(40):
+        contacts = bench.push((0.5 * DT, 0))
+    assert [bench.scene.names[other] for other in contacts.other] == ["pillar"]
+    assert contacts.x_m == pytest.approx([4.8], abs=0.01)
+    assert contacts.y_m == pytest.approx([5.0], abs=0.01)
+
+
+# -- pushing -----------------------------------------------------------------------------------
+
+
+def push_box(mass: str, seconds: float = 4.0) -> Bench:
+    bench = Bench(
+        world_of(
+            f'<box x="3m" y="5m" length="40cm" width="40cm" mass="{mass}"/><robot x="2m" y="5m"/>'
+        )
+    )
+    for _ in range(round(seconds / DT)):
+        bench.push((0.3 * DT, 0.0))
+    return bench
+
+
+def test_a_light_box_is_pushed_along_and_stops_when_the_robot_stops():
+    bench = push_box("5kg")
+    robot_x, box_x = bench.bodies.position_m[:, 0]
+    assert robot_x == pytest.approx(2 + 4 * 0.3, abs=0.05)
+    assert box_x == pytest.approx(robot_x + SCOUT_RADIUS_M + 0.2, abs=0.01)
+    for _ in range(20):
+        bench.push((0.0, 0.0))
+    rested = bench.bodies.position_m.copy()
+    for _ in range(20):
+        bench.push((0.0, 0.0))
+    assert np.array_equal(bench.bodies.position_m, rested)
+    assert rested[1, 0] - box_x < 0.05
+
+
+def test_a_box_heavier_than_the_push_stays_where_it_is():
+    # Friction of the floor: 0.4 * 9.80665 * 20 kg = 78 N, the Scout pushes with 60 N. The blow at
+    # first gives both 23 * 0.3 / 43 = 0.16 m/s, which friction takes away within 3 cm.
+    bench = push_box("20kg", seconds=20)
+    assert bench.bodies.position_m[1, 0] == pytest.approx(3.03, abs=0.01)
+    assert bench.bodies.velocity_mps[1] == pytest.approx([0, 0], abs=1e-6)
+
+
+def test_a_box_that_is_pushed_off_its_middle_turns():
+    bench = Bench(
+        world_of(
+            '<box x="3m" y="5.18m" length="40cm" width="40cm" mass="3kg"/><robot x="2m" y="5m"/>'
+        )
+    )
+    for _ in range(80):
+        bench.push((0.3 * DT, 0.0))
+    assert bench.bodies.angle_rad[1] > 0.1
+
+
+def test_a_box_between_a_robot_and_a_wall_holds_the_robot():
+    bench = Bench(
+        world_of(
+            '<box x="1.5m" y="0.8m" length="40cm" width="40cm" mass="1kg"/>'
+            '<robot x="0.5m" y="0.8m"/>',
+            THIN_ROOM,
+        )
+    )
+    for _ in range(200):
+        bench.push((0.5 * DT, 0.0))
+    assert bench.bodies.position_m[1, 0] == pytest.approx(1.8, abs=0.01)
+    assert bench.bodies.position_m[0, 0] == pytest.approx(1.6 - SCOUT_RADIUS_M, abs=0.02)
+
+
+def test_contacts_never_turn_a_robot():
+    driver = Driver.of(world_of('<robot x="9m" y="5m" heading="70"/>'))
+    driver.ask("VM", 300, 300)
+    driver.run_s(20)
+    assert driver.state.collisions[0] == 2  # the east edge, then the corner
+    assert math.degrees(driver.state.heading_rad[0]) == pytest.approx(70)
+
+
+# -- the same again ----------------------------------------------------------------------------
+
+SCRUM = "".join(
+    f'<robot x="{1 + column * 0.6}m" y="{1 + row * 0.6}m"/>'
+    for row in range(4)
+    for column in range(4)
+) + "".join(
+    f'<box x="{1.3 + number * 0.6}m" y="4m" length="30cm" width="30cm" mass="2kg"/>'
+    f'<cylinder x="{1.3 + number * 0.6}m" y="4.7m" radius="15cm" mass="1kg"/>'
+    for number in range(4)
+)
+
+
+def scrum(count: int, seed: int):
+    """Gives ways for a crowd that keeps running into itself and its things."""
+    rng = np.random.default_rng(seed)
+    angle = rng.uniform(0, math.tau, 16)
+    for number in range(count):
+        if number % 20 == 0:
+            angle = rng.uniform(0, math.tau, 16)
+        yield DT * 0.6 * np.column_stack([np.cos(angle), np.sin(angle)])
+
+
+def test_a_snapshot_in_a_scrum_goes_on_to_the_same_bits():
+    bench = Bench(world_of(SCRUM, 'length="4m" width="5.5m"'))
+    ways = list(scrum(3 * REBUILD, seed=2))
+    touched = sum(len(bench.physics.step(bench.bodies, way).robot) for way in ways[:REBUILD])
+    assert touched > 200
+    for at in (REBUILD, REBUILD + 1, REBUILD + 27, 2 * REBUILD - 1):
+        bench = Bench(bench.world)
+        for way in ways[:at]:
+            bench.physics.step(bench.bodies, way)
+        snapshot = pickle.loads(pickle.dumps(bench.physics.snapshot()))
+        for way in ways[at:]:
+            bench.physics.step(bench.bodies, way)
+        expected = bench.digest()
+        for _ in range(2):
+            bench.bodies = bench.physics.restore(snapshot)
+            for way in ways[at:]:
+                bench.physics.step(bench.bodies, way)
+            assert bench.digest() == expected
+        other = Bench(bench.world)
+        other.bodies = other.physics.restore(snapshot)
+        for way in ways[at:]:
+            other.physics.step(other.bodies, way)
+        assert other.digest() == expected
+
+
+def test_taking_snapshots_changes_nothing():
+    world = world_of(SCRUM, 'length="4m" width="5.5m"')
+    quiet, watched = Bench(world), Bench(world)
+    for way in scrum(120, seed=3):
+        quiet.physics.step(quiet.bodies, way)
+        watched.physics.step(watched.bodies, way)
+        watched.physics.snapshot()
+    assert quiet.digest() == watched.digest()
+
+
+def test_a_robot_far_away_changes_no_bit_of_another_ones_collisions():
+    """What one robot does must not reach another one, not even by rounding."""
+    things = (
+        '<box x="3m" y="5m" length="40cm" width="40cm" mass="2kg"/>'
+        '<box x="4m" y="5.1m" length="40cm" width="40cm" mass="2kg"/><robot x="2m" y="5m"/>'
+        '<robot x="8m" y="8m"/>'
+    )
+    alone, beside = Bench(world_of(things)), Bench(world_of(things))
+    rng = np.random.default_rng(4)
+    for number in range(300):
+        angle = 0.02 * number
+        mine = (0.4 * DT * math.cos(angle), 0.4 * DT * math.sin(angle))
+        alone.push(mine, (0.0, 0.0))
+        beside.push(mine, tuple(rng.uniform(-0.02, 0.02, 2)))
+    near = [0, 2, 3]  # the first robot and both boxes
+    assert np.array_equal(alone.bodies.position_m[near], beside.bodies.position_m[near])
+    assert np.array_equal(alone.bodies.angle_rad[near], beside.bodies.angle_rad[near])
+    assert not np.array_equal(alone.bodies.position_m[1], beside.bodies.position_m[1])
