@@ -1,0 +1,80 @@
+"""What the library defines, declares, and uses of itself."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from crs_cc.frontend.options import Options
+from crs_cc.frontend.unit import compile_file, compile_text
+from crs_cc.runtime.link import references
+from crs_cc.session.library import HEADERS, SOURCES, library
+from crs_cc.source import Diagnostics
+
+PUBLIC = sorted(path.relative_to(HEADERS).as_posix() for path in HEADERS.rglob("*.h"))
+
+C89 = """
+abort abs acos asctime asin atan atan2 atexit atof atoi atol bsearch calloc ceil clearerr clock
+cos cosh ctime difftime div errno exit exp fabs fclose feof ferror fflush fgetc fgetpos fgets
+floor fmod fopen fprintf fputc fputs fread free freopen frexp fscanf fseek fsetpos ftell fwrite
+getc getchar getenv gets gmtime isalnum isalpha iscntrl isdigit isgraph islower isprint ispunct
+isspace isupper isxdigit labs ldexp ldiv localeconv localtime log log10 longjmp malloc mblen
+mbstowcs mbtowc memchr memcmp memcpy memmove memset mktime modf perror pow printf putc putchar
+puts qsort raise rand realloc remove rename rewind scanf setbuf setlocale setvbuf signal sin
+sinh sprintf sqrt srand sscanf stderr stdin stdout strcat strchr strcmp strcoll strcpy strcspn
+strerror strftime strlen strncat strncmp strncpy strpbrk strrchr strspn strstr strtod strtok
+strtol strtoul strxfrm system tan tanh time tmpfile tmpnam tolower toupper ungetc vfprintf
+vprintf vsprintf wcstombs wctomb
+"""
+"""What no program may define (C17 7.1.3) and every library had, functions and objects."""
+
+FAMILIES = ("math/float.c", "math/float_exact.c", "math/long_double.c", "stdio/print", "stdio/scan")
+"""Their functions stand on those of the same family, such as `expm1f` on `expm1`."""
+
+
+@pytest.mark.parametrize("name", PUBLIC)
+def test_each_header_compiles_alone_and_twice_without_a_word(name: str) -> None:
+    diagnostics = Diagnostics()
+    text = f"#include <{name}>\n#include <{name}>\nint unit;\n"
+    compile_text(text, "unit.c", Options(system_paths=(HEADERS,)), diagnostics)
+    assert not diagnostics.messages
+
+
+def test_all_headers_compile_together() -> None:
+    diagnostics = Diagnostics()
+    text = "".join(f"#include <{name}>\n" for name in [*PUBLIC, *reversed(PUBLIC)])
+    compile_text(text + "int unit;\n", "unit.c", Options(system_paths=(HEADERS,)), diagnostics)
+    assert not diagnostics.messages
+
+
+def test_everything_declared_is_defined() -> None:
+    for name in PUBLIC:
+        text = re.sub(r"/\*.*?\*/", "", (HEADERS / name).read_text(), flags=re.DOTALL)
+        text = re.sub(r"^#.*(\\\n.*)*", "", text, flags=re.MULTILINE)
+        functions = re.findall(r"(\w+)\((?!\*)[^;{}]*\);", text)
+        variables = re.findall(r"^extern [\w ]+?[ *]+(\w+)(?:\[\w+\])?;", text, re.MULTILINE)
+        for declared in [*functions, *variables]:
+            if declared not in ("__crs_request", "__crs_stop"):
+                assert library().find(declared) is not None, f"{declared} of {name}"
+
+
+def test_a_program_may_define_what_c89_leaves_free() -> None:
+    """A program's own `round` or `index` must not become part of the library's inner workings."""
+    objects = ("State", "Smask", "SERVER_MACHINE_NAME", "SERV_TCP_PORT", "signgam", "main")
+    allowed = re.compile(rf"__.*|.*:.*|{'|'.join([*C89.split(), *objects])}")
+    for unit in sorted(path.relative_to(SOURCES).as_posix() for path in SOURCES.rglob("*.c")):
+        if unit.startswith(FAMILIES):
+            continue
+        program = compile_file(SOURCES / unit, Options(system_paths=(HEADERS,)), Diagnostics())
+        for name, definition in (program.functions | program.data).items():
+            used = [each for each in references(definition) if not allowed.fullmatch(each)]
+            assert not used, f"{name} of {unit}"
+
+
+def test_sources_keep_to_the_projects_measures() -> None:
+    for path in [*SOURCES.rglob("*.c"), *SOURCES.rglob("*.h")]:
+        lines = path.read_text().splitlines()
+        assert len(lines) <= 500, path
+        assert all(len(line) <= 100 for line in lines), path
+        assert lines[0].startswith("/* "), f"{path} does not open with its idea"
