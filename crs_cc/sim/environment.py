@@ -127,7 +127,7 @@ class Environment:
         if code not in HANDLERS or not len(rows):
             messages["result"] = 0
             return np.array(clock_s, dtype=np.float64)
-        now_s = np.fmax(np.fmin(clock_s, self.end_s), state.clock_s[rows])
+        now_s = np.fmin(np.fmax(clock_s, state.clock_s[rows]), self.end_s)
         drive.advance(state, self._equipment, rows, now_s)
         good = self._handle(code, rows, messages)
         state.commands[rows] += 1

@@ -17,6 +17,7 @@ since: to restore is to make the space anew and to run these cycles again, to th
 from __future__ import annotations
 
 import math
+import weakref
 from dataclasses import dataclass, fields
 from typing import Final, Self
 
@@ -149,7 +150,14 @@ class Physics:
         self._force = np.zeros((len(scene.names) + 1, 2))
         self._write_motion.set_float_buf(self._motion)
         self._write_force.set_float_buf(self._force)
+        # pymunk cannot free a space while Python shuts down: it must be gone before.
+        self._spaces: list[pymunk.Space] = []
+        weakref.finalize(self, self._spaces.clear)
         self._make_space()
+
+    @property
+    def _space(self) -> pymunk.Space:
+        return self._spaces[0]
 
     def step(self, bodies: Bodies, way_m: FloatArray) -> Contacts:
         """Moves bodies through one cycle.
@@ -239,7 +247,7 @@ class Physics:
         space.add(bodies[-1])
         for body, thing in zip(bodies[self._robots :], self._scene.pushables, strict=False):
             space.add(*_floor_friction(bodies[-1], body, thing))
-        self._space = space
+        self._spaces[:] = [space]
         self._room_m = 0.0
         self._learn_ids([body.id for body in bodies])
 
