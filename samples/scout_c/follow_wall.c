@@ -28,8 +28,8 @@
 #define LOST       32.0    /* no wall at the right within this: it ended */
 #define LEAN       0.7     /* weight of the angle to the wall against the distance */
 #define CRUISE     90      /* forward speed, 0.1 inch/s */
-#define CALL       0.016   /* what one command takes on a line of 38400 baud, seconds */
-#define LOOKS      5       /* calls of get_sn() before each decision */
+#define CALL       0.0145  /* what a command takes on a line of 38400 baud, seconds */
+#define LOOKS      5       /* calls of gs() before each decision */
 #define TICK       ((LOOKS + 1) * CALL)   /* time between two decisions, seconds */
 
 typedef struct {
@@ -114,7 +114,7 @@ static Senses sense(void)
     int call;
 
     for (call = 0; call < LOOKS; call++)
-        get_sn();
+        gs();
     s.ahead = least(sonar(0), least(sonar(1), sonar(15)));
     s.side = least(sonar(12), least(sonar(11), sonar(13)));
     s.bow = sonar(14);
@@ -236,7 +236,7 @@ int main(int argc, char *argv[])
     dp(0, 0);
     da(0, 0);
     for (call = 0; call < 30; call++)    /* until each sonar has fired */
-        get_sn();
+        gs();
 
     run(&robot, (int) (seconds / TICK));
 

@@ -10,7 +10,7 @@
  *
  * with inches and degrees; speed and steer are what was sent to scout_vm().
  *
- * Usage:  crs run wander.c room.xml            1800 steps
+ * Usage:  crs run wander.c room.xml            2400 steps
  *         crs run wander.c room.xml -- 500     500 steps
  *
  * The language is the C of its time: gcc -traditional or -std=gnu89.
@@ -20,7 +20,7 @@
 #include "Nclient.h"
 
 # define ROBOT_ID     1
-# define MAX_STEPS    1800
+# define MAX_STEPS    2400
 # define N_SONARS     16
 # define NO_ECHO      255             /* the longest reading, inches */
 
@@ -31,15 +31,15 @@
 # define SIDE_DIST    15              /* keep this far from walls at the side */
 
 /* Speeds as scout_vm() has them: 0.1 inch/s and 0.1 degree/s */
-# define MAX_SPEED    120
+# define MAX_SPEED    150
 # define MIN_SPEED    30
 # define BACK_SPEED   (-60)
 # define MAX_STEER    350
 # define SPIN         300
 
-/* Steps of the control loop, each 32 ms on a line of 38400 baud */
+/* Steps of the control loop, each about 23 ms on a line of 38400 baud */
 # define BACK_STEPS   50
-# define PATIENCE     25              /* ask for an inch less after so many */
+# define PATIENCE     35              /* ask for an inch less after so many */
 # define MAX_SPIN     800             /* two full turns */
 
 # define MIN(a,b)     ((a) < (b) ? (a) : (b))
@@ -174,7 +174,7 @@ main(argc, argv)
     dp(0, 0);
     da(0, 0);
     for (step = 0; step < 64; step++)
-        get_sn();                     /* until each sonar has fired once */
+        gs();                         /* until each sonar has fired once */
 
     printf(" step  state       x      y heading   front left right   speed steer\n");
     for (step = 0; step < max_steps; step++) {
