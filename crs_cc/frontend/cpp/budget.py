@@ -1,0 +1,53 @@
+"""How much work macros may cause: a few lines can expand to more than any memory holds.
+
+>>> from crs_cc.frontend.cpp.tokens import tokenise
+>>> budget = Budget(left=1000)
+>>> budget.spend(tokenise("a + b", 0), place=0)
+>>> budget.left
+997
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from crs_cc.frontend.cpp.source_text import Place
+from crs_cc.frontend.cpp.tokens import Token
+
+MAX_EXPANSION: Final = 4_000_000
+"""How many tokens all expansions of a run may move."""
+
+
+class ExhaustedError(Exception):
+    """The budget is used up.
+
+    Attributes:
+        place: the macro's call that needed more.
+    """
+
+    def __init__(self, place: Place) -> None:
+        self.place = place
+        super().__init__(place)
+
+
+@dataclass(slots=True)
+class Budget:
+    """What is left of the work that macros may cause.
+
+    Attributes:
+        left: tokens; 16 characters of a long token count as one.
+    """
+
+    left: int = MAX_EXPANSION
+
+    def spend(self, tokens: Sequence[Token], place: Place) -> None:
+        """Pays for moving tokens.
+
+        Raises:
+            ExhaustedError: there is not enough left.
+        """
+        self.left -= sum([1 + (len(token.text) >> 4) for token in tokens])
+        if self.left < 0:
+            raise ExhaustedError(place)

@@ -1,0 +1,173 @@
+r"""GNU syntax that the parser does not know, taken away or put into standard words.
+
+This works on single tokens and on constructs of a word with parentheses after it. To add another:
+a word with a standard twin goes into `_TWINS`, a word with parentheses into `_CONSTRUCTS` with a
+method that gives the tokens to put in its place.
+
+>>> from crs_cc.frontend.cpp.source_text import Places
+>>> from crs_cc.frontend.cpp.tokens import spell, tokenise
+>>> from crs_cc.source import Diagnostics
+>>> gnu = GnuSyntax(Report(Diagnostics(), Places()))
+>>> line = "static __inline__ int f(void) __attribute__((noreturn)), x asm(\"y\");"
+>>> spell(gnu.rewrite(tokenise(line, 0), before=lambda: ""))
+'static inline int f(void), x;'
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Final
+
+from crs_cc.frontend.cpp.report import Report
+from crs_cc.frontend.cpp.tokens import NAME, Token, shown
+
+_TWINS: Final = {
+    "__inline": "inline", "__inline__": "inline",
+    "__const": "const", "__const__": "const",
+    "__volatile": "volatile", "__volatile__": "volatile",
+    "__restrict": "restrict", "__restrict__": "restrict",
+    "__signed": "signed", "__signed__": "signed",
+    "__alignof": "_Alignof", "__alignof__": "_Alignof",
+    "__complex": "_Complex", "__complex__": "_Complex",
+    "__thread": "_Thread_local",
+    "__FUNCTION__": "__func__", "__PRETTY_FUNCTION__": "__func__",
+    "__builtin_offsetof": "offsetof",
+    "typeof": "__typeof__", "__typeof": "__typeof__",
+}  # fmt: skip
+_DROPPED: Final = frozenset({"__extension__"})
+_ATTRIBUTE: Final = frozenset({"__attribute__", "__attribute"})
+_ASM: Final = frozenset({"asm", "__asm", "__asm__"})
+_PRAGMA: Final = frozenset({"_Pragma"})
+_CONSTRUCTS: Final = _ATTRIBUTE | _ASM | _PRAGMA
+_ASM_QUALIFIERS: Final = frozenset({
+    "const", "goto", "inline", "__inline", "__inline__", "volatile", "__volatile", "__volatile__",
+})  # fmt: skip
+WORDS: Final = frozenset(_TWINS) | _DROPPED | _CONSTRUCTS
+"""A line without any of these words is left as it is."""
+
+_MEANINGFUL: Final = frozenset({
+    "packed", "aligned", "mode", "vector_size", "transparent_union", "alias", "cleanup",
+    "constructor", "destructor",
+})  # fmt: skip
+"""Attributes that change what a program does, so that the user must hear that they are ignored."""
+
+_STATEMENT_BEGIN: Final = re.compile(r"\s*(?:if|while|for|switch|else|do|return)\b")
+_BEFORE_ASM: Final = 200
+"""How far back is looked for the beginning of a declaration [characters, or tokens]."""
+
+
+@dataclass(slots=True)
+class _Construct:
+    """A word whose parentheses are not closed yet.
+
+    Attributes:
+        word: the word.
+        is_label: of `asm`, whether it names a declared object, and is not a statement.
+        inside: the tokens between the parentheses.
+        depth: how many parentheses are open.
+    """
+
+    word: Token
+    is_label: bool = False
+    inside: list[Token] = field(default_factory=list)
+    depth: int = 0
+
+
+class GnuSyntax:
+    """Rewrites a stream of tokens, which comes in pieces."""
+
+    def __init__(self, report: Report) -> None:
+        self._report = report
+        self._construct: _Construct | None = None
+
+    @property
+    def is_open(self) -> bool:
+        """Tells whether the last construct goes on in the tokens to come."""
+        return self._construct is not None
+
+    def rewrite(self, tokens: Sequence[Token], before: Callable[[], str]) -> list[Token]:
+        """Gives the standard form of tokens.
+
+        Args:
+            tokens: the next piece of the program.
+            before: gives the text before them, as far as it was written.
+        """
+        result: list[Token] = []
+        for token in tokens:
+            if self._construct is not None and self._goes_on(self._construct, token):
+                continue
+            text = token.text
+            if text not in WORDS or token.kind != NAME:
+                result.append(token)
+            elif text in _TWINS:
+                result.append(Token(NAME, _TWINS[text], token.place, token.spaced))
+            elif text in _CONSTRUCTS:
+                is_label = text in _ASM and _follows_declarator(before(), result)
+                self._construct = _Construct(token, is_label)
+        return result
+
+    def finish(self) -> None:
+        """Reports what is still open at the end of the program."""
+        if self._construct is not None:
+            word = self._construct.word
+            self._report.error(word.place, f"'{word.text}' has no ')' at its end")
+            self._construct = None
+
+    def _goes_on(self, construct: _Construct, token: Token) -> bool:
+        """Tells whether a token belongs to the open construct, and takes it then."""
+        if construct.depth == 0 and token.text != "(":
+            if construct.word.text in _ASM and token.text in _ASM_QUALIFIERS:
+                construct.is_label = False
+                return True
+            self._construct = None
+            if construct.word.text in _ASM:
+                self._close_asm(construct)
+            else:
+                word = construct.word.text
+                self._report.error(token.place, f"expected '(' after '{word}'")
+            return False
+        construct.depth += {"(": 1, ")": -1}.get(token.text, 0)
+        construct.inside.append(token)
+        if construct.depth == 0:
+            self._construct = None
+            self._close(construct)
+        return True
+
+    def _close(self, construct: _Construct) -> None:
+        if construct.word.text in _ATTRIBUTE:
+            self._close_attribute(construct)
+        elif construct.word.text in _ASM:
+            self._close_asm(construct)
+
+    def _close_attribute(self, construct: _Construct) -> None:
+        """Takes an attribute away, with a warning if it had a meaning."""
+        depth = 0
+        for token in construct.inside:
+            depth += {"(": 1, ")": -1}.get(token.text, 0)
+            name = token.text.removeprefix("__").removesuffix("__")
+            if depth == 2 and name in _MEANINGFUL:
+                self._report.warning(token.place, f"attribute '{shown(name)}' is ignored")
+
+    def _close_asm(self, construct: _Construct) -> None:
+        """Takes the assembler name of a declared object away, and refuses statements."""
+        if not construct.is_label:
+            self._report.error(
+                construct.word.place,
+                "inline assembly is not supported",
+                "write it in C where __CRS__ is defined",
+            )
+
+
+def _follows_declarator(before: str, tokens: Sequence[Token]) -> bool:
+    """Tells whether a declaration ends at some point of the program, and no statement begins."""
+    text = " ".join([before[-_BEFORE_ASM:], *(each.text for each in tokens[-_BEFORE_ASM:])])
+    statement = re.split(r"[;{}]", text)[-1]
+    last = statement.rstrip()[-1:]
+    return (
+        (last.isalnum() or last in ("_", "$", ")", "]"))
+        and last != ""
+        and statement.count("(") == statement.count(")")
+        and _STATEMENT_BEGIN.match(statement) is None
+    )

@@ -1,0 +1,63 @@
+"""What to tell a user whose header is missing.
+
+>>> hint_for_missing("malloc.h", [])
+'include <stdlib.h> instead'
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Sequence
+from itertools import islice
+from pathlib import Path
+from typing import Final
+
+_GUARD: Final = "put what needs it between '#ifndef __CRS__' and '#endif'"
+_NETWORK: Final = f"a control program has no network of its own here: {_GUARD}"
+_PROCESSES: Final = f"a control program is a single process here: {_GUARD}"
+_TERMINAL: Final = f"a control program has no terminal or display here: {_GUARD}"
+_DOS: Final = f"it belongs to DOS or Windows: {_GUARD}"
+_CPLUSPLUS: Final = "it belongs to C++, and crs compiles C"
+
+
+def _all(names: str, hint: str) -> dict[str, str]:
+    return dict.fromkeys(names.split(), hint)
+
+
+_HINTS: Final = {
+    **_all("sys/socket.h sys/un.h netinet/in.h netinet/tcp.h arpa/inet.h netdb.h", _NETWORK),
+    **_all("net/if.h rpc/rpc.h", _NETWORK),
+    **_all("sys/wait.h sys/ipc.h sys/shm.h sys/sem.h sys/msg.h sys/mman.h", _PROCESSES),
+    **_all("sys/ptrace.h pthread.h semaphore.h threads.h sched.h spawn.h dlfcn.h", _PROCESSES),
+    **_all("curses.h ncurses.h term.h termio.h termios.h sys/termios.h sgtty.h", _TERMINAL),
+    **_all("sys/ioctl.h readline/readline.h", _TERMINAL),
+    **_all("X11/Xlib.h X11/Xutil.h X11/Xos.h X11/Intrinsic.h GL/gl.h GL/glut.h", _TERMINAL),
+    **_all("conio.h dos.h bios.h io.h windows.h winsock.h winsock2.h", _DOS),
+    **_all("iostream iostream.h fstream string vector map cstdio cstdlib cmath", _CPLUSPLUS),
+    "malloc.h": "include <stdlib.h> instead",
+    "memory.h": "include <string.h> instead",
+    "values.h": "include <limits.h> and <float.h> instead",
+    "varargs.h": "include <stdarg.h> instead, and give the function a named parameter",
+}
+
+_MAX_LISTED: Final = 1000
+
+
+def hint_for_missing(name: str, folders: Sequence[Path]) -> str:
+    """Gives a hint to a header that was looked for in folders, and empty text if there is none."""
+    if name in _HINTS:
+        return _HINTS[name]
+    wanted = Path(name)
+    for folder in folders:
+        names = {each.lower(): each for each in _names_in(folder / wanted.parent)}
+        close = difflib.get_close_matches(wanted.name.lower(), names, n=1, cutoff=0.8)
+        if close:
+            return f"did you mean '{wanted.with_name(names[close[0]])}'?"
+    return ""
+
+
+def _names_in(folder: Path) -> list[str]:
+    try:
+        return sorted(each.name for each in islice(folder.iterdir(), _MAX_LISTED))
+    except (OSError, ValueError):
+        return []

@@ -1,0 +1,156 @@
+r"""Tokens as the parser can read them (C17 5.1.1.2, phase 7), and errors for those it cannot.
+
+Preprocessing tokens may be anything; what is left after preprocessing must be C. Some spellings
+that the parser does not know are replaced: digraphs, unknown escape sequences as in `"100\%"`,
+bytes that are not UTF-8, letters outside ASCII in names.
+
+>>> is_plain('printf("%d\\n", a[i] >> 2); /'), is_plain('"100\\%"'), is_plain("a <: 0x1G")
+(True, False, False)
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from typing import Final
+
+from crs_cc.frontend.cpp.constants import INTEGER, SUFFIX
+from crs_cc.frontend.cpp.report import Report
+from crs_cc.frontend.cpp.tokens import (
+    CHARACTER,
+    NAME,
+    NUMBER,
+    PUNCTUATOR,
+    STRING,
+    UNCLOSED,
+    Token,
+    shown,
+)
+
+_EXPONENT: Final = "[eE][+-]?[0-9]+"
+_FLOATING: Final = (
+    rf"(?:(?:[0-9]+\.[0-9]*|\.[0-9]+)(?:{_EXPONENT})?|[0-9]+{_EXPONENT}"
+    r"|0[xX](?:[0-9a-fA-F]+\.?[0-9a-fA-F]*|\.[0-9a-fA-F]+)[pP][+-]?[0-9]+)[fFlL]?"
+)
+_FLOATING_NUMBER: Final = re.compile(_FLOATING)
+_INTEGER: Final = rf"(?:0[xX][0-9a-fA-F]+|0[bB][01]+|0[0-7]*|[1-9][0-9]*){SUFFIX}"
+
+_ESCAPED: Final = r"[0-9a-zA-Z._~!=&\^\-\\?'\"]"
+"""What the parser takes after a backslash (pycparser 3.12, c_lexer.py)."""
+_IN_STRING: Final = rf"[^\"\\\udc80-\udcff]|\\{_ESCAPED}"
+_IN_CHARACTER: Final = rf"[^'\\\udc80-\udcff]|\\(?:[0-7]{{1,3}}|x[0-9a-fA-F]+|{_ESCAPED})"
+
+_PLAIN: Final = re.compile(
+    r"(?:[ \t\v\f]++"
+    r"|[A-Za-z_$][\w$]*+(?![\"'])"
+    rf"|(?:{_FLOATING}|{_INTEGER})(?![\w.]|(?<=[eEpP])[+-])"
+    rf"|\"(?:{_IN_STRING})*+\""
+    rf"|'(?:{_IN_CHARACTER})'"
+    r"|[-+*/&|^~!>=?;,.(){}\[\]]|<(?![:%])|:(?!>)|%(?![:>]))*+",
+    re.ASCII,
+)
+_DIGRAPHS: Final = {"<:": "[", ":>": "]", "<%": "{", "%>": "}"}
+_STRAY: Final = frozenset({"#", "##", "%:", "%:%:"})
+_UNKNOWN_ESCAPE: Final = re.compile(rf"\\(?:({_ESCAPED})|(.))|([\udc80-\udcff])")
+_ONE_CHARACTER: Final = re.compile(_IN_CHARACTER)
+_UNIVERSAL: Final = re.compile(r"\\[uU]([0-9a-fA-F]+)|([^\x00-\x7f])")
+
+
+def is_plain(line: str) -> bool:
+    """Tells whether all tokens of a line are C as the parser reads it."""
+    return _PLAIN.fullmatch(line) is not None
+
+
+def respell(tokens: Sequence[Token], report: Report) -> list[Token]:
+    """Gives tokens as the parser can read them; reports those that are not C, and drops them."""
+    result = []
+    for token in tokens:
+        kind = token.kind
+        if kind == PUNCTUATOR:
+            text: str | None = _punctuator(token, report)
+        elif kind == NAME:
+            text = token.text if token.text.isascii() else _ascii_name(token.text)
+            text = text if "\\" not in text else _ascii_name(text)
+        elif kind == NUMBER:
+            text = _number(token, report)
+        elif kind in (STRING, CHARACTER):
+            text = _quoted(token, report)
+        else:
+            _report_not_c(token, report)
+            text = None
+        if text is not None:
+            result.append(
+                token
+                if text == token.text
+                else Token(kind, text, token.place, token.spaced, token.painted)
+            )
+    return result
+
+
+def _punctuator(token: Token, report: Report) -> str | None:
+    if token.text in _STRAY:
+        report.error(token.place, f"stray '{token.text}' in the program")
+        return None
+    return _DIGRAPHS.get(token.text, token.text)
+
+
+def _ascii_name(name: str) -> str:
+    """Gives a name with each letter outside ASCII as `$u` and its number: the parser wants it."""
+
+    def code(match: re.Match[str]) -> str:
+        return f"$u{int(match[1], 16) if match[1] else ord(match[2]):04x}"
+
+    return _UNIVERSAL.sub(code, name)
+
+
+def _number(token: Token, report: Report) -> str:
+    text = token.text
+    if INTEGER.fullmatch(text) or _FLOATING_NUMBER.fullmatch(text):
+        return text
+    hint = ""
+    if text.isdigit():
+        problem = "a number that begins with 0 is octal and has no digits 8 and 9"
+    elif text[-2:-1] in tuple("eEpP") or "+" in text or "-" in text:
+        problem = f"'{shown(text)}' is not a number"
+        hint = "put spaces around '+' and '-'"
+    elif (start := re.match(f"{_FLOATING}|{_INTEGER}", text)) and start.end():
+        problem = f"'{shown(text[start.end() :])}' cannot end the number {shown(start.group())}"
+    else:
+        problem = f"'{shown(text)}' is not a number"
+    report.error(token.place, problem, hint)
+    return "0"
+
+
+def _quoted(token: Token, report: Report) -> str:
+    """Gives a string literal or character constant with escape sequences that the parser knows."""
+    text = token.text
+    if token.kind == CHARACTER:
+        size = len(_ONE_CHARACTER.findall(text.partition("'")[2][:-1]))
+        if size == 0 or size > 4:
+            problem = (
+                "an empty character constant" if size == 0 else "a too long character constant"
+            )
+            hint = "" if size == 0 else 'a string stands in double quotes: "..."'
+            report.error(token.place, problem, hint)
+            return "'0'"
+
+    def known(match: re.Match[str]) -> str:
+        if match[1]:
+            return match.group()
+        if match[3]:
+            return f"\\{ord(match[3]) - 0xDC00:03o}"  # the byte as it is in the file
+        report.warning(token.place, f"unknown escape sequence '\\{shown(match[2])}'")
+        return match[2]
+
+    return _UNKNOWN_ESCAPE.sub(known, text)
+
+
+def _report_not_c(token: Token, report: Report) -> None:
+    if token.kind != UNCLOSED:
+        report.error(token.place, f"'{shown(token.text)}' is no part of C")
+        return
+    quote = token.text[0]
+    hint = "a string that goes on in the next line is closed and opened again"
+    report.error(
+        token.place, f"the closing {quote} is missing on this line", hint if quote == '"' else ""
+    )
