@@ -12,6 +12,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Any, Final, TypeAlias, TypeVar
 
+from pycparser import c_ast
+
 from crs_cc.frontend import tree
 from crs_cc.frontend.parse import Node, report
 from crs_cc.frontend.scope import FunctionSymbol, ObjectSymbol, Scope, Symbol
@@ -101,6 +103,14 @@ class Unit:
         if coord is not None:
             self.place = coord.location
         return self.place
+
+    def at_name(self, node: Node) -> Location:
+        """Gives the place of the name that a declaration declares."""
+        inner = node.type
+        while isinstance(inner, c_ast.PtrDecl | c_ast.ArrayDecl | c_ast.FuncDecl):
+            inner = inner.type
+        is_named = isinstance(inner, c_ast.TypeDecl) and inner.coord is not None
+        return self.at(inner if is_named else node)
 
     def error(self, location: Location, text: str, hint: str = "") -> None:
         """Reports a mistake that need not stop the check of the expression.

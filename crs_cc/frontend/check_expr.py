@@ -95,7 +95,8 @@ def comma(unit: Unit, node: Node) -> Expression:
     result = rvalue(unit, node.exprs[0])
     for each in node.exprs[1:]:
         value = rvalue(unit, each)
-        result = tree.Comma(value.type, result.location, result, value)
+        is_bare = isinstance(result, tree.Literal)
+        result = value if is_bare else tree.Comma(value.type, result.location, result, value)
     return result
 
 

@@ -70,11 +70,11 @@ def function_definition(unit: Unit, node: Node) -> None:
 
 def _function_definition(unit: Unit, node: Node) -> None:
     declaration = node.decl
-    location = unit.at(declaration)
+    location = unit.at_name(declaration)
     ctype = declared_anyhow(unit, declaration)
     if not isinstance(ctype, FunctionType):
         raise CheckError(location, f"expected ';' after the declaration of '{declaration.name}'")
-    known = unit.externals.get(declaration.name)
+    known = unit.scope.names.get(declaration.name) or unit.externals.get(declaration.name)
     before = known.type if isinstance(known, FunctionSymbol) and not known.is_implicit else None
     if not isinstance(ctype.result, VoidType) and not is_complete(ctype.result):
         raise CheckError(
@@ -125,7 +125,7 @@ def _parameters(
 
 
 def _declare_parameter(unit: Unit, node: Node, name: str | None, ctype: CType) -> ObjectSymbol:
-    location = unit.at(node)
+    location = unit.at_name(node) if isinstance(node, c_ast.Decl) else unit.at(node)
     if not is_complete(ctype):
         raise CheckError(location, f"parameter '{name or ''}' has incomplete type '{ctype}'")
     symbol = ObjectSymbol(name or "", ctype, location, in_memory=not is_scalar(ctype))
@@ -157,6 +157,9 @@ def _old_style(
         symbols.append(_declare_parameter(unit, place, each.name, ctype))
         promised = prototype[number] if prototype and number < len(prototype) else None
         passed.append(_passed(ctype, promised))
+        if promised is not None and not compatible(unqualified(promised), passed[-1]):
+            text = f"parameter '{each.name}' has type '{promised}' in the prototype"
+            unit.warning(unit.at(place), text)
     return symbols, passed
 
 

@@ -47,7 +47,7 @@ def declare(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> 
         return
     storage = node.storage or []
     ctype = declared_anyhow(unit, node)
-    location = unit.at(node)
+    location = unit.at_name(node)
     if isinstance(ctype, FunctionType):
         _declare_function(unit, node, ctype, location)
     elif unit.function is None or "extern" in storage:
@@ -88,7 +88,7 @@ def _declare_tag(unit: Unit, node: Node) -> None:
 def typedef(unit: Unit, node: Node) -> None:
     """Checks a typedef."""
     ctype = declared_anyhow(unit, node)
-    location = unit.at(node)
+    location = unit.at_name(node)
     known = unit.scope.names.get(node.name)
     if known is not None and not (isinstance(known, TypedefName) and compatible(known.type, ctype)):
         raise _redefinition(known, node.name, location)
@@ -166,9 +166,8 @@ def _merge_function(
         unit.warning(location, text, f"first called at {known.location}, without a declaration")
         known.type = ctype
     elif _differs_in_promotion(known.type, ctype):
-        text = f"declarations of '{known.name}' differ in the promotion of a parameter"
-        unit.warning(location, text, f"first declared at {known.location}")
-        known.type = ctype if known.type.parameters is None else known.type
+        if known.type.parameters is None and not known.is_defined:
+            known.type = ctype
     else:
         text = f"conflicting types for '{known.name}': '{ctype}' and before '{known.type}'"
         raise CheckError(location, text, f"first declared at {known.location}")

@@ -87,7 +87,7 @@ def _define(unit: Unit, record: Record, node: Node, tag: Tag | None) -> None:
 
 def _member(unit: Unit, node: Node, is_last: bool) -> Member:
     ctype = declared_type(unit, node.type)
-    location = unit.at(node)
+    location = unit.at_name(node)
     if node.name is None and isinstance(node.type, c_ast.Struct | c_ast.Union):
         ctype = qualify(ctype, "const" in node.quals, "volatile" in node.quals)
     if isinstance(ctype, FunctionType):

@@ -13,29 +13,28 @@ from crs_cc.frontend.check import CheckError, Unit
 from crs_cc.frontend.parse import Node
 
 REFUSED: Final[dict[type, str]] = {
-    c_ast.Attribute: "attributes in [[...]]",
-    c_ast.AttributeDeclaration: "attributes in [[...]]",
-    c_ast.AttributeSpecifier: "attributes in [[...]]",
-    c_ast.AttributedStatement: "attributes in [[...]]",
-    c_ast.AttributedType: "attributes in [[...]]",
-    c_ast.BitIntType: "'_BitInt' types",
-    c_ast.InferredType: "types inferred from 'auto'",
-    c_ast.TypeOf: "'typeof'",
+    c_ast.Attribute: "attributes in [[...]] are not supported",
+    c_ast.AttributeDeclaration: "attributes in [[...]] are not supported",
+    c_ast.AttributeSpecifier: "attributes in [[...]] are not supported",
+    c_ast.AttributedStatement: "attributes in [[...]] are not supported",
+    c_ast.AttributedType: "attributes in [[...]] are not supported",
+    c_ast.BitIntType: "'_BitInt' is not supported",
+    c_ast.InferredType: "a type inferred from 'auto' is not supported",
+    c_ast.TypeOf: "'typeof' is not supported",
 }
-"""Node classes of C23, and what they are called."""
+"""Node classes of C23, and what is said of them."""
 
 PARTS: Final[dict[type, str]] = {
     c_ast.Alignas: "declare.alignment",
     c_ast.ArrayDecl: "declare.declared_type",
-    c_ast.ArrayDesignator: "check_init",
-    c_ast.DeclList: "check_stmt.loop",
+    c_ast.ArrayDesignator: "check_init.initialise",
+    c_ast.DeclList: "check_stmt.for_",
     c_ast.EllipsisParam: "declare.declared_type",
     c_ast.Enum: "declare_tag.enum_type",
     c_ast.Enumerator: "declare_tag.enum_type",
     c_ast.EnumeratorList: "declare_tag.enum_type",
-    c_ast.FileAST: "parse.parse",
+    c_ast.FileAST: "parse.parse, which gives its content",
     c_ast.FuncDecl: "declare.declared_type",
-    c_ast.FuncDef: "declaration.external",
     c_ast.GenericAssociation: "check_expr.generic",
     c_ast.IdentifierType: "declare.declared_type",
     c_ast.InitList: "check_init.initialise",
@@ -52,5 +51,5 @@ PARTS: Final[dict[type, str]] = {
 
 def refused(unit: Unit, node: Node) -> CheckError:
     """Makes the error for a node that is not compiled."""
-    what = REFUSED.get(node.__class__, f"'{node.__class__.__name__}' here")
-    return CheckError(unit.at(node), f"{what} are not supported")
+    unexpected = f"'{node.__class__.__name__}' is not expected here"
+    return CheckError(unit.at(node), REFUSED.get(node.__class__, unexpected))

@@ -1,0 +1,53 @@
+"""Compiling snippets of C in tests: what comes out, and what the user is told."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+
+from crs_cc.errors import CompileError
+from crs_cc.frontend.options import Options
+from crs_cc.frontend.unit import compile_text
+from crs_cc.ir.program import Function, Program
+from crs_cc.ir.text import to_text
+from crs_cc.ir.types import CType
+from crs_cc.ir.verify import verify
+from crs_cc.source import Diagnostics
+
+
+def compiled(source: str) -> Program:
+    """Gives the verified program of a text without errors."""
+    program = compile_text(source, "a.c", Options(), Diagnostics())
+    verify(program)
+    return program
+
+
+def function(source: str, name: str = "f") -> Function:
+    """Gives one function of a text."""
+    return compiled(source).functions[name]
+
+
+def body(source: str, name: str = "f") -> list[str]:
+    """Gives a function's IR in lines, without comments, markers and declarations."""
+    text = to_text(Program({name: function(source, name)}))
+    lines = [line.partition(";")[0].strip() for line in text.splitlines()]
+    start = lines.index("entry:")
+    return [line for line in lines[start:] if line and line != "statement"]
+
+
+def type_of(source: str, name: str = "x") -> CType:
+    """Gives the type of a global variable."""
+    variable = compiled(source).data[name].variable
+    assert variable is not None
+    return variable.ctype
+
+
+def messages(source: str) -> list[str]:
+    """Gives what the user is told, as `line:column severity: text [hint]`."""
+    diagnostics = Diagnostics()
+    with suppress(CompileError):
+        verify(compile_text(source, "a.c", Options(), diagnostics))
+    return [
+        f"{each.location.line}:{each.location.column} {each.severity}: {each.text}"
+        + (f" [{each.hint}]" if each.hint else "")
+        for each in diagnostics.messages
+    ]

@@ -1,0 +1,32 @@
+"""No node of pycparser's is passed over in silence: each is checked, a part, or refused."""
+
+from __future__ import annotations
+
+import inspect
+
+import pytest
+from pycparser import c_ast
+
+from crs_cc.frontend import check_unit
+from crs_cc.frontend.check import EXPRESSIONS, STATEMENTS, CheckError, Unit
+from crs_cc.frontend.refuse import PARTS, REFUSED, refused
+from crs_cc.source import Diagnostics, Location
+
+NODES = [
+    each
+    for _, each in inspect.getmembers(c_ast, inspect.isclass)
+    if issubclass(each, c_ast.Node) and each is not c_ast.Node
+]
+
+
+@pytest.mark.parametrize("node", NODES)
+def test_every_node_class_has_exactly_one_fate(node: type) -> None:
+    is_checked = node in EXPRESSIONS or node in STATEMENTS or node in check_unit.EXTERNAL
+    assert [is_checked, node in PARTS, node in REFUSED].count(True) == 1
+
+
+def test_a_refused_node_is_named() -> None:
+    unit = Unit("a.c", Diagnostics(), Location("a.c", 1, 1))
+    error = refused(unit, c_ast.TypeOf("typeof", None))
+    assert isinstance(error, CheckError)
+    assert error.text == "'typeof' is not supported"
