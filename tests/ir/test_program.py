@@ -1,5 +1,6 @@
 """What holds for programs as data."""
 
+import itertools
 import pickle
 import sys
 
@@ -12,7 +13,7 @@ HERE = Location("long.c", 1, 1)
 
 def test_a_program_with_a_long_chain_of_blocks_survives_pickling() -> None:
     blocks = [Block(f"b{number}") for number in range(20 * sys.getrecursionlimit())]
-    for block, following in zip(blocks, blocks[1:], strict=False):
+    for block, following in itertools.pairwise(blocks):
         block.terminator = Jump(HERE, following)
     blocks[-1].terminator = Return(HERE, None)
     program = Program({"long": Function("long", HERE, blocks=blocks)})
