@@ -138,10 +138,13 @@ class Environment:
             ends_s = drive.settle_waits(state, self._equipment, rows[waits], self.end_s)
             goes_on_s[waits] = ends_s
         answered = np.isfinite(goes_on_s)
-        replies = messages[answered]
-        self._reply(code, rows[answered], replies, goes_on_s[answered], good[answered])
-        messages[answered] = replies
-        return goes_on_s
+        if answered.all():
+            self._reply(code, rows, messages, goes_on_s, good)
+        else:
+            replies = messages[answered]
+            self._reply(code, rows[answered], replies, goes_on_s[answered], good[answered])
+            messages[answered] = replies
+        return goes_on_s.copy()
 
     def step(self) -> Step:
         """Ends the cycle, and gives what happened in it and which waits end in the next."""
@@ -182,7 +185,11 @@ class Environment:
             good = np.ones(len(rows), dtype=np.bool_)
         else:
             good = self.state.connected[rows]
-        verdict = HANDLERS[code](self.state, self._equipment, rows[good], messages[good])
+        handler = HANDLERS[code]
+        if good.all():
+            verdict = handler(self.state, self._equipment, rows, messages)
+        else:
+            verdict = handler(self.state, self._equipment, rows[good], messages[good])
         if verdict is not None:
             good[good] = verdict
         return good
@@ -204,6 +211,8 @@ class Environment:
     def _touch(self, contacts: Contacts) -> Contacts:
         """Presses bumpers, counts collisions, and gives the contacts that began."""
         state, robot = self.state, contacts.robot
+        if not len(robot) and not len(state.touching):
+            return contacts
         keys = robot * len(self._names) + contacts.other
         began = ~np.isin(keys, state.touching)
         state.touching = keys.astype(np.int64)
@@ -228,6 +237,8 @@ class Environment:
     def _end_waits(self) -> tuple[IndexArray, FloatArray, Messages]:
         """Answers the waits that end in the cycle that begins."""
         waiting = np.flatnonzero(self.state.waiting.any(axis=1))
+        if not len(waiting):
+            return waiting, np.zeros(0), np.zeros(0, MESSAGE)
         ends_s = drive.settle_waits(self.state, self._equipment, waiting, self.end_s)
         ended = np.isfinite(ends_s)
         rows, at_s = waiting[ended], ends_s[ended]

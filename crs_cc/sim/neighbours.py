@@ -8,6 +8,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Final
 
 import numpy as np
@@ -16,8 +17,8 @@ import numpy.typing as npt
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]
 
+_ROUNDING: Final = 1e-9  # lets no point that is just within reach fall into a cell beyond
 _SPAN: Final = 2  # cells within reach to each side; more are smaller and hold fewer false pairs
-_FAR_CELLS: Final = 1e8  # keeps cell numbers far from overflow, whatever the coordinates
 
 
 def expand(starts: IndexArray, counts: IndexArray) -> tuple[IndexArray, IndexArray]:
@@ -37,19 +38,23 @@ def expand(starts: IndexArray, counts: IndexArray) -> tuple[IndexArray, IndexArr
 
 
 class CellList:
-    """Points in the plane, sorted by the square cells of a grid.
+    """Points in the plane, sorted by the square cells of a grid around them.
 
-    The number of cells costs nothing: only cells with points in them take memory.
+    The grid has a margin of empty cells. There are never many more cells than points: if the points
+    lie far apart, cells are larger than the reach asks for.
     """
 
     def __init__(self, x_m: FloatArray, y_m: FloatArray, reach_m: float) -> None:
-        self._cell_m = reach_m / _SPAN
+        self._x_m, self._y_m = float(x_m.min(initial=0.0)), float(y_m.min(initial=0.0))
+        extent_m = max(x_m.max(initial=0.0) - self._x_m, y_m.max(initial=0.0) - self._y_m)
+        sparse_m = float(extent_m) / (4 * math.sqrt(len(x_m)) + 8)
+        self._cell_m = max(reach_m / _SPAN, sparse_m) * (1 + _ROUNDING)
+        self._side = int(extent_m / self._cell_m) + 1 + 2 * _SPAN
         columns, rows = self._cells(x_m, y_m)
-        self._column0 = int(columns.min(initial=0)) - _SPAN
-        self._width = int(columns.max(initial=0)) - self._column0 + 1 + _SPAN
-        keys = rows * self._width + (columns - self._column0)
+        keys = rows * self._side + columns
         self._order = np.argsort(keys, kind="stable")
-        self._keys = keys[self._order]
+        counts = np.bincount(keys, minlength=self._side**2)
+        self._ends = np.concatenate([[0], np.cumsum(counts)])
 
     def near(self, x_m: FloatArray, y_m: FloatArray) -> tuple[IndexArray, IndexArray]:
         """Gives pairs of query and point; among them all that lie within the reach.
@@ -58,16 +63,20 @@ class CellList:
             the query and the point of each pair, by rising query.
         """
         columns, rows = self._cells(x_m, y_m)
-        columns = np.clip(columns - self._column0, 0, self._width - 1)
+        # Cells beyond the margin are taken for the margin's, which have nothing in them either.
         rows = rows[:, None] + np.arange(-_SPAN, _SPAN + 1)
-        first = rows * self._width + np.maximum(columns - _SPAN, 0)[:, None]
-        last = rows * self._width + np.minimum(columns + _SPAN, self._width - 1)[:, None]
-        starts = np.searchsorted(self._keys, first.ravel(), side="left")
-        counts = np.searchsorted(self._keys, last.ravel(), side="right") - starts
+        rows = np.minimum(np.maximum(rows, 0), self._side - 1) * self._side
+        first = rows + np.maximum(columns - _SPAN, 0)[:, None]
+        last = rows + np.minimum(columns + _SPAN, self._side - 1)[:, None]
+        starts = self._ends.take(first.ravel())
+        counts = self._ends.take(last.ravel() + 1) - starts
         owners, members = expand(starts, counts)
         return owners // rows.shape[1], self._order.take(members)
 
     def _cells(self, x_m: FloatArray, y_m: FloatArray) -> tuple[IndexArray, IndexArray]:
-        columns = np.clip(np.floor(x_m / self._cell_m), -_FAR_CELLS, _FAR_CELLS)
-        rows = np.clip(np.floor(y_m / self._cell_m), -_FAR_CELLS, _FAR_CELLS)
+        last = self._side - 1
+        columns = np.floor((x_m - self._x_m) / self._cell_m) + _SPAN
+        rows = np.floor((y_m - self._y_m) / self._cell_m) + _SPAN
+        columns = np.minimum(np.maximum(columns, 0), last)
+        rows = np.minimum(np.maximum(rows, 0), last)
         return columns.astype(np.intp), rows.astype(np.intp)

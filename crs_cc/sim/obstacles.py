@@ -8,7 +8,8 @@ each timestep (`neighbours.CellList`).
 from __future__ import annotations
 
 import math
-from typing import Final
+from dataclasses import dataclass
+from typing import Final, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -17,6 +18,7 @@ from crs_cc.sim.neighbours import CellList, expand
 from crs_cc.sim.scene import Outlines
 
 FloatArray = npt.NDArray[np.float64]
+ComplexArray = npt.NDArray[np.complex128]
 IndexArray = npt.NDArray[np.intp]
 
 _FEW_PAIRS: Final = 1_000  # robots times shapes; so few are not worth choosing from
@@ -27,7 +29,10 @@ _SLACK_M: Final = 1e-6
 
 
 class Obstacles:
-    """Everything that a beam can hit at one instant."""
+    """Everything that a beam can hit at one instant.
+
+    Places are complex numbers, x + i y [m].
+    """
 
     def __init__(self, fixed: Outlines, moving: Outlines, reach_m: float, start_m: float) -> None:
         """Sorts what does not move.
@@ -40,7 +45,7 @@ class Obstacles:
         """
         circles = fixed.circles
         self._reach_m = reach_m
-        self._fixed = fixed
+        self._fixed = _Places.of(fixed)
         flat = np.zeros(len(fixed.segments))
         self._segment_grid = Grid(fixed.segments, flat, reach_m, behind_m=start_m)
         self._circle_grid = Grid(circles[:, [0, 1, 0, 1]], circles[:, 2], reach_m)
@@ -48,62 +53,103 @@ class Obstacles:
 
     def place(self, moving: Outlines) -> None:
         """Says where the bodies that move are now."""
-        self._moving = moving
+        self._moving = _Places.of(moving)
+        self._owners = moving.owners
         self._segment_cells: CellList | None = None
         self._circle_cells: CellList | None = None
 
-    def segments_near(self, x_m: FloatArray, y_m: FloatArray) -> tuple[IndexArray, FloatArray]:
+    def segments_near(
+        self, place: ComplexArray
+    ) -> tuple[IndexArray, ComplexArray, ComplexArray, FloatArray]:
         """Gives pairs of robot and segment; among them all within reach.
 
+        Args:
+            place: where the robots are.
+
         Returns:
-            the robots, and the segments as rows of `Outlines.segments`.
+            the robots, and both ends and the length [m] of the segments.
         """
-        robots, shapes = self._segment_grid.near(x_m, y_m)
-        rows = self._fixed.segments.take(shapes, axis=0)
-        if len(self._moving.segments) == 0:
-            return robots, rows
-        others, movers = self._moving_segments(x_m, y_m)
-        rows = np.concatenate([rows, self._moving.segments[movers]])
-        return np.concatenate([robots, others]), rows
+        robots, shapes = self._segment_grid.near(place)
+        found = self._fixed.segments(shapes)
+        if len(self._moving.length_m) == 0:
+            return robots, *found
+        others, movers = self._moving_segments(place)
+        more = self._moving.segments(movers)
+        start, end, length_m = (np.concatenate(pair) for pair in zip(found, more, strict=True))
+        return np.concatenate([robots, others]), start, end, length_m
 
     def circles_near(
-        self, x_m: FloatArray, y_m: FloatArray, own: IndexArray
-    ) -> tuple[IndexArray, FloatArray]:
+        self, place: ComplexArray, own: IndexArray
+    ) -> tuple[IndexArray, ComplexArray, FloatArray]:
         """Gives pairs of robot and circle, without its own; among them all within reach.
 
+        Args:
+            place: where the robots are.
+            own: the body of each robot.
+
         Returns:
-            the robots, and the circles as rows of `Outlines.circles`.
+            the robots, and middle and radius [m] of the circles.
         """
-        robots, shapes = self._circle_grid.near(x_m, y_m)
-        others, movers = self._moving_circles(x_m, y_m)
-        circles = self._moving.circles
-        x, y, radius = (circles[:, column].take(movers) for column in range(3))
-        x -= x_m.take(others)
-        y -= y_m.take(others)
-        radius += self._reach_m
-        near = x * x + y * y <= radius * radius
-        near &= self._moving.owners.take(movers) != own.take(others)
-        rows = (self._fixed.circles.take(shapes, axis=0), circles.take(movers[near], axis=0))
-        return np.concatenate([robots, others[near]]), np.concatenate(rows)
+        robots, shapes = self._circle_grid.near(place)
+        others, movers = self._moving_circles(place)
+        middle, radius_m = self._moving.circles(movers)
+        away = middle - place.take(others)
+        within = away.real**2 + away.imag**2 <= (radius_m + self._reach_m) ** 2
+        within &= self._owners.take(movers) != own.take(others)
+        near = np.flatnonzero(within)
+        fixed_middle, fixed_radius_m = self._fixed.circles(shapes)
+        return (
+            np.concatenate([robots, others.take(near)]),
+            np.concatenate([fixed_middle, middle.take(near)]),
+            np.concatenate([fixed_radius_m, radius_m.take(near)]),
+        )
 
-    def _moving_segments(self, x_m: FloatArray, y_m: FloatArray) -> tuple[IndexArray, IndexArray]:
-        segments = self._moving.segments
-        if len(x_m) * len(segments) <= _FEW_PAIRS:
-            return _all_pairs(len(x_m), len(segments))
+    def _moving_segments(self, place: ComplexArray) -> tuple[IndexArray, IndexArray]:
+        moving = self._moving
+        if len(place) * len(moving.length_m) <= _FEW_PAIRS:
+            return _all_pairs(len(place), len(moving.length_m))
         if self._segment_cells is None:
-            middle = (segments[:, :2] + segments[:, 2:4]) / 2
-            reach_m = self._reach_m + float(segments[:, 4].max()) / 2
-            self._segment_cells = CellList(middle[:, 0], middle[:, 1], reach_m)
-        return self._segment_cells.near(x_m, y_m)
+            middle = (moving.start + moving.end) / 2
+            reach_m = self._reach_m + float(moving.length_m.max()) / 2
+            self._segment_cells = CellList(middle.real, middle.imag, reach_m)
+        return self._segment_cells.near(place.real, place.imag)
 
-    def _moving_circles(self, x_m: FloatArray, y_m: FloatArray) -> tuple[IndexArray, IndexArray]:
-        circles = self._moving.circles
-        if len(x_m) * len(circles) <= _FEW_PAIRS:
-            return _all_pairs(len(x_m), len(circles))
+    def _moving_circles(self, place: ComplexArray) -> tuple[IndexArray, IndexArray]:
+        moving = self._moving
+        if len(place) * len(moving.radius_m) <= _FEW_PAIRS:
+            return _all_pairs(len(place), len(moving.radius_m))
         if self._circle_cells is None:
-            reach_m = self._reach_m + float(circles[:, 2].max())
-            self._circle_cells = CellList(circles[:, 0], circles[:, 1], reach_m)
-        return self._circle_cells.near(x_m, y_m)
+            reach_m = self._reach_m + float(moving.radius_m.max())
+            self._circle_cells = CellList(moving.middle.real, moving.middle.imag, reach_m)
+        return self._circle_cells.near(place.real, place.imag)
+
+
+@dataclass(frozen=True, slots=True)
+class _Places:
+    """Outlines with places as complex numbers."""
+
+    start: ComplexArray
+    end: ComplexArray
+    length_m: FloatArray
+    middle: ComplexArray
+    radius_m: FloatArray
+
+    @classmethod
+    def of(cls, outlines: Outlines) -> Self:
+        segments, circles = outlines.segments, outlines.circles
+        return cls(
+            segments[:, 0] + 1j * segments[:, 1],
+            segments[:, 2] + 1j * segments[:, 3],
+            segments[:, 4].copy(),
+            circles[:, 0] + 1j * circles[:, 1],
+            circles[:, 2].copy(),
+        )
+
+    def segments(self, which: IndexArray) -> tuple[ComplexArray, ComplexArray, FloatArray]:
+        return self.start.take(which), self.end.take(which), self.length_m.take(which)
+
+    def circles(self, which: IndexArray) -> tuple[ComplexArray, FloatArray]:
+        return self.middle.take(which), self.radius_m.take(which)
 
 
 class Grid:
@@ -142,12 +188,12 @@ class Grid:
         self._counts = np.bincount(cells, minlength=int(self._size.prod()) + 1)
         self._starts = np.cumsum(self._counts) - self._counts
 
-    def near(self, x_m: FloatArray, y_m: FloatArray) -> tuple[IndexArray, IndexArray]:
-        """Gives pairs of point and shape; among them all within reach."""
-        if len(x_m) * self._count <= _FEW_PAIRS:
-            return _all_pairs(len(x_m), self._count)
-        column = np.floor((x_m - self._corner_m[0]) / self._cell_m)
-        row = np.floor((y_m - self._corner_m[1]) / self._cell_m)
+    def near(self, place: ComplexArray) -> tuple[IndexArray, IndexArray]:
+        """Gives pairs of place and shape; among them all within reach."""
+        if len(place) * self._count <= _FEW_PAIRS:
+            return _all_pairs(len(place), self._count)
+        column = np.floor((place.real - self._corner_m[0]) / self._cell_m)
+        row = np.floor((place.imag - self._corner_m[1]) / self._cell_m)
         columns, rows = self._size
         inside = (column >= 0) & (column < columns) & (row >= 0) & (row < rows)
         cell = np.where(inside, row * columns + column, columns * rows).astype(np.intp)

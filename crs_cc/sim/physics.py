@@ -35,7 +35,7 @@ FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
 IndexArray = npt.NDArray[np.intp]
 
-REBUILD: Final = 50
+REBUILD: Final = 100
 """Cycles after which the space is made anew."""
 
 SUBSTEP_M: Final = 0.008
@@ -137,8 +137,8 @@ class Physics:
         fastest_mps = max((drive.speed_limit_mps for drive in drives), default=0.0)
         self._substeps = max(1, math.ceil(world.timestep_s * fastest_mps / SUBSTEP_M))
         self._substep_s = world.timestep_s / self._substeps
-        self._mass_kg = np.array([[robot.model.mass_kg] for robot in world.robots])
-        self._push_n = np.array([[drive.push_n] for drive in drives])
+        self._mass_kg = np.array([robot.model.mass_kg for robot in world.robots])
+        self._push_n = np.array([drive.push_n for drive in drives])
         self._start = bodies.copy()
         self._ways: list[FloatArray] = []
         self._room_m = 0.0
@@ -231,12 +231,15 @@ class Physics:
         space.collision_bias = _BIAS
         space.collision_persistence = 1  # with 0 contacts are forgotten before they can be read
         bodies = []
+        places = iter(self._start.position_m.tolist())  # all in one place would be O(n^2)
         for robot in self._world.robots:
             body = pymunk.Body(robot.model.mass_kg, math.inf)  # only its wheels turn a robot
+            body.position = next(places)
             bodies.append(body)
             _add(space, body, pymunk.Circle(body, robot.model.radius_m))
         for thing in self._scene.pushables:
             body = pymunk.Body(thing.mass_kg, moment_kgm2(thing))
+            body.position = next(places)
             bodies.append(body)
             _add(space, body, _thing_shape(body, thing))
         for solid in self._scene.fixed_solids:
@@ -283,12 +286,12 @@ class Physics:
     def _push(self, wanted_mps: FloatArray, velocity_mps: FloatArray) -> None:
         """Draws robots to the velocity of their wheels, with the force that they have."""
         lag_mps = wanted_mps - velocity_mps
-        held = np.flatnonzero(lag_mps.any(axis=1))
-        force_n = lag_mps[held] * (self._mass_kg[held] / self._substep_s)
-        needed_n = np.sqrt((force_n * force_n).sum(axis=1, keepdims=True))
-        force_n *= np.minimum(1.0, self._push_n[held] / np.maximum(needed_n, _SAME))
+        held = np.flatnonzero((lag_mps[:, 0] != 0.0) | (lag_mps[:, 1] != 0.0))
+        force_n = lag_mps.take(held, axis=0) * (self._mass_kg.take(held) / self._substep_s)[:, None]
+        needed_n = np.hypot(force_n[:, 0], force_n[:, 1])
+        share = np.minimum(1.0, self._push_n.take(held) / np.maximum(needed_n, _SAME))
         self._force[: self._robots] = 0.0
-        self._force[held] = force_n
+        self._force[held] = force_n * share[:, None]
         batch.set_space_bodies(self._space, batch.BodyFields.FORCE, self._write_force)
 
     def _read_bodies(self, what: batch.BodyFields, columns: int) -> FloatArray:

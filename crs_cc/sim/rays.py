@@ -10,6 +10,8 @@ cone.
 Most shapes are never looked at: `obstacles` gives those within reach of a robot, and of a robot's
 beams, sorted by direction, only those are tried that can point at the shape.
 
+Places in the plane are complex numbers, x + i y [m]: to turn is to multiply.
+
 >>> from crs_cc.sim.model import Area, Cylinder, Pose, WorldModel
 >>> from crs_cc.sim.scene import NOTHING, Scene
 >>> world = WorldModel("w", Area(0, 0, 9, 9, 0), cylinders=(Cylinder("c", Pose(3, 1), 0.5),))
@@ -23,7 +25,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Final, Self, TypeAlias
+from typing import Final, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -32,8 +34,8 @@ from crs_cc.sim.neighbours import expand
 from crs_cc.sim.obstacles import Obstacles
 
 FloatArray = npt.NDArray[np.float64]
+ComplexArray = npt.NDArray[np.complex128]
 IndexArray = npt.NDArray[np.intp]
-Columns: TypeAlias = tuple[FloatArray, ...]
 
 _TURN: Final = 2 * math.pi
 _THIN_RAD: Final = 1e-9  # a cone must have an inside
@@ -48,10 +50,8 @@ class Fan:
     """The beams of one kind of robot, in the robot frame, by rising direction.
 
     Attributes:
-        x_m: where each beam starts, ahead.
-        y_m: the same, to the left.
-        cos: cosine of its direction.
-        sin: sine of its direction.
+        start: where each beam starts.
+        axis: where it points, of length 1.
         side_cos: cosine of the angle between its axis and its side.
         side_sin: sine of that angle.
         range_m: how far it measures.
@@ -63,10 +63,8 @@ class Fan:
         aside_m: the largest distance at which a line inside a beam passes the origin.
     """
 
-    x_m: FloatArray
-    y_m: FloatArray
-    cos: FloatArray
-    sin: FloatArray
+    start: ComplexArray
+    axis: ComplexArray
     side_cos: FloatArray
     side_sin: FloatArray
     range_m: FloatArray
@@ -90,10 +88,8 @@ class Fan:
         tilt = np.minimum(tilt, math.pi - tilt) + half
         aside_m = away_m * np.sin(np.minimum(tilt, math.pi / 2))
         return cls(
-            x_m,
-            y_m,
-            np.cos(direction),
-            np.sin(direction),
+            x_m + 1j * y_m,
+            np.cos(direction) + 1j * np.sin(direction),
             np.cos(half),
             np.sin(half),
             range_m,
@@ -141,98 +137,60 @@ def nearest(
 
 @dataclass(frozen=True, slots=True)
 class _Robots:
-    """Robots, and their beams in the world frame; the beams of all robots in one row.
+    """Robots, and their beams seen from the robots' places; the beams of all robots in one row."""
 
-    Attributes:
-        x_m: where the robots are.
-        y_m: the same.
-        heading_rad: where they head.
-        cos: cosine of each beam's direction.
-        sin: its sine.
-        start_x_m: where each beam starts, seen from the robot's place.
-        start_y_m: the same.
-    """
-
-    x_m: FloatArray
-    y_m: FloatArray
+    place: ComplexArray
     heading_rad: FloatArray
-    cos: FloatArray
-    sin: FloatArray
-    start_x_m: FloatArray
-    start_y_m: FloatArray
+    start: ComplexArray
+    backturn: ComplexArray
 
     @classmethod
     def at(cls, fan: Fan, poses: FloatArray) -> Self:
-        x_m, y_m, heading_rad = np.ascontiguousarray(poses.T)
-        cos, sin = np.cos(heading_rad)[:, None], np.sin(heading_rad)[:, None]
-        return cls(
-            x_m,
-            y_m,
-            heading_rad,
-            (cos * fan.cos - sin * fan.sin).ravel(),
-            (sin * fan.cos + cos * fan.sin).ravel(),
-            (cos * fan.x_m - sin * fan.y_m).ravel(),
-            (sin * fan.x_m + cos * fan.y_m).ravel(),
-        )
-
-    def seen_from(
-        self, viewers: IndexArray, x_m: FloatArray, y_m: FloatArray
-    ) -> tuple[FloatArray, FloatArray]:
-        return x_m - self.x_m.take(viewers), y_m - self.y_m.take(viewers)
-
-    def along_beams(
-        self, numbers: IndexArray, x_m: FloatArray, y_m: FloatArray
-    ) -> tuple[FloatArray, FloatArray]:
-        """Gives points in the frames of beams: x along the axis, y to its left."""
-        cos, sin = self.cos.take(numbers), self.sin.take(numbers)
-        x_m = x_m - self.start_x_m.take(numbers)
-        y_m = y_m - self.start_y_m.take(numbers)
-        return cos * x_m + sin * y_m, cos * y_m - sin * x_m
+        heading_rad = poses[:, 2].copy()
+        facing = (np.cos(heading_rad) + 1j * np.sin(heading_rad))[:, None]
+        start, backturn = facing * fan.start, np.conjugate(facing * fan.axis)
+        return cls(poses[:, 0] + 1j * poses[:, 1], heading_rad, start.ravel(), backturn.ravel())
 
 
 def _try_segments(fan: Fan, robots: _Robots, obstacles: Obstacles, echoes: FloatArray) -> None:
     """Shortens echoes to the segments that beams hit."""
-    viewers, shapes = obstacles.segments_near(robots.x_m, robots.y_m)
-    ax, ay = robots.seen_from(viewers, shapes[:, 0], shapes[:, 1])
-    bx, by = robots.seen_from(viewers, shapes[:, 2], shapes[:, 3])
+    viewers, a, b, length = obstacles.segments_near(robots.place)
+    place = robots.place.take(viewers)
+    a, b = a - place, b - place
     if len(viewers) * len(fan) > _FEW:
-        keep, begin, spread, distance = _sectors_of_segments(fan, (ax, ay, bx, by), shapes[:, 4])
-        viewers = viewers.take(keep)
-        ax, ay, bx, by = ax.take(keep), ay.take(keep), bx.take(keep), by.take(keep)
-        begin -= robots.heading_rad.take(viewers)
-        starts, counts = _beams_between(fan, begin, spread, distance)
+        keep, sectors = _sectors_of_segments(fan, a, b, length)
+        viewers, a, b = viewers.take(keep), a.take(keep), b.take(keep)
+        starts, counts = _beams_between(fan, robots.heading_rad.take(viewers), sectors)
     else:
         starts, counts = _all_beams(fan, len(viewers))
     pairs, beams = expand(starts, counts)
     beams %= len(fan)
     numbers = viewers.take(pairs) * len(fan) + beams
-    ends = (
-        *robots.along_beams(numbers, ax.take(pairs), ay.take(pairs)),
-        *robots.along_beams(numbers, bx.take(pairs), by.take(pairs)),
-    )
-    np.minimum.at(echoes, numbers, _to_segment(fan, beams, ends))
+    start, backturn = robots.start.take(numbers), robots.backturn.take(numbers)
+    a, b = (a.take(pairs) - start) * backturn, (b.take(pairs) - start) * backturn
+    np.minimum.at(echoes, numbers, _to_segment(fan, beams, a, b))
 
 
 def _try_circles(
     fan: Fan, robots: _Robots, obstacles: Obstacles, own: IndexArray, echoes: FloatArray
 ) -> None:
     """Shortens echoes to the circles that beams hit."""
-    viewers, shapes = obstacles.circles_near(robots.x_m, robots.y_m, own)
-    x, y = robots.seen_from(viewers, shapes[:, 0], shapes[:, 1])
-    radius = shapes[:, 2]
+    viewers, middle, radius = obstacles.circles_near(robots.place, own)
+    middle = middle - robots.place.take(viewers)
     if len(viewers) * len(fan) > _FEW:
-        keep, begin, spread, distance = _sectors_of_circles(fan, x, y, radius)
-        viewers = viewers.take(keep)
-        x, y, radius = x.take(keep), y.take(keep), radius.take(keep)
-        begin -= robots.heading_rad.take(viewers)
-        starts, counts = _beams_between(fan, begin, spread, distance)
+        keep, sectors = _sectors_of_circles(fan, middle, radius)
+        viewers, middle, radius = viewers.take(keep), middle.take(keep), radius.take(keep)
+        starts, counts = _beams_between(fan, robots.heading_rad.take(viewers), sectors)
     else:
         starts, counts = _all_beams(fan, len(viewers))
     pairs, beams = expand(starts, counts)
     beams %= len(fan)
     numbers = viewers.take(pairs) * len(fan) + beams
-    centre = robots.along_beams(numbers, x.take(pairs), y.take(pairs))
-    np.minimum.at(echoes, numbers, _to_circle(fan, beams, centre, radius.take(pairs)))
+    middle = (middle.take(pairs) - robots.start.take(numbers)) * robots.backturn.take(numbers)
+    np.minimum.at(echoes, numbers, _to_circle(fan, beams, middle, radius.take(pairs)))
+
+
+# -- which beams can hit what ----------------------------------------------------------------------
 
 
 def _all_beams(fan: Fan, shapes: int) -> tuple[IndexArray, IndexArray]:
@@ -240,66 +198,71 @@ def _all_beams(fan: Fan, shapes: int) -> tuple[IndexArray, IndexArray]:
     return np.zeros(shapes, dtype=np.intp), counts
 
 
+@dataclass(frozen=True, slots=True)
+class _Sectors:
+    """What shapes look like from robots.
+
+    Attributes:
+        begin: direction of the clockwise end [rad], in the world frame.
+        spread: the angle that the shape covers [rad].
+        distance: how far away its nearest point is [m].
+    """
+
+    begin: FloatArray
+    spread: FloatArray
+    distance: FloatArray
+
+
 def _sectors_of_segments(
-    fan: Fan, ends: Columns, length: FloatArray
-) -> tuple[IndexArray, FloatArray, FloatArray, FloatArray]:
-    """Gives what segments look like from robots, each at (0, 0).
+    fan: Fan, a: ComplexArray, b: ComplexArray, length: FloatArray
+) -> tuple[IndexArray, _Sectors]:
+    """Gives which segments can be hit, and what these look like, from robots that stand at 0.
 
     A segment that has all beams' starts to its left is the back of its solid.
-
-    Returns:
-        which segments can be hit, and of these the direction of the clockwise end [rad], the angle
-        that it covers [rad], the distance of its nearest point [m].
     """
-    ax, ay, bx, by = ends
-    cross, dot = ax * by - ay * bx, ax * bx + ay * by
-    share = (ax * ax + ay * ay - dot) / (length * length)
-    share = np.minimum(np.maximum(share, 0.0), 1.0)
-    foot_x, foot_y = ax + share * (bx - ax), ay + share * (by - ay)
-    distance2 = foot_x * foot_x + foot_y * foot_y
+    product = np.conjugate(a) * b
+    dot, cross = product.real, product.imag
+    share = (a.real**2 + a.imag**2 - dot) / (length * length)
+    foot = a + np.minimum(np.maximum(share, 0.0), 1.0) * (b - a)
+    distance2 = foot.real**2 + foot.imag**2
     near = (distance2 <= fan.reach_m * fan.reach_m) & (cross <= fan.start_m * length)
     keep = np.flatnonzero(near)
     turn = np.arctan2(cross.take(keep), dot.take(keep))
-    begin = np.arctan2(ay.take(keep), ax.take(keep)) + np.minimum(turn, 0.0)
-    return keep, begin, np.abs(turn), np.sqrt(distance2.take(keep))
+    a = a.take(keep)
+    begin = np.arctan2(a.imag, a.real) + np.minimum(turn, 0.0)
+    return keep, _Sectors(begin, np.abs(turn), np.sqrt(distance2.take(keep)))
 
 
 def _sectors_of_circles(
-    fan: Fan, x: FloatArray, y: FloatArray, radius: FloatArray
-) -> tuple[IndexArray, FloatArray, FloatArray, FloatArray]:
-    """Gives what circles look like from robots, each at (0, 0); results as for segments."""
-    away = np.sqrt(x * x + y * y)
+    fan: Fan, middle: ComplexArray, radius: FloatArray
+) -> tuple[IndexArray, _Sectors]:
+    """Gives which circles can be hit, and what these look like, from robots that stand at 0."""
+    away = np.sqrt(middle.real**2 + middle.imag**2)
     keep = np.flatnonzero(away - radius <= fan.reach_m)
-    away, radius = away.take(keep), radius.take(keep)
+    away, radius, middle = away.take(keep), radius.take(keep), middle.take(keep)
     # Half of what the circle covers, asin(radius / away), is less than its tangent.
     tangent_m = np.sqrt(np.maximum((away - radius) * (away + radius), _NEAR_M))
     half = np.minimum(radius / tangent_m, math.pi)
-    begin = np.arctan2(y.take(keep), x.take(keep)) - half
-    return keep, begin, 2 * half, away - radius
+    begin = np.arctan2(middle.imag, middle.real) - half
+    return keep, _Sectors(begin, 2 * half, away - radius)
 
 
 def _beams_between(
-    fan: Fan, begin: FloatArray, spread: FloatArray, distance: FloatArray
+    fan: Fan, heading_rad: FloatArray, sectors: _Sectors
 ) -> tuple[IndexArray, IndexArray]:
-    """Gives the range of beams that may meet something in a sector seen from the robot's origin.
-
-    Args:
-        fan: the beams.
-        begin: direction of the sector's clockwise side in the robot frame [rad].
-        spread: its width [rad].
-        distance: how far away the nearest point of the thing is [m].
+    """Gives the range of beams that may meet the shape in each sector.
 
     Returns:
         number of the first beam and how many; numbers go on beyond the last beam to the first.
     """
     # A point at a distance d on a line that passes the origin at p is seen from the origin at an
     # angle asin(p / d) from the line's direction, which is at most pi / 2 times p / d.
-    aside = math.pi / 2 * fan.aside_m / np.maximum(distance, _NEAR_M)
+    aside = math.pi / 2 * fan.aside_m / np.maximum(sectors.distance, _NEAR_M)
     margin = np.minimum(aside + (fan.widest_rad + _THIN_RAD), math.pi)
-    lower = (begin - margin) % _TURN
-    upper = lower + np.minimum(spread + 2 * margin, _TURN)
-    starts = fan.behind[(lower * (_BINS / _TURN)).astype(np.intp)]
-    ends = fan.behind[(upper * (_BINS / _TURN)).astype(np.intp) + 1]
+    lower = (sectors.begin - heading_rad - margin) % _TURN
+    upper = lower + np.minimum(sectors.spread + 2 * margin, _TURN)
+    starts = fan.behind.take((lower * (_BINS / _TURN)).astype(np.intp))
+    ends = fan.behind.take((upper * (_BINS / _TURN)).astype(np.intp) + 1)
     return starts, np.minimum(ends - starts, len(fan))
 
 
@@ -309,15 +272,19 @@ def _beams_behind(direction: FloatArray) -> IndexArray:
     return np.searchsorted(directions, bins, side="left")
 
 
-def _to_segment(fan: Fan, beam: IndexArray, ends: Columns) -> FloatArray:
+# -- where they hit --------------------------------------------------------------------------------
+
+
+def _to_segment(fan: Fan, beam: IndexArray, a: ComplexArray, b: ComplexArray) -> FloatArray:
     """Gives the distance from each beam's start to the part of a segment inside the beam.
 
     Args:
         fan: the beams.
         beam: which beam of the fan.
-        ends: ax, ay, bx, by of the segment in the frame of the beam.
+        a: one end of the segment in the frame of the beam, whose axis is x.
+        b: the other end.
     """
-    ax, ay, bx, by = ends
+    ax, ay, bx, by = a.real.copy(), a.imag.copy(), b.real.copy(), b.imag.copy()
     side_cos, side_sin = fan.side_cos.take(beam), fan.side_sin.take(beam)
     first, last = np.zeros_like(ax), np.ones_like(ax)
     for side in (side_cos, -side_cos):  # the cone: where the distances outside of both sides
@@ -334,19 +301,17 @@ def _to_segment(fan: Fan, beam: IndexArray, ends: Columns) -> FloatArray:
     return np.where(first > last, np.inf, np.sqrt(x * x + y * y))
 
 
-def _to_circle(
-    fan: Fan, beam: IndexArray, centre: tuple[FloatArray, FloatArray], radius: FloatArray
-) -> FloatArray:
+def _to_circle(fan: Fan, beam: IndexArray, middle: ComplexArray, radius: FloatArray) -> FloatArray:
     """Gives the distance from each beam's start to the part of a circle inside the beam.
 
     Args:
         fan: the beams.
         beam: which beam of the fan.
-        centre: x, y of the circle in the frame of the beam.
+        middle: the middle of the circle in the frame of the beam, whose axis is x.
         radius: its radius.
     """
     side_cos, side_sin = fan.side_cos.take(beam), fan.side_sin.take(beam)
-    x, y = centre[0], np.abs(centre[1])  # the nearer side is the upper one
+    x, y = middle.real.copy(), np.abs(middle.imag)  # the nearer side is the upper one
     along, aside = side_cos * x + side_sin * y, side_cos * y - side_sin * x
     away = np.sqrt(x * x + y * y)
     squared = radius * radius - aside * aside

@@ -70,7 +70,8 @@ class Scene:
         ids = [thing.id for thing in (*world.robots, *self.pushables, *self.fixed_solids)]
         self.names = tuple(ids)
         poses = [robot.start for robot in world.robots] + [thing.pose for thing in self.pushables]
-        self.start = np.array([(pose.x_m, pose.y_m, pose.heading_rad) for pose in poses])
+        rows = [(pose.x_m, pose.y_m, pose.heading_rad) for pose in poses]
+        self.start = np.array(rows, dtype=np.float64).reshape(-1, 3)
         self._boxes = _Boxes(self.pushables, first_body=len(world.robots))
         radii = [robot.model.radius_m for robot in world.robots]
         round_bodies = list(range(len(radii)))
@@ -78,7 +79,7 @@ class Scene:
             if isinstance(thing, Cylinder):
                 radii.append(thing.radius_m)
                 round_bodies.append(body)
-        self._radii_m = np.array(radii)
+        self._radii_m = np.array(radii, dtype=np.float64)
         self._round_bodies = np.array(round_bodies, dtype=np.intp)
 
     def moving(self, position_m: FloatArray, angle_rad: FloatArray) -> Outlines:

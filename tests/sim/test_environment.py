@@ -4,6 +4,7 @@ import math
 import pickle
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,11 +12,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from crs_cc.requests import CODES, MESSAGE, REQUESTS
+from crs_cc.sim import world_xml
 from crs_cc.sim.commands import HANDLERS
 from crs_cc.sim.environment import Environment
+from crs_cc.sim.model import Area, WorldModel
 from crs_cc.sim.state_vector import CONF_X, MOTOR_STATUS, VEL_RIGHT
 from crs_cc.sim.step import describe_slice
-from crs_cc.sim.world_xml import empty_world
+from crs_cc.sim.world_xml import empty_world, load_world
 from tests.sim.driver import INCH, Driver, open_world, told, world_of
 
 ROBOT_CODES = sorted(code for code, row in REQUESTS.items() if row.server == "robot")
@@ -483,23 +486,25 @@ def test_a_request_of_nobody_is_let_be():
         assert len(environment.serve(code, nobody, np.zeros(0, MESSAGE), np.zeros(0))) == 0
 
 
-def test_robots_of_different_kinds_share_a_world(tmp_path):
-    from pathlib import Path
-
-    from crs_cc.sim import world_xml
-
-    scout = Path(world_xml.__file__).parent / "robots" / "scout.xml"
-    text = scout.read_text().replace('radius="8in"', 'radius="6in"')
-    text = text.replace('switches="8"', 'switches="4"').replace("<range>255in", "<range>50in")
-    (tmp_path / "small.xml").write_text(text)
-    world_file = tmp_path / "w.xml"
-    world_file.write_text(
+def scout_file(folder, *changes: tuple[str, str]):
+    """Writes a robot definition like the Scout's with changes, and gives a world file beside it."""
+    text = (Path(world_xml.__file__).parent / "robots" / "scout.xml").read_text()
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new)
+    (folder / "other.xml").write_text(text)
+    path = folder / "w.xml"
+    path.write_text(
         '<world version="1"><area length="5m" width="5m"/><robot x="1m" y="1m"/>'
-        '<robot x="3m" y="3m" definition="small.xml"/><robot x="1m" y="4m"/></world>'
+        '<robot x="3m" y="3m" definition="other.xml"/><robot x="1m" y="4m"/></world>'
     )
-    driver = Driver.of(world_xml.load_world(world_file))
+    return load_world(path)
+
+
+def test_robots_of_different_kinds_share_a_world(tmp_path):
+    small = ('radius="8in"', 'radius="6in"'), ("<range>255in", "<range>50in")
+    driver = Driver.of(scout_file(tmp_path, ('switches="8"', 'switches="4"'), *small))
     readings = [driver.ask("GET_SN", robot=robot)[17:33] for robot in range(3)]
-    assert (readings[1] <= 255).all()
     assert readings[1][readings[1] < 255].max(initial=0) <= 50
     assert readings[0].max() > 50
     together = Driver.of(driver.environment.world)
@@ -508,3 +513,29 @@ def test_robots_of_different_kinds_share_a_world(tmp_path):
     assert [told(message)[17:33].tolist() for message in messages] == [
         row.tolist() for row in readings
     ]
+
+
+def test_a_noisy_sonar_errs_anew_in_each_cycle_and_the_same_for_the_same_seed(tmp_path):
+    world = scout_file(tmp_path, ('noise="0in"', 'noise="5in"'))
+
+    def errors(seed):
+        driver, exact = Driver.of(world, seed), Driver.of(world, seed).ask("GET_SN")[17:33]
+        found = []
+        for _ in range(30):
+            reading = driver.ask("GET_SN", robot=1)[17:33]
+            assert (driver.ask("GS", robot=1)[17:33] == reading).all()  # once in a cycle
+            found.append(reading)
+            driver.run(1)
+        assert (driver.ask("GET_SN", robot=0)[17:33] == exact).all()
+        return np.array(found)
+
+    found = errors(3)
+    assert (errors(3) == found).all()
+    assert (errors(4) != found).any()
+    assert 2 < (found - np.median(found, axis=0))[found < 255].std() < 7
+
+
+def test_a_world_without_robots_lets_time_pass():
+    environment = Environment(WorldModel("nobody", Area(0, 0, 5, 5)), 0)
+    step = environment.step()
+    assert (environment.time_s, len(step.robots)) == (DT, 0)
