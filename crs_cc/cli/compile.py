@@ -53,7 +53,7 @@ def compile_(
             text = _wat(paths, compiler, diagnostics, checked=not unchecked)
     if not quiet:
         show(diagnostics.messages)
-    click.echo(text, nl=False)
+    click.echo(text.encode("utf-8", "surrogateescape"), nl=False)
     return 0
 
 

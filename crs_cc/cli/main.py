@@ -1,6 +1,7 @@
 """The command `crs`: picks the subcommand, and turns whatever goes wrong into an exit status.
 
 0 to 255  `crs run` with one robot ends with the control program's own exit status
+1         the system failed, for example by a full disk (several robots: see `crs run --help`)
 2         the command line is wrong
 70        crs itself is at fault
 121 122   the C source, the world file is at fault
@@ -11,10 +12,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import sys
 import traceback
 from collections.abc import Sequence
+from typing import TextIO
 
 import click
 
@@ -23,7 +26,7 @@ from crs_cc.cli.check import check
 from crs_cc.cli.compile import compile_
 from crs_cc.cli.messages import say, show
 from crs_cc.cli.run import run
-from crs_cc.cli.status import BROKEN_PIPE, INTERRUPTED
+from crs_cc.cli.status import BROKEN_PIPE, INTERRUPTED, SYSTEM
 from crs_cc.errors import CrsError, InternalError
 
 _EPILOG = """
@@ -41,17 +44,21 @@ Exit status: that of the control program when there is one robot; 2 usage, 121 C
 """
 
 
-class _Crs(click.Group):
-    """Sees to a broken pipe before click does, which would end with 1."""
+class _SystemFailure(Exception):  # noqa: N818 - it carries an error, it is none of ours
+    """Carries an `OSError` past click, which would end with 1 without a word."""
 
+    def __init__(self, error: OSError) -> None:
+        super().__init__(str(error))
+        self.error = error
+
+
+class _Crs(click.Group):
     def invoke(self, ctx: click.Context) -> object:
         try:
             result: object = super().invoke(ctx)
             sys.stdout.flush()
-        except BrokenPipeError:
-            # the interpreter's own last flush shall go nowhere instead of failing again
-            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-            return BROKEN_PIPE
+        except OSError as error:
+            raise _SystemFailure(error) from None
         return result
 
 
@@ -72,6 +79,14 @@ for command in (run, check, compile_):
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs `crs` with these arguments, by default the process's own; gives the exit status."""
+    _open_missing_streams()
+    try:
+        return _main(arguments)
+    except OSError as error:  # while saying what is wrong
+        return _system_failure(error)
+
+
+def _main(arguments: Sequence[str] | None) -> int:
     try:
         status = crs.main(arguments, prog_name="crs", standalone_mode=False)
     except click.ClickException as error:
@@ -85,11 +100,36 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if isinstance(error, InternalError):
             _ask_for_report()
         return error.exit_status
+    except _SystemFailure as failure:
+        return _system_failure(failure.error)
     except Exception as error:
         say(f"crs: internal error: {type(error).__name__}: {error}")
         _ask_for_report()
         return InternalError.exit_status
     return int(status or 0)
+
+
+def _open_missing_streams() -> None:
+    """Gives a process that was started with closed streams something to write to."""
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:
+            setattr(sys, name, open(os.devnull, "w"))  # noqa: PTH123, SIM115 - for good
+
+
+def _system_failure(error: OSError) -> int:
+    """Says what the system refused, as far as it lets us; what is still unwritten is lost."""
+    _mute(sys.stdout)
+    if isinstance(error, BrokenPipeError):
+        _mute(sys.stderr)
+        return BROKEN_PIPE
+    say(f"crs: error: {error.strerror or error}{f': {error.filename}' if error.filename else ''}")
+    return SYSTEM
+
+
+def _mute(stream: TextIO) -> None:
+    """Lets the interpreter's own last flush of a stream go nowhere instead of failing again."""
+    with contextlib.suppress(OSError, ValueError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def _ask_for_report() -> None:

@@ -2,8 +2,8 @@
 
 from typing import Final
 
-USAGE: Final = 2
-"""The command line is wrong."""
+SYSTEM: Final = 1
+"""The operating system failed, for example by a full disk."""
 INTERRUPTED: Final = 130
 """Ctrl-C: 128 and the number of SIGINT, as shells have it."""
 BROKEN_PIPE: Final = 141

@@ -338,6 +338,24 @@ def test_a_reader_that_goes_away_ends_the_run_quietly() -> None:
     process.stderr.close()
 
 
+@pytest.mark.parametrize(
+    ("shell", "status", "shown"),
+    [
+        ("crs run hello.c >&-", 7, ""),
+        ("crs run hello.c 2>&- >/dev/null", 7, ""),
+        ("crs run hello.c <&- >/dev/null", 7, ""),
+        ("crs run hello.c >/dev/full", 1, "crs: error: No space left on device\n"),
+        ("crs check nothing.c 2>/dev/full", 1, ""),
+    ],
+)
+def test_closed_and_full_streams_are_no_mistakes_of_ours(
+    shell: str, status: int, shown: str
+) -> None:
+    command = shell.replace("crs", f"{sys.executable} -m crs_cc", 1)
+    done = subprocess.run(command, shell=True, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (status, shown)
+
+
 def test_on_a_terminal_there_are_colours_progress_and_a_summary() -> None:
     Path("slow.c").write_text("main()\n{\n    for (;;) ;\n}\n")
     screen, terminal = pty.openpty()
