@@ -28,7 +28,7 @@ class Outcome:
     Attributes:
         output: what it wrote to the standard output.
         errors: what it wrote to the standard error stream.
-        status: its exit status; None when it failed.
+        status: its exit status; None when it failed or still runs.
         failure: why it failed; None when it exited.
         fuel: instructions that it ran.
         rounds: how often it was resumed.
@@ -69,20 +69,26 @@ class Run:
 
     def to_end(self) -> Outcome:
         """Resumes the program until it exits or fails."""
+        outcome = self.up_to(ENDLESS, ENDLESS)
+        assert outcome.failure or outcome.status is not None, "the program does not end"
+        return outcome
+
+    def up_to(self, fuel: int, rounds: int) -> Outcome:
+        """Resumes the program until it exits or fails, or has used up so much."""
         outcome = self.outcome
         host = Host([["case"]], self._write, lambda _robot, _wanted: b"")
         fleet = Fleet([self.executable])
-        while host.exit_status[0] is None and outcome.failure is None:
+        while outcome.fuel < fuel and outcome.rounds < rounds and outcome.status is None:
             self._resume(fleet)
             slot = fleet.slots[0]
             if slot["status"] == FAILED:
                 outcome.failure = fleet.failure(0)
-            elif slot["code"]:
+                break
+            if slot["code"]:
                 host.serve(int(slot["code"]), HostRequest(0, slot["message"], 0.0, 0.0))
-            assert outcome.failure or outcome.fuel < ENDLESS, "the program does not end"
+            outcome.status = host.exit_status[0]
             if self.stepping.restore_every and outcome.rounds % self.stepping.restore_every == 0:
                 fleet = _moved(fleet, self.executable)
-        outcome.status = host.exit_status[0]
         return outcome
 
     def _resume(self, fleet: Fleet) -> None:

@@ -1,4 +1,5 @@
 /* Absurd sizes: every one must fail, none may wrap around. */
+// ends: exit 0
 #include <stdio.h>
 #include <stdlib.h>
 

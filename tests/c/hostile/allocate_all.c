@@ -1,4 +1,5 @@
 /* Takes all memory in ever smaller pieces and writes to each. */
+// ends: exit 0
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

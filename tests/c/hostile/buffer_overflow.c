@@ -1,4 +1,5 @@
 /* The classic: a string copied into a buffer that is too small for it. */
+// ends: any
 #include <stdio.h>
 #include <string.h>
 

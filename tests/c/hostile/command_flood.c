@@ -1,4 +1,5 @@
 /* Commands as fast as the link takes them, with absurd values, on a connected robot. */
+// ends: running
 #include "Nclient.h"
 
 int main(void)

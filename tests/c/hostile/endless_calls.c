@@ -1,4 +1,5 @@
 /* Calls without end, each of which returns. */
+// ends: running
 static int f(int n) { return n + 1; }
 static int (*volatile p)(int) = f;
 

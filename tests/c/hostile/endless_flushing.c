@@ -1,4 +1,5 @@
 /* One byte at a time, flushed, without end, to both streams. */
+// ends: running
 #include <stdio.h>
 
 int main(void)

@@ -1,4 +1,5 @@
 /* Irreducible flow without end. */
+// ends: running
 int main(void)
 {
     volatile int n = 0;

@@ -1,4 +1,5 @@
 /* A loop without end. Costs processor time, never hangs the simulator. */
+// ends: running
 int main(void)
 {
     for (;;)

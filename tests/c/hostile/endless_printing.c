@@ -1,4 +1,5 @@
 /* Output without end. */
+// ends: running
 #include <stdio.h>
 
 int main(void)

@@ -1,4 +1,5 @@
 /* Recursion without end. */
+// ends: stack overflow
 static int f(volatile int n)
 {
     return f(n + 1) + f(n + 2);

@@ -1,4 +1,5 @@
 /* A handler that registers itself again: exit() never ends. */
+// ends: running
 #include <stdlib.h>
 
 static void again(void)

@@ -1,4 +1,5 @@
 /* Endless work through memory, without a request. */
+// ends: running
 static unsigned cells[1024];
 
 int main(void)

@@ -1,4 +1,5 @@
 /* Writes over the allocator's own data, then goes on using it. */
+// ends: failed
 #include <stdlib.h>
 #include <string.h>
 

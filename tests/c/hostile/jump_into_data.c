@@ -1,4 +1,5 @@
 /* Writes its own "code", function pointers and stack, then calls what it wrote. */
+// ends: bad function pointer
 #include <string.h>
 
 typedef int (*function)(void);

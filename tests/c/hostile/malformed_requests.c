@@ -1,4 +1,5 @@
 /* Every code that is served, with absurd sizes, huge integers, NaN and infinities. */
+// ends: exit 0
 #include <crs_request.h>
 #include <string.h>
 

@@ -1,4 +1,5 @@
 /* No message at all. */
+// ends: null pointer
 #include <crs_request.h>
 
 int main(void)

@@ -1,4 +1,5 @@
 /* A message that lies partly behind the end of memory. */
+// ends: pointer outside memory
 #include <crs_request.h>
 
 int main(void)

@@ -1,4 +1,5 @@
 /* Absurd formats: widths, precisions, missing arguments, unknown conversions, no end. */
+// ends: any
 #include <stdio.h>
 
 int main(void)

@@ -1,4 +1,5 @@
 /* Reads every address there is, from the bottom. */
+// ends: null pointer
 static volatile unsigned sum;
 
 int main(void)

@@ -1,4 +1,5 @@
 /* Reads downwards through its own stack into the null page. */
+// ends: null pointer
 static volatile unsigned sum;
 
 int main(void)

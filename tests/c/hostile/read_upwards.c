@@ -1,4 +1,5 @@
 /* Reads upwards from its own data until memory ends. */
+// ends: pointer outside memory
 static char here;
 static volatile unsigned sum;
 

@@ -1,4 +1,5 @@
 /* Sleeps for no time, for ever, and for times that are none. */
+// ends: running
 #include <crs_request.h>
 
 int main(void)

@@ -1,4 +1,5 @@
 /* Request codes that nobody serves, with messages full of anything. */
+// ends: exit 0
 #include <crs_request.h>
 #include <string.h>
 

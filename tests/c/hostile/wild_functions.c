@@ -1,4 +1,5 @@
 /* Calls every small integer as if it were a function, with odd arguments. */
+// ends: bad function pointer
 static int mine(int n) { return n; }
 static volatile unsigned sum;
 

@@ -1,4 +1,5 @@
 /* Calls table entries from zero on. */
+// ends: bad function pointer
 int main(void)
 {
     unsigned i;

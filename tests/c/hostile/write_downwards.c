@@ -1,4 +1,5 @@
 /* Writes over its own stack, downwards. */
+// ends: null pointer
 int main(void)
 {
     int here;

@@ -1,4 +1,5 @@
 /* Writes over its own stack, upwards: its callers' frames and resume points. */
+// ends: failed
 static void smash(int value)
 {
     int here[4];

@@ -1,4 +1,5 @@
 /* Scatters random words over its stack and goes on calling, printing and recursing. */
+// ends: any
 #include <stdio.h>
 
 static unsigned seed = 1;

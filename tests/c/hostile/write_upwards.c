@@ -1,4 +1,5 @@
 /* Writes over everything above its own data, the heap and the end of memory. */
+// ends: pointer outside memory
 static char here;
 
 int main(void)
