@@ -87,7 +87,8 @@ class Runner:
         self._interrupt = Interrupt()
         self._started_s = time.monotonic()
         self.tracks = Tracks()
-        self._trace = _request_trace() if options.trace_requests else None
+        names = [robot.id for robot in loaded.world.robots]
+        self._trace = _request_trace(names) if options.trace_requests else None
         self.session = Session(
             loaded.world,
             loaded.executables,
@@ -185,10 +186,10 @@ class Runner:
         return pushed
 
 
-def _request_trace() -> Trace:
+def _request_trace(names: list[str]) -> Trace:
     from crs_cc.session.trace import Trace
 
-    return Trace(say)
+    return Trace(say, names)
 
 
 def _write(path: Path, picture: bytes) -> None:

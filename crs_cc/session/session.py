@@ -26,7 +26,7 @@ from __future__ import annotations
 import hashlib
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -41,8 +41,8 @@ from crs_cc.source import Diagnostic
 if TYPE_CHECKING:
     from crs_cc.runtime.executable import Executable
     from crs_cc.session.host import Input, Output
-    from crs_cc.session.trace import Trace
     from crs_cc.sim.model import WorldModel
+    from crs_cc.sim.step import Step
 
 ENDLESS = math.inf
 
@@ -54,6 +54,13 @@ def _discard(_robot: int, _stream: int, _content: bytes) -> None:
 def _no_input(_robot: int, _wanted: int) -> bytes:
     """Gives the end of the standard input."""
     return b""
+
+
+class Listener(Protocol):
+    """Hears of every timestep: a trace, a viewer, a recording."""
+
+    def step(self, step: Step) -> None:
+        """Takes what happened in a timestep that has ended."""
 
 
 class Session:
@@ -76,7 +83,7 @@ class Session:
         arguments: Sequence[Sequence[str]] = (),
         output: Output = _discard,
         read: Input = _no_input,
-        trace: Trace | None = None,
+        trace: Listener | None = None,
     ) -> None:
         """Puts the programs into the robots, in the world's order of robots.
 
