@@ -96,10 +96,13 @@ def _compile(
 
     units = []
     for path in paths:
+        found = Diagnostics()  # of its own, for errors in one file must not hide those of the next
         try:
-            units.append(compile_file(path, options, diagnostics))
+            units.append(compile_file(path, options, found))
         except CompileError:
-            continue  # its messages are in `diagnostics`; the other files may have more
+            pass
+        diagnostics.messages.extend(found.messages)
+        diagnostics.lines.update(found.lines)
     if diagnostics.errors:
         raise CompileError(diagnostics.messages)
     for unit in units:

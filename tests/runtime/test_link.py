@@ -1,0 +1,92 @@
+"""C files are joined as object files are, and the library as an archive."""
+
+from __future__ import annotations
+
+import pytest
+
+from crs_cc.errors import CompileError
+from crs_cc.frontend.options import Options
+from crs_cc.frontend.unit import compile_text
+from crs_cc.ir.program import Program
+from crs_cc.runtime.link import link
+from crs_cc.session.library import HEADERS, library
+from crs_cc.source import Diagnostic, Diagnostics
+
+
+def linked(*sources: str) -> Program:
+    diagnostics = Diagnostics()
+    options = Options(system_paths=(HEADERS,))
+    units = [
+        compile_text(source, f"{name}.c", options, diagnostics)
+        for name, source in zip("abc", sources, strict=False)
+    ]
+    return link(units, library(), diagnostics)
+
+
+def refusal(*sources: str) -> Diagnostic:
+    with pytest.raises(CompileError) as caught:
+        linked(*sources)
+    (message,) = caught.value.diagnostics
+    return message
+
+
+def test_a_function_is_found_in_another_file() -> None:
+    whole = linked("int f(void);\nint main(void) { return f(); }", "int f(void) { return 3; }")
+    assert whole.functions["f"].location.file == "b.c"
+
+
+def test_only_what_is_needed_is_linked() -> None:
+    whole = linked("static int idle(void) { return 1; }\nint main(void) { return 0; }")
+    assert not [name for name in whole.functions if "idle" in name or name == "printf"]
+
+
+def test_tentative_definitions_become_one_object() -> None:
+    whole = linked("int n; int main(void) { return n; }", "int n = 5; int *p = &n;")
+    assert whole.data["n"].content == b"\5\0\0\0"
+
+
+def test_the_larger_of_two_tentative_arrays_counts() -> None:
+    whole = linked("int n[2]; int main(void) { return n[0]; }", "int n[7];")
+    assert whole.data["n"].size == 28
+
+
+def test_a_program_may_define_an_object_of_the_library_tentatively() -> None:
+    source = '#include "Nclient.h"\nlong State[NUM_STATE];\nint main(void) { return State[0]; }'
+    assert linked(source).data["State"].size == 180
+
+
+def test_the_users_definition_replaces_the_librarys() -> None:
+    whole = linked("int abs(int x) { return x; }\nint main(void) { return abs(-1); }")
+    assert whole.functions["abs"].location.file == "a.c"
+
+
+def test_two_definitions_of_a_function_are_refused() -> None:
+    message = refusal("int main(void) { return 0; }", "\nint main(void) { return 1; }")
+    assert message.text == "multiple definition of 'main'"
+    assert message.location.line == 2
+    assert "a.c:1" in message.hint
+
+
+def test_two_initialised_objects_are_refused() -> None:
+    assert refusal("int n = 1; int main(void) { return n; }", "int n = 1;").text == (
+        "multiple definition of 'n'"
+    )
+
+
+def test_a_missing_function_is_told_with_its_place_and_a_suggestion() -> None:
+    message = refusal('int prinft(const char *, ...);\nint main(void) {\n  prinft("");\n}')
+    assert message.text == "'prinft' is used, but defined nowhere"
+    assert message.location.line == 3
+    assert message.hint == "did you mean 'printf'?"
+
+
+def test_a_program_without_main_is_refused() -> None:
+    assert refusal("int f(void) { return 0; }").text == "the program has no function 'main'"
+
+
+def test_statics_of_one_name_in_two_files_are_two() -> None:
+    whole = linked(
+        "static int n = 1; int g(void); int main(void) { return n + g(); }",
+        "static int n = 2; int g(void) { return n; }",
+    )
+    assert sorted(name for name in whole.data if name.endswith(":n")) == ["a.c:n", "b.c:n"]

@@ -1,0 +1,83 @@
+"""What was compiled before comes from the cache, as long as nothing has changed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from crs_cc.errors import CompileError
+from crs_cc.session import build as build_module
+from crs_cc.session.build import build_executable
+from crs_cc.source import Diagnostics
+
+PROGRAM = '#include "speed.h"\nmain() { return SPEED; }\n'
+
+
+@pytest.fixture
+def compilations(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[str]:
+    """Gives a list that grows with each compilation; the cache is empty at first."""
+    monkeypatch.setenv("CRS_CACHE", str(tmp_path / "cache"))
+    done: list[str] = []
+    compile_ = build_module._compile
+
+    def counted(*arguments: object, **options: object) -> object:
+        done.append("compiled")
+        return compile_(*arguments, **options)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(build_module, "_compile", counted)
+    return done
+
+
+@pytest.fixture
+def program(tmp_path: Path) -> Path:
+    (tmp_path / "speed.h").write_text("#define SPEED 3\n")
+    path = tmp_path / "program.c"
+    path.write_text(PROGRAM)
+    return path
+
+
+def test_the_second_time_nothing_is_compiled_and_warnings_are_said_again(
+    program: Path, compilations: list[str]
+) -> None:
+    first, second = Diagnostics(), Diagnostics()
+    one = build_executable([program], first)
+    two = build_executable([program], second)
+    assert len(compilations) == 1
+    assert one.machine_code == two.machine_code
+    assert first.messages == second.messages
+    assert "int" in first.messages[0].text
+    assert two.wat() == one.wat()
+
+
+def test_a_changed_header_is_noticed(program: Path, compilations: list[str]) -> None:
+    one = build_executable([program], Diagnostics())
+    (program.parent / "speed.h").write_text("#define SPEED 4\n")
+    two = build_executable([program], Diagnostics())
+    assert len(compilations) == 2
+    assert one.machine_code != two.machine_code
+
+
+def test_options_have_entries_of_their_own(program: Path, compilations: list[str]) -> None:
+    build_executable([program], Diagnostics())
+    build_executable([program], Diagnostics(), checked=False)
+    build_executable([program], Diagnostics(), debug=True)
+    build_executable([program], Diagnostics(), defines=["X=1"])
+    assert len(compilations) == 4
+
+
+def test_a_damaged_entry_is_made_again(program: Path, compilations: list[str]) -> None:
+    build_executable([program], Diagnostics())
+    for entry in (program.parent / "cache").iterdir():
+        entry.write_bytes(b"rubbish")
+    assert build_executable([program], Diagnostics()).machine_code
+    assert len(compilations) == 2
+
+
+def test_errors_of_all_files_are_told_at_once(tmp_path: Path) -> None:
+    for name in ("a.c", "b.c"):
+        (tmp_path / name).write_text("int f(void) { return missing; }\n")
+    with pytest.raises(CompileError) as caught:
+        build_executable([tmp_path / "a.c", tmp_path / "b.c"], Diagnostics())
+    files = [Path(each.location.file).name for each in caught.value.diagnostics]
+    assert files == ["a.c", "b.c"]

@@ -1,0 +1,108 @@
+"""A session is a function of programs, world and seed, and robots fail alone."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from crs_cc.sim.world_xml import empty_world
+from tests.session.programs import HALL, LOOP, ROAM, build, run
+
+STEPS = 60
+
+AGAIN = """
+import sys
+from pathlib import Path
+from tests.session.programs import HALL, ROAM, build, run
+folder = Path(sys.argv[1])
+roam = build(folder, ROAM)
+print(run(HALL, [roam, roam], 60, seed=5).session.state_hash())
+"""
+
+
+def test_the_same_run_has_the_same_hash_in_another_process(tmp_path: Path) -> None:
+    roam = build(tmp_path, ROAM)
+    here = run(HALL, [roam, roam], STEPS, seed=5).session.state_hash()
+    found = subprocess.run(
+        [sys.executable, "-c", AGAIN, str(tmp_path)],
+        capture_output=True,
+        check=True,
+        cwd=Path(__file__).parents[2],
+    )
+    assert found.stdout.decode().strip() == here
+
+
+def test_the_state_hash_sees_one_step_more(tmp_path: Path) -> None:
+    roam = build(tmp_path, ROAM)
+    assert (
+        run(HALL, [roam, roam], STEPS).session.state_hash()
+        != run(HALL, [roam, roam], STEPS + 1).session.state_hash()
+    )
+
+
+def test_an_endless_loop_leaves_the_other_robot_unchanged(tmp_path: Path) -> None:
+    roam = build(tmp_path, ROAM)
+    quiet = build(tmp_path, "int main(void) { return 0; }\n", "quiet.c")
+    beside_quiet = run(HALL, [roam, quiet], STEPS)
+    beside_loop = run(HALL, [roam, build(tmp_path, LOOP, "loop.c")], STEPS)
+    assert beside_loop.written[0] == beside_quiet.written[0] != b""
+    robots = [each.session.result().robots for each in (beside_quiet, beside_loop)]
+    assert robots[0][0] == robots[1][0]
+    assert [row[1].outcome for row in robots] == ["exited", "running"]
+
+
+def test_a_failing_program_stops_its_robot_alone(tmp_path: Path) -> None:
+    crash = build(tmp_path, "int main(void) {\n  int *p = 0;\n  return *p;\n}\n", "crash.c")
+    both = run(HALL, [crash, build(tmp_path, ROAM)], 5)
+    failed, running = both.session.result().robots
+    assert failed.outcome == "failed"
+    assert failed.error is not None
+    assert failed.error.text.startswith("null pointer")
+    assert failed.error.location.line == 3
+    assert running.outcome == "running"
+    assert running.commands > 0
+
+
+def test_debug_and_run_density_do_the_same(tmp_path: Path) -> None:
+    plain, debug = build(tmp_path, ROAM), build(tmp_path, ROAM, debug=True)
+    first, second = run(HALL, [plain, plain], STEPS), run(HALL, [debug, debug], STEPS)
+    assert first.written == second.written
+    assert first.session.result().robots == second.session.result().robots
+
+
+def test_processor_time_passes_while_a_program_computes(tmp_path: Path) -> None:
+    source = "int main(void) { volatile int i; for (i = 0; i < 1000000; i++) ; return 0; }\n"
+    done = run(empty_world(), [build(tmp_path, source)], 1000).session.result()
+    assert done.robots[0].outcome == "exited"
+    assert done.robots[0].time_s == pytest.approx(done.robots[0].fuel / 50e6, rel=1e-6)
+    assert 0.02 < done.robots[0].time_s < 1.0
+
+
+def test_sleep_takes_simulated_time_and_no_fuel(tmp_path: Path) -> None:
+    source = "#include <unistd.h>\nint main(void) { usleep(2500000); return 7; }\n"
+    recorded = run(empty_world(), [build(tmp_path, source)], 1000)
+    robot = recorded.session.result().robots[0]
+    assert robot.exit_status == 7
+    assert robot.time_s == pytest.approx(2.5, abs=0.01)
+    assert recorded.session.timesteps == 51
+
+
+def test_a_command_takes_its_time_on_the_link(tmp_path: Path) -> None:
+    source = """
+    #include "Nclient.h"
+    int main(void) { int i; connect_robot(1); for (i = 0; i < 100; i++) gs(); return 0; }
+    """
+    robot = run(empty_world(), [build(tmp_path, source)], 1000).session.result().robots[0]
+    assert 1.2 < robot.time_s < 2.0
+
+
+def test_an_unknown_request_is_refused(tmp_path: Path) -> None:
+    source = """
+    #include "crs_request.h"
+    int main(void) { struct __crs_message m; return __crs_request(999, &m) == -1 ? 3 : 4; }
+    """
+    robot = run(empty_world(), [build(tmp_path, source)], 5).session.result().robots[0]
+    assert robot.exit_status == 3
