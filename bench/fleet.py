@@ -1,0 +1,111 @@
+"""Measures what one robot costs in a round of a fleet, in time and memory.
+
+Every robot's program posts one request in each round. One call of `Fleet.run_round` resumes all.
+
+    python bench/fleet.py [--rounds N] [ROBOTS ...]
+"""
+
+from __future__ import annotations
+
+import argparse
+import resource
+import statistics
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from crs_cc.requests import SUSPENDED
+from crs_cc.runtime.executable import Executable
+from crs_cc.runtime.fleet import Fleet
+from crs_cc.session.build import build_executable
+from crs_cc.source import Diagnostics
+
+PROGRAM = """
+#include <crs_request.h>
+
+static int readings[16];
+
+/* What a control loop does between two commands, small: look at a ring, choose, ask again. */
+int main(void)
+{
+    struct __crs_message message;
+    int i, best;
+
+    for (;;) {
+        best = 0;
+        for (i = 0; i < 16; i++)
+            if (readings[i] > readings[best])
+                best = i;
+        message.i[0] = best;
+        readings[best] = -__crs_request(CRS_GET_SN, &message);
+    }
+}
+"""
+BARE = """
+#include <crs_request.h>
+
+int main(void)
+{
+    static struct __crs_message message;
+
+    for (;;)
+        __crs_request(CRS_GET_SN, &message);
+}
+"""
+
+
+def resident_bytes() -> int:
+    """Gives the memory of this process that is in use now, or the most so far where that is all."""
+    statm = Path("/proc/self/statm")
+    if statm.exists():
+        return int(statm.read_text().split()[1]) * resource.getpagesize()
+    most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return most if sys.platform == "darwin" else most * 1024
+
+
+def make(source: str, folder: Path) -> Executable:
+    path = folder / "robot.c"
+    path.write_text(source)
+    return build_executable([path], Diagnostics())
+
+
+def round_s(fleet: Fleet, rounds: int) -> float:
+    """Gives the median processor time of a round [s]."""
+    times = []
+    for _ in range(rounds):
+        fleet.slots["run"] = 1
+        fleet.slots["fuel"] = 1_000_000
+        start = time.process_time()
+        count = fleet.run_round()
+        times.append(time.process_time() - start)
+        if count != len(fleet) or (fleet.slots["status"] != SUSPENDED).any():
+            sys.exit("a robot did not come back with a request")
+    return statistics.median(times)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n", 1)[0])
+    parser.add_argument("robots", nargs="*", type=int, default=[1, 100, 1000, 10_000])
+    parser.add_argument("--rounds", type=int, default=51, help="rounds to take the median of")
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        programs = {name: make(text, Path(folder)) for name, text in
+                    (("bare request", BARE), ("small loop", PROGRAM))}  # fmt: skip
+    print(f"{'robots':>8}{'program':>16}{'round':>12}{'per robot':>12}"
+          f"{'making one':>13}{'memory of one':>16}")  # fmt: skip
+    for count in options.robots:
+        for name, executable in programs.items():
+            before, start = resident_bytes(), time.process_time()
+            fleet = Fleet([executable] * count)
+            made_s = time.process_time() - start
+            seconds = round_s(fleet, options.rounds)
+            each = (resident_bytes() - before) / count
+            print(f"{count:8}{name:>16}{seconds * 1e6:9.0f} us{seconds / count * 1e9:9.0f} ns"
+                  f"{made_s / count * 1e6:10.0f} us{each / 1024:12.0f} KiB")  # fmt: skip
+            del fleet
+    print("One call from Python for each round. Times are of this machine; how they grow is not.")
+
+
+if __name__ == "__main__":
+    main()

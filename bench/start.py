@@ -1,0 +1,90 @@
+"""Measures how long `crs run` takes before and after a program that does nothing.
+
+Three states of the cache: empty (the C library is compiled too), with the library but not the
+program, and with both; against a bare start of Python. Wall time, medians, taken in turns.
+
+    python bench/start.py [--repeat N]
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+TINY = "int main(void) { return 0; }\n"
+OTHER = "int main(void) { return 1 - 1; }\n"
+
+
+def timed(command: list[str], environment: dict[str, str]) -> float:
+    """Gives the wall time of a command [s]."""
+    start = time.perf_counter()
+    subprocess.run(command, env=environment, check=True, capture_output=True)
+    return time.perf_counter() - start
+
+
+class Starts:
+    """The kinds of start, each ready to be measured again."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.environment = {**os.environ, "CRS_CACHE": str(folder / "cache")}
+        (folder / "tiny.c").write_text(TINY)
+        (folder / "other.c").write_text(OTHER)
+        self.kinds: dict[str, Callable[[], float]] = {
+            "python -c pass": self.python,
+            "crs run, warm": self.warm,
+            "crs run, new program": self.new_program,
+            "crs run, empty cache": self.empty,
+        }
+
+    def run(self, program: str) -> float:
+        command = [sys.executable, "-m", "crs_cc", "run", str(self.folder / program)]
+        return timed(command, self.environment)
+
+    def clear(self) -> None:
+        shutil.rmtree(self.folder / "cache", ignore_errors=True)
+
+    def python(self) -> float:
+        return timed([sys.executable, "-c", "pass"], self.environment)
+
+    def warm(self) -> float:
+        self.run("tiny.c")
+        return self.run("tiny.c")
+
+    def new_program(self) -> float:
+        self.clear()
+        self.run("other.c")
+        return self.run("tiny.c")
+
+    def empty(self) -> float:
+        self.clear()
+        return self.run("tiny.c")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n", 1)[0])
+    parser.add_argument("--repeat", type=int, default=5, help="runs of each (default 5)")
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        starts = Starts(Path(folder))
+        starts.python()
+        times: dict[str, list[float]] = {kind: [] for kind in starts.kinds}
+        for _ in range(options.repeat):
+            for kind, start in starts.kinds.items():
+                times[kind].append(start())
+    medians = {kind: statistics.median(rows) for kind, rows in times.items()}
+    base = medians["python -c pass"]
+    for kind, seconds in medians.items():
+        print(f"{kind:24}{seconds * 1000:8.0f} ms{seconds / base:8.1f} x python")
+
+
+if __name__ == "__main__":
+    main()
