@@ -131,6 +131,7 @@ class Runner:
     def step(self, step: Step) -> None:
         """Hears from the session what happened in a timestep."""
         if self._trace is not None:
+            self._output.flush()
             self._trace.step(step)
         if self._options.plot is not None:
             contacts = step.contacts

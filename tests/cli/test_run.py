@@ -281,8 +281,13 @@ def test_the_trace_has_a_line_for_each_robot_and_timestep(
 ) -> None:
     assert main(["run", "drive.c", "pair.xml", "--trace", "requests"]) == 0
     lines = NAME_ONLY.sub("", capfd.readouterr().err).splitlines()
-    assert any("PR" in line and "left" in line for line in lines)
-    assert any("WS" in line and "right" in line for line in lines)
+    rows = [line.split() for line in lines if re.match(r"\d+\.\d{3} ", line)]
+    assert [row[:2] for row in rows[:4]] == [
+        ["0.000", "left"], ["0.000", "right"], ["0.050", "left"], ["0.050", "right"],
+    ]  # fmt: skip
+    slices = [row[3] for row in rows if row[1:3] == ["left", "PR"]]
+    assert slices == [f"{number}/{len(slices)}" for number in range(1, len(slices) + 1)]
+    assert any(each.startswith("WS(") for row in rows for each in row)
 
 
 # -- from outside ----------------------------------------------------------------------------------
