@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import hashlib
 import pickle
@@ -96,11 +97,9 @@ def _compile(
 
     units = []
     for path in paths:
-        found = Diagnostics()  # of its own, for errors in one file must not hide those of the next
-        try:
+        found = Diagnostics()  # of its own: errors in one file do not stop the next
+        with contextlib.suppress(CompileError):
             units.append(compile_file(path, options, found))
-        except CompileError:
-            pass
         diagnostics.messages.extend(found.messages)
         diagnostics.lines.update(found.lines)
     if diagnostics.errors:
