@@ -68,7 +68,10 @@ def preprocess_text(
         options: where headers are, and what is defined.
         diagnostics: gets every message, and the lines of each file that is read.
     """
-    content = decode(text.encode("utf-8", "surrogateescape"))
+    try:
+        content = decode(text.encode("utf-8", "surrogateescape"))
+    except UnicodeEncodeError:  # lone surrogates, which stand for no byte
+        content = decode(text.encode("utf-8", "replace"))
     return _preprocess(content, Path(name), options, diagnostics)
 
 
@@ -115,11 +118,13 @@ class _Run:
 
     def _define_options(self, folder: Path) -> None:
         """Opens a text that does what `-D` and `-U` say, to be read before the main file."""
-        lines = []
+        lines: list[str] = []
         for definition in self.options.defines:
             name, equals, value = definition.partition("=")
             lines.append(f"#define {name} {value if equals else '1'}")
         lines += [f"#undef {name}" for name in self.options.undefines]
+        if not lines:
+            return
         text = self.state.add_text(
             _COMMAND_LINE, "\n".join(each.replace("\n", " ") for each in lines)
         )

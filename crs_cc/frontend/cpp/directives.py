@@ -180,7 +180,7 @@ def _condition(state: State, line: _Line) -> bool:
 
     try:
         tokens = resolve_operators(line.tokens(), is_defined, has_header)
-        tokens = resolve_operators(state.expand(tokens), is_defined, has_header)
+        tokens = resolve_operators(state.expand_condition(tokens), is_defined, has_header)
         return evaluate(tokens)
     except ConditionError as error:
         place = line.place if error.place is None else error.place

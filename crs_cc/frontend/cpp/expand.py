@@ -23,7 +23,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from crs_cc.frontend.cpp.budget import Budget
-from crs_cc.frontend.cpp.macros import Macro
+from crs_cc.frontend.cpp.macros import DEFINED, Macro
 from crs_cc.frontend.cpp.report import Report
 from crs_cc.frontend.cpp.substitute import substitute
 from crs_cc.frontend.cpp.tokens import NAME, Token
@@ -103,22 +103,30 @@ class _Expansion:
     def run(self, tokens: Sequence[Token]) -> list[Token]:
         job = _Job([_Context(iter(tokens))])
         while True:
-            token = self._read(job)
-            if token is None:
-                if job.call is None:
-                    return job.output
+            name = self._read_to_macro(job)
+            if name is not None:
+                job = self._invoke(job, name, self.macros[name.text])
+            elif job.call is not None:
                 job = self._finish_argument(job, job.call)
-                continue
-            if job.owes_space:
-                token = token.moved(token.place, spaced=True)
-                job.owes_space = False
-            macro = self.macros.get(token.text)
-            if macro is None or token.painted or token.kind != NAME:
-                job.output.append(token)
-            elif token.text in self.active:
-                job.output.append(_painted(token))
             else:
-                job = self._invoke(job, token, macro)
+                return job.output
+
+    def _read_to_macro(self, job: _Job) -> Token | None:
+        """Puts out what is no macro; gives the next name of a macro, none at the end."""
+        output, macros, active = job.output, self.macros, self.active
+        while job.contexts:
+            for token in job.contexts[-1].tokens:
+                if job.owes_space:
+                    token = token.moved(token.place, spaced=True)  # noqa: PLW2901 - the same token
+                    job.owes_space = False
+                if token.text not in macros or token.painted or token.kind != NAME:
+                    output.append(token)
+                elif token.text in active:
+                    output.append(_painted(token))
+                else:
+                    return token
+            active.discard(job.contexts.pop().macro)
+        return None
 
     def _read(self, job: _Job) -> Token | None:
         """Gives the next token, none at the end of what is there."""
@@ -142,6 +150,9 @@ class _Expansion:
         if macro.dynamic is not None:
             job.output.append(macro.dynamic(name))
             return job
+        if macro is DEFINED:
+            job.output += [name, *self._operand(job)]
+            return job
         if macro.parameters is None:
             return self._replace(_Call(job, macro, name, [], []))
         follower = self._read_on(job)
@@ -155,6 +166,15 @@ class _Expansion:
             job.output.append(name)
             return job
         return self._advance(_Call(job, macro, name, arguments, [*macro.expanded]))
+
+    def _operand(self, job: _Job) -> list[Token]:
+        """Reads `NAME` or `( NAME` after `defined`, without replacing anything."""
+        tokens = []
+        while (token := self._read(job)) is not None:
+            tokens.append(token)
+            if token.text != "(":
+                break
+        return tokens
 
     def _collect(self, job: _Job, name: Token, macro: Macro) -> list[list[Token]] | None:
         """Reads the arguments of a call up to its `)`; gives none when they do not fit."""
@@ -193,11 +213,12 @@ class _Expansion:
             return [*arguments, []]  # GNU and C23: the variadic argument may be left out
         if len(arguments) == wanted:
             return arguments
-        at_least = "at least " if macro.variadic else ""
+        fewest = wanted - macro.variadic
+        number = f"{'at least ' if macro.variadic else ''}{fewest}"
+        plural = "" if fewest == 1 else "s"
         self.report.error(
             name.place,
-            f"macro '{macro.name}' takes {at_least}{wanted - macro.variadic} arguments, "
-            f"not {len(arguments)}",
+            f"macro '{macro.name}' takes {number} argument{plural}, not {len(arguments)}",
         )
         return None
 

@@ -94,6 +94,10 @@ def dynamic_macro(name: str, value: Callable[[Token], Token]) -> Macro:
     return Macro(name, None, False, (), (), (), False, 0, value)
 
 
+DEFINED: Final = Macro("defined", None, False, (), (), (), False, 0)
+"""Stands for the operator of `#if`: the name after it is not replaced."""
+
+
 def read_definition(tokens: Sequence[Token], report: Report) -> Macro | None:
     """Reads what stands after `#define`; gives none when that is no definition."""
     name = tokens[0]

@@ -67,6 +67,9 @@ class Preprocessed:
         return self._places.location(mapped + offset)
 
 
+_AS_SPACE: Final = str.maketrans("\v\f", "  ")
+
+
 @dataclass(slots=True)
 class Writer:
     """Puts the output together."""
@@ -76,7 +79,7 @@ class Writer:
 
     def line(self, text: str, place: Place) -> None:
         """Writes a line as the user wrote it."""
-        self._rows.append(text.rstrip())
+        self._rows.append(text.rstrip().translate(_AS_SPACE))
         self._lines.append(place)
 
     def tokens(self, tokens: Sequence[Token]) -> None:
@@ -86,9 +89,9 @@ class Writer:
         parts: list[str] = []
         columns: list[int] = []
         column = 1
-        before = None
+        before = tokens[0]
         for token in tokens:
-            if before is not None and (token.spaced or would_merge(before, token)):
+            if column > 1 and (token.spaced or would_merge(before, token)):
                 parts.append(" ")
                 column += 1
             columns.append(column)

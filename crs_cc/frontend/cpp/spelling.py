@@ -18,8 +18,10 @@ from crs_cc.frontend.cpp.constants import INTEGER, SUFFIX
 from crs_cc.frontend.cpp.report import Report
 from crs_cc.frontend.cpp.tokens import (
     CHARACTER,
+    HASH,
     NAME,
     NUMBER,
+    PASTE,
     PUNCTUATOR,
     STRING,
     UNCLOSED,
@@ -50,10 +52,10 @@ _PLAIN: Final = re.compile(
     re.ASCII,
 )
 _DIGRAPHS: Final = {"<:": "[", ":>": "]", "<%": "{", "%>": "}"}
-_STRAY: Final = frozenset({"#", "##", "%:", "%:%:"})
+_ODD_PUNCTUATORS: Final = frozenset(_DIGRAPHS) | HASH | PASTE
 _UNKNOWN_ESCAPE: Final = re.compile(rf"\\(?:({_ESCAPED})|(.))|([\udc80-\udcff])")
 _ONE_CHARACTER: Final = re.compile(_IN_CHARACTER)
-_UNIVERSAL: Final = re.compile(r"\\[uU]([0-9a-fA-F]+)|([^\x00-\x7f])")
+_UNIVERSAL: Final = re.compile(r"\\(?:u([0-9a-fA-F]{4})|U([0-9a-fA-F]{8}))|([^\x00-\x7f])")
 
 
 def is_plain(line: str) -> bool:
@@ -66,39 +68,49 @@ def respell(tokens: Sequence[Token], report: Report) -> list[Token]:
     result = []
     for token in tokens:
         kind = token.kind
-        if kind == PUNCTUATOR:
-            text: str | None = _punctuator(token, report)
-        elif kind == NAME:
-            text = token.text if token.text.isascii() else _ascii_name(token.text)
-            text = text if "\\" not in text else _ascii_name(text)
+        if kind == PUNCTUATOR and token.text not in _ODD_PUNCTUATORS:
+            result.append(token)
+            continue
+        if kind == NAME:
+            text: str | None = _ascii_name(token.text)
         elif kind == NUMBER:
             text = _number(token, report)
         elif kind in (STRING, CHARACTER):
             text = _quoted(token, report)
         else:
-            _report_not_c(token, report)
-            text = None
+            text = _odd(token, report)
         if text is not None:
-            result.append(
-                token
-                if text == token.text
-                else Token(kind, text, token.place, token.spaced, token.painted)
-            )
+            result.append(token if text == token.text else token.respelled(text))
     return result
 
 
-def _punctuator(token: Token, report: Report) -> str | None:
-    if token.text in _STRAY:
+def _odd(token: Token, report: Report) -> str | None:
+    """Gives the usual spelling of a digraph; reports any other odd token."""
+    if token.text in _DIGRAPHS:
+        return _DIGRAPHS[token.text]
+    if token.kind == PUNCTUATOR:
         report.error(token.place, f"stray '{token.text}' in the program")
-        return None
-    return _DIGRAPHS.get(token.text, token.text)
+    elif token.kind == UNCLOSED:
+        quote = token.text[0]
+        hint = "a string that goes on in the next line is closed and opened again"
+        report.error(
+            token.place,
+            f"the closing {quote} is missing on this line",
+            hint if quote == '"' else "",
+        )
+    else:
+        report.error(token.place, f"'{shown(token.text)}' is no part of C")
+    return None
 
 
 def _ascii_name(name: str) -> str:
     """Gives a name with each letter outside ASCII as `$u` and its number: the parser wants it."""
+    if name.isascii() and "\\" not in name:
+        return name
 
     def code(match: re.Match[str]) -> str:
-        return f"$u{int(match[1], 16) if match[1] else ord(match[2]):04x}"
+        digits = match[1] or match[2]
+        return f"$u{int(digits, 16) if digits else ord(match[3]):04x}"
 
     return _UNIVERSAL.sub(code, name)
 
@@ -137,20 +149,10 @@ def _quoted(token: Token, report: Report) -> str:
     def known(match: re.Match[str]) -> str:
         if match[1]:
             return match.group()
-        if match[3]:
-            return f"\\{ord(match[3]) - 0xDC00:03o}"  # the byte as it is in the file
-        report.warning(token.place, f"unknown escape sequence '\\{shown(match[2])}'")
-        return match[2]
+        character = match[2] or match[3]
+        if "\udc80" <= character <= "\udcff":
+            return f"\\{ord(character) - 0xDC00:03o}"  # the byte as it is in the file
+        report.warning(token.place, f"unknown escape sequence '\\{shown(character)}'")
+        return character
 
     return _UNKNOWN_ESCAPE.sub(known, text)
-
-
-def _report_not_c(token: Token, report: Report) -> None:
-    if token.kind != UNCLOSED:
-        report.error(token.place, f"'{shown(token.text)}' is no part of C")
-        return
-    quote = token.text[0]
-    hint = "a string that goes on in the next line is closed and opened again"
-    report.error(
-        token.place, f"the closing {quote} is missing on this line", hint if quote == '"' else ""
-    )

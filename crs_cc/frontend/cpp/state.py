@@ -13,6 +13,7 @@
 
 from __future__ import annotations
 
+from collections import ChainMap
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -22,7 +23,7 @@ from crs_cc.frontend.cpp import gnu
 from crs_cc.frontend.cpp.budget import Budget
 from crs_cc.frontend.cpp.expand import MoreTokens, expand
 from crs_cc.frontend.cpp.includes import Header, Headers, Refusal, read_regular_file
-from crs_cc.frontend.cpp.macros import Macro
+from crs_cc.frontend.cpp.macros import DEFINED, Macro
 from crs_cc.frontend.cpp.reader import Reader
 from crs_cc.frontend.cpp.report import Report
 from crs_cc.frontend.cpp.source_text import Place, SourceText, decode, printable
@@ -84,6 +85,11 @@ class State:
     def expand(self, tokens: Sequence[Token], more: MoreTokens | None = None) -> list[Token]:
         """Replaces all macros in tokens; `more` gives the next lines for a call that goes on."""
         return expand(tokens, self.macros, self.budget, self.report, more)
+
+    def expand_condition(self, tokens: Sequence[Token]) -> list[Token]:
+        """Replaces all macros in the expression of `#if`, but no operands of `defined`."""
+        macros = ChainMap({DEFINED.name: DEFINED}, self.macros)
+        return expand(tokens, macros, self.budget, self.report)
 
     def include(self, header: Header, place: Place) -> None:
         """Opens a header, to be read next.

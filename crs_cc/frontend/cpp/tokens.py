@@ -73,17 +73,21 @@ class Token:
         """Gives the same token at another place."""
         return Token(self.kind, self.text, place, spaced, self.painted)
 
+    def respelled(self, text: str) -> Token:
+        """Gives the same token in another spelling."""
+        return Token(self.kind, text, self.place, self.spaced, self.painted)
+
 
 def tokenise(line: str, place: Place) -> list[Token]:
     """Cuts a logical line, of which the first character is at a place, into tokens."""
     tokens = []
     end = 0
     for match in _TOKEN.finditer(line):
-        start = match.start()
+        start, stop = match.span()
         kind = match.lastgroup
         assert kind is not None
         tokens.append(Token(kind, match.group(), place + start, start != end))
-        end = match.end()
+        end = stop
     return tokens
 
 

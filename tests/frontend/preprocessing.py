@@ -1,0 +1,58 @@
+"""Preprocessing snippets of C in tests: what comes out, and what the user is told.
+
+The snippets stand in files of `data/preprocess`: each has a title after `===`, the source, and
+after `--- gives` the tokens that it becomes or after `--- says` the messages about it.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from crs_cc.frontend.cpp.tokens import tokenise
+from crs_cc.frontend.options import Options
+from crs_cc.frontend.preprocess import Preprocessed, preprocess_text
+from crs_cc.source import Diagnostics
+
+DATA = Path(__file__).parent / "data" / "preprocess"
+
+
+def run(source: str, options: Options | None = None) -> tuple[Preprocessed, Diagnostics]:
+    """Gives the preprocessed text and all messages."""
+    diagnostics = Diagnostics()
+    return preprocess_text(source, "a.c", options or Options(), diagnostics), diagnostics
+
+
+def tokens(text: str) -> list[str]:
+    """Gives the tokens of a text, whatever the white space between them."""
+    return [token.text for line in text.split("\n") for token in tokenise(line, 0)]
+
+
+def result(source: str, options: Options | None = None) -> list[str]:
+    """Gives the tokens that a text without errors and warnings becomes."""
+    program, diagnostics = run(source, options)
+    assert [message.render() for message in diagnostics.messages] == []
+    return tokens(program.text)
+
+
+def messages(source: str, options: Options | None = None) -> list[str]:
+    """Gives the messages about a text, each as `line:column: severity: text`."""
+    _, diagnostics = run(source, options)
+    return [
+        message.render().split("\n")[0].removeprefix("a.c:") for message in diagnostics.messages
+    ]
+
+
+def cases(file: str, kind: str) -> list[object]:
+    """Gives the cases of a file as parameters, source and expectation, of one kind."""
+    text = (DATA / file).read_text(encoding="utf-8")
+    pattern = r"^=== (.*)\n((?:.*\n)*?)--- (gives|says)\n((?:(?!=== ).*\n)*)"
+    found = re.findall(pattern, text, re.MULTILINE)
+    assert len(found) == text.count("\n=== ") + text.startswith("=== "), f"{file} is malformed"
+    return [
+        pytest.param(source, expected, id=title)
+        for title, source, which, expected in found
+        if which == kind
+    ]

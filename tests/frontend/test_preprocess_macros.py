@@ -1,0 +1,63 @@
+"""Macro replacement: C17 6.10.3, its own examples first, then what gcc does where C is silent."""
+
+from __future__ import annotations
+
+import pytest
+
+from crs_cc.frontend.options import Options
+from tests.frontend.preprocessing import cases, messages, result, run, tokens
+
+
+@pytest.mark.parametrize(("source", "expected"), cases("macros.txt", "gives"))
+def test_what_macros_become(source: str, expected: str) -> None:
+    assert result(source) == tokens(expected)
+
+
+@pytest.mark.parametrize(("source", "expected"), cases("macros.txt", "says"))
+def test_wrong_macros_are_reported_at_their_place(source: str, expected: str) -> None:
+    assert messages(source) == expected.splitlines()
+
+
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [
+        ("OBJ (1-1)", "OBJ /* space */ (1-1) /* other */"),
+        ("F(a) ( a )", "F( a )( /* the space */ \\\n a /* other\n */ )"),
+    ],
+)
+def test_the_same_definition_may_be_repeated(first: str, second: str) -> None:
+    assert messages(f"#define {first}\n#define {second}\n") == []
+
+
+@pytest.mark.parametrize(
+    ("name", "first", "second"),
+    [
+        ("OBJ", "OBJ (1-1)", "OBJ (0)"),
+        ("OBJ", "OBJ (1-1)", "OBJ (1 - 1)"),
+        ("F", "F(a) ( a )", "F(a) (a)"),
+        ("F", "F(a) ( a )", "F(b) ( b )"),
+        ("F", "F(a) a", "F a"),
+        ("F", "F(a) a", "F(a...) a"),
+    ],
+)
+def test_another_definition_is_warned_of_and_wins(name: str, first: str, second: str) -> None:
+    both = f"#define {first}\n#define {second}\n"
+    assert messages(both) == [
+        f"2:9: warning: '{name}' is defined again, otherwise",
+        "1:9: note: it was defined here before",
+    ]
+    assert run(f"{both}{name}(7)")[0].text == run(f"#define {second}\n{name}(7)")[0].text
+
+
+def test_options_define_and_undefine() -> None:
+    options = Options(
+        defines=("ONE", "TWO=2", "F(x)=<x>", "EMPTY=", "GONE=1"), undefines=("GONE", "linux")
+    )
+    text = "ONE TWO F(3) EMPTY GONE linux"
+    assert result(text, options) == tokens("1 2 <3> GONE linux")
+
+
+def test_a_wrong_option_is_reported() -> None:
+    assert messages("int a;", Options(defines=("1x=2",))) == [
+        "<command line>:1:9: error: a macro's name cannot be '1x'"
+    ]
