@@ -17,7 +17,7 @@ from crs_cc.requests import FAILED
 from crs_cc.runtime.function_code import FunctionInfo, generate, slot_offset
 from crs_cc.runtime.layout import HEADER_SIZE, MEMORY_SIZE, NULL_SIZE, STACK_TOP, round_up
 from crs_cc.runtime.link import HEAP_SYMBOLS, ROOT, pointed_functions
-from crs_cc.runtime.selection import FUEL_GLOBAL, MAILBOX, SLOT_GLOBAL, Names
+from crs_cc.runtime.selection import MAILBOX, SLOT_GLOBAL, Names
 from crs_cc.runtime.wasm import PAGE, TYPE_I32_I32, Code, FuncType, Module
 from crs_cc.source import Location
 
@@ -57,13 +57,14 @@ def compile_program(program: Program, *, checked: bool = True, debug: bool = Fal
     pointers = pointed_functions(program)
     addresses.update((name, number) for number, name in enumerate(pointers, start=1))
     numbers = {name: number for number, name in enumerate(program.functions, start=HELPERS)}
-    names = Names(addresses, numbers, len(pointers))
+    sizes = {data.name: data.size for data in program.data.values()}
+    names = Names(addresses, numbers, sizes, len(pointers))
     module = Module(
         functions=[_fault(), _outside()],
         memory_imports=[("crs", "mailbox")],
         memory_pages=MEMORY_SIZE // PAGE,
         tables=[len(pointers) + 1],
-        globals=[("i32", 0), ("i64", 0)],
+        globals=[("i32", 0)],
         elements=[(0, 1, [numbers[name] for name in pointers])] if pointers else [],
     )
     infos = []
@@ -142,8 +143,8 @@ def _resume(root: int) -> Code:
     fuel = slot_offset("fuel")
     body = [
         ("local.get", 0), ("global.set", SLOT_GLOBAL),
-        ("local.get", 0), ("i64.load", MAILBOX, fuel), ("global.set", FUEL_GLOBAL),
-        ("i32.const", STACK_TOP - HEADER_SIZE), ("call", root),
-        ("local.get", 0), ("global.get", FUEL_GLOBAL), ("i64.store", MAILBOX, fuel),
+        ("i32.const", STACK_TOP - HEADER_SIZE),
+        ("local.get", 0), ("i64.load", MAILBOX, fuel), ("call", root), ("local.set", 1),
+        ("local.get", 0), ("local.get", 1), ("i64.store", MAILBOX, fuel),
     ]  # fmt: skip
-    return Code("resume", TYPE_I32_I32, [], body)
+    return Code("resume", TYPE_I32_I32, ["i64"], body)

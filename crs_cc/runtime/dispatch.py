@@ -25,28 +25,27 @@ class _Dispatcher:
 
 
 def add_dispatchers(
-    entry: Node, start: Node, landings: list[Landing], label: int, damaged: Node
+    again: Node, start: Node, landings: list[Landing], label: int, damaged: Node
 ) -> None:
-    """Makes `entry` lead to `start` or a landing, and every loop enterable at one node only.
+    """Makes `again` lead to the landings, and every loop enterable at one node only.
 
     Args:
-        entry: a node that ends with nothing yet; it must leave in local `label` 0 for a fresh
-            start or the number of a landing.
-        start: where a fresh start goes; no other node may jump there.
+        again: a node without an exit, where a function that was suspended begins.
+        start: where a fresh call begins; no node of its graph may jump there.
         landings: the places to resume at; they get their numbers here.
-        label: index of the i32 local that carries the number.
+        label: index of the i32 local that carries the number, 0 on all other ways.
         damaged: where a number goes that no landing has.
     """
-    root = _Dispatcher(entry, start, list(landings))
-    _Loops(root, label).run()
+    root = _Dispatcher(again, damaged, list(landings))
+    _Loops(root, start, label).run()
     _number(root)
-    _finish(root, label, damaged)
+    _finish(root, label)
 
 
 class _Loops:
     """Finds loops from the outside in, and gives a dispatcher to each that needs one."""
 
-    def __init__(self, root: _Dispatcher, label: int) -> None:
+    def __init__(self, root: _Dispatcher, start: Node, label: int) -> None:
         self.label = label
         self.owner: dict[Landing, _Dispatcher] = {}
         self.landing_of: dict[Node, Landing] = {}
@@ -54,7 +53,7 @@ class _Loops:
             if isinstance(landing, Landing):
                 self.owner[landing] = root
                 self.landing_of[landing.node] = landing
-        self.nodes = _reachable([root.default, *self.landing_of])
+        self.nodes = _reachable([start, *self.landing_of])
         self.predecessors: dict[Node, list[Node]] = {node: [] for node in self.nodes}
         for node in self.nodes:
             for target in dict.fromkeys(node.targets):
@@ -140,7 +139,7 @@ def _number(root: _Dispatcher) -> None:
             work.extend(reversed(each.children))
 
 
-def _finish(root: _Dispatcher, label: int, damaged: Node) -> None:
+def _finish(root: _Dispatcher, label: int) -> None:
     """Writes the tables."""
     order: list[_Dispatcher] = [root]
     for dispatcher in order:
@@ -157,13 +156,14 @@ def _finish(root: _Dispatcher, label: int, damaged: Node) -> None:
                 targets.extend([child.node] * len(below[child]))
                 numbers.extend(below[child])
         below[dispatcher] = numbers
-        node = dispatcher.node
-        node.code.append(("local.get", label))
-        if dispatcher is root:
-            node.exit, node.targets = "table", [dispatcher.default, *targets, damaged]
-            continue
-        node.code += [("i32.const", numbers[0]), ("i32.sub",)]
-        node.exit, node.targets = "table", [*targets, dispatcher.default]
+        table = dispatcher.node
+        if dispatcher is not root:  # one cheap test where nothing is resumed
+            table = Node()
+            dispatcher.node.code.append(("local.get", label))
+            dispatcher.node.exit = "branch"
+            dispatcher.node.targets = [table, dispatcher.default]
+        table.code += [("local.get", label), ("i32.const", numbers[0]), ("i32.sub",)]
+        table.exit, table.targets = "table", [*targets, dispatcher.default]
 
 
 def _reachable(roots: list[Node]) -> list[Node]:

@@ -7,18 +7,27 @@ like; an `Executable` holds that machine code.
 from __future__ import annotations
 
 import functools
+import resource
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import wasmtime
 from wasmtime import _bindings
 
-from crs_cc.ir.program import Program
-from crs_cc.runtime.codegen import Compiled, compile_program
-from crs_cc.source import Diagnostic
+if TYPE_CHECKING:
+    from crs_cc.ir.program import Program
+    from crs_cc.runtime.codegen import Compiled
+    from crs_cc.source import Diagnostic
 
-MAX_WASM_STACK = 4 * 2**20
+MAX_WASM_STACK = 6 * 2**20
 """Host stack for the deepest recursion [bytes]: our own stack check comes first, see `layout`."""
+
+
+def _host_stack() -> int:
+    """Gives how much of the host's stack programs may use: three quarters at most [bytes]."""
+    limit, _ = resource.getrlimit(resource.RLIMIT_STACK)
+    return MAX_WASM_STACK if limit < 0 else min(MAX_WASM_STACK, limit * 3 // 4)
 
 
 @functools.cache
@@ -26,8 +35,8 @@ def engine() -> wasmtime.Engine:
     """Gives the engine that all fleets share."""
     config = wasmtime.Config()
     # The C API refuses a stack above that of asynchronous calls, which Python has no name for.
-    _bindings.wasmtime_config_async_stack_size_set(config.ptr(), MAX_WASM_STACK)
-    config.max_wasm_stack = MAX_WASM_STACK
+    _bindings.wasmtime_config_async_stack_size_set(config.ptr(), _host_stack())
+    config.max_wasm_stack = _host_stack()
     config.cranelift_opt_level = "speed"
     return wasmtime.Engine(config)
 
@@ -77,6 +86,8 @@ def make_executable(
     program: Program, name: str, *, checked: bool = True, debug: bool = False
 ) -> Executable:
     """Compiles a linked, verified program."""
+    from crs_cc.runtime.codegen import compile_program
+
     compiled = compile_program(program, checked=checked, debug=debug)
     module = wasmtime.Module(engine(), compiled.module.to_binary())
     detail = Detail(program, compiled)

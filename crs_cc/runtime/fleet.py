@@ -26,7 +26,7 @@ import numpy.typing as npt
 import wasmtime
 
 from crs_cc.requests import ERROR_KINDS, FAILED, SLOT
-from crs_cc.runtime.driver import CURRENT, SLOTS, driver
+from crs_cc.runtime.driver import HEADER, SLOTS, driver
 from crs_cc.runtime.executable import Executable, engine
 from crs_cc.runtime.layout import MEMORY_SIZE, NULL_SIZE
 from crs_cc.runtime.wasm import PAGE
@@ -81,7 +81,8 @@ class Fleet:
         limits = wasmtime.Limits(pages, pages)
         self._mailbox = wasmtime.Memory(self._store, wasmtime.MemoryType(limits))
         mailbox = _view(self._store, self._mailbox)
-        self._current = mailbox[CURRENT : CURRENT + 4].view("<u4")
+        self._header = mailbox[: HEADER.itemsize].view(HEADER)
+        self._header["count"] = count
         self.slots = mailbox[SLOTS : SLOTS + count * SLOT.itemsize].view(SLOT)
         self.slots["stop_at"] = -1
         self._memories: list[npt.NDArray[np.uint8]] = []
@@ -93,7 +94,9 @@ class Fleet:
     def _start_driver(self) -> None:
         module = wasmtime.Module(engine(), driver(len(self)).to_binary())
         exports = wasmtime.Instance(self._store, module, [self._mailbox]).exports(self._store)
-        self._round = exports["round"]
+        round_ = exports["round"]
+        assert isinstance(round_, wasmtime.Func)
+        self._round = round_
         table = exports["robots"]
         assert isinstance(table, wasmtime.Table)
         for number, executable in enumerate(self._executables):
@@ -108,16 +111,18 @@ class Fleet:
 
     def run_round(self) -> int:
         """Resumes every robot whose slot says `run`; gives how many there were."""
-        first, resumed = 0, 0
+        trapped = 0
+        self._header["current"] = 0
         while True:
             try:
-                count = self._round(self._store, first, len(self))  # type: ignore[operator]
+                self._round(self._store)
             except (wasmtime.Trap, wasmtime.WasmtimeError) as trap:
-                first = int(self._current[0])
-                self._trapped(first, trap)
-                resumed, first = resumed + 1, first + 1
+                robot = int(self._header["current"][0])
+                self._trapped(robot, trap)
+                self._header["current"] = robot + 1
+                trapped += 1
                 continue
-            return int(count) + resumed
+            return int(self._header["resumed"][0]) + trapped
 
     def _trapped(self, robot: int, trap: Exception) -> None:
         """Notes a trap as the robot's own failure, so that the others go on."""

@@ -1,4 +1,4 @@
-"""One IR function as one WebAssembly function `(fp) -> status`.
+"""One IR function as one WebAssembly function `(fp, fuel) -> (status, fuel)`.
 
 The function keeps its registers in WebAssembly locals. Whenever it must stop (a request, no fuel
 left, a callee that stopped, a statement the debugger waits for) it notes in local `label` the
@@ -44,9 +44,9 @@ from crs_cc.runtime.layout import (
 )
 from crs_cc.runtime.nesting import emit
 from crs_cc.runtime.selection import (
+    CALL_TYPE,
     FP,
     FUEL,
-    FUEL_GLOBAL,
     LABEL,
     MAILBOX,
     MEMORY,
@@ -57,7 +57,7 @@ from crs_cc.runtime.selection import (
     Selector,
 )
 from crs_cc.runtime.switches import lower_switch
-from crs_cc.runtime.wasm import TYPE_I32_I32, Code, Instr
+from crs_cc.runtime.wasm import TYPE_CALL, Code, Instr
 from crs_cc.source import Location
 
 
@@ -146,16 +146,16 @@ class _FunctionCode:
         for block in self.function.blocks:
             self.block(block)
         entry, start = self.entry(), self.start()
-        numbered = [landing for landing, _, _ in self.landings]
-        damaged = Node()
-        self.selector.code = damaged.code
-        self.selector.fail("damaged stack", self.function.location, [("local.get", LABEL)])
-        if numbered:
-            add_dispatchers(entry, start, numbered, LABEL, damaged)
+        if self.landings:
+            again = self.again(start)
+            self.selector.code = entry.code
+            self.selector.load_at(FP, RESUME, "i32")
+            entry.code.append(("local.tee", LABEL))
+            entry.exit, entry.targets = "branch", [again, start]
         else:
             entry.jump(start)
         body = emit(entry) + self.epilogue()
-        code = Code(self.function.name, TYPE_I32_I32, self.selector.local_types, body)
+        code = Code(self.function.name, TYPE_CALL, self.selector.local_types, body)
         return code, self.info()
 
     def info(self) -> FunctionInfo:
@@ -168,23 +168,28 @@ class _FunctionCode:
         return FunctionInfo(self.function, self.frame, places, callees)
 
     def entry(self) -> Node:
-        """Sets up the frame; loads the registers back when the function was suspended."""
+        """Sets up the frame."""
         node = Node()
         code = self.selector.code = node.code
         size = self.frame.size
         code += [("local.get", FP), ("i32.const", NULL_SIZE + size), ("i32.lt_u",), ("if",)]
         self.selector.fail("stack overflow", self.function.location, [("local.get", FP)])
         code.pop()  # the epilogue would write to the frame that there is no room for
-        code += [("local.get", STATUS), ("return",), ("end",)]
+        code += [("local.get", STATUS), ("local.get", FUEL), ("return",), ("end",)]
         code += [("local.get", FP), ("i32.const", size), ("i32.sub",), ("local.set", SP)]
-        code += [("global.get", FUEL_GLOBAL), ("local.set", FUEL)]
-        if self.landings:
-            self.selector.load_at(FP, RESUME, "i32")
-            code += [("local.tee", LABEL), ("if",)]
-            for register in self.saved:
-                self.selector.load_at(SP, self.frame.offsets[register], register.type)
-                self.selector.pop(register)
-            code.append(("end",))
+        return node
+
+    def again(self, start: Node) -> Node:
+        """Loads the registers back when the function was suspended, and goes to its landing."""
+        node, damaged = Node(), Node()
+        self.selector.code = damaged.code
+        self.selector.fail("damaged stack", self.function.location, [("local.get", LABEL)])
+        self.selector.code = node.code
+        for register in self.saved:
+            self.selector.load_at(SP, self.frame.offsets[register], register.type)
+            self.selector.pop(register)
+        landings = [landing for landing, _, _ in self.landings]
+        add_dispatchers(node, start, landings, LABEL, damaged)
         return node
 
     def start(self) -> Node:
@@ -193,7 +198,7 @@ class _FunctionCode:
         code = self.selector.code = node.code
         code += [("local.get", FUEL), ("i64.const", 0), ("i64.lt_s",), ("if",)]
         self.selector.store_at(FP, FUNCTION, Constant("i32", self.number), "i32")
-        code += [("i32.const", SUSPENDED), ("return",), ("end",)]
+        code += [("i32.const", SUSPENDED), ("local.get", FUEL), ("return",), ("end",)]
         for parameter, offset in zip(self.function.parameters, self.frame.parameters, strict=True):
             self._load_parameter(parameter, offset)
         node.jump(self.nodes[self.function.blocks[0]])
@@ -213,7 +218,7 @@ class _FunctionCode:
             self.selector.store_at(SP, self.frame.offsets[register], register, register.type)
         code += [("local.get", FP), ("local.get", LABEL), ("i32.store", MEMORY, RESUME)]
         self.selector.store_at(FP, FUNCTION, Constant("i32", self.number), "i32")
-        return [*code, ("local.get", FUEL), ("global.set", FUEL_GLOBAL), ("local.get", STATUS)]
+        return [*code, ("local.get", STATUS), ("local.get", FUEL)]
 
     # -- suspending ---------------------------------------------------------------------------
 
@@ -308,8 +313,7 @@ class _FunctionCode:
         if value is not None:
             kind: ValueType = value.type
             self.selector.store_at(FP, RESULT, value, kind)
-        node.code += [("local.get", FUEL), ("global.set", FUEL_GLOBAL), ("i32.const", 0)]
-        node.code.append(("return",))
+        node.code += [("i32.const", 0), ("local.get", FUEL), ("return",)]
 
     def call(self, node: Node, call: Call) -> None:
         selector = self.selector
@@ -343,14 +347,13 @@ class _FunctionCode:
             after.code += [("i32.const", self.names.pointers), ("i32.ge_u",)]
             blamed = ("local.get", selector.locals[call.callee])
             selector.fail_if("bad function pointer", call.location, [blamed])
-        after.code += [("local.get", FUEL), ("global.set", FUEL_GLOBAL), ("local.get", SP)]
+        after.code += [("local.get", SP), ("local.get", FUEL)]
         if isinstance(call.callee, Register):
             selector.push(call.callee)
-            after.code.append(("call_indirect", 0, 0))
+            after.code.append(("call_indirect", CALL_TYPE, 0))
         else:
             after.code.append(("call", self.names.functions[call.callee]))
-        after.code += [("global.get", FUEL_GLOBAL), ("local.set", FUEL)]
-        after.code += [("local.tee", STATUS), ("if",)]
+        after.code += [("local.set", FUEL), ("local.tee", STATUS), ("if",)]
         after.code += [(LANDING, landing), ("local.set", LABEL), (UNWIND,), ("end",)]
         if call.result is not None:
             selector.load_at(SP, RESULT, call.result.type)

@@ -31,7 +31,7 @@ MEMORY_SIZE: Final = 16 * 2**20
 HEADER_SIZE: Final = 16
 RESULT, FUNCTION, RESUME = 0, 8, 12  # offsets from fp
 
-MINIMUM_FRAME: Final = 64
+MINIMUM_FRAME: Final = 96
 """Keeps the host's stack, which grows with ours, within a few times of ours."""
 
 

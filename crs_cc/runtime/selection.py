@@ -38,9 +38,10 @@ from crs_cc.source import Location
 
 MAILBOX, MEMORY = 0, 1  # indices of the memories in a robot's module
 FAULT, OUTSIDE = 0, 1  # indices of the module's own helper functions
-SLOT_GLOBAL, FUEL_GLOBAL = 0, 1
-FP, SP, LABEL, STATUS, ADDRESS, FUEL = range(6)  # locals of every function
-FIXED_LOCALS: Final[tuple[ValueType, ...]] = ("i32", "i32", "i32", "i32", "i64")
+SLOT_GLOBAL = 0
+CALL_TYPE = 1  # index of the type of C functions
+FP, FUEL, SP, LABEL, STATUS, ADDRESS = range(6)  # parameters and locals of every function
+FIXED_LOCALS: Final[tuple[ValueType, ...]] = ("i32", "i32", "i32", "i32")
 
 _LOADS: Final[dict[MemoryType, str]] = {
     "i8": "i32.load8_s", "u8": "i32.load8_u", "i16": "i32.load16_s", "u16": "i32.load16_u",
@@ -61,12 +62,14 @@ class Names:
     Attributes:
         addresses: address of each global object; function pointer of each function that needs one.
         functions: index in the module of each function.
+        sizes: size of each global object.
         pointers: how many function pointers there are; they are numbered from 1.
         sites: every place that can fail, with the kind of failure; "memory" for accesses.
     """
 
     addresses: dict[str, int]
     functions: dict[str, int]
+    sizes: dict[str, int]
     pointers: int
     sites: list[tuple[str, Location]] = field(default_factory=list)
 
@@ -93,7 +96,7 @@ class Selector:
             self.locals[register] = free.pop()
             return
         self.local_types.append(register.type)
-        self.locals[register] = len(self.local_types)
+        self.locals[register] = len(self.local_types) + 1
 
     def release(self, register: Register) -> None:
         """Makes the register's local free for another one."""
@@ -165,7 +168,18 @@ class Selector:
             self.code.append(("local.get", SP))
             return self.frame.offsets[base] + offset
         self.code.append(("i32.const", self.names.addresses[base] + offset))
+        if self.checked and not 0 <= offset <= self.names.sizes.get(base, 0) - size:
+            # declared larger in this file than the object is: checked as through a pointer
+            self.code.append(("local.tee", ADDRESS))
+            self._check_local(ADDRESS, size, location)
         return 0
+
+    def _check_local(self, local: int, size: int, location: Location) -> None:
+        """Stops the program unless the address on the stack, also in `local`, is accessible."""
+        self.code += [("i32.const", NULL_SIZE), ("i32.sub",)]
+        self.code += [("i32.const", MEMORY_END - NULL_SIZE - size), ("i32.gt_u",)]
+        self.fail_if("memory", location, [("local.get", local)])
+        self.code.append(("local.get", local))
 
     def _through_pointer(self, base: Register, offset: int, size: int, location: Location) -> int:
         if 0 <= offset < NULL_SIZE and (not self.checked or self._known(base, offset, size)):
@@ -177,10 +191,7 @@ class Selector:
             local = ADDRESS
             self.code += [("i32.const", offset), ("i32.add",), ("local.tee", ADDRESS)]
         if self.checked:
-            self.code += [("i32.const", NULL_SIZE), ("i32.sub",)]
-            self.code += [("i32.const", MEMORY_END - NULL_SIZE - size), ("i32.gt_u",)]
-            self.fail_if("memory", location, [("local.get", local)])
-            self.code.append(("local.get", local))
+            self._check_local(local, size, location)
             low, high = self._proved.get(base, (offset, offset))
             self._proved[base] = (min(low, offset), max(high, offset + size))
         return 0

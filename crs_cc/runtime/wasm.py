@@ -24,6 +24,8 @@ Instr: TypeAlias = tuple[Any, ...]
 FuncType: TypeAlias = tuple[tuple[ValueType, ...], tuple[ValueType, ...]]
 
 TYPE_I32_I32: Final[FuncType] = (("i32",), ("i32",))
+TYPE_CALL: Final[FuncType] = (("i32", "i64"), ("i32", "i64"))
+"""A C function: its frame pointer and fuel come in, its status and what fuel is left go out."""
 PAGE: Final = 65536
 
 _VALUE: Final[dict[str, int]] = {"i32": 0x7F, "i64": 0x7E, "f32": 0x7D, "f64": 0x7C}
@@ -167,7 +169,9 @@ class Module:
 
     def types(self) -> list[FuncType]:
         """Gives the function types in the order of the type section."""
-        return list(dict.fromkeys([TYPE_I32_I32, *(code.type for code in self.functions)]))
+        return list(
+            dict.fromkeys([TYPE_I32_I32, TYPE_CALL, *(code.type for code in self.functions)])
+        )
 
     def to_binary(self) -> bytes:
         """Gives the module in the binary format."""

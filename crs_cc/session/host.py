@@ -58,7 +58,9 @@ class Host:
 
     def __init__(self, arguments: Sequence[Sequence[str]], output: Output, read: Input) -> None:
         self.exit_status: list[int | None] = [None] * len(arguments)
-        self._arguments = [[each.encode() for each in row] for row in arguments]
+        self._arguments = [
+            [each.encode("utf-8", "surrogateescape") for each in row] for row in arguments
+        ]
         self._output = output
         self._read = read
         self._serve: dict[int, Callable[[HostRequest], float]] = {

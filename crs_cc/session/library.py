@@ -6,7 +6,7 @@ import functools
 from collections.abc import Sequence
 from pathlib import Path
 
-from crs_cc.errors import InternalError
+from crs_cc.errors import CompileError, InternalError
 from crs_cc.frontend.options import Options
 from crs_cc.frontend.unit import compile_file
 from crs_cc.ir.program import Data, Function, Program
@@ -74,6 +74,9 @@ def _entry(unit: str) -> str:
 
 def _compile(path: Path) -> Program:
     diagnostics = Diagnostics()
-    program = compile_file(path, Options(system_paths=(HEADERS,)), diagnostics)
+    try:
+        program = compile_file(path, Options(system_paths=(HEADERS,)), diagnostics)
+    except CompileError as error:
+        raise InternalError(error.diagnostics) from error
     verify(program)
     return program

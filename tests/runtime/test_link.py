@@ -8,6 +8,9 @@ from crs_cc.errors import CompileError
 from crs_cc.frontend.options import Options
 from crs_cc.frontend.unit import compile_text
 from crs_cc.ir.program import Program
+from crs_cc.requests import FAILED
+from crs_cc.runtime.executable import make_executable
+from crs_cc.runtime.fleet import Fleet
 from crs_cc.runtime.link import link
 from crs_cc.session.library import HEADERS, library
 from crs_cc.source import Diagnostic, Diagnostics
@@ -90,3 +93,17 @@ def test_statics_of_one_name_in_two_files_are_two() -> None:
         "static int n = 2; int g(void) { return n; }",
     )
     assert sorted(name for name in whole.data if name.endswith(":n")) == ["a.c:n", "b.c:n"]
+
+
+def test_an_object_declared_larger_than_it_is_cannot_reach_outside_memory() -> None:
+    whole = linked(
+        "extern int n[9000000]; int main(void) { return n[8999999]; }", "int n[2] = {1, 2};"
+    )
+    fleet = Fleet([make_executable(whole, "a.c")])
+    fleet.slots["fuel"] = 10**6
+    while fleet.slots["status"][0] != FAILED:
+        fleet.slots["message"]["result"] = -1  # there are no arguments
+        fleet.slots["run"] = 1
+        fleet.run_round()
+    assert fleet.failure(0).kind == "pointer outside memory"
+    assert fleet.failure(0).location.file == "a.c"
