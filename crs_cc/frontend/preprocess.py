@@ -15,7 +15,6 @@ any place of the result back to the user's file, line and column.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
@@ -154,13 +153,8 @@ class _Run:
         if not untouched:
             depth = len(self.state.readers)
             tokens = self.state.expand(tokens, lambda: self._more(depth))
-            tokens = self._standard(tokens)
-        elif self.gnu.is_open:
-            tokens = self._standard(tokens)
+        tokens = self.gnu.rewrite(tokens, lambda: self.writer.tail(500))
         self.writer.tokens(respell(tokens, self.state.report))
-
-    def _standard(self, tokens: Sequence[Token]) -> list[Token]:
-        return self.gnu.rewrite(tokens, lambda: self.writer.tail(500))
 
     def _more(self, depth: int) -> list[Token] | None:
         """Gives the tokens of the next line for a call that goes on, none at the file's end.

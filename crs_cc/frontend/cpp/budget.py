@@ -4,7 +4,7 @@
 >>> budget = Budget(left=1000)
 >>> budget.spend(tokenise("a + b", 0), place=0)
 >>> budget.left
-997
+996
 """
 
 from __future__ import annotations
@@ -43,11 +43,11 @@ class Budget:
     left: int = MAX_EXPANSION
 
     def spend(self, tokens: Sequence[Token], place: Place) -> None:
-        """Pays for moving tokens.
+        """Pays for moving tokens, and a token's price for the move itself.
 
         Raises:
             ExhaustedError: there is not enough left.
         """
-        self.left -= sum([1 + (len(token.text) >> 4) for token in tokens])
+        self.left -= 1 + sum([1 + (len(token.text) >> 4) for token in tokens])
         if self.left < 0:
             raise ExhaustedError(place)

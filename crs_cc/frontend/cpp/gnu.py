@@ -2,7 +2,8 @@ r"""GNU syntax that the parser does not know, taken away or put into standard wo
 
 This works on single tokens and on constructs of a word with parentheses after it. To add another:
 a word with a standard twin goes into `_TWINS`, a word with parentheses into `_CONSTRUCTS` with a
-method that gives the tokens to put in its place.
+method that gives the tokens to put in its place. Lines without any such word do not come here, so
+syntax that no word announces, as `case 1 ... 5`, must also be no plain line (`spelling.is_plain`).
 
 >>> from crs_cc.frontend.cpp.source_text import Places
 >>> from crs_cc.frontend.cpp.tokens import spell, tokenise
