@@ -130,7 +130,7 @@ def _list(unit: Unit, node: Node) -> Expression:
     found = expression(unit, node)
     if unqualified(found.type) != VA_LIST:
         raise CheckError(found.location, f"expected a 'va_list', not '{found.type}'")
-    return modifiable(unit, found)
+    return modifiable(found)
 
 
 def _va_start(unit: Unit, nodes: list[Node], location: Location) -> Expression:

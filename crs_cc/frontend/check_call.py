@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from pycparser import c_ast
 
 from crs_cc.frontend import tree
@@ -13,6 +15,7 @@ from crs_cc.frontend.parse import Node
 from crs_cc.frontend.scope import FunctionSymbol
 from crs_cc.frontend.tree import Expression
 from crs_cc.ir.types import (
+    DOUBLE,
     INT,
     FunctionType,
     PointerType,
@@ -21,6 +24,20 @@ from crs_cc.ir.types import (
     unqualified,
 )
 from crs_cc.source import Location
+
+_ONE_DOUBLE: Final = (
+    "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "log10",
+    "sqrt", "ceil", "floor", "fabs", "cbrt", "log1p", "expm1", "asinh", "acosh", "atanh", "rint",
+)  # fmt: skip
+_TWO_DOUBLES: Final = ("atan2", "pow", "fmod", "hypot")
+_KNOWN: Final = {
+    **dict.fromkeys(_ONE_DOUBLE, FunctionType(DOUBLE, (DOUBLE,))),
+    **dict.fromkeys(_TWO_DOUBLES, FunctionType(DOUBLE, (DOUBLE, DOUBLE))),
+    "ldexp": FunctionType(DOUBLE, (DOUBLE, INT)),
+    "frexp": FunctionType(DOUBLE, (DOUBLE, PointerType(INT))),
+    "modf": FunctionType(DOUBLE, (DOUBLE, PointerType(DOUBLE))),
+}
+"""Functions that give a `double`: taken for `int`, they would give nonsense."""
 
 _OFFSETOF = {"offsetof", "__builtin_offsetof"}
 
@@ -82,14 +99,20 @@ def _arguments(
 
 
 def _declare_implicitly(unit: Unit, name: str, location: Location) -> None:
-    """Takes an unknown function for one that gives `int` (C90 6.3.2.2)."""
-    hint = unit.suggest(name, FunctionSymbol)
-    unit.warning(location, f"implicit declaration of function '{name}'", hint)
+    """Takes an unknown function for one that gives `int` (C90 6.3.2.2).
+
+    A mathematical function is taken for what it is, as gcc does.
+    """
+    text, ctype = f"implicit declaration of function '{name}'", _KNOWN.get(name)
+    if ctype is None:
+        unit.warning(location, text, unit.suggest(name, FunctionSymbol))
+    else:
+        unit.warning(location, f"{text}, taken for '{ctype}'", "include <math.h>")
     outermost = unit.scope
     while outermost.outer is not None:
         outermost = outermost.outer
     known = unit.externals.get(name)
     if not isinstance(known, FunctionSymbol):
-        known = FunctionSymbol(name, FunctionType(INT), location, name, is_implicit=True)
+        known = FunctionSymbol(name, ctype or FunctionType(INT), location, name, is_implicit=True)
         unit.externals[name] = known
     outermost.names[name] = known

@@ -23,6 +23,7 @@ from crs_cc.frontend.convert import (
     usual,
 )
 from crs_cc.frontend.parse import Node
+from crs_cc.frontend.scope import ObjectSymbol
 from crs_cc.frontend.tree import Expression
 from crs_cc.ir.types import (
     INT,
@@ -247,7 +248,7 @@ def _address(unit: Unit, node: Node) -> Expression:
 
 
 def _increment(unit: Unit, node: Node) -> Expression:
-    target = modifiable(unit, expression(unit, node.expr))
+    target = modifiable(expression(unit, node.expr))
     ctype = target.type
     if isinstance(ctype, PointerType):
         _need_size(target, ctype)
@@ -279,13 +280,12 @@ def is_lvalue(value: Expression) -> bool:
     return False
 
 
-def modifiable(unit: Unit, target: Expression) -> Expression:
+def modifiable(target: Expression) -> Expression:
     """Checks that an expression names an object that may be changed.
 
     Raises:
         CheckError: when it does not.
     """
-    _ = unit
     ctype = target.type
     if not is_lvalue(target):
         raise CheckError(target.location, "expression is not assignable")
@@ -319,7 +319,7 @@ def _has_const_member(ctype: RecordType) -> bool:
 @checks(c_ast.Assignment)
 def assignment(unit: Unit, node: Node) -> Expression:
     """Checks `target = value` and `target op= value`."""
-    target = modifiable(unit, expression(unit, node.lvalue))
+    target = modifiable(expression(unit, node.lvalue))
     value = decay(expression(unit, node.rvalue))
     ctype = unqualified(target.type)
     if node.op == "=":
@@ -349,12 +349,20 @@ def _compound(
 
 @checks(c_ast.TernaryOp)
 def conditional(unit: Unit, node: Node) -> Expression:
-    """Checks `condition ? then : otherwise` (C17 6.5.15)."""
+    """Checks `condition ? then : otherwise` (C17 6.5.15), and gcc's `condition ?: otherwise`."""
     condition = rvalue(unit, node.cond)
     if not is_scalar(condition.type):
         text = f"used type '{condition.type}' where arithmetic or pointer type is required"
         raise CheckError(condition.location, text)
-    then, otherwise = rvalue(unit, node.iftrue), rvalue(unit, node.iffalse)
+    if node.iftrue is None:
+        symbol = ObjectSymbol("", condition.type, condition.location)
+        then: Expression = tree.ObjectName(condition.type, condition.location, symbol)
+        condition = tree.Assign(then.type, then.location, then, condition)
+    else:
+        then = rvalue(unit, node.iftrue)
+    otherwise = rvalue(unit, node.iffalse)
+    if is_arithmetic(then.type) and is_arithmetic(otherwise.type):
+        then, otherwise = usual(then, otherwise)
     ctype = _conditional_type(unit, then, otherwise)
     if ctype != VOID:
         then, otherwise = convert(then, ctype), convert(otherwise, ctype)
@@ -366,7 +374,7 @@ def conditional(unit: Unit, node: Node) -> Expression:
 def _conditional_type(unit: Unit, then: Expression, otherwise: Expression) -> CType:
     left, right = then.type, otherwise.type
     if is_arithmetic(left) and is_arithmetic(right):
-        return usual(then, otherwise)[0].type
+        return left
     if VOID in (left, right):
         return VOID
     if isinstance(left, PointerType) or isinstance(right, PointerType):

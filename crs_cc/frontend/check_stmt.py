@@ -262,7 +262,8 @@ def statement_expression(unit: Unit, node: Node) -> Expression:
         raise CheckError(location, "statement expression not allowed at file scope")
     out: list[Statement] = []
     compound(unit, node, out)
-    if out and isinstance(out[-1], tree.ExpressionStatement):
-        value = decay(out.pop().expression)  # type: ignore[union-attr]
+    if out and isinstance(last := out[-1], tree.ExpressionStatement):
+        out.pop()
+        value = decay(last.expression)
         return tree.StatementExpression(value.type, location, out, value)
     return tree.StatementExpression(VOID, location, out, None)

@@ -29,11 +29,9 @@ from crs_cc.frontend.scope import FunctionSymbol, ObjectSymbol, TypedefName
 from crs_cc.ir.types import (
     DOUBLE,
     INT,
-    ArrayType,
     CType,
     FloatType,
     FunctionType,
-    IntegerType,
     VoidType,
     is_complete,
     unqualified,
@@ -97,7 +95,8 @@ def _function_definition(unit: Unit, node: Node) -> None:
         for each in node.body.block_items or []:
             statement(unit, each, body)
     check_labels(unit)
-    unit.functions.append(tree.FunctionDefinition(location, symbol, parameters, passed, body))
+    made = tree.FunctionDefinition(location, symbol, parameters, passed, body, implicit)
+    unit.functions.append(made)
 
 
 def _specifier(node: Node) -> Node:
@@ -184,5 +183,3 @@ EXTERNAL: Final[dict[type, External]] = {
     c_ast.Typedef: typedef,
 }
 """Who checks each class of external declaration."""
-
-__all__ = ["ArrayType", "IntegerType"]

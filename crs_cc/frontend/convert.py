@@ -114,15 +114,20 @@ def promote(expression: Expression) -> Expression:
     ctype = expression.type
     if ctype is INT or not isinstance(ctype, IntegerType | EnumType):
         return expression
-    if ctype.rank < INT.rank or isinstance(ctype, EnumType) or _is_small_field(expression):
+    if ctype.rank < INT.rank or isinstance(ctype, EnumType):
         return convert(expression, INT)
-    return expression
+    width = _field_width(expression)
+    if width is None or width > 8 * INT.size:
+        return expression
+    return convert(expression, INT if width < 8 * INT.size or ctype.signed else UINT)
 
 
-def _is_small_field(expression: Expression) -> bool:
-    if not isinstance(expression, tree.MemberAccess) or expression.member.bit_width is None:
-        return False
-    return expression.member.bit_width < 8 * INT.size
+def _field_width(expression: Expression) -> int | None:
+    """Gives the width of a bit-field's value, also of one just assigned [bits], else None."""
+    while isinstance(expression, tree.Assign | tree.CompoundAssign | tree.Increment | tree.Comma):
+        is_comma = isinstance(expression, tree.Comma)
+        expression = expression.second if is_comma else expression.target
+    return expression.member.bit_width if isinstance(expression, tree.MemberAccess) else None
 
 
 def promote_argument(expression: Expression) -> Expression:
@@ -175,6 +180,8 @@ def cast(unit: Unit, expression: Expression, target: CType) -> Expression:
     is_narrow = isinstance(source, PointerType) and is_integer(target) and target.size < 4
     if is_narrow and target != BOOL:
         unit.warning(value.location, f"cast to smaller integer type '{target}' from '{source}'")
+    if source == target and _field_width(value) is not None:
+        return tree.Convert(target, value.location, value)  # no bit-field any more
     return convert(value, target)
 
 

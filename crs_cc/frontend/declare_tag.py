@@ -40,7 +40,7 @@ def record_type(unit: Unit, node: Node) -> CType:
         return known
     location = unit.at(node)
     kind: Literal["struct", "union"] = "struct" if isinstance(node, c_ast.Struct) else "union"
-    tag = _tag(unit, node.name, location, defines=node.decls is not None)
+    tag = _tag(unit, node.name, defines=node.decls is not None)
     if tag is None:
         ctype = RecordType(Record(kind, node.name))
         if node.name is not None:
@@ -56,9 +56,8 @@ def record_type(unit: Unit, node: Node) -> CType:
     return ctype
 
 
-def _tag(unit: Unit, name: str | None, location: Location, *, defines: bool) -> Tag | None:
+def _tag(unit: Unit, name: str | None, *, defines: bool) -> Tag | None:
     """Gives the tag that a specifier means; a definition means one of its own scope only."""
-    _ = location
     if name is None:
         return None
     return unit.scope.tags.get(name) if defines else unit.scope.find_tag(name)
@@ -138,7 +137,7 @@ def enum_type(unit: Unit, node: Node) -> CType:
     if known is not None:
         return known
     location = unit.at(node)
-    tag = _tag(unit, node.name, location, defines=node.values is not None)
+    tag = _tag(unit, node.name, defines=node.values is not None)
     if tag is not None and not isinstance(tag.type, EnumType):
         text = f"use of '{node.name}' with tag type that does not match its declaration"
         raise CheckError(location, text, f"declared at {tag.location}")

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any, Final, TypeAlias
 from crs_cc.frontend import tree
 from crs_cc.frontend.convert import is_scalar
 from crs_cc.frontend.fold import wrap
+from crs_cc.ir.operators import OPERATORS
 from crs_cc.ir.program import (
     VALUE_TYPE,
     Address,
@@ -118,9 +119,10 @@ class Lowering:
         registers.append(made)
         return made
 
-    def slot(self, name: str, ctype: CType, align: int = 0, symbol: Any = None) -> Slot:
+    def slot(
+        self, name: str, ctype: CType, align: int = 0, variable: Variable | None = None
+    ) -> Slot:
         """Makes a frame slot."""
-        variable = None if symbol is None else Variable(symbol.name, ctype, symbol.location)
         made = Slot(name, ctype.size, max(align, ctype.align), variable)
         self.function.slots.append(made)
         return made
@@ -129,10 +131,12 @@ class Lowering:
         """Gives where a local variable lies."""
         found = self.places.get(symbol)
         if found is None:
-            if symbol.in_memory:
-                found = self.slot(symbol.name, symbol.type, symbol.align, symbol)
-            else:
+            variable = None
+            if symbol.name:
                 variable = Variable(symbol.name, symbol.type, symbol.location)
+            if symbol.in_memory:
+                found = self.slot(symbol.name, symbol.type, symbol.align, variable)
+            else:
                 found = self.register(value_type(symbol.type), variable)
             self.places[symbol] = found
         return found
@@ -151,7 +155,7 @@ class Lowering:
         into: Register | None = None,
     ) -> Register:
         """Emits a binary operation whose result has the type that `op` begins with."""
-        result = self.register(op[:3]) if into is None else into  # type: ignore[arg-type]
+        result = self.register(OPERATORS[op].result) if into is None else into
         self.block.instructions.append(Binary(location, result, op, left, right))
         return result
 

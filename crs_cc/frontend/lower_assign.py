@@ -86,8 +86,7 @@ def _register(low: Lowering, expression: Expression) -> Register | None:
 # Assignment
 
 
-def _assign(low: Lowering, expression: tree.Assign, into: Register | None) -> Operand:
-    _ = into
+def _assign(low: Lowering, expression: tree.Assign, _into: Register | None) -> Operand:
     register = _register(low, expression.target)
     if register is not None:
         value_into(low, expression.value, register)

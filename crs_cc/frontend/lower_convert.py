@@ -6,6 +6,7 @@ from typing import Final
 
 from crs_cc.frontend import tree
 from crs_cc.frontend.lower import EFFECT, VALUE, Lowering, effect, truth, value, value_type
+from crs_cc.ir.operators import OPERATORS
 from crs_cc.ir.program import Binary, Constant, Operand, Register, Unary
 from crs_cc.ir.types import BOOL, CType, EnumType, FloatType, IntegerType, PointerType
 from crs_cc.source import Location
@@ -46,7 +47,7 @@ def _signed(ctype: CType) -> bool:
 def _unary(
     low: Lowering, op: str, operand: Operand, location: Location, into: Register | None
 ) -> Register:
-    result = low.register(op[:3]) if into is None else into  # type: ignore[arg-type]
+    result = low.register(OPERATORS[op].result) if into is None else into
     low.emit(Unary(location, result, op, operand))
     return result
 

@@ -240,6 +240,8 @@ class _Parser(CParser):  # type: ignore[misc]
             text, hint = "function definition is not allowed here", "is a '}' missing above?"
         if wanted == "SEMI" and token.type == "ELSE" and before.type in _STATEMENT_ENDS:
             text = "'else' without a previous 'if'"
+        if token.type == "ELLIPSIS":
+            text = "ranges are not supported"
         report(self._diagnostics, place, text, hint)
         if may_patch and self._index != self._last_patch:
             self._last_patch = self._index
@@ -356,6 +358,16 @@ class _Parser(CParser):  # type: ignore[misc]
         if depth > _MOST_DERIVATIONS:
             self._parse_error("Declarator is nested too deeply", tail.coord)
         return super()._type_modify_decl(decl, modifier)
+
+    def _parse_conditional_expression(self) -> Node:
+        """Parses `a ? b : c`, and gcc's `a ?: c`."""
+        condition = self._parse_binary_expression()
+        if self._accept("CONDOP") is None:
+            return condition
+        then = None if self._peek_type() == "COLON" else self._parse_expression()
+        self._expect("COLON")
+        otherwise = self._parse_conditional_expression()
+        return c_ast.TernaryOp(condition, then, otherwise, condition.coord)
 
     # Short cuts: most operands are a name or a number, and no C before 2023 has attributes.
 

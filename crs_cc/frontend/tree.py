@@ -368,6 +368,7 @@ class FunctionDefinition:
     Attributes:
         parameters: in order; a parameter without a name has the name "".
         passed: the types in which callers pass them (a K&R `float` comes as `double`).
+        returns_implicit_int: no result type was written, so that no value need be returned.
     """
 
     location: Location
@@ -375,6 +376,7 @@ class FunctionDefinition:
     parameters: list[ObjectSymbol]
     passed: list[CType]
     body: list[Statement]
+    returns_implicit_int: bool = False
 
 
 @dataclass(slots=True, eq=False)
