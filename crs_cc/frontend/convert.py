@@ -124,10 +124,16 @@ def promote(expression: Expression) -> Expression:
 
 def _field_width(expression: Expression) -> int | None:
     """Gives the width of a bit-field's value, also of one just assigned [bits], else None."""
-    while isinstance(expression, tree.Assign | tree.CompoundAssign | tree.Increment | tree.Comma):
-        is_comma = isinstance(expression, tree.Comma)
-        expression = expression.second if is_comma else expression.target
-    return expression.member.bit_width if isinstance(expression, tree.MemberAccess) else None
+    while True:
+        match expression:
+            case tree.Assign(target=inner) | tree.CompoundAssign(target=inner):
+                expression = inner
+            case tree.Increment(target=inner) | tree.Comma(second=inner):
+                expression = inner
+            case tree.MemberAccess(member=member):
+                return member.bit_width
+            case _:
+                return None
 
 
 def promote_argument(expression: Expression) -> Expression:
