@@ -29,6 +29,16 @@ Output = Callable[[int, int, bytes], None]
 Input = Callable[[int, int], bytes]
 """Gives what a program reads from its standard input: robot number, bytes wanted at most."""
 
+
+def discard(_robot: int, _stream: int, _content: bytes) -> None:
+    """Takes a program's output and drops it."""
+
+
+def no_input(_robot: int, _wanted: int) -> bytes:
+    """Gives the end of the standard input."""
+    return b""
+
+
 HOST_CODES: Final = frozenset(code for code, row in REQUESTS.items() if row.server == "host")
 
 

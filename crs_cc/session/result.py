@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from crs_cc.source import Diagnostic
+
+if TYPE_CHECKING:
+    from crs_cc.runtime.fleet import Failure
+    from crs_cc.sim.state import EnvState
 
 Pose = tuple[float, float, float]
 """x [m], y [m], heading [rad, counter-clockwise from x]."""
@@ -59,3 +63,22 @@ class RunResult:
     timesteps: int
     simulated_s: float
     state_hash: str
+
+
+def robot_state(state: EnvState, robot: int) -> dict[str, Any]:
+    """Gives the part of a `RobotResult` that the environment knows."""
+    odometry = (state.odometry_x_m, state.odometry_y_m, state.odometry_heading_rad)
+    pose = (state.x_m, state.y_m, state.heading_rad)
+    return {
+        "odometry": tuple(float(array[robot]) for array in odometry),
+        "pose": tuple(float(array[robot]) for array in pose),
+        "distance_m": float(state.distance_m[robot]),
+        "collisions": int(state.collisions[robot]),
+        "commands": int(state.commands[robot]),
+    }
+
+
+def error_of(failure: Failure) -> Diagnostic:
+    """Gives a program's failure as a message."""
+    where = f" (address {failure.value:#010x})" if "pointer" in failure.kind else ""
+    return Diagnostic("error", failure.location, failure.kind + where)

@@ -26,34 +26,35 @@ from __future__ import annotations
 import hashlib
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Protocol
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 import numpy.typing as npt
 
 from crs_cc.requests import FAILED, REQUESTS, SUSPENDED
 from crs_cc.runtime.fleet import Fleet
-from crs_cc.session.host import HOST_CODES, HOST_SPEED, SYSTEM_CALL, Host, HostRequest
-from crs_cc.session.result import Pose, RobotResult, RunResult
+from crs_cc.session.host import (
+    HOST_CODES,
+    HOST_SPEED,
+    SYSTEM_CALL,
+    Host,
+    HostRequest,
+    discard,
+    no_input,
+)
+from crs_cc.session.result import RobotResult, RunResult, error_of, robot_state
 from crs_cc.sim.environment import Environment
-from crs_cc.source import Diagnostic
 
 if TYPE_CHECKING:
     from crs_cc.runtime.executable import Executable
+    from crs_cc.runtime.fleet import Snapshot
     from crs_cc.session.host import Input, Output
+    from crs_cc.sim.environment import Snapshot as EnvironmentSnapshot
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.step import Step
 
 ENDLESS = math.inf
-
-
-def _discard(_robot: int, _stream: int, _content: bytes) -> None:
-    """Takes a program's output and drops it."""
-
-
-def _no_input(_robot: int, _wanted: int) -> bytes:
-    """Gives the end of the standard input."""
-    return b""
 
 
 class Listener(Protocol):
@@ -61,6 +62,17 @@ class Listener(Protocol):
 
     def step(self, step: Step) -> None:
         """Takes what happened in a timestep that has ended."""
+
+
+@dataclass(frozen=True, slots=True)
+class SessionSnapshot:
+    """The whole state of a run between two timesteps; see `Session.snapshot`."""
+
+    environment: EnvironmentSnapshot
+    programs: tuple[Snapshot, ...]
+    arrays: tuple[npt.NDArray[Any], ...]
+    exit_status: tuple[int | None, ...]
+    timesteps: int
 
 
 class Session:
@@ -81,8 +93,8 @@ class Session:
         seed: int = 0,
         *,
         arguments: Sequence[Sequence[str]] = (),
-        output: Output = _discard,
-        read: Input = _no_input,
+        output: Output = discard,
+        read: Input = no_input,
         trace: Listener | None = None,
     ) -> None:
         """Puts the programs into the robots, in the world's order of robots.
@@ -146,9 +158,10 @@ class Session:
         slots["run"][ready] = 1
         slots["fuel"][ready] = budget
         self.fleet.run_round()
-        self._charge(ready, budget - slots["fuel"][ready])
-        stopped = ready[slots["status"][ready] != SUSPENDED]
-        self._end(stopped)
+        burnt = budget - slots["fuel"][ready]
+        self.fuel[ready] += burnt
+        self.clock_s[ready] += burnt / HOST_SPEED
+        self._end(ready[slots["status"][ready] != SUSPENDED])
         codes = slots["code"][ready]
         asked = ready[(slots["status"][ready] == SUSPENDED) & (codes != 0)]
         for robot in asked.tolist():
@@ -156,17 +169,14 @@ class Session:
             if REQUESTS.get(code) is None or code in HOST_CODES:
                 self._answer_host(robot, code)
             else:
-                self._due_s[robot] = self.clock_s[robot] + self.environment.link_s(code)
-
-    def _charge(self, robots: npt.NDArray[np.intp], fuel: npt.NDArray[np.int64]) -> None:
-        self.fuel[robots] += fuel
-        self.clock_s[robots] += fuel / HOST_SPEED
+                link_s = self.environment.link_s(code, robot)
+                self._due_s[robot] = self.clock_s[robot] + link_s
 
     def _answer_host(self, robot: int, code: int) -> None:
-        self._charge(np.array([robot]), np.array([SYSTEM_CALL]))
+        self.fuel[robot] += SYSTEM_CALL
+        clock_s = float(self.clock_s[robot]) + SYSTEM_CALL / HOST_SPEED
         message = self.fleet.slots["message"][robot : robot + 1][0]
-        used_s = float(self.fuel[robot]) / HOST_SPEED
-        request = HostRequest(robot, message, float(self.clock_s[robot]), used_s)
+        request = HostRequest(robot, message, clock_s, float(self.fuel[robot]) / HOST_SPEED)
         self.clock_s[robot] = self._host.serve(code, request)
         if self._host.exit_status[robot] is not None:
             self._end(np.array([robot]))
@@ -188,56 +198,58 @@ class Session:
         self._alive[robots] = False
         self._ended_s[robots] = self.clock_s[robots]
 
-    # -- what came out ---------------------------------------------------------------------------
+    # -- what came out, and the whole state ---------------------------------------------------
 
     def result(self) -> RunResult:
         """Gives the run so far."""
         robots = tuple(self._robot_result(robot) for robot in range(len(self.fleet)))
         return RunResult(robots, self.timesteps, self.time_s, self.state_hash())
 
-    def state_hash(self) -> str:
-        """Gives the SHA-256 of all state: environment, programs' memories and slots, clocks."""
-        digest = hashlib.sha256(self.environment.hash().encode())
-        for robot in range(len(self.fleet)):
-            snapshot = self.fleet.snapshot(robot)
-            for part in (snapshot.slot, snapshot.chunks, snapshot.content):
-                digest.update(part.tobytes())
-        for array in (self.clock_s, self.fuel, self._alive, self._due_s):
-            digest.update(array.tobytes())
-        return digest.hexdigest()
-
     def _robot_result(self, robot: int) -> RobotResult:
-        state = self.environment.state
-        failed = bool(self.fleet.slots["status"][robot] == FAILED)
-        status = self._host.exit_status[robot]
         running = bool(self._alive[robot])
+        failed = bool(self.fleet.slots["status"][robot] == FAILED)
         return RobotResult(
             id=self._world.robots[robot].id,
             program=self._executables[robot].name,
             outcome="running" if running else "failed" if failed else "exited",
-            exit_status=status,
-            error=self._error(robot) if failed else None,
+            exit_status=self._host.exit_status[robot],
+            error=error_of(self.fleet.failure(robot)) if failed else None,
             time_s=self.time_s if running else float(self._ended_s[robot]),
-            odometry=_pose(
-                state.odometry_x_m, state.odometry_y_m, state.odometry_heading_rad, robot
-            ),
-            pose=_pose(state.x_m, state.y_m, state.heading_rad, robot),
-            distance_m=float(state.distance_m[robot]),
-            collisions=int(state.collisions[robot]),
-            commands=int(state.commands[robot]),
             fuel=int(self.fuel[robot]),
+            **robot_state(self.environment.state, robot),
         )
 
-    def _error(self, robot: int) -> Diagnostic:
-        failure = self.fleet.failure(robot)
-        where = f" (address {failure.value:#010x})" if "pointer" in failure.kind else ""
-        return Diagnostic("error", failure.location, failure.kind + where)
+    def snapshot(self) -> SessionSnapshot:
+        """Gives the whole state between two timesteps."""
+        return SessionSnapshot(
+            self.environment.snapshot(),
+            tuple(self.fleet.snapshot(robot) for robot in range(len(self.fleet))),
+            tuple(array.copy() for array in self._arrays()),
+            tuple(self._host.exit_status),
+            self.timesteps,
+        )
 
+    def restore(self, snapshot: SessionSnapshot) -> None:
+        """Goes back, or ahead, to a snapshot of a session of the same programs, world and seed."""
+        self.environment.restore(snapshot.environment)
+        for robot, program in enumerate(snapshot.programs):
+            self.fleet.restore(robot, program)
+        for array, saved in zip(self._arrays(), snapshot.arrays, strict=True):
+            array[:] = saved
+        self._host.exit_status[:] = snapshot.exit_status
+        self.timesteps = snapshot.timesteps
 
-def _pose(
-    x_m: npt.NDArray[np.float64],
-    y_m: npt.NDArray[np.float64],
-    heading_rad: npt.NDArray[np.float64],
-    robot: int,
-) -> Pose:
-    return float(x_m[robot]), float(y_m[robot]), float(heading_rad[robot])
+    def state_hash(self) -> str:
+        """Gives the SHA-256 of all state: environment, programs' memories and slots, clocks."""
+        digest = hashlib.sha256(self.environment.hash().encode())
+        for robot in range(len(self.fleet)):
+            program = self.fleet.snapshot(robot)
+            for part in (program.slot, program.chunks, program.content):
+                digest.update(part.tobytes())
+        for array in self._arrays():
+            digest.update(array.tobytes())
+        return digest.hexdigest()
+
+    def _arrays(self) -> tuple[npt.NDArray[Any], ...]:
+        """Gives the session's own state, arrays over robots."""
+        return self.clock_s, self.fuel, self._alive, self._due_s, self._ended_s

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 import subprocess
 import sys
 from pathlib import Path
@@ -106,3 +107,17 @@ def test_an_unknown_request_is_refused(tmp_path: Path) -> None:
     """
     robot = run(empty_world(), [build(tmp_path, source)], 5).session.result().robots[0]
     assert robot.exit_status == 3
+
+
+def test_a_run_goes_on_from_a_snapshot_in_a_fresh_session(tmp_path: Path) -> None:
+    roam = build(tmp_path, ROAM)
+    first = run(HALL, [roam, roam], STEPS, seed=3).session
+    snapshot = pickle.loads(pickle.dumps(first.snapshot()))
+    second = run(HALL, [roam, roam], 7, seed=3).session
+    second.restore(snapshot)
+    assert second.state_hash() == first.state_hash()
+    for session in (first, second):
+        for _ in range(STEPS):
+            session.step()
+    assert second.state_hash() == first.state_hash()
+    assert second.result() == first.result()
