@@ -53,6 +53,12 @@ SLOT: Final = np.dtype(
 )
 """One robot's slot: 384 bytes."""
 
+
+def slot_offset(field: str) -> int:
+    """Gives where a field lies in a robot's slot [bytes]."""
+    return int(SLOT.fields[field][1])  # type: ignore[index]
+
+
 RETURNED: Final = 0
 SUSPENDED: Final = 1
 FAILED: Final = 2

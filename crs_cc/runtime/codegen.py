@@ -13,8 +13,8 @@ from typing import Final
 
 from crs_cc.errors import CompileError
 from crs_cc.ir.program import Data, Program
-from crs_cc.requests import FAILED
-from crs_cc.runtime.function_code import FunctionInfo, generate, slot_offset
+from crs_cc.requests import FAILED, slot_offset
+from crs_cc.runtime.function_code import FunctionInfo, generate
 from crs_cc.runtime.layout import HEADER_SIZE, MEMORY_SIZE, NULL_SIZE, STACK_TOP, round_up
 from crs_cc.runtime.link import HEAP_SYMBOLS, ROOT, pointed_functions
 from crs_cc.runtime.selection import MAILBOX, SLOT_GLOBAL, Names

@@ -12,8 +12,7 @@ from typing import Final
 
 import numpy as np
 
-from crs_cc.requests import SLOT
-from crs_cc.runtime.function_code import slot_offset
+from crs_cc.requests import SLOT, slot_offset
 from crs_cc.runtime.wasm import Code, Module
 
 HEADER: Final = np.dtype([("current", "<u4"), ("count", "<u4"), ("resumed", "<u4")])

@@ -29,7 +29,7 @@ from crs_cc.ir.program import (
     ValueType,
 )
 from crs_cc.ir.uses import Liveness, alive_before, all_instructions, reads, writes
-from crs_cc.requests import MESSAGE, SLOT, SUSPENDED
+from crs_cc.requests import MESSAGE, SUSPENDED, slot_offset
 from crs_cc.runtime.dispatch import add_dispatchers
 from crs_cc.runtime.flow import LANDING, UNWIND, Landing, Node
 from crs_cc.runtime.layout import (
@@ -59,12 +59,6 @@ from crs_cc.runtime.selection import (
 from crs_cc.runtime.switches import lower_switch
 from crs_cc.runtime.wasm import TYPE_CALL, Code, Instr
 from crs_cc.source import Location
-
-
-def slot_offset(field: str) -> int:
-    """Gives where a field lies in a robot's slot."""
-    return int(SLOT.fields[field][1])  # type: ignore[index]
-
 
 MESSAGE_OFFSET = slot_offset("message")
 RESULT_OFFSET = MESSAGE_OFFSET + int(MESSAGE.fields["result"][1])  # type: ignore[index]
