@@ -110,12 +110,21 @@ def write_bits(
     others = low.binary(
         location, _unit_op(member, "and"), unit, _mask(member, width, member.bit_offset, True)
     )
-    bits: Operand = low.binary(location, _unit_op(member, "and"), source, _mask(member, width))
-    if member.bit_offset:
-        by = constant(ctype, member.bit_offset)
-        bits = low.binary(location, _unit_op(member, "shl"), bits, by)
+    bits = _shifted(low, member, source, location)
     merged = low.binary(location, _unit_op(member, "or"), others, bits)
     store(low, where, ctype, merged, location)
+
+
+def _shifted(low: Lowering, member: Member, source: Operand, location: Location) -> Operand:
+    """Gives the low bits of a value at the place of a bit-field in its unit."""
+    width, offset = member.bit_width or 0, member.bit_offset
+    if isinstance(source, Constant):
+        kept = int(source.value) & ((1 << width) - 1)
+        return constant(member.type, kept << offset)
+    bits = low.binary(location, _unit_op(member, "and"), source, _mask(member, width))
+    if offset == 0:
+        return bits
+    return low.binary(location, _unit_op(member, "shl"), bits, constant(member.type, offset))
 
 
 def fit_bits(low: Lowering, member: Member, source: Operand, location: Location) -> Operand:

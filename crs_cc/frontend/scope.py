@@ -49,7 +49,6 @@ class FunctionSymbol:
 
     Attributes:
         is_implicit: known only because it was called.
-        is_old_style: defined without a prototype.
     """
 
     name: str

@@ -222,6 +222,7 @@ def test_json_on_stdout_is_pure_and_the_programs_output_goes_to_stderr(
     assert left["exit_status"] == 0
 
 
+@pytest.mark.slow
 def test_the_same_run_gives_the_same_data_in_any_process(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
@@ -300,6 +301,7 @@ def wait_for(path: Path) -> None:
         time.sleep(0.02)
 
 
+@pytest.mark.slow
 def test_ctrl_c_ends_a_run_with_its_results() -> None:
     Path("talk.c").write_text(TALK)
     with Path("err.txt").open("w") as err:
@@ -314,6 +316,7 @@ def test_ctrl_c_ends_a_run_with_its_results() -> None:
     assert "Traceback" not in Path("err.txt").read_text()
 
 
+@pytest.mark.slow
 def test_ctrl_c_while_waiting_for_input_ends_the_run_too() -> None:
     Path("ask.c").write_text(
         '#include <stdio.h>\nint main(void) { fputs("name?\\n", stderr); return getchar(); }\n'
@@ -331,6 +334,7 @@ def test_ctrl_c_while_waiting_for_input_ends_the_run_too() -> None:
     assert "Traceback" not in shown
 
 
+@pytest.mark.slow
 def test_a_reader_that_goes_away_ends_the_run_quietly() -> None:
     Path("talk.c").write_text(TALK)
     process = start("run", "talk.c")
@@ -353,6 +357,7 @@ def test_a_reader_that_goes_away_ends_the_run_quietly() -> None:
         ("crs check nothing.c 2>/dev/full", 1, ""),
     ],
 )
+@pytest.mark.slow
 def test_closed_and_full_streams_are_no_mistakes_of_ours(
     shell: str, status: int, shown: str
 ) -> None:
@@ -361,6 +366,7 @@ def test_closed_and_full_streams_are_no_mistakes_of_ours(
     assert (done.returncode, done.stderr) == (status, shown)
 
 
+@pytest.mark.slow
 def test_on_a_terminal_there_are_colours_progress_and_a_summary() -> None:
     Path("slow.c").write_text("main()\n{\n    for (;;) ;\n}\n")
     screen, terminal = pty.openpty()

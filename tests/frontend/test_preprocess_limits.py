@@ -40,6 +40,7 @@ def _small_budget(monkeypatch: pytest.MonkeyPatch) -> None:
         f"#define f(x) x\n#if {'f(' * 3000}1{')' * 3000}\n#endif",
     ],
 )
+@pytest.mark.slow
 def test_expansion_has_a_budget(source: str) -> None:
     errors = messages(source)
     assert len(errors) == 1
@@ -47,6 +48,7 @@ def test_expansion_has_a_budget(source: str) -> None:
     assert int(errors[0].split(":")[0]) == source.rstrip().count("\n") + 1 - source.count("#endif")
 
 
+@pytest.mark.slow
 def test_long_chains_of_macros_are_no_problem() -> None:
     chain = "".join(f"#define A{i} A{i + 1}\n" for i in range(20_000))
     assert result(f"{chain}A0") == ["A20000"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from crs_cc.ir.program import (
     Address,
@@ -110,6 +111,7 @@ def test_restoring_clears_what_was_written_since() -> None:
     assert not fleet.memory(0).any()
 
 
+@pytest.mark.slow
 def test_ten_thousand_robots_can_be_made() -> None:
     fleet = Fleet([counting_program()] * 10_000)
     run(fleet)

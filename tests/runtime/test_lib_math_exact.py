@@ -8,6 +8,8 @@ import re
 import struct
 from fractions import Fraction
 
+import pytest
+
 from crs_cc.session.library import HEADERS
 from tests.runtime.library_runner import run
 
@@ -155,6 +157,7 @@ def families(suffix: str, kind: str) -> list[str]:
     return re.findall(rf"^{kind} (\w+){suffix}\({kind} x\);", text, re.MULTILINE)
 
 
+@pytest.mark.slow
 def test_float_and_long_double_agree_with_double() -> None:
     floats, longs = families("f", "float"), families("l", "long double")
     assert len(floats) == len(longs) == 33

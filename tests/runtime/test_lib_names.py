@@ -59,6 +59,7 @@ def test_everything_declared_is_defined() -> None:
                 assert library().find(declared) is not None, f"{declared} of {name}"
 
 
+@pytest.mark.slow
 def test_a_program_may_define_what_c89_leaves_free() -> None:
     """A program's own `round` or `index` must not become part of the library's inner workings."""
     objects = ("State", "Smask", "SERVER_MACHINE_NAME", "SERV_TCP_PORT", "signgam", "main")

@@ -383,6 +383,7 @@ def connected() -> Environment:
 
 
 @pytest.mark.parametrize("at", [0, 1, 63])
+@pytest.mark.slow
 def test_from_a_snapshot_everything_happens_again_to_the_bit(at):
     environment = connected()
     play(environment, range(at))
@@ -419,6 +420,7 @@ print(environment.hash())
 """
 
 
+@pytest.mark.slow
 def test_two_processes_get_the_same_state():
     hashes = {
         subprocess.run(
@@ -450,6 +452,7 @@ MESSAGES = st.tuples(
 
 @settings(max_examples=300, deadline=None)
 @given(st.sampled_from([*ROBOT_CODES, 0, -1, 99, 10**6]), MESSAGES, st.floats(allow_nan=True))
+@pytest.mark.slow
 def test_no_request_can_break_the_environment(code, content, clock_s):
     driver = nonsense()
     message = np.zeros(1, MESSAGE)

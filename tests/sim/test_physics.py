@@ -49,6 +49,7 @@ class Bench:
 
 
 @pytest.mark.parametrize(("timestep", "drive_s"), [("1ms", 6), ("50ms", 60), ("100ms", 60)])
+@pytest.mark.slow
 def test_a_robot_at_full_speed_never_gets_through_or_deep_into_a_wall(timestep, drive_s):
     world = world_of(MAZE + '<robot x="0.3m" y="0.3m"/>', THIN_ROOM, timestep)
     bench = Bench(world)
@@ -200,6 +201,7 @@ def scrum(count: int, seed: int):
         yield DT * 0.6 * np.column_stack([np.cos(angle), np.sin(angle)])
 
 
+@pytest.mark.slow
 def test_a_snapshot_in_a_scrum_goes_on_to_the_same_bits(monkeypatch):
     monkeypatch.setattr("crs_cc.sim.physics.REBUILD", 30)
     bench = Bench(world_of(SCRUM, 'length="4m" width="5.5m"'))
