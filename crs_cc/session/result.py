@@ -1,4 +1,4 @@
-"""What came out of a run, as plain data."""
+"""What came out of a run, and its whole state, as plain data."""
 
 from __future__ import annotations
 
@@ -8,7 +8,10 @@ from typing import TYPE_CHECKING, Any, Literal
 from crs_cc.source import Diagnostic
 
 if TYPE_CHECKING:
-    from crs_cc.runtime.fleet import Failure
+    import numpy.typing as npt
+
+    from crs_cc.runtime.fleet import Failure, Snapshot
+    from crs_cc.sim.environment import Snapshot as EnvironmentSnapshot
     from crs_cc.sim.state import EnvState
 
 Pose = tuple[float, float, float]
@@ -63,6 +66,17 @@ class RunResult:
     timesteps: int
     simulated_s: float
     state_hash: str
+
+
+@dataclass(frozen=True, slots=True)
+class SessionSnapshot:
+    """The whole state of a run between two timesteps; see `Session.snapshot`."""
+
+    environment: EnvironmentSnapshot
+    programs: tuple[Snapshot, ...]
+    arrays: tuple[npt.NDArray[Any], ...]
+    exit_status: tuple[int | None, ...]
+    timesteps: int
 
 
 def robot_state(state: EnvState, robot: int) -> dict[str, Any]:

@@ -26,7 +26,6 @@ from __future__ import annotations
 import hashlib
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
@@ -43,14 +42,18 @@ from crs_cc.session.host import (
     discard,
     no_input,
 )
-from crs_cc.session.result import RobotResult, RunResult, error_of, robot_state
+from crs_cc.session.result import (
+    RobotResult,
+    RunResult,
+    SessionSnapshot,
+    error_of,
+    robot_state,
+)
 from crs_cc.sim.environment import Environment
 
 if TYPE_CHECKING:
     from crs_cc.runtime.executable import Executable
-    from crs_cc.runtime.fleet import Snapshot
     from crs_cc.session.host import Input, Output
-    from crs_cc.sim.environment import Snapshot as EnvironmentSnapshot
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.step import Step
 
@@ -62,17 +65,6 @@ class Listener(Protocol):
 
     def step(self, step: Step) -> None:
         """Takes what happened in a timestep that has ended."""
-
-
-@dataclass(frozen=True, slots=True)
-class SessionSnapshot:
-    """The whole state of a run between two timesteps; see `Session.snapshot`."""
-
-    environment: EnvironmentSnapshot
-    programs: tuple[Snapshot, ...]
-    arrays: tuple[npt.NDArray[Any], ...]
-    exit_status: tuple[int | None, ...]
-    timesteps: int
 
 
 class Session:
