@@ -74,15 +74,20 @@ class Environment:
 
         Args:
             world: the world.
-            seed: decides all that is random.
+            seed: decides all that is random; not negative.
+
+        Raises:
+            ValueError: the seed is negative.
         """
+        if seed < 0:
+            raise ValueError(f"the seed must not be negative: {seed}")
         self.world = world
         self.state = EnvState.at_start(world)
         scene = Scene(world)
         self._names = scene.names
         self._equipment = Equipment.of(world)
         self._physics = Physics(world, scene, self.state.bodies)
-        self._sonars = SonarRing(world, scene, abs(seed))
+        self._sonars = SonarRing(world, scene, seed)
         self._served: list[Served] = []
         self._link_s = [dict(robot.model.link_s) for robot in world.robots]
 
@@ -144,6 +149,7 @@ class Environment:
             replies = messages[answered]
             self._reply(code, rows[answered], replies, goes_on_s[answered], good[answered])
             messages[answered] = replies
+            state.asked[rows[~answered]] = messages[~answered]
         return goes_on_s.copy()
 
     def step(self) -> Step:
@@ -242,7 +248,8 @@ class Environment:
         ends_s = drive.settle_waits(self.state, self._equipment, waiting, self.end_s)
         ended = np.isfinite(ends_s)
         rows, at_s = waiting[ended], ends_s[ended]
-        messages = np.zeros(len(rows), MESSAGE)
+        messages = self.state.asked[rows]
+        self.state.asked[rows] = np.zeros((), MESSAGE)
         if len(rows):
             self._reply(CODES["WS"], rows, messages, at_s, np.ones(len(rows), dtype=np.bool_))
         return rows, at_s, messages

@@ -22,6 +22,7 @@ from typing import Any, Final, Self
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.requests import MESSAGE
 from crs_cc.sim.hardware import Wheels
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.physics import Bodies
@@ -63,6 +64,7 @@ class EnvState:
         connected: whether the program has connected.
         waiting: the wheels that a `ws` waits for, (robots, 2).
         wait_until_s: when it gives up.
+        asked: the message of the `ws`, of dtype `MESSAGE`, zero for robots that do not wait.
         sonar_on: the sonars in the firing order, (robots, 16).
         sonar_in: what each measured last [in], (robots, 16).
         sonar_cycle: the cycle of these readings, -1 before the first.
@@ -95,6 +97,7 @@ class EnvState:
     connected: BoolArray
     waiting: BoolArray
     wait_until_s: FloatArray
+    asked: npt.NDArray[np.void]
     sonar_on: BoolArray
     sonar_in: npt.NDArray[np.int32]
     sonar_cycle: WholeArray
@@ -137,6 +140,7 @@ class EnvState:
             connected=np.zeros(count, dtype=np.bool_),
             waiting=np.zeros((count, 2), dtype=np.bool_),
             wait_until_s=np.full(count, np.inf),
+            asked=np.zeros(count, MESSAGE),
             sonar_on=sonar_on,
             sonar_in=np.full((count, MAX_SONARS), NO_ECHO, dtype=np.int32),
             sonar_cycle=np.full(count, -1, dtype=np.int64),

@@ -27,5 +27,6 @@ def test_each_timestep_says_command_slice_and_answers(tmp_path: Path) -> None:
     moving = [row for row in rows if " PR " in row]
     assert all("of 0.2540,0.1270 m" in row for row in moving)
     assert "waits" in moving[3]
+    assert "WS(1,1,0,20) @" in " ".join(rows)
     assert "done 0.2540,0.1270 of" in moving[-1]
     assert "sonar_in=255,255" in " ".join(rows[-2:])

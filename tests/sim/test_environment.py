@@ -29,6 +29,11 @@ def test_every_request_of_a_robot_has_a_handler_and_nothing_else_has():
     assert sorted(HANDLERS) == ROBOT_CODES
 
 
+def test_a_seed_below_0_is_refused():
+    with pytest.raises(ValueError, match="seed"):
+        Environment(open_world(), -1)
+
+
 def test_time_is_counted_in_cycles_not_summed():
     environment = Environment(open_world(timestep="30ms"), 0)
     for cycle in range(1000):
@@ -249,6 +254,27 @@ def test_ws_holds_its_timeout_to_a_byte(timeout):
     driver.ask("VM", 100, 100)
     driver.post("WS", 1, 1, 0, timeout)
     assert driver.state.wait_until_s[0] in {0.0, 255.0}
+
+
+@pytest.mark.parametrize("restored", [False, True])
+def test_the_reply_to_a_wait_is_written_over_what_was_asked(restored):
+    driver = Driver.of(open_world('<robot x="0" y="0"/><robot x="0" y="3"/>'))
+    driver.ask("PR", 100, 100)
+    messages = np.zeros(2, MESSAGE)
+    messages["i"][:] = [[1, 1, 0, 20, 5, 6, 7, 8], [1, 1, 0, 30, 9, 8, 7, 6]]
+    messages["f"][:, 2] = 0.5, 1.5
+    asked = messages.copy()
+    both = np.array([0, 1])
+    goes_on_s = driver.environment.serve(CODES["WS"], both, messages, np.zeros(2))
+    assert goes_on_s.tolist() == [math.inf, 0.0]  # robot 1 stands already
+    if restored:
+        world, snapshot = driver.environment.world, driver.environment.snapshot()
+        driver.environment = Environment(world, 1)
+        driver.environment.restore(pickle.loads(pickle.dumps(snapshot)))
+    messages[0] = wait_for(driver)[1]
+    for place in ("i", "f"):
+        assert (messages[place] == asked[place]).all()
+    assert messages["result"].tolist() == [1, 1]
 
 
 def test_a_wait_ends_for_each_robot_on_its_own():
