@@ -75,10 +75,13 @@ class Diagnostics:
     Attributes:
         messages: every message so far.
         lines: the lines of each known file, to be shown with a message.
+        digests: of each file that was looked for, found or not, what stood in it at first; the
+            outcome is the same as long as these are.
     """
 
     messages: list[Diagnostic] = field(default_factory=list)
     lines: dict[str, list[str]] = field(default_factory=dict)
+    digests: dict[str, str] = field(default_factory=dict)
     _known: set[Diagnostic] = field(default_factory=set, repr=False)
 
     def add(self, severity: Severity, location: Location, text: str, hint: str = "") -> None:

@@ -94,7 +94,7 @@ class _Run:
     def __init__(self, folder: Path, options: Options, diagnostics: Diagnostics) -> None:
         report = Report(diagnostics, Places())
         report.places.add(ORIGIN, "")
-        self.state = State(report, Headers(folder, options))
+        self.state = State(report, Headers(folder, options, diagnostics.digests))
         self.options = options
         self.writer = Writer()
         self.gnu = GnuSyntax(report)

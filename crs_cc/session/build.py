@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import contextlib
 import functools
-import hashlib
 import pickle
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from crs_cc.errors import CompileError
+from crs_cc.frontend.cpp.includes import digest
 from crs_cc.frontend.options import Options
 from crs_cc.runtime.executable import Detail, Executable
 from crs_cc.session import cache
@@ -21,10 +21,14 @@ from crs_cc.source import Diagnostic, Diagnostics
 class _Entry:
     """A cached executable: what it was made of, and what came out.
 
-    `program` is the pickled IR, which only messages and debuggers need.
+    Attributes:
+        digests: of every file that the compiler looked for, see `Diagnostics`.
+        machine_code: wasmtime's serialised module.
+        program: the pickled IR, which only messages and debuggers need.
+        warnings: what the compiler had to say.
     """
 
-    dependencies: tuple[tuple[str, str], ...]
+    digests: dict[str, str]
     machine_code: bytes
     program: bytes
     warnings: tuple[Diagnostic, ...]
@@ -59,6 +63,7 @@ def build_executable(
         map(str, (path.resolve() for path in paths)),
         map(str, paths),
         map(str, (path.resolve() for path in include_paths)),
+        map(str, include_paths),
         defines,
         undefines,
         f"checked={checked} debug={debug}",
@@ -71,12 +76,14 @@ def build_executable(
     from crs_cc.session.library import HEADERS
 
     options = Options(tuple(include_paths), (HEADERS,), tuple(defines), tuple(undefines))
-    executable = _compile(paths, options, diagnostics, name, checked=checked, debug=debug)
-    warnings = tuple(diagnostics.messages)
-    files = dict.fromkeys([*map(str, paths), *diagnostics.lines])
-    dependencies = tuple((file, _digest(file)) for file in files)
+    own = Diagnostics(digests={str(path): digest(path) for path in paths})
+    try:
+        executable = _compile(paths, options, own, name, checked=checked, debug=debug)
+    finally:
+        diagnostics.messages.extend(own.messages)
+        diagnostics.lines.update(own.lines)
     program = pickle.dumps(executable.program, pickle.HIGHEST_PROTOCOL)
-    cache.store(key, _Entry(dependencies, executable.machine_code, program, warnings))
+    cache.store(key, _Entry(own.digests, executable.machine_code, program, tuple(own.messages)))
     return executable
 
 
@@ -97,7 +104,8 @@ def _compile(
 
     units = []
     for path in paths:
-        found = Diagnostics()  # of its own: errors in one file do not stop the next
+        # Messages of its own: errors in one file do not stop the next.
+        found = Diagnostics(digests=diagnostics.digests)
         with contextlib.suppress(CompileError):
             units.append(compile_file(path, options, found))
         diagnostics.messages.extend(found.messages)
@@ -111,14 +119,7 @@ def _compile(
 
 
 def _unchanged(entry: _Entry) -> bool:
-    return all(_digest(file) == digest for file, digest in entry.dependencies)
-
-
-def _digest(file: str) -> str:
-    try:
-        return hashlib.sha256(Path(file).read_bytes()).hexdigest()
-    except OSError:
-        return ""
+    return all(digest(Path(file)) == known for file, known in entry.digests.items())
 
 
 def _reload(entry: _Entry, *, checked: bool, debug: bool) -> Callable[[], Detail]:

@@ -9,7 +9,7 @@ import pytest
 from crs_cc.errors import CompileError
 from crs_cc.session import build as build_module
 from crs_cc.session.build import build_executable
-from crs_cc.source import Diagnostics
+from crs_cc.source import Diagnostics, Location
 
 PROGRAM = '#include "speed.h"\nmain() { return SPEED; }\n'
 
@@ -56,6 +56,63 @@ def test_a_changed_header_is_noticed(program: Path, compilations: list[str]) -> 
     two = build_executable([program], Diagnostics())
     assert len(compilations) == 2
     assert one.machine_code != two.machine_code
+
+
+def test_a_header_that_appears_in_an_earlier_folder_is_noticed(
+    program: Path, compilations: list[str]
+) -> None:
+    folders = [program.parent / name for name in ("a", "b")]
+    for folder in folders:
+        folder.mkdir()
+    (program.parent / "speed.h").rename(folders[1] / "speed.h")
+    one = build_executable([program], Diagnostics(), include_paths=folders)
+    (folders[0] / "speed.h").write_text("#define SPEED 4\n")
+    two = build_executable([program], Diagnostics(), include_paths=folders)
+    assert len(compilations) == 2
+    assert one.machine_code != two.machine_code
+
+
+def test_a_header_that_was_only_asked_for_is_noticed(
+    program: Path, compilations: list[str]
+) -> None:
+    program.write_text(
+        '#if __has_include("speed.h")\nint main(void) { return 1; }\n'
+        "#else\nint main(void) { return 2; }\n#endif\n"
+    )
+    one = build_executable([program], Diagnostics())
+    (program.parent / "speed.h").unlink()
+    two = build_executable([program], Diagnostics())
+    assert one.machine_code != two.machine_code
+
+
+@pytest.mark.parametrize("name", ["speed.h", "program.c"])
+def test_an_edit_while_it_is_compiled_is_noticed(
+    program: Path, compilations: list[str], monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    with monkeypatch.context() as patch:
+        compile_ = build_module._compile
+
+        def slow(*arguments: object, **options: object) -> object:
+            executable = compile_(*arguments, **options)  # type: ignore[arg-type]
+            edited = program.parent / name
+            edited.write_text(edited.read_text().replace("SPEED", "OTHER_SPEED"))
+            return executable
+
+        patch.setattr(build_module, "_compile", slow)
+        build_executable([program], Diagnostics())
+    with pytest.raises(CompileError):
+        build_executable([program], Diagnostics())
+    assert len(compilations) == 2
+
+
+def test_only_warnings_of_the_same_build_are_said_again(
+    program: Path, compilations: list[str]
+) -> None:
+    first, second = Diagnostics(), Diagnostics()
+    first.warning(Location("world.xml"), "of something else")
+    build_executable([program], first)
+    build_executable([program], second)
+    assert second.messages == first.messages[1:]
 
 
 def test_options_have_entries_of_their_own(program: Path, compilations: list[str]) -> None:

@@ -11,6 +11,7 @@ Refusal(text="'../secret.h' lies outside the folders that a program may read", h
 
 from __future__ import annotations
 
+import hashlib
 import stat
 from dataclasses import dataclass
 from pathlib import Path
@@ -22,6 +23,9 @@ from crs_cc.frontend.options import Options
 
 MAX_FILE_SIZE: Final = 4 << 20
 """The largest source file that is read [bytes]."""
+_OUTSIDE: Final = "lies outside"
+"""Stands for the digest of a file that is not read; it equals none, so nothing is taken as known.
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,8 +59,18 @@ class Refusal:
 class Headers:
     """The folders of a run."""
 
-    def __init__(self, main_folder: Path, options: Options) -> None:
-        """Takes the folder of the user's main file, and the options with the other folders."""
+    def __init__(
+        self, main_folder: Path, options: Options, digests: dict[str, str] | None = None
+    ) -> None:
+        """Takes the folder of the user's main file, and the options with the other folders.
+
+        Args:
+            main_folder: the folder of the user's main file.
+            options: the other folders.
+            digests: gets the `digest` of each file that is looked for, found or not: a file that
+                appears in a folder where there was none changes the program too.
+        """
+        self._digests = {} if digests is None else digests
         self.include_paths = options.include_paths
         self.system_paths = options.system_paths
         folders = (main_folder, *self.include_paths, *self.system_paths)
@@ -84,11 +98,13 @@ class Headers:
         for each in folders:
             path = each / name
             file = _resolved(path)
-            if file is None:
-                continue
-            if not any(file.is_relative_to(root) for root in self._roots):
+            if file and not any(file.is_relative_to(root) for root in self._roots):
                 outside = True  # and whether it exists is not told
-            elif _exists(file):
+                self._digests[str(path)] = _OUTSIDE
+                continue
+            if str(path) not in self._digests:
+                self._digests[str(path)] = digest(path)
+            if file and _exists(file):
                 return Header(path, file, each)
         if outside:
             return Refusal(f"'{shown(name)}' lies outside the folders that a program may read")
@@ -121,6 +137,16 @@ def read_regular_file(path: Path) -> bytes | Refusal:
     if len(content) > MAX_FILE_SIZE:
         return Refusal(f"is larger than {MAX_FILE_SIZE >> 20} MiB")
     return content
+
+
+def digest(path: Path) -> str:
+    """Gives what changes whenever the content of a file does, and when it appears or vanishes.
+
+    Taken before the file is read: so when it is changed in between, what was read is never taken
+    for what the file holds.
+    """
+    content = read_regular_file(path)
+    return content.text if isinstance(content, Refusal) else hashlib.sha256(content).hexdigest()
 
 
 def _resolved(path: Path) -> Path | None:
