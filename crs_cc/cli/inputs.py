@@ -72,6 +72,26 @@ def demand_readable(path: Path) -> None:
         raise blame.at(place, "cannot be read: permission denied")
 
 
+def demand_writable(path: Path) -> None:
+    """Makes sure, as far as can be told without writing, that a file can be written.
+
+    Raises:
+        click.UsageError: it cannot.
+    """
+    folder = path.absolute().parent
+    try:
+        if not stat.S_ISDIR(folder.stat().st_mode):
+            raise click.UsageError(f"'{path.parent}' is not a folder.")
+        target = path if path.exists() else folder
+    except FileNotFoundError:
+        raise click.UsageError(f"cannot write '{path}': no such folder.") from None
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise click.UsageError(f"cannot write '{path}': {reason}.") from None
+    if not os.access(target, os.W_OK):
+        raise click.UsageError(f"cannot write '{path}': permission denied.")
+
+
 def _similar(path: Path) -> str:
     """Gives a hint to a file of almost the same name."""
     try:

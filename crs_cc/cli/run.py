@@ -11,7 +11,7 @@ from typing import Any, Final
 import click
 
 from crs_cc.cli.compiler_options import CompilerOptions, compiler_options
-from crs_cc.cli.inputs import Inputs, sort_files
+from crs_cc.cli.inputs import Inputs, demand_writable, sort_files
 
 _ARGUMENTS = "crs.arguments"
 
@@ -26,7 +26,7 @@ class RunOptions:
         compiler: how to compile.
         checked: with checks of every memory access.
         seed: start of all random numbers.
-        max_time_s: simulated time after which to stop; None for no end.
+        max_time_s: stop at the first timestep that ends at or after it [s]; None for no end.
         plot: the picture to draw.
         trace_requests: show the request queue.
         as_json: give the results as JSON on stdout.
@@ -87,7 +87,7 @@ def _time(_ctx: click.Context, _option: click.Parameter, time_s: float | None) -
     type=click.FloatRange(min=0, min_open=True),
     callback=_time,
     metavar="S",
-    help="Stop after S seconds of simulated time.",
+    help="Stop at the first timestep that ends at or after S seconds of simulated time.",
 )
 @click.option(
     "--seed",
@@ -142,7 +142,7 @@ def run(
 
     The programs read our stdin and write to our stdout and stderr; with several robots each line
     starts with the robot's name. The exit status is the program's own with one robot; with
-    several it is 0 if all ended with 0. A program still running at --max-time counts as 0.
+    several it is 0 if all ended with 0, else 1. A program still running at --max-time counts as 0.
     """
     options = RunOptions(
         inputs=sort_files(files),
@@ -152,8 +152,8 @@ def run(
         trace_requests=trace == "requests",
         **others,
     )
-    if options.plot is not None and not options.plot.absolute().parent.is_dir():
-        raise click.UsageError(f"no such folder for the picture: '{options.plot.parent}'.")
+    if options.plot is not None:
+        demand_writable(options.plot)
     from crs_cc.cli.simulate import simulate
 
     return simulate(options)

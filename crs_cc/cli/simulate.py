@@ -40,7 +40,8 @@ def simulate(options: RunOptions) -> int:
 
     Raises:
         CrsError: whatever kept the run from starting, or ended it.
-        click.UsageError: a robot has no program, or the picture cannot be written.
+        click.UsageError: a robot has no program.
+        OSError: the results or the picture cannot be written.
     """
     try:
         return _simulate(options)
@@ -59,9 +60,9 @@ def _simulate(options: RunOptions) -> int:
         show(diagnostics.messages)
     runner = Runner(loaded, options)
     run = runner.run()
+    _report(run, options)
     if options.plot is not None:
         _write(options.plot, runner.picture(run).render())
-    _report(run, options)
     return exit_status(run)
 
 
@@ -197,7 +198,7 @@ def _write(path: Path, picture: bytes) -> None:
     try:
         path.write_bytes(picture)
     except OSError as error:
-        raise click.UsageError(f"cannot write '{path}': {error.strerror}.") from None
+        raise OSError(error.errno, error.strerror, str(path)) from None  # a full disk has no name
 
 
 def _report(run: Run, options: RunOptions) -> None:

@@ -272,9 +272,33 @@ def test_the_picture_shows_the_way(capfd: pytest.CaptureFixture[str]) -> None:
     assert "drive.c in pair.xml" in [row.text for row in root.iter("{*}text")]
 
 
-def test_a_picture_that_cannot_be_written_is_an_error(capfd: pytest.CaptureFixture[str]) -> None:
-    assert main(["run", "hello.c", "--plot", "x" * 300 + ".svg"]) == 2
-    assert "cannot write" in capfd.readouterr().err
+@pytest.mark.parametrize(
+    ("picture", "message"),
+    [
+        ("nowhere/a.svg", "cannot write 'nowhere/a.svg': no such folder."),
+        ("hello.c/a.svg", "'hello.c' is not a folder."),
+        (".", "File '.' is a directory."),
+        ("x" * 300 + ".svg", "File name too long."),
+        ("x" * 300 + "/a.svg", "File name too long."),
+    ],
+)
+def test_a_picture_that_cannot_be_written_is_refused_before_the_run(
+    picture: str, message: str, capfd: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["run", "hello.c", "--plot", picture]) == 2
+    shown = capfd.readouterr()
+    assert message in shown.err
+    assert shown.out == ""
+
+
+@pytest.mark.slow
+def test_a_picture_on_a_full_disk_costs_no_results() -> None:
+    process = start("run", "drive.c", "--plot", "/dev/full", "--json", "--summary")
+    out, err = process.communicate(timeout=60)
+    assert process.returncode == 1
+    assert json.loads(out)["robots"][0]["outcome"] == "exited"
+    assert "exit 0 at" in err
+    assert err.endswith("crs: error: No space left on device: /dev/full\n")
 
 
 def test_the_trace_has_a_line_for_each_robot_and_timestep(
