@@ -51,18 +51,6 @@ class ProgramError(CrsError):
     exit_status = 123
 
 
-class LimitExceeded(CrsError):  # noqa: N818 - the design's word: nothing is wrong, it is too much
-    """A budget of the user's or of ours was used up."""
-
-    exit_status = 124
-
-
-class ReplayMismatch(CrsError):  # noqa: N818 - the design's word
-    """A recording and its re-execution differ."""
-
-    exit_status = 125
-
-
 class InternalError(CrsError):
     """We are at fault."""
 

@@ -1,13 +1,14 @@
 """The command `crs`: picks the subcommand, and turns whatever goes wrong into an exit status.
 
-0 to 255  `crs run` with one robot ends with the control program's own exit status
-1         the system failed, for example by a full disk (several robots: see `crs run --help`)
+0 to 255  with one robot: the control program's own, 0 if it still runs at --max-time
+0 or 1    with several robots: 0 if all ended with 0, else 1
+1         the system failed, for example by a full disk
 2         the command line is wrong
 70        crs itself is at fault
 121 122   the C source, the world file is at fault
-123 124   a control program was stopped by an error, by a limit
+123       the only robot's program was stopped by an error
 130       interrupted by Ctrl-C
-141       whoever read our output went away
+141       whoever read the output went away
 """
 
 from __future__ import annotations
@@ -39,8 +40,16 @@ Examples:
   crs compile --emit wat wander.c                shows the WebAssembly
 
 \b
-Exit status: that of the control program when there is one robot; 2 usage, 121 C source,
-122 world file, 123 program stopped by an error, 124 by a limit, 70 crs itself, 130 Ctrl-C.
+Exit status:
+  0 to 255  with one robot: its program's own, 0 if it still runs at --max-time
+  0 or 1    with several robots: 0 if all ended with 0, else 1
+  1         the system failed, for example by a full disk
+  2         the command line is wrong
+  70        crs itself is at fault
+  121 122   the C source, the world file is at fault
+  123       the only robot's program was stopped by an error
+  130       interrupted by Ctrl-C
+  141       whoever read the output went away
 """
 
 
