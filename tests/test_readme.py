@@ -1,4 +1,7 @@
-"""Everything in the README and ARCHITECTURE is true: commands run, names exist."""
+"""What README and ARCHITECTURE show works and what they name exists.
+
+Commands and programs run, files, tests and make targets exist, exit statuses are those of the code.
+"""
 
 from __future__ import annotations
 
@@ -8,8 +11,11 @@ import shlex
 import shutil
 from pathlib import Path
 
+import click
 import pytest
 
+from crs_cc import errors
+from crs_cc.cli import status
 from crs_cc.cli.main import main
 
 ROOT = Path(__file__).parents[1]
@@ -56,6 +62,27 @@ def test_the_readmes_own_program_does_what_its_text_says(
     assert inches
     assert 5 < int(inches[1]) <= 20
     assert (folder / "approach.svg").read_text().startswith("<?xml")
+
+
+def test_the_readmes_lines_of_python_run(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    exec("".join(blocks("python")), {})
+    assert re.match(r"\(\d+\.\d+, \d+\.\d+, \d+\.\d+\)\n", capsys.readouterr().out)
+
+
+def exit_statuses() -> set[int]:
+    """Gives every exit status of our own."""
+    classes = [each for each in vars(errors).values() if isinstance(each, type)]
+    named = [value for name, value in vars(status).items() if name.isupper()]
+    blamed = [each.exit_status for each in classes if issubclass(each, errors.CrsError)]
+    return {click.UsageError.exit_code, *named, *blamed}
+
+
+def test_readme_and_help_list_every_exit_status(capsys: pytest.CaptureFixture[str]) -> None:
+    rows = re.findall(r"^\| ([\d, ]+) \|", README, re.MULTILINE)
+    assert {int(number) for row in rows for number in row.split(",")} == exit_statuses()
+    main(["--help"])
+    shown = re.findall(r"^ +(\d+(?: \d+)*)  ", capsys.readouterr().out, re.MULTILINE)
+    assert {int(number) for row in shown for number in row.split()} == exit_statuses()
 
 
 def test_every_file_that_the_texts_name_exists() -> None:
