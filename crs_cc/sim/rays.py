@@ -110,6 +110,9 @@ def nearest(
 ) -> FloatArray:
     """Gives what each beam of each robot measures.
 
+    A beam that starts inside a circle measures 0. One that starts behind a segment, in its solid,
+    measures what is not there: see `sensors.covered`.
+
     Args:
         fan: the robots' beams.
         poses: x, y [m] and heading [rad] of each robot, shape (k, 3).

@@ -3,9 +3,9 @@
     reading = round(distance / 1 in), at most 255
 
 with the distance from the sensor, which sits on the shell, to the nearest thing inside its beam
-(`rays`). 255 stands for no echo within range: the reading is a byte on the line (vendor source
-`Ndirect.c` 2.7). Degradation: a normal deviate with the definition's `sonar_noise_m` is added to
-each distance that has an echo.
+(`rays`), 0 where the sensor lies in or on a thing (`covered`). 255 stands for no echo within range:
+the reading is a byte on the line (vendor source `Ndirect.c` 2.7). Degradation: a normal deviate
+with the definition's `sonar_noise_m` is added to each distance that has an echo.
 
 A sonar that is not in the firing order (`conf_sn`) keeps 255. The robot fires when it is asked,
 from where it was at the start of the cycle, and once in a cycle at most. The time between firings
@@ -24,6 +24,7 @@ from crs_cc.sim.obstacles import Obstacles
 from crs_cc.sim.rays import Fan, nearest
 from crs_cc.sim.robot_elements import MAX_SONARS
 from crs_cc.sim.scene import Scene
+from crs_cc.sim.sensors.covered import Rectangles
 from crs_cc.sim.state import NO_ECHO
 from crs_cc.units import m_to_inch
 
@@ -59,6 +60,7 @@ class SonarRing:
         start_m = max((fan.start_m for fan in self._fans), default=0.0)
         moving = scene.moving(scene.start[:, :2], scene.start[:, 2])
         self._obstacles = Obstacles(scene.fixed, moving, max(reach_m, 1.0), start_m)
+        self._rectangles = Rectangles(scene, start_m)
         self._placed = -1
 
     def forget(self) -> None:
@@ -73,6 +75,7 @@ class SonarRing:
         if self._placed != state.cycle:
             bodies = state.bodies
             self._obstacles.place(self._scene.moving(bodies.position_m, bodies.angle_rad))
+            self._rectangles.place(bodies.position_m, bodies.angle_rad)
             self._placed = state.cycle
         distance_m = np.full((len(rows), MAX_SONARS), np.inf)
         poses = np.column_stack([state.x_m[rows], state.y_m[rows], state.heading_rad[rows]])
@@ -81,6 +84,7 @@ class SonarRing:
             mine = np.flatnonzero(kinds == kind)
             if len(numbers) and len(mine):
                 echoes = nearest(fan, poses[mine], self._obstacles, own=rows[mine])
+                echoes[self._rectangles.cover(fan, poses[mine])] = 0.0
                 distance_m[np.ix_(mine, numbers)] = echoes
         distance_m += self._errors_m(state, rows)
         inches = np.clip(np.rint(m_to_inch(distance_m)), 0, NO_ECHO)
