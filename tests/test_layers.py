@@ -37,7 +37,7 @@ CONFINED = {
     "pycparser": ("frontend/",),
     "wasmtime": ("runtime/",),
     "pymunk": ("sim/physics.py",),
-    "lxml": ("sim/world_xml.py", "sim/robot_xml.py", "cli/svg.py"),
+    "lxml": ("sim/world_xml.py", "cli/svg.py"),
     "rich": ("cli/", "debug/"),
     "click": ("cli/",),
 }

@@ -33,8 +33,6 @@ Rows: TypeAlias = "npt.NDArray[np.intp] | slice"
 """Which robots: their indices, or `ALL`."""
 
 ALL: Final = slice(None)
-RIGHT: Final = 0
-LEFT: Final = 1
 
 _NO_WAY_M: Final = 1e-12  # shorter ways are rounding errors
 

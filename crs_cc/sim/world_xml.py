@@ -3,7 +3,7 @@
 The text may come from anywhere: entities are not resolved, nothing is fetched, a document type
 declaration is refused, depth and size are limited (by libxml2 and by `MAX_BYTES`). The schema
 (`world.xsd`, `robot.xsd`) checks the form; what a schema cannot say is checked afterwards. This
-file alone knows lxml.
+file alone in `sim` knows lxml.
 
 >>> world = parse_world(b'''<world version="1" timestep="50ms">
 ...   <area length="6m" width="5m"/>
