@@ -15,7 +15,7 @@ from crs_cc.errors import CompileError
 from crs_cc.ir.program import Data, Program
 from crs_cc.requests import FAILED, slot_offset
 from crs_cc.runtime.function_code import FunctionInfo, generate
-from crs_cc.runtime.layout import HEADER_SIZE, MEMORY_SIZE, NULL_SIZE, STACK_TOP, round_up
+from crs_cc.runtime.layout import HEADER_SIZE, MEMORY_BYTES, NULL_SIZE, STACK_TOP, round_up
 from crs_cc.runtime.link import HEAP_SYMBOLS, ROOT, pointed_functions
 from crs_cc.runtime.selection import MAILBOX, SLOT_GLOBAL, Names
 from crs_cc.runtime.wasm import PAGE, TYPE_I32_I32, Code, FuncType, Module
@@ -62,7 +62,7 @@ def compile_program(program: Program, *, checked: bool = True, debug: bool = Fal
     module = Module(
         functions=[_fault(), _outside()],
         memory_imports=[("crs", "mailbox")],
-        memory_pages=MEMORY_SIZE // PAGE,
+        memory_pages=MEMORY_BYTES // PAGE,
         tables=[len(pointers) + 1],
         globals=[("i32", 0)],
         elements=[(0, 1, [numbers[name] for name in pointers])] if pointers else [],
@@ -93,14 +93,14 @@ def _place(program: Program) -> dict[str, int]:
         end = round_up(end, max(1, data.align))
         addresses[data.name] = end
         end += max(1, data.size)
-        if end > MEMORY_SIZE:
+        if end > MEMORY_BYTES:
             raise CompileError.at(
                 data.location,
-                f"'{data.name}' does not fit: {data.size} bytes of {MEMORY_SIZE - STACK_TOP}",
+                f"'{data.name}' does not fit: {data.size} bytes of {MEMORY_BYTES - STACK_TOP}",
                 "a robot's memory is limited; use a smaller array",
             )
     heap = round_up(end, 16)
-    addresses.update(zip(HEAP_SYMBOLS, (heap, MEMORY_SIZE), strict=True))
+    addresses.update(zip(HEAP_SYMBOLS, (heap, MEMORY_BYTES), strict=True))
     return addresses
 
 
@@ -130,10 +130,10 @@ def _outside() -> Code:
     """`outside(address, size)`: whether some of the bytes lie outside the accessible memory."""
     body = [
         ("local.get", 1), ("i32.eqz",), ("if",), ("i32.const", 0), ("return",), ("end",),
-        ("local.get", 1), ("i32.const", MEMORY_SIZE - NULL_SIZE), ("i32.gt_u",),
+        ("local.get", 1), ("i32.const", MEMORY_BYTES - NULL_SIZE), ("i32.gt_u",),
         ("if",), ("i32.const", 1), ("return",), ("end",),
         ("local.get", 0), ("i32.const", NULL_SIZE), ("i32.sub",),
-        ("i32.const", MEMORY_SIZE - NULL_SIZE), ("local.get", 1), ("i32.sub",), ("i32.gt_u",),
+        ("i32.const", MEMORY_BYTES - NULL_SIZE), ("local.get", 1), ("i32.sub",), ("i32.gt_u",),
     ]  # fmt: skip
     return Code("outside", _TWO_I32, [], body)
 

@@ -11,8 +11,15 @@ Loops without landings stay as they are: the price is paid only at loops around 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Final
 
 from crs_cc.runtime.flow import LANDING, Landing, Node
+
+DEEPEST: Final = 16
+"""Loops nested deeper, which only a tangle of jumps back makes, become one flat dispatcher.
+
+It keeps the work in proportion to the size of the function.
+"""
 
 
 @dataclass(slots=True, eq=False)
@@ -61,16 +68,19 @@ class _Loops:
 
     def run(self) -> None:
         """Works through the regions of the graph, each a list of nodes without its loop header."""
-        regions = [self.nodes]
+        regions = [(self.nodes, 0)]
         while regions:
-            for component in _components(regions.pop()):
-                header = self.loop(component)
-                regions.append([node for node in component if node is not header])
+            region, depth = regions.pop()
+            for component in _components(region):
+                header = self.loop(component, depth)
+                regions.append(([node for node in component if node is not header], depth + 1))
 
-    def loop(self, component: list[Node]) -> Node:
+    def loop(self, component: list[Node], depth: int) -> Node:
         """Gives the one node at which the loop may be entered; makes one when there are several."""
         inside = set(component)
         heads = [node for node in component if self._entered(node, inside)] or component[:1]
+        if depth >= DEEPEST:
+            heads = component
         landings = [self.landing_of[node] for node in component if node in self.landing_of]
         if len(heads) == 1 and all(landing.node is heads[0] for landing in landings):
             return heads[0]

@@ -15,15 +15,15 @@ import numpy as np
 from crs_cc.requests import SLOT, slot_offset
 from crs_cc.runtime.wasm import Code, Module
 
-HEADER: Final = np.dtype([("current", "<u4"), ("count", "<u4"), ("resumed", "<u4")])
-CURRENT, COUNT, RESUMED = (int(HEADER.fields[name][1]) for name in HEADER.names)  # type: ignore[index,union-attr]
+HEADER: Final = np.dtype([("current", "<u4"), ("count", "<u4")])
+CURRENT, COUNT = (int(HEADER.fields[name][1]) for name in HEADER.names)  # type: ignore[index,union-attr]
 SLOTS: Final = SLOT.itemsize  # address of the first slot; what lies below is the driver's
 
 
 def driver(robots: int) -> Module:
     """Gives the driver of a fleet of so many robots."""
     return Module(
-        functions=[Code("round", ((), ()), ["i32", "i32", "i32"], _round())],
+        functions=[Code("round", ((), ()), ["i32", "i32"], _round())],
         memory_imports=[("crs", "mailbox")],
         tables=[robots],
         exports=[("round", "func", 0), ("robots", "table", 0)],
@@ -31,7 +31,7 @@ def driver(robots: int) -> Module:
 
 
 def _round() -> list[tuple[object, ...]]:
-    robot, slot, resumed = range(3)
+    robot, slot = range(2)
     return [
         ("i32.const", 0), ("i32.load", 0, CURRENT), ("local.set", robot),
         ("block",), ("loop",),
@@ -46,9 +46,7 @@ def _round() -> list[tuple[object, ...]]:
         ("local.get", slot),
         ("local.get", slot), ("local.get", robot), ("call_indirect", 0, 0),
         ("i32.store", 0, slot_offset("status")),
-        ("local.get", resumed), ("i32.const", 1), ("i32.add",), ("local.set", resumed),
         ("end",),
         ("local.get", robot), ("i32.const", 1), ("i32.add",), ("local.set", robot),
         ("br", 0), ("end",), ("end",),
-        ("i32.const", 0), ("local.get", resumed), ("i32.store", 0, RESUMED),
     ]  # fmt: skip

@@ -19,7 +19,7 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 import numpy.typing as npt
@@ -28,9 +28,12 @@ import wasmtime
 from crs_cc.requests import ERROR_KINDS, FAILED, SLOT
 from crs_cc.runtime.driver import HEADER, SLOTS, driver
 from crs_cc.runtime.executable import Executable, engine
-from crs_cc.runtime.layout import MEMORY_SIZE, NULL_SIZE
+from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE
 from crs_cc.runtime.wasm import PAGE
 from crs_cc.source import Location
+
+if TYPE_CHECKING:
+    from crs_cc.runtime.inspect import StackFrame
 
 CHUNK: Final = 4096  # a snapshot keeps the chunks of memory that are not all zero [bytes]
 
@@ -58,11 +61,14 @@ class Failure:
         kind: one of `crs_cc.requests.ERROR_KINDS`.
         location: the place in the C source.
         value: the address or function pointer that was refused; 0 when there is none.
+        stack: the active functions, the innermost, which failed at `location`, first; empty when
+            it is not known.
     """
 
     kind: str
     location: Location
     value: int
+    stack: tuple[StackFrame, ...] = ()
 
 
 class Fleet:
@@ -111,7 +117,7 @@ class Fleet:
 
     def run_round(self) -> int:
         """Resumes every robot whose slot says `run`; gives how many there were."""
-        trapped = 0
+        resumed = int(np.count_nonzero(self.slots["run"]))
         self._header["current"] = 0
         while True:
             try:
@@ -120,9 +126,8 @@ class Fleet:
                 robot = int(self._header["current"][0])
                 self._trapped(robot, trap)
                 self._header["current"] = robot + 1
-                trapped += 1
                 continue
-            return int(self._header["resumed"][0]) + trapped
+            return resumed
 
     def _trapped(self, robot: int, trap: Exception) -> None:
         """Notes a trap as the robot's own failure, so that the others go on."""
@@ -135,6 +140,8 @@ class Fleet:
     def failure(self, robot: int) -> Failure:
         """Gives why a robot with status FAILED was stopped."""
         slot = self.slots[robot]
+        from crs_cc.runtime.inspect import call_stack  # needs the code generator
+
         detail = self._executables[robot].detail()
         value = int(slot["error_address"])
         if slot["error_kind"]:
@@ -143,7 +150,8 @@ class Fleet:
         kind, location = detail.compiled.sites[slot["error_site"]]
         if kind == "memory":
             kind = "null pointer" if value < NULL_SIZE else "pointer outside memory"
-        return Failure(kind, location, value)
+        stack = tuple(call_stack(self._memories[robot], detail.compiled))
+        return Failure(kind, location, value, stack)
 
     def snapshot(self, robot: int) -> Snapshot:
         """Gives the whole state of one robot's program."""
@@ -161,10 +169,12 @@ class Fleet:
 
 
 def _view(store: wasmtime.Store, memory: object) -> npt.NDArray[np.uint8]:
-    """Gives a memory as an array. It stays valid: our memories have a fixed size."""
+    """Gives a memory as an array, which keeps the store alive; our memories never move."""
     assert isinstance(memory, wasmtime.Memory)
-    pointer = ctypes.cast(memory.data_ptr(store), ctypes.POINTER(ctypes.c_uint8))
-    return np.ctypeslib.as_array(pointer, shape=(memory.data_len(store),))
+    address = ctypes.addressof(memory.data_ptr(store).contents)
+    buffer = (ctypes.c_uint8 * memory.data_len(store)).from_address(address)
+    buffer.store = store  # type: ignore[attr-defined]
+    return np.frombuffer(memoryview(buffer), np.uint8)
 
 
-assert MEMORY_SIZE % CHUNK == 0
+assert MEMORY_BYTES % CHUNK == 0

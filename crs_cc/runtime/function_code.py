@@ -38,6 +38,7 @@ from crs_cc.runtime.layout import (
     NULL_SIZE,
     RESULT,
     RESUME,
+    STACK_SIZE,
     Frame,
     argument_offsets,
     lay_out,
@@ -73,7 +74,8 @@ class FunctionInfo:
         function: the IR function.
         frame: where its registers and slots lie.
         landings: where in the source each landing is, by its number; the entry for 0.
-        callees: for landings at calls by name, the callee, by the landing's number.
+        callees: for landings at calls, by the landing's number, the callee: its name, or the
+            register that holds the function pointer.
     """
 
     function: Function
@@ -134,6 +136,10 @@ class _FunctionCode:
     # -- the whole ----------------------------------------------------------------------------
 
     def run(self) -> tuple[Code, FunctionInfo]:
+        """Gives the code and what a debugger needs to read its frames."""
+        if self.frame.size > STACK_SIZE:  # its offsets might not even fit an instruction
+            body = self.overflow()
+            return Code(self.function.name, TYPE_CALL, [], body), self.info()
         for register in self.function.registers:
             if register in self.lasting:
                 self.selector.take_local(register)
@@ -167,11 +173,14 @@ class _FunctionCode:
         code = self.selector.code = node.code
         size = self.frame.size
         code += [("local.get", FP), ("i32.const", NULL_SIZE + size), ("i32.lt_u",), ("if",)]
-        self.selector.fail("stack overflow", self.function.location, [("local.get", FP)])
-        code.pop()  # the epilogue would write to the frame that there is no room for
-        code += [("local.get", STATUS), ("local.get", FUEL), ("return",), ("end",)]
+        code += [*self.overflow(), ("end",)]
         code += [("local.get", FP), ("i32.const", size), ("i32.sub",), ("local.set", SP)]
         return node
+
+    def overflow(self) -> list[Instr]:
+        """Leaves without the epilogue, which would write to the frame there is no room for."""
+        note = self.selector.note("stack overflow", self.function.location, [("local.get", FP)])
+        return [*note, ("local.get", FUEL), ("return",)]
 
     def again(self, start: Node) -> Node:
         """Loads the registers back when the function was suspended, and goes to its landing."""

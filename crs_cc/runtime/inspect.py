@@ -22,7 +22,7 @@ class StackFrame:
 
     Attributes:
         function: its name.
-        location: where it goes on; where it failed, for the innermost one of a failed program.
+        location: where it goes on; of the innermost function of a failed program, its head.
         fp: address of its header and arguments, see `layout`.
     """
 
@@ -32,7 +32,7 @@ class StackFrame:
 
 
 def call_stack(memory: npt.NDArray[np.uint8], compiled: Compiled) -> list[StackFrame]:
-    """Gives the active functions of a stopped program, the innermost first.
+    """Gives the active functions of a program that has come back, the innermost first.
 
     A program that has damaged its own stack gets as many frames as make sense.
     """

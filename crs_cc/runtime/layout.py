@@ -21,16 +21,18 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Final
 
+from crs_cc.errors import CompileError
 from crs_cc.ir.program import Call, Function, Parameter, Register, Slot
 
 NULL_SIZE: Final = 4096
 STACK_SIZE: Final = 2 * 2**20
 STACK_TOP: Final = NULL_SIZE + STACK_SIZE
-MEMORY_SIZE: Final = 16 * 2**20
+MEMORY_BYTES: Final = 16 * 2**20
 
 HEADER_SIZE: Final = 16
 RESULT, FUNCTION, RESUME = 0, 8, 12  # offsets from fp
 
+ALIGN: Final = 16  # of every frame [bytes]
 MINIMUM_FRAME: Final = 96
 """Keeps the host's stack, which grows with ours, within a few times of ours."""
 
@@ -66,7 +68,11 @@ def argument_offsets(sizes: list[int]) -> list[int]:
 
 
 def lay_out(function: Function, saved: list[Register]) -> Frame:
-    """Lays out a frame with homes for the registers in `saved`."""
+    """Lays out a frame with homes for the registers in `saved`.
+
+    Raises:
+        CompileError: a local variable wants to be aligned more strictly than frames are.
+    """
     frame = Frame()
     offset = max(
         (HEADER_SIZE + argument_offsets([each.size for each in block.terminator.arguments])[-1]
@@ -79,10 +85,17 @@ def lay_out(function: Function, saved: list[Register]) -> Frame:
         frame.offsets[register] = offset
         offset += size
     for slot in function.slots:
+        if slot.align > ALIGN:
+            what = slot.variable.name if slot.variable else slot.name
+            raise CompileError.at(
+                function.location,
+                f"'{what}' in '{function.name}' is aligned to {slot.align} bytes",
+                f"local variables can be aligned to {ALIGN} bytes at most; make it static",
+            )
         offset = round_up(offset, max(1, slot.align))
         frame.offsets[slot] = offset
         offset += slot.size
-    frame.size = max(MINIMUM_FRAME, round_up(offset, 16))
+    frame.size = max(MINIMUM_FRAME, round_up(offset, ALIGN))
     _place_parameters(frame, function.parameters)
     return frame
 

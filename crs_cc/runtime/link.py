@@ -21,6 +21,9 @@ from crs_cc.source import Diagnostics, Location
 ROOT: Final = "__crs_start"
 """The library's function that calls `main`; everything reachable from it is linked."""
 
+LIBRARY: Final = "<library>/"
+"""What the names of the library's own files begin with."""
+
 HEAP_SYMBOLS: Final = ("__heap_start", "__heap_end")
 """Names that the code generator defines: the ends of the memory left for `malloc`."""
 

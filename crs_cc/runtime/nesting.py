@@ -128,7 +128,13 @@ class _Emitter:
             else:
                 self.out.append(instr)
                 self.depth -= instr[0] == "end"
-        getattr(self, f"_{node.exit}")(node)
+        match node.exit:
+            case "jump":
+                self._jump(node)
+            case "branch":
+                self._branch(node)
+            case "table":
+                self._table(node)
 
     def label(self, source: Node, target: Node) -> int | None:
         """Gives the relative depth of a jump; None when the target is written in place."""
@@ -137,9 +143,6 @@ class _Emitter:
         if target in self.order.merges:
             return self.depth - self.block_depth[target]
         return None
-
-    def _leave(self, node: Node) -> None:
-        pass
 
     def _jump(self, node: Node) -> None:
         depth = self.label(node, node.targets[0])

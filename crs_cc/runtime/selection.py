@@ -31,8 +31,7 @@ from crs_cc.ir.program import (
     ValueType,
 )
 from crs_cc.runtime.flow import UNWIND
-from crs_cc.runtime.layout import MEMORY_SIZE as MEMORY_END
-from crs_cc.runtime.layout import NULL_SIZE, Frame
+from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE, Frame
 from crs_cc.runtime.wasm import Instr
 from crs_cc.source import Location
 
@@ -106,12 +105,15 @@ class Selector:
         """Drops what is known of pointers, where code from elsewhere joins."""
         self._proved.clear()
 
+    def value(self, operand: Operand) -> Instr:
+        """Gives the instruction that pushes an operand's value."""
+        if isinstance(operand, Constant):
+            return (f"{operand.type}.const", operand.value)
+        return ("local.get", self.locals[operand])
+
     def push(self, operand: Operand) -> None:
         """Pushes an operand's value."""
-        if isinstance(operand, Constant):
-            self.code.append((f"{operand.type}.const", operand.value))
-        else:
-            self.code.append(("local.get", self.locals[operand]))
+        self.code.append(self.value(operand))
 
     def pop(self, register: Register) -> None:
         """Pops a value into a register."""
@@ -122,12 +124,18 @@ class Selector:
 
     # -- errors ------------------------------------------------------------------------------
 
-    def fail(self, kind: str, location: Location, value: list[Instr]) -> None:
-        """Stops the program; `value` pushes the address or number to blame."""
+    def note(self, kind: str, location: Location, value: list[Instr]) -> list[Instr]:
+        """Gives code that notes an error and leaves the status FAILED on the stack.
+
+        `value` pushes the address or number to blame.
+        """
         site = len(self.names.sites)
         self.names.sites.append((kind, location))
-        self.code += [("i32.const", site), *value, ("call", FAULT), ("local.set", STATUS)]
-        self.code.append((UNWIND,))
+        return [("i32.const", site), *value, ("call", FAULT)]
+
+    def fail(self, kind: str, location: Location, value: list[Instr]) -> None:
+        """Stops the program; `value` pushes the address or number to blame."""
+        self.code += [*self.note(kind, location, value), ("local.set", STATUS), (UNWIND,)]
 
     def fail_if(self, kind: str, location: Location, value: list[Instr]) -> None:
         """Stops the program if the i32 on the stack is not zero."""
@@ -140,9 +148,7 @@ class Selector:
         self.push(address)
         self.push(size)
         self.code.append(("call", OUTSIDE))
-        at = len(self.code)
-        self.push(address)
-        self.fail_if("memory", location, [self.code.pop(at)])
+        self.fail_if("memory", location, [self.value(address)])
 
     # -- memory ------------------------------------------------------------------------------
 
@@ -177,7 +183,7 @@ class Selector:
     def _check_local(self, local: int, size: int, location: Location) -> None:
         """Stops the program unless the address on the stack, also in `local`, is accessible."""
         self.code += [("i32.const", NULL_SIZE), ("i32.sub",)]
-        self.code += [("i32.const", MEMORY_END - NULL_SIZE - size), ("i32.gt_u",)]
+        self.code += [("i32.const", MEMORY_BYTES - NULL_SIZE - size), ("i32.gt_u",)]
         self.fail_if("memory", location, [("local.get", local)])
         self.code.append(("local.get", local))
 

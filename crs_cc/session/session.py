@@ -128,7 +128,7 @@ class Session:
 
     def step(self) -> bool:
         """Runs one timestep; gives False when all programs have ended."""
-        end_s = self.environment.time_s + self.environment.timestep_s
+        end_s = self.environment.end_s
         while True:
             self._answer_robots(end_s)
             ready = np.flatnonzero(self._alive & (self.clock_s < end_s) & (self._due_s == ENDLESS))

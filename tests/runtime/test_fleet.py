@@ -21,7 +21,7 @@ from crs_cc.ir.program import (
 from crs_cc.requests import CODES, ERROR_KINDS, FAILED, SLOT, SUSPENDED
 from crs_cc.runtime.executable import Executable, make_executable
 from crs_cc.runtime.fleet import Fleet
-from crs_cc.runtime.layout import MEMORY_SIZE
+from crs_cc.runtime.layout import MEMORY_BYTES
 from crs_cc.runtime.testing import counting_program
 from crs_cc.source import Location
 
@@ -57,7 +57,7 @@ def test_only_robots_that_shall_run_are_resumed() -> None:
 
 
 def test_a_loop_without_end_comes_back_when_its_fuel_is_used_up() -> None:
-    fleet = Fleet([wild_program(MEMORY_SIZE - 4, checked=True)])
+    fleet = Fleet([wild_program(MEMORY_BYTES - 4, checked=True)])
     run(fleet, 500)
     assert fleet.slots["status"][0] == SUSPENDED
     assert fleet.slots["code"][0] == 0
@@ -66,13 +66,13 @@ def test_a_loop_without_end_comes_back_when_its_fuel_is_used_up() -> None:
 
 def test_a_wild_read_is_named_and_stops_only_its_robot() -> None:
     good = counting_program()
-    fleet = Fleet([good, wild_program(MEMORY_SIZE - 3, checked=True), good])
+    fleet = Fleet([good, wild_program(MEMORY_BYTES - 3, checked=True), good])
     run(fleet)
     assert fleet.slots["status"].tolist() == [SUSPENDED, FAILED, SUSPENDED]
     assert fleet.slots["code"][[0, 2]].tolist() == [CODES["EXIT"]] * 2
     failure = fleet.failure(1)
     assert (failure.kind, failure.location) == ("pointer outside memory", HERE)
-    assert failure.value == MEMORY_SIZE - 3
+    assert failure.value == MEMORY_BYTES - 3
 
 
 def test_a_null_pointer_is_told_from_a_wild_one() -> None:
@@ -83,7 +83,7 @@ def test_a_null_pointer_is_told_from_a_wild_one() -> None:
 
 def test_a_trap_stops_its_robot_alone_and_the_round_is_finished() -> None:
     good = counting_program()
-    fleet = Fleet([good, wild_program(MEMORY_SIZE, checked=False), good, good])
+    fleet = Fleet([good, wild_program(MEMORY_BYTES, checked=False), good, good])
     run(fleet)
     assert fleet.slots["status"].tolist() == [SUSPENDED, FAILED, SUSPENDED, SUSPENDED]
     assert fleet.slots["code"][[0, 2, 3]].tolist() == [CODES["EXIT"]] * 3

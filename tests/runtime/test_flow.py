@@ -10,6 +10,7 @@ import random
 
 import pytest
 
+from crs_cc.errors import CompileError
 from crs_cc.ir.program import (
     Address,
     Binary,
@@ -32,6 +33,7 @@ from crs_cc.ir.program import (
 )
 from crs_cc.ir.verify import verify
 from crs_cc.requests import CODES, MESSAGE, SUSPENDED
+from crs_cc.runtime.codegen import compile_program
 from crs_cc.runtime.executable import make_executable
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.source import Location
@@ -45,7 +47,7 @@ def const(value: int) -> Constant:
     return Constant("i32", value)
 
 
-def walker(seed: int, size: int) -> Program:
+def walker(seed: int, size: int, *, tangled: bool = False) -> Program:
     """Gives a program that walks a random graph and exits with the hash of its walk."""
     rng = random.Random(seed)
     hash_, left, test = Register(0, "i32"), Register(1, "i32"), Register(2, "i32")
@@ -70,7 +72,9 @@ def walker(seed: int, size: int) -> Program:
         checks.append(check)
         block.terminator = Branch(HERE, left, check, end)
         targets = [rng.choice(blocks) for _ in range(rng.choice([1, 2, 2, 2, 5]))]
-        if rng.random() < 0.2:
+        if tangled:
+            targets = [blocks[size - 1 - number], blocks[(number + 1) % size]]
+        if rng.random() < 0.2 and not tangled:
             targets = [blocks[(number + 1) % size]]
         check.instructions.append(
             Binary(HERE, test, "i32.rem_u", test, const(max(1, len(targets))))
@@ -184,3 +188,31 @@ def test_a_walk_goes_on_in_another_robot_after_every_stop() -> None:
 def test_a_long_function_needs_no_recursion() -> None:
     program = walker(3, 3000)
     assert walk(program, 10**6, debug=False)[0] == expected(program)
+
+
+def test_a_tangle_of_jumps_back_compiles_in_proportion_to_its_size() -> None:
+    size = 1000
+    program = walker(5, size, tangled=True)
+    compiled = compile_program(program)
+    assert len(compiled.module.to_binary()) < 1000 * size
+    assert walk(program, 10**6, debug=False)[0] == expected(program)
+
+
+def test_a_frame_larger_than_the_stack_is_a_stack_overflow() -> None:
+    slots = [Slot(f"s{number}", 2**31 - 1, 1) for number in range(3)]
+    entry = Block("entry", [Store(HERE, slots[2], 0, const(1), "i8")])
+    entry.terminator = Return(HERE, const(0))
+    start = Function("__crs_start", HERE, "i32", slots=slots, blocks=[entry])
+    fleet = Fleet([make_executable(Program({start.name: start}), "huge.c")])
+    fleet.slots["run"], fleet.slots["fuel"] = 1, 1000
+    fleet.run_round()
+    assert fleet.failure(0).kind == "stack overflow"
+
+
+def test_a_local_aligned_more_than_frames_are_is_refused() -> None:
+    entry = Block("entry")
+    entry.terminator = Return(HERE, const(0))
+    slots = [Slot("s", 8, 32)]
+    start = Function("__crs_start", HERE, "i32", slots=slots, blocks=[entry])
+    with pytest.raises(CompileError, match="aligned to 32 bytes"):
+        compile_program(Program({start.name: start}))
