@@ -4,7 +4,7 @@
 
 static int checked(int n)
 {
-    assert(n < 3);
+    assert(n < 3); // error: assertion failed
     return n;
 }
 
@@ -16,4 +16,3 @@ int main(void)
         printf("%d\n", checked(i));
     return 0;
 }
-// error: assertion failed (anywhere)

@@ -5,7 +5,6 @@ int main(void)
 {
     char buffer[8];
 
-    strcpy(buffer, 0);
+    strcpy(buffer, 0); // error: null pointer
     return buffer[0];
 }
-// error: null pointer (anywhere)

@@ -5,7 +5,6 @@ static char buffer[16];
 
 int main(void)
 {
-    memset(buffer, 1, 2000000000u);
+    memset(buffer, 1, 2000000000u); // error: pointer outside memory
     return 0;
 }
-// error: pointer outside memory (anywhere)
