@@ -72,12 +72,22 @@ def demand_readable(path: Path) -> None:
         raise blame.at(place, "cannot be read: permission denied")
 
 
-def demand_writable(path: Path) -> None:
-    """Makes sure, as far as can be told without writing, that a file can be written.
+def demand_picture(path: Path) -> None:
+    """Makes sure that a picture may be written to a file: it is no source, and can be written.
 
     Raises:
-        click.UsageError: it cannot.
+        click.UsageError: it may not.
     """
+    _demand_writable(path)
+    device = path.exists() and not path.is_file()
+    if path.suffix.lower() != ".svg" and not device:
+        raise click.UsageError(
+            f"'{path}' is no name for a picture: it is written as SVG, name it {path.stem}.svg."
+        )
+
+
+def _demand_writable(path: Path) -> None:
+    """Makes sure, as far as can be told without writing, that a file can be written."""
     folder = path.absolute().parent
     try:
         if not stat.S_ISDIR(folder.stat().st_mode):

@@ -17,6 +17,7 @@ import click
 from crs_cc.source import Diagnostic
 
 MAX_MESSAGES: Final = 50
+WARNINGS_BEFORE_RUN: Final = 2
 MAX_LINE_LENGTH: Final = 160
 _COLOURS: Final = {"error": "red", "warning": "magenta", "note": "cyan"}
 _BIDIRECTIONAL: Final = (*range(0x202A, 0x202F), *range(0x2066, 0x206A))
@@ -47,6 +48,20 @@ def show(diagnostics: Sequence[Diagnostic]) -> None:
         say(render(diagnostic, coloured=is_coloured(sys.stderr)))
     if len(diagnostics) > MAX_MESSAGES:
         say(f"... and {len(diagnostics) - MAX_MESSAGES} more messages")
+
+
+def show_before_run(diagnostics: Sequence[Diagnostic]) -> None:
+    """Writes messages to stderr as `show` does, but only the first few warnings.
+
+    A program of 1989 has dozens of harmless ones, which must not bury what the program prints.
+    """
+    warnings = [each for each in diagnostics if each.severity == "warning"]
+    if len(warnings) <= WARNINGS_BEFORE_RUN:
+        show(diagnostics)
+        return
+    left_out = set(map(id, warnings[WARNINGS_BEFORE_RUN:]))
+    show([each for each in diagnostics if id(each) not in left_out])
+    say(f"... and {len(left_out)} more warnings; crs check shows them all")
 
 
 def render(diagnostic: Diagnostic, *, coloured: bool) -> str:

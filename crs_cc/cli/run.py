@@ -11,7 +11,7 @@ from typing import Any, Final
 import click
 
 from crs_cc.cli.compiler_options import CompilerOptions, compiler_options
-from crs_cc.cli.inputs import Inputs, demand_writable, sort_files
+from crs_cc.cli.inputs import Inputs, demand_picture, sort_files
 
 _ARGUMENTS = "crs.arguments"
 
@@ -153,7 +153,7 @@ def run(
         **others,
     )
     if options.plot is not None:
-        demand_writable(options.plot)
+        demand_picture(options.plot)
     from crs_cc.cli.simulate import simulate
 
     return simulate(options)

@@ -15,7 +15,7 @@ import click
 
 from crs_cc.cli.interrupt import Interrupt
 from crs_cc.cli.load import Loaded, load
-from crs_cc.cli.messages import as_data, is_terminal, say, show
+from crs_cc.cli.messages import as_data, is_terminal, say, show, show_before_run
 from crs_cc.cli.output import ProgramOutput, ProgressLine, read_line
 from crs_cc.cli.plot import Picture, Trip
 from crs_cc.cli.summary import Run, as_json, exit_status
@@ -57,7 +57,7 @@ def _simulate(options: RunOptions) -> int:
     diagnostics = Diagnostics()
     loaded = load(options, diagnostics)
     if not options.quiet:
-        show(diagnostics.messages)
+        show_before_run(diagnostics.messages)
     runner = Runner(loaded, options)
     run = runner.run()
     _report(run, options)

@@ -410,3 +410,26 @@ def test_on_a_terminal_there_are_colours_progress_and_a_summary() -> None:
     assert b"1 of 1 running" in shown
     assert b"running at 20.00 s" in shown
     assert process.returncode == 0
+
+
+@pytest.mark.parametrize("target", ["hello.c", "pair.xml", "path.png", "path"])
+def test_a_picture_never_overwrites_a_source(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str], target: str
+) -> None:
+    before = {path.name: path.read_bytes() for path in tmp_path.iterdir() if path.is_file()}
+    assert main(["run", "hello.c", "--plot", target]) == 2
+    assert "is no name for a picture" in capfd.readouterr().err
+    assert {path.name: path.read_bytes() for path in tmp_path.iterdir() if path.is_file()} == before
+
+
+def test_a_run_shows_a_few_of_many_warnings_and_check_all(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    lines = [f"f{number}() {{ return {number}; }}" for number in range(9)]
+    (tmp_path / "old.c").write_text("\n".join([*lines, "main() { return 0; }"]))
+    assert main(["run", "old.c"]) == 0
+    shown = capfd.readouterr().err
+    assert shown.count("warning:") == 2
+    assert "... and 8 more warnings; crs check shows them all" in shown
+    assert main(["check", "old.c"]) == 0
+    assert "".join(capfd.readouterr()).count("warning:") == 10
