@@ -18,7 +18,6 @@ from wasmtime import _bindings
 if TYPE_CHECKING:
     from crs_cc.ir.program import Program
     from crs_cc.runtime.codegen import Compiled
-    from crs_cc.source import Diagnostic
 
 MAX_WASM_STACK = 6 * 2**20
 """Host stack for the deepest recursion [bytes]: our own stack check comes first, see `layout`."""
@@ -49,13 +48,11 @@ class Executable:
         name: the program as the user named it.
         machine_code: wasmtime's serialised module.
         detail: gives what only messages and debuggers need, see `Detail`.
-        warnings: what the compiler had to say.
     """
 
     name: str
     machine_code: bytes
     detail: Callable[[], Detail]
-    warnings: tuple[Diagnostic, ...] = ()
     _module: wasmtime.Module | None = field(default=None, repr=False)
 
     def module(self) -> wasmtime.Module:
@@ -82,6 +79,22 @@ class Detail:
     compiled: Compiled
 
 
+def load_executable(
+    name: str, machine_code: bytes, detail: Callable[[], Detail]
+) -> Executable | None:
+    """Gives a program that was compiled before, or None when this computer cannot run it.
+
+    Machine code is made for the processor that it was compiled on; a user's files may have moved
+    to another, which wasmtime finds out.
+    """
+    executable = Executable(name, machine_code, detail)
+    try:
+        executable.module()
+    except wasmtime.WasmtimeError:
+        return None
+    return executable
+
+
 def make_executable(
     program: Program, name: str, *, checked: bool = True, debug: bool = False
 ) -> Executable:
@@ -91,4 +104,4 @@ def make_executable(
     compiled = compile_program(program, checked=checked, debug=debug)
     module = wasmtime.Module(engine(), compiled.module.to_binary())
     detail = Detail(program, compiled)
-    return Executable(name, bytes(module.serialize()), lambda: detail, (), module)
+    return Executable(name, bytes(module.serialize()), lambda: detail, module)

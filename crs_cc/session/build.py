@@ -12,7 +12,7 @@ from pathlib import Path
 from crs_cc.errors import CompileError
 from crs_cc.frontend.cpp.includes import digest
 from crs_cc.frontend.options import Options
-from crs_cc.runtime.executable import Detail, Executable
+from crs_cc.runtime.executable import Detail, Executable, load_executable
 from crs_cc.session import cache
 from crs_cc.source import Diagnostic, Diagnostics
 
@@ -68,10 +68,13 @@ def build_executable(
         undefines,
         f"checked={checked} debug={debug}",
     )
-    entry = cache.load(key)
-    if isinstance(entry, _Entry) and _unchanged(entry):
-        diagnostics.messages.extend(entry.warnings)
-        return Executable(name, entry.machine_code, _reload(entry, checked=checked, debug=debug))
+    entry = cache.load(key, _Entry)
+    if entry is not None and _unchanged(entry):
+        detail = _reload(entry, checked=checked, debug=debug)
+        known = load_executable(name, entry.machine_code, detail)
+        if known is not None:
+            diagnostics.messages.extend(entry.warnings)
+            return known
 
     from crs_cc.session.library import HEADERS
 

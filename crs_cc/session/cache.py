@@ -1,8 +1,9 @@
 """What was compiled before, on disk, so that a program starts at once the second time.
 
-Entries are pickles in the user's own cache folder (mode 0700); whoever can write there can run
-code as the user anyway. Every name contains the fingerprint of the compiler, so a changed compiler
-never meets an old entry.
+An entry is a pickle behind its SHA-256, so that a damaged one is known before it is loaded. A
+pickle can run any code: the folder must belong to the user, and nobody else may write there.
+Otherwise, and where there is no folder, nothing is kept. Every name contains the fingerprint of
+the compiler, so a changed compiler never meets an old entry.
 """
 
 from __future__ import annotations
@@ -13,22 +14,29 @@ import hashlib
 import importlib.metadata
 import os
 import pickle
+import stat
 import sys
 import tempfile
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
+from typing import TypeVar
 
 PACKAGE = Path(__file__).parent.parent
 COMPILER = ("ir", "frontend", "runtime", "session")
 
+_DIGEST_SIZE = hashlib.sha256().digest_size
+_Entry = TypeVar("_Entry")
 
-def folder() -> Path:
-    """Gives the cache folder: `$CRS_CACHE`, or `crs_cc` in the user's cache folder."""
+
+def folder() -> Path | None:
+    """Gives the cache folder: `$CRS_CACHE`, or `crs_cc` in the user's cache folder, if any."""
     chosen = os.environ.get("CRS_CACHE")
     if chosen:
         return Path(chosen)
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "crs_cc"
+    try:
+        return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "crs_cc"
+    except RuntimeError:  # no $HOME, and a user whom the system does not know
+        return None
 
 
 @functools.cache
@@ -59,20 +67,60 @@ def key(*parts: str | bytes | Iterable[str]) -> str:
     return digest.hexdigest()[:32]
 
 
-def load(name: str) -> Any:
-    """Gives an entry, or None when there is none that can be read."""
+def load(name: str, kind: type[_Entry]) -> _Entry | None:
+    """Gives an entry of a kind, or None when there is none that is whole."""
+    place = folder()
     try:
-        with (folder() / name).open("rb") as file:
-            return pickle.load(file)  # noqa: S301 - see the module's docstring
-    except (OSError, pickle.UnpicklingError, EOFError, AttributeError, ImportError, IndexError):
+        if place is None or not _is_private(place):
+            return None
+        content = (place / name).read_bytes()
+    except OSError:
         return None
+    digest, pickled = content[:_DIGEST_SIZE], content[_DIGEST_SIZE:]
+    if hashlib.sha256(pickled).digest() != digest:
+        return None
+    try:
+        entry = pickle.loads(pickled)  # noqa: S301 - see the module's docstring
+    except Exception:  # whatever a pickle of something else may raise
+        return None
+    return entry if isinstance(entry, kind) else None
 
 
-def store(name: str, entry: Any) -> None:
-    """Keeps an entry; does nothing where the folder cannot be written."""
+def store(name: str, entry: object) -> None:
+    """Keeps an entry; does nothing where the folder cannot be written, or is not private."""
+    place = folder()
+    if place is None:
+        return
+    pickled = pickle.dumps(entry, pickle.HIGHEST_PROTOCOL)
     with contextlib.suppress(OSError):
-        folder().mkdir(mode=0o700, parents=True, exist_ok=True)
-        handle, temporary = tempfile.mkstemp(dir=folder())
+        place.mkdir(mode=0o700, parents=True, exist_ok=True)
+        if _is_private(place):
+            _write(place / name, hashlib.sha256(pickled).digest() + pickled)
+
+
+def _is_private(place: Path) -> bool:
+    """Tells whether a folder is the user's own, and only the user can write there.
+
+    Raises:
+        OSError: there is no such folder.
+    """
+    status = place.stat()
+    shared = status.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
+    return status.st_uid == os.geteuid() and not shared
+
+
+def _write(path: Path, content: bytes) -> None:
+    """Writes a file that appears at once or not at all.
+
+    Raises:
+        OSError: it cannot be written; nothing is left behind.
+    """
+    handle, name = tempfile.mkstemp(dir=path.parent)
+    temporary = Path(name)
+    try:
         with os.fdopen(handle, "wb") as file:
-            pickle.dump(entry, file, protocol=pickle.HIGHEST_PROTOCOL)
-        Path(temporary).replace(folder() / name)
+            file.write(content)
+        temporary.replace(path)
+    except BaseException:
+        temporary.unlink(missing_ok=True)
+        raise

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from crs_cc.errors import CompileError, InternalError
 from crs_cc.frontend.options import Options
-from crs_cc.frontend.unit import compile_file
+from crs_cc.frontend.unit import compile_text
 from crs_cc.ir.program import Data, Function, Program
 from crs_cc.ir.verify import verify
 from crs_cc.runtime import link
@@ -28,8 +28,7 @@ class CachedLibrary:
 
     def __init__(self) -> None:
         self._units: dict[str, Program] = {}
-        index = cache.load(_entry("index"))
-        self._index: dict[str, str] = index if isinstance(index, dict) else self._compile_all()
+        self._index: dict[str, str] = cache.load(_entry("index"), dict) or self._compile_all()
 
     def find(self, name: str) -> Function | Data | None:
         """Gives the library's definition of a name."""
@@ -37,8 +36,8 @@ class CachedLibrary:
         if unit is None:
             return None
         if unit not in self._units:
-            program = cache.load(_entry(unit))
-            self._units[unit] = program if program is not None else _compile(SOURCES / unit)
+            known = cache.load(_entry(unit), Program)
+            self._units[unit] = _compile(SOURCES / unit) if known is None else known
         found = self._units[unit]
         return found.functions.get(name) or found.data.get(name)
 
@@ -69,13 +68,15 @@ def library() -> CachedLibrary:
 
 
 def _entry(unit: str) -> str:
-    return f"lib-{cache.key(unit)}"
+    return cache.key("library", unit)
 
 
 def _compile(path: Path) -> Program:
     diagnostics = Diagnostics()
     try:
-        program = compile_file(path, Options(system_paths=(HEADERS,)), diagnostics)
+        name = link.LIBRARY + path.relative_to(SOURCES).as_posix()
+        options = Options(system_paths=(HEADERS, path.parent))
+        program = compile_text(path.read_text(), name, options, diagnostics)
     except CompileError as error:
         raise InternalError(error.diagnostics) from error
     verify(program)

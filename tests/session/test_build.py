@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
+import dataclasses
+import errno
+import hashlib
+import os
+import pickle
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from crs_cc.errors import CompileError
 from crs_cc.session import build as build_module
+from crs_cc.session import cache
 from crs_cc.session.build import build_executable
+from crs_cc.session.library import CachedLibrary
 from crs_cc.source import Diagnostics, Location
 
 PROGRAM = '#include "speed.h"\nmain() { return SPEED; }\n'
@@ -123,12 +131,95 @@ def test_options_have_entries_of_their_own(program: Path, compilations: list[str
     assert len(compilations) == 4
 
 
-def test_a_damaged_entry_is_made_again(program: Path, compilations: list[str]) -> None:
-    build_executable([program], Diagnostics())
+def whole(entry: object) -> bytes:
+    """Gives the file of an entry as it would be stored."""
+    pickled = pickle.dumps(entry)
+    return hashlib.sha256(pickled).digest() + pickled
+
+
+def with_half_the_machine_code(content: bytes) -> bytes:
+    entry = pickle.loads(content[32:])
+    if not isinstance(entry, build_module._Entry):
+        return content
+    half = entry.machine_code[: len(entry.machine_code) // 2]
+    return whole(dataclasses.replace(entry, machine_code=half))
+
+
+@pytest.mark.parametrize(
+    "damaged",
+    [
+        pytest.param(lambda content: b"rubbish", id="rubbish"),
+        pytest.param(lambda content: b"", id="empty"),
+        pytest.param(lambda content: content[: len(content) // 2], id="truncated"),
+        pytest.param(lambda content: content[:-1] + b"\0", id="another last byte"),
+        pytest.param(lambda content: pickle.dumps({}), id="pickle without digest"),
+        pytest.param(lambda content: whole({}), id="nothing in it"),
+        pytest.param(lambda content: whole(3), id="foreign pickle"),
+        pytest.param(
+            lambda content: hashlib.sha256(b"I1_\n.").digest() + b"I1_\n.", id="ValueError"
+        ),
+        pytest.param(with_half_the_machine_code, id="truncated machine code"),
+    ],
+)
+def test_a_damaged_entry_is_made_again(
+    program: Path, compilations: list[str], damaged: Callable[[bytes], bytes]
+) -> None:
+    one = build_executable([program], Diagnostics())
     for entry in (program.parent / "cache").iterdir():
-        entry.write_bytes(b"rubbish")
-    assert build_executable([program], Diagnostics()).machine_code
+        entry.write_bytes(damaged(entry.read_bytes()))
+    CachedLibrary().find("printf")
+    two = build_executable([program], Diagnostics())
     assert len(compilations) == 2
+    assert two.machine_code == one.machine_code
+    build_executable([program], Diagnostics())
+    assert len(compilations) == 2  # the damage is mended
+
+
+def test_without_a_home_nothing_is_kept(
+    program: Path, compilations: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def nobody() -> Path:
+        raise RuntimeError("Could not determine home directory.")
+
+    monkeypatch.delenv("CRS_CACHE")
+    monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
+    monkeypatch.setattr(Path, "home", nobody)
+    for _ in range(2):
+        build_executable([program], Diagnostics())
+    assert len(compilations) == 2
+
+
+@pytest.mark.parametrize("mode", [0o777, 0o720])
+def test_a_folder_that_others_can_write_is_not_used(
+    program: Path, compilations: list[str], mode: int
+) -> None:
+    build_executable([program], Diagnostics())
+    folder = program.parent / "cache"
+    folder.chmod(mode)
+    before = {entry.name: entry.stat().st_mtime_ns for entry in folder.iterdir()}
+    build_executable([program], Diagnostics())
+    assert len(compilations) == 2
+    assert {entry.name: entry.stat().st_mtime_ns for entry in folder.iterdir()} == before
+
+
+def test_a_folder_of_someone_else_is_not_used(
+    program: Path, compilations: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    build_executable([program], Diagnostics())
+    monkeypatch.setattr(os, "geteuid", lambda: program.stat().st_uid + 1)
+    build_executable([program], Diagnostics())
+    assert len(compilations) == 2
+
+
+def test_an_entry_that_cannot_be_written_leaves_nothing_behind(
+    compilations: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(Path, "replace", full)
+    cache.store("entry", 1)
+    assert list((tmp_path / "cache").iterdir()) == []
 
 
 def test_errors_of_all_files_are_told_at_once(tmp_path: Path) -> None:
