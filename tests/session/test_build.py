@@ -13,10 +13,11 @@ from pathlib import Path
 import pytest
 
 from crs_cc.errors import CompileError
+from crs_cc.ir.program import Function
 from crs_cc.session import build as build_module
 from crs_cc.session import cache
+from crs_cc.session import library as library_module
 from crs_cc.session.build import build_executable
-from crs_cc.session.library import CachedLibrary
 from crs_cc.source import Diagnostics, Location
 
 PROGRAM = '#include "speed.h"\nmain() { return SPEED; }\n'
@@ -145,7 +146,7 @@ def with_half_the_machine_code(content: bytes) -> bytes:
     return whole(dataclasses.replace(entry, machine_code=half))
 
 
-@pytest.mark.parametrize(
+damages = pytest.mark.parametrize(
     "damaged",
     [
         pytest.param(lambda content: b"rubbish", id="rubbish"),
@@ -161,18 +162,35 @@ def with_half_the_machine_code(content: bytes) -> bytes:
         pytest.param(with_half_the_machine_code, id="truncated machine code"),
     ],
 )
+
+
+@damages
 def test_a_damaged_entry_is_made_again(
     program: Path, compilations: list[str], damaged: Callable[[bytes], bytes]
 ) -> None:
     one = build_executable([program], Diagnostics())
     for entry in (program.parent / "cache").iterdir():
         entry.write_bytes(damaged(entry.read_bytes()))
-    CachedLibrary().find("printf")
     two = build_executable([program], Diagnostics())
     assert len(compilations) == 2
     assert two.machine_code == one.machine_code
     build_executable([program], Diagnostics())
     assert len(compilations) == 2  # the damage is mended
+
+
+@damages
+def test_a_damaged_library_is_made_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, damaged: Callable[[bytes], bytes]
+) -> None:
+    monkeypatch.setenv("CRS_CACHE", str(tmp_path / "cache"))
+    monkeypatch.setattr(library_module, "SOURCES", tmp_path)
+    (tmp_path / "twice.c").write_text("int twice(int n) { return 2 * n; }\n")
+    assert library_module.CachedLibrary().find("twice")
+    for entry in (tmp_path / "cache").iterdir():
+        entry.write_bytes(damaged(entry.read_bytes()))
+    again = library_module.CachedLibrary().find("twice")
+    assert isinstance(again, Function)
+    assert again.name == "twice"
 
 
 def test_without_a_home_nothing_is_kept(
