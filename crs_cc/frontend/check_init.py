@@ -61,7 +61,8 @@ class _Place:
         members = self.type.record.members or []
         while self.index < len(members) and _is_padding(members[self.index]):
             self.index += 1
-        is_full = self.type.record.kind == "union" and self.index > 0
+        first = next((i for i, member in enumerate(members) if not _is_padding(member)), 0)
+        is_full = self.type.record.kind == "union" and self.index > first
         if self.index >= len(members) or (is_full and not self.is_chosen):
             return None
         member = members[self.index]

@@ -159,8 +159,9 @@ def unnarrowed(expression: tree.Expression) -> tree.Expression:
     while (
         isinstance(expression, tree.Convert)
         and isinstance(ctype, IntegerType)
+        and isinstance(expression.type, IntegerType)
         and ctype.size < 4
-        and ctype.name != BOOL.name
+        and expression.type.name != BOOL.name
         and isinstance(expression.operand.type, IntegerType | EnumType)
         and ctype.size <= expression.operand.type.size <= 4
     ):

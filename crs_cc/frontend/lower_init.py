@@ -153,10 +153,10 @@ class Image:
             assert isinstance(each.value, tree.StringLiteral)
             self.content[each.offset : end] = each.value.content.ljust(each.type.size, b"\0")
         elif isinstance(each.value, tree.Literal):
-            self.addresses.pop(each.offset, None)
-            if each.member is not None:
+            if each.member is not None:  # its unit may lie over a pointer before it
                 self._put_bits(each.offset, each.member, int(each.value.value))
             else:
+                self.addresses.pop(each.offset, None)
                 self.content[each.offset : end] = encoded(each.type, each.value.value)
         else:
             self._put_address(each)

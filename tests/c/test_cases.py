@@ -24,9 +24,6 @@ from tests.c.execution import ENDLESS, Outcome, Run, Stepping, build, cases, exp
 NOT_YET = {"valid/vla/basics", "valid/setjmp/basics"}
 """Cases that the compiler refuses so far; the runner tells when one of them passes."""
 
-WRONG = {"valid/integers/bool_stores", "valid/bitfields/shared_units"}
-"""Cases that come out wrong so far; the runner tells when one of them is mended."""
-
 FUEL_STEPS = 200_000
 """Programs of up to so many instructions get their fuel one by one, longer ones so many times."""
 
@@ -68,10 +65,8 @@ def same(left: Outcome, right: Outcome) -> bool:
 
 
 def test_a_valid_program_does_what_gcc_says(
-    case: Path, check_golden: Callable[[Path, bytes], None], request: pytest.FixtureRequest
+    case: Path, check_golden: Callable[[Path, bytes], None]
 ) -> None:
-    if name(case) in WRONG:
-        request.applymarker(pytest.mark.xfail(strict=True))
     outcome = plain(case)
     assert outcome.failure is None
     check_golden(case.with_suffix(".out"), outcome.output)
