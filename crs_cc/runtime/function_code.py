@@ -329,6 +329,7 @@ class _FunctionCode:
             size = Constant("i32", argument.size)
             if selector.checked:
                 selector.check_range(argument.value, size, call.location)
+            selector.charge(size)
             selector.code += [("local.get", SP), ("i32.const", at), ("i32.add",)]
             selector.push(argument.value)
             selector.push(size)

@@ -42,6 +42,8 @@ CALL_TYPE = 1  # index of the type of C functions
 FP, FUEL, SP, LABEL, STATUS, ADDRESS = range(6)  # parameters and locals of every function
 FIXED_LOCALS: Final[tuple[ValueType, ...]] = ("i32", "i32", "i32", "i32")
 
+FREE_BYTES: Final = 256  # a copy costs one more unit of fuel for each so many bytes; 2**n
+
 _LOADS: Final[dict[MemoryType, str]] = {
     "i8": "i32.load8_s", "u8": "i32.load8_u", "i16": "i32.load16_s", "u16": "i32.load16_u",
     "i32": "i32.load", "i64": "i64.load", "f32": "f32.load", "f64": "f64.load",
@@ -206,6 +208,14 @@ class Selector:
         low, high = self._proved.get(base, (0, 0))
         return low <= offset and offset + size <= high
 
+    def charge(self, size: Operand) -> None:
+        """Takes fuel for moving `size` bytes, so that large copies cost the time they take."""
+        if isinstance(size, Constant) and size.value < FREE_BYTES:
+            return
+        self.code += [("local.get", FUEL), self.value(size)]
+        self.code += [("i32.const", FREE_BYTES.bit_length() - 1), ("i32.shr_u",)]
+        self.code += [("i64.extend_i32_u",), ("i64.sub",), ("local.set", FUEL)]
+
     # -- instructions ------------------------------------------------------------------------
 
     def select(self, instruction: Instruction) -> None:
@@ -249,6 +259,7 @@ class Selector:
         if self.checked:
             self.check_range(it.target, it.size, it.location)
             self.check_range(it.source, it.size, it.location)
+        self.charge(it.size)
         for operand in (it.target, it.source, it.size):
             self.push(operand)
         self.code.append(("memory.copy", MEMORY, MEMORY))
@@ -257,6 +268,7 @@ class Selector:
         """Writes a `memset`."""
         if self.checked:
             self.check_range(it.target, it.size, it.location)
+        self.charge(it.size)
         for operand in (it.target, it.value, it.size):
             self.push(operand)
         self.code.append(("memory.fill", MEMORY))
