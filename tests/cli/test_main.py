@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
@@ -161,11 +160,12 @@ def test_ctrl_c_while_compiling_ends_with_130(
     assert capsys.readouterr().err == "\ncrs: interrupted\n"
 
 
-@pytest.mark.slow
-def test_help_is_there_at_once() -> None:
-    durations_s = []
-    for _ in range(5):
-        started_s = time.perf_counter()
-        assert run_crs("--help").returncode == 0
-        durations_s.append(time.perf_counter() - started_s)
-    assert min(durations_s) < 0.3  # 0.08 s on an idle machine
+def test_help_loads_none_of_the_heavy_packages() -> None:
+    script = (
+        "import sys; from crs_cc.cli.main import main; main(['--help']);"
+        "heavy = {'numpy', 'wasmtime', 'pymunk', 'lxml', 'rich', 'pycparser'};"
+        "sys.exit(', '.join(heavy & set(sys.modules)))"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, check=False)
+    assert done.stderr == b""
+    assert done.returncode == 0
