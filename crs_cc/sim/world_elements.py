@@ -184,7 +184,7 @@ def _timestep(root: Element, reader: Reader) -> float:
 
 
 def _program(element: Element, folder: Path | None, reader: Reader) -> str:
-    """Gives a path that can be opened; only C files, and nothing by an absolute path."""
+    """Gives a path that can be opened; only C files, and only below the world file's folder."""
     text = element.attributes.get("program", "")
     if not text:
         return ""
@@ -196,9 +196,19 @@ def _program(element: Element, folder: Path | None, reader: Reader) -> str:
         return ""
     if folder is None:
         return str(path)
+    if not _is_below(folder / path, folder):
+        reader.error(element, f"program {text!r}: must lie in the folder of this file or below")
+        return ""
     if not _is_file(folder / path):
         reader.error(element, f"program {text!r}: there is no such file")
     return str(folder / path)
+
+
+def _is_below(path: Path, folder: Path) -> bool:
+    try:
+        return path.resolve().is_relative_to(folder.resolve())
+    except (OSError, RuntimeError):  # links that go round in a circle
+        return False
 
 
 def _is_file(path: Path) -> bool:

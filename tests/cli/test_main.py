@@ -164,8 +164,7 @@ def test_help_loads_none_of_the_heavy_packages() -> None:
     script = (
         "import sys; from crs_cc.cli.main import main; main(['--help']);"
         "heavy = {'numpy', 'wasmtime', 'pymunk', 'lxml', 'rich', 'pycparser'};"
-        "sys.exit(', '.join(heavy & set(sys.modules)))"
+        "sys.exit(len(heavy & set(sys.modules)))"
     )
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, check=False)
-    assert done.stderr == b""
     assert done.returncode == 0

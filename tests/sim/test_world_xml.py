@@ -436,3 +436,17 @@ def test_the_schema_and_the_reader_know_the_same_units(kind):
     )
     units = pattern.rsplit("(", 1)[1].split(")")[0].split("|")
     assert units == [name for name, _ in table[kind].units]
+
+
+def test_a_program_outside_the_worlds_folder_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "outside.c").write_text("int main(void) { return 0; }")
+    folder = tmp_path / "worlds"
+    folder.mkdir()
+    (folder / "link.c").symlink_to(tmp_path / "outside.c")
+    (folder / "round.c").symlink_to(folder / "round.c")
+    for program in ("../outside.c", "link.c", "round.c"):
+        text = f'''<world version="1"><area length="2m" width="2m"/>
+        <robot x="1m" y="1m" program="{program}"/></world>'''
+        (folder / "world.xml").write_text(text)
+        with pytest.raises(WorldError, match="must lie in the folder of this file"):
+            load_world(folder / "world.xml")
