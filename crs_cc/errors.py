@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import ClassVar, Self
 
-from crs_cc.source import Diagnostic, Location
+from crs_cc.source import Diagnostic, Location, Stage
 
 
 class CrsError(Exception):
@@ -28,9 +28,9 @@ class CrsError(Exception):
         super().__init__("\n".join(message.render() for message in diagnostics))
 
     @classmethod
-    def at(cls, location: Location, text: str, hint: str = "") -> Self:
+    def at(cls, location: Location, text: str, hint: str = "", stage: Stage = "") -> Self:
         """Makes an error of one message."""
-        return cls([Diagnostic("error", location, text, hint=hint)])
+        return cls([Diagnostic("error", location, text, hint=hint, stage=stage)])
 
 
 class CompileError(CrsError):

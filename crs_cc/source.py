@@ -18,6 +18,9 @@ from typing import Literal
 
 Severity = Literal["error", "warning", "note"]
 
+Stage = Literal["", "preprocessing", "parsing", "types", "linking"]
+"""Who speaks: a part of the compiler, or none of them."""
+
 
 @dataclass(frozen=True, slots=True, order=True)
 class Location:
@@ -48,6 +51,7 @@ class Diagnostic:
         text: the message, without place and severity.
         source_line: the line of source at the place, empty when unknown.
         hint: what the user can do about it, empty when there is nothing to add.
+        stage: which part of the compiler says so.
     """
 
     severity: Severity
@@ -55,6 +59,7 @@ class Diagnostic:
     text: str
     source_line: str = ""
     hint: str = ""
+    stage: Stage = ""
 
     def render(self) -> str:
         """Gives the message as `file:line:col: severity: text`, the line, a caret and the hint."""
@@ -77,16 +82,18 @@ class Diagnostics:
         lines: the lines of each known file, to be shown with a message.
         digests: of each file that was looked for, found or not, what stood in it at first; the
             outcome is the same as long as these are.
+        stage: which part of the compiler is at work.
     """
 
     messages: list[Diagnostic] = field(default_factory=list)
     lines: dict[str, list[str]] = field(default_factory=dict)
     digests: dict[str, str] = field(default_factory=dict)
+    stage: Stage = ""
     _known: set[Diagnostic] = field(default_factory=set, repr=False)
 
     def add(self, severity: Severity, location: Location, text: str, hint: str = "") -> None:
         """Records a message, unless the same one was recorded at the same place before."""
-        message = Diagnostic(severity, location, text, self._line(location), hint)
+        message = Diagnostic(severity, location, text, self._line(location), hint, self.stage)
         if message not in self._known:
             self._known.add(message)
             self.messages.append(message)

@@ -91,6 +91,7 @@ def as_data(diagnostic: Diagnostic) -> dict[str, str | int]:
     place = diagnostic.location
     return {
         "severity": diagnostic.severity,
+        "stage": diagnostic.stage,
         "file": place.file,
         "line": place.line,
         "column": place.column,

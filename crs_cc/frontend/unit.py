@@ -67,6 +67,7 @@ def _compile(
 ) -> Program:
     unit = Unit(name, diagnostics, Location(name))
     programs: list[Program] = []
+    diagnostics.stage = "preprocessing"
 
     def work() -> None:
         programs.append(_stages(unit, preprocessed()))
@@ -84,7 +85,9 @@ def _compile(
 
 def _stages(unit: Unit, source: Preprocessed) -> Program:
     _stop_on_errors(unit)
+    unit.diagnostics.stage = "parsing"
     nodes = parse(source.text, source.location, unit.diagnostics)
+    unit.diagnostics.stage = "types"
     check_unit(unit, nodes)
     _stop_on_errors(unit)
     program = lower_unit(unit)

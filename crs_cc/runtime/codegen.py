@@ -98,6 +98,7 @@ def _place(program: Program) -> dict[str, int]:
                 data.location,
                 f"'{data.name}' does not fit: {data.size} bytes of {MEMORY_BYTES - STACK_TOP}",
                 "a robot's memory is limited; use a smaller array",
+                "linking",
             )
     heap = round_up(end, 16)
     addresses.update(zip(HEAP_SYMBOLS, (heap, MEMORY_BYTES), strict=True))

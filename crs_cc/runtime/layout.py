@@ -91,6 +91,7 @@ def lay_out(function: Function, saved: list[Register]) -> Frame:
                 function.location,
                 f"'{what}' in '{function.name}' is aligned to {slot.align} bytes",
                 f"local variables can be aligned to {ALIGN} bytes at most; make it static",
+                "linking",
             )
         offset = round_up(offset, max(1, slot.align))
         frame.offsets[slot] = offset

@@ -49,6 +49,7 @@ def link(units: Sequence[Program], library: Library, diagnostics: Diagnostics) -
     Raises:
         CompileError: a name is defined twice, or used and not defined.
     """
+    diagnostics.stage = "linking"
     user = join(units, diagnostics)
     whole = Program()
     work = [ROOT]

@@ -15,7 +15,7 @@ from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.fleet import Failure, Fleet
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Host, HostRequest
-from crs_cc.source import Diagnostics
+from crs_cc.source import Diagnostic, Diagnostics
 
 HERE = Path(__file__).parent
 ENDLESS = 10**9  # fuel that no case needs
@@ -118,13 +118,22 @@ def _moved(fleet: Fleet, executable: Executable) -> Fleet:
 
 
 def build(path: Path, *, debug: bool = False, checked: bool = True) -> Executable:
-    """Gives the program made of one C file, without asking for its warnings."""
-    return build_executable([path], Diagnostics(), debug=debug, checked=checked)
+    """Gives the program of a case, without asking for its warnings."""
+    return build_executable(sources(path), Diagnostics(), debug=debug, checked=checked)
 
 
 def cases(folder: str) -> list[Path]:
-    """Gives the C files of a folder of cases, in a fixed order."""
-    return sorted((HERE / folder).rglob("*.c"))
+    """Gives the cases of a folder in a fixed order, each by its C file or its `main.c`."""
+    found = sorted((HERE / folder).rglob("*.c"))
+    return [path for path in found if sources(path)[0] == path]
+
+
+def sources(path: Path) -> list[Path]:
+    """Gives the C files of a case: a `main.c` and all others of its folder are one program."""
+    main = path.with_name("main.c")
+    if not main.exists():
+        return [path]
+    return [main, *sorted(each for each in path.parent.glob("*.c") if each != main)]
 
 
 def name(path: Path) -> str:
@@ -134,23 +143,49 @@ def name(path: Path) -> str:
 
 @dataclass(frozen=True)
 class Expected:
-    """What a comment `// error: text` asks for.
+    """What a comment `// error: text` or `// warning: text` asks for.
 
     Attributes:
+        file: in which file.
         line: at which line; 0 for anywhere.
         text: what the message says, or a part of it.
+        column: at which column, told by a `^` in the next line; 0 for any.
     """
 
+    file: str
     line: int
     text: str
+    column: int = 0
+
+    def is_met_by(self, message: Diagnostic) -> bool:
+        """Tells whether a message is the one that is asked for."""
+        place = message.location
+        return (
+            self.text in message.text + message.hint
+            and Path(place.file).name == self.file
+            and self.line in (0, place.line)
+            and self.column in (0, place.column)
+        )
 
 
 def expected_errors(path: Path) -> list[Expected]:
-    """Gives what the comments of a case ask for."""
+    """Gives the errors that the comments of a case ask for."""
+    return _expected(path, "error")
+
+
+def expected_warnings(path: Path) -> list[Expected]:
+    """Gives the warnings that the comments of a case ask for."""
+    return _expected(path, "warning")
+
+
+def _expected(case: Path, severity: str) -> list[Expected]:
     found = []
-    lines = path.read_text(encoding="latin-1").split("\n")
-    for number, line in enumerate(lines, start=1):
-        match = re.search(r"// error:\s*(.*?)\s*(\(anywhere\))?$", line)
-        if match:
-            found.append(Expected(0 if match[2] else number, match[1]))
+    for path in sources(case):
+        lines = path.read_text(encoding="latin-1").split("\n")
+        for number, line in enumerate(lines, start=1):
+            match = re.search(rf"// {severity}:\s*(.*?)\s*(\(anywhere\))?$", line)
+            if match:
+                caret = re.fullmatch(r"//( *)\^", lines[number]) if number < len(lines) else None
+                column = len(caret[0]) if caret else 0
+                found.append(Expected(path.name, 0 if match[2] else number, match[1], column))
     return found

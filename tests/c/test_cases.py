@@ -3,8 +3,13 @@
 valid/     must print what is in the `.out` file beside them (made with `gcc -m32`), and exit
 with 0 or with what a comment `// exit: N` says
 errors/    must be stopped by the error that a comment `// error: kind` names, at its line
-refused/   must not compile; a comment `// error: text` stands at each line to be blamed
+refused/   must not compile; a comment `// error: text` stands at each line to be blamed, and
+           the folder's name is that of the stage that must say so
+warned/    must compile, with the warnings of the comments `// warning: text` and no others
 hostile/   see `test_hostile.py`
+
+A line `//    ^` below such a comment tells the column, too. A file is a case, unless there is a
+`main.c` in its folder: then all files of the folder are one.
 """
 
 from __future__ import annotations
@@ -18,8 +23,22 @@ import pytest
 
 from crs_cc.errors import CompileError
 from crs_cc.requests import ERROR_KINDS
+from crs_cc.session.build import build_executable
 from crs_cc.session.result import error_of
-from tests.c.execution import ENDLESS, Outcome, Run, Stepping, build, cases, expected_errors, name
+from crs_cc.source import Diagnostics
+from tests.c.execution import (
+    ENDLESS,
+    HERE,
+    Outcome,
+    Run,
+    Stepping,
+    build,
+    cases,
+    expected_errors,
+    expected_warnings,
+    name,
+    sources,
+)
 
 NOT_YET = {"valid/vla/basics", "valid/setjmp/basics"}
 """Cases that the compiler refuses so far; the runner tells when one of them passes."""
@@ -132,12 +151,23 @@ def test_a_wrong_program_is_refused_at_its_line(path: Path) -> None:
     with pytest.raises(CompileError) as caught:
         build(path)
     errors = [each for each in caught.value.diagnostics if each.severity == "error"]
+    stage = path.relative_to(HERE / "refused").parts[0]
     for wanted in expected_errors(path):
-        assert any(
-            wanted.line in (0, each.location.line) and wanted.text in each.text for each in errors
-        ), errors
+        assert any(wanted.is_met_by(each) and each.stage == stage for each in errors), errors
     assert all(each.location.file for each in errors)
     assert len(errors) == len(set(errors)), "said twice"
+
+
+@pytest.mark.parametrize("path", cases("warned"), ids=name)
+def test_a_doubtful_program_is_warned_of(path: Path) -> None:
+    diagnostics = Diagnostics()
+    build_executable(sources(path), diagnostics)
+    wanted, found = expected_warnings(path), diagnostics.messages
+    assert wanted
+    for each in wanted:
+        assert any(map(each.is_met_by, found)), found
+    for message in found:
+        assert any(each.is_met_by(message) for each in wanted), message
 
 
 def test_every_case_says_what_it_expects() -> None:
