@@ -147,7 +147,7 @@ class Expected:
 
     Attributes:
         file: in which file.
-        line: at which line; 0 for anywhere.
+        line: at which line; 0 for anywhere, also in no file.
         text: what the message says, or a part of it.
         column: at which column, told by a `^` in the next line; 0 for any.
     """
@@ -162,8 +162,7 @@ class Expected:
         place = message.location
         return (
             self.text in message.text + message.hint
-            and Path(place.file).name == self.file
-            and self.line in (0, place.line)
+            and (not self.line or (Path(place.file).name, place.line) == (self.file, self.line))
             and self.column in (0, place.column)
         )
 
