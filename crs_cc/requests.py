@@ -75,6 +75,8 @@ ERROR_KINDS: Final = (
     "unreachable code reached",
     "abort called",
     "assertion failed",
+    "longjmp without setjmp",
+    "longjmp to a function that has returned",
     "internal trap",
 )
 """What can stop a program, by the number in the slot."""

@@ -2,6 +2,8 @@
 
 __crs_request(code, message)       posts a request and stops, see `crs_cc.requests`
 __crs_stop("null pointer")         ends the program with an error, see `requests.ERROR_KINDS`
+__crs_setjmp(buffer)               comes back when somebody jumps there, see `ir.SetJump`
+__crs_longjmp(activation, place, value)
 __builtin_sqrt, floor, clz, ...    one WebAssembly instruction each
 __builtin_memcpy, memmove, memset  whole blocks of memory
 __builtin_va_start, va_copy, ...   arguments of variadic functions; a `va_list` is a `char *`
@@ -60,6 +62,8 @@ class Builtin:
 def _table() -> dict[str, Builtin]:
     table = {
         "__crs_request": Builtin(INT, (INT, _ADDRESS)),
+        "__crs_setjmp": Builtin(INT, (_ADDRESS,)),
+        "__crs_longjmp": Builtin(VOID, (UINT, UINT, INT)),
         "__builtin_memcpy": Builtin(_ADDRESS, (_ADDRESS, _CONST_ADDRESS, UINT)),
         "__builtin_memmove": Builtin(_ADDRESS, (_ADDRESS, _CONST_ADDRESS, UINT)),
         "__builtin_memset": Builtin(_ADDRESS, (_ADDRESS, INT, UINT)),

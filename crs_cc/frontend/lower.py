@@ -32,12 +32,14 @@ from crs_cc.ir.program import (
     Function,
     Instruction,
     Jump,
+    Load,
     MemoryType,
     Move,
     Operand,
     Register,
     Slot,
     Statement,
+    Store,
     Terminator,
     ValueType,
     Variable,
@@ -48,6 +50,9 @@ from crs_cc.source import Location
 if TYPE_CHECKING:
     from crs_cc.frontend.lower_unit import UnitLowering
     from crs_cc.frontend.scope import ObjectSymbol
+
+ACTIVATIONS: Final = "__crs_activations"
+"""The library's counter of calls of functions that use `setjmp`."""
 
 Place: TypeAlias = tuple[Base, int]
 """Where an object lies: `base + offset`."""
@@ -81,6 +86,7 @@ class Lowering:
     labels: dict[str, Block] = field(default_factory=dict)
     references: list[tuple[Block, str, Location]] = field(default_factory=list)
     block_count: int = 0
+    _activation: Register | None = None
 
     # Blocks
 
@@ -158,6 +164,20 @@ class Lowering:
         result = self.register(OPERATORS[op].result) if into is None else into
         self.block.instructions.append(Binary(location, result, op, left, right))
         return result
+
+    def activation(self) -> Register:
+        """Gives what tells this call of the function from all others, for `setjmp`."""
+        if self._activation is None:
+            made, entry = self.register("i32"), self.function.blocks[0]
+            location = self.function.location
+            self._activation = made
+            self.references.append((entry, ACTIVATIONS, location))
+            entry.instructions[:0] = [
+                Load(location, made, ACTIVATIONS, 0, "i32"),
+                Binary(location, made, "i32.add", made, Constant("i32", 1)),
+                Store(location, ACTIVATIONS, 0, made, "i32"),
+            ]
+        return self._activation
 
     # Addresses
 

@@ -30,11 +30,14 @@ from crs_cc.ir.program import (
     Constant,
     Copy,
     Fill,
+    LongJump,
     Move,
     Operand,
     Register,
     Request,
+    SetJump,
     Stop,
+    Store,
     Unary,
 )
 from crs_cc.ir.types import INT, ULLONG, RecordType
@@ -186,6 +189,24 @@ def _request(low: Lowering, expression: tree.Intrinsic) -> Operand:
     return result
 
 
+def _set_jump(low: Lowering, expression: tree.Intrinsic) -> Operand:
+    """Lowers `setjmp`: the activation goes into the buffer's first word, the place behind it."""
+    location, pointer = expression.location, value(low, expression.arguments[0])
+    buffer, result, then = low.register("i32"), low.register("i32"), low.new_block("landed")
+    low.move(buffer, pointer, location)
+    low.emit(Store(location, buffer, 0, low.activation(), "i32"))
+    place_at = low.binary(location, "i32.add", buffer, Constant("i32", 4))
+    low.end(SetJump(location, place_at, low.activation(), result, then))
+    low.start(then, location)
+    return result
+
+
+def _long_jump(low: Lowering, expression: tree.Intrinsic) -> Operand:
+    activation, where, given = (value(low, each) for each in expression.arguments)
+    low.end(LongJump(expression.location, activation, where, given))
+    return Constant("i32", 0)
+
+
 def _copy(low: Lowering, expression: tree.Intrinsic) -> Operand:
     target, source, size = (value(low, each) for each in expression.arguments)
     low.emit(Copy(expression.location, target, source, size))
@@ -224,6 +245,8 @@ def _va_start(low: Lowering, expression: tree.Intrinsic) -> Operand:
 _SPECIAL: Final[dict[str, Callable[[Lowering, tree.Intrinsic], Operand]]] = {
     "__crs_request": _request,
     "__crs_stop": _stop,
+    "__crs_setjmp": _set_jump,
+    "__crs_longjmp": _long_jump,
     "__builtin_memcpy": _copy,
     "__builtin_memmove": _copy,
     "__builtin_memset": _fill,

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections import Counter
 
-from crs_cc.ir.program import Block, Branch, Call, Function, Jump, Request, Switch
+from crs_cc.ir.program import Block, Branch, Call, Function, Jump, Request, SetJump, Switch
 
 
 def tidy(function: Function) -> set[Block]:
@@ -56,7 +56,7 @@ def _shorten(block: Block, ends: dict[Block, Block]) -> None:
         case Switch() as switch:
             switch.cases = [(value, _destination(each, ends)) for value, each in switch.cases]
             switch.default = _destination(switch.default, ends)
-        case Call() | Request() as call:
+        case Call() | Request() | SetJump() as call:
             call.then = _destination(call.then, ends)
 
 

@@ -247,4 +247,32 @@ class Stop(Instruction):
     kind: str
 
 
-Terminator: TypeAlias = Jump | Branch | Switch | Return | Call | Request | Stop
+@dataclass(slots=True, eq=False)
+class SetJump(Instruction):
+    """C's `setjmp`: gives 0 and goes on at `then`, where a `LongJump` comes back with its value.
+
+    Stores the number of the place to come back to at `buffer`. Whoever jumps there names this
+    number and the `activation`, which is not 0 and differs from that of all other calls of
+    functions; the register is assigned once, at the function's start.
+    """
+
+    buffer: Register
+    activation: Register
+    result: Register
+    then: Block
+
+
+@dataclass(slots=True, eq=False)
+class LongJump(Instruction):
+    """Leaves all functions up to the one with this `activation`, which goes on at `place`.
+
+    The operands are i32; `value` is what that `SetJump` gives now. When no active function has
+    that activation, the program fails.
+    """
+
+    activation: Operand
+    place: Operand
+    value: Operand
+
+
+Terminator: TypeAlias = Jump | Branch | Switch | Return | Call | Request | Stop | SetJump | LongJump

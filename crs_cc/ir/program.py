@@ -53,12 +53,14 @@ from crs_cc.ir.instruction import (
     Instruction,
     Jump,
     Load,
+    LongJump,
     MemoryType,
     Move,
     Operand,
     Register,
     Request,
     Return,
+    SetJump,
     Slot,
     Statement,
     Stop,
@@ -93,6 +95,7 @@ __all__ = [
     "Instruction",
     "Jump",
     "Load",
+    "LongJump",
     "MemoryType",
     "Move",
     "Operand",
@@ -102,6 +105,7 @@ __all__ = [
     "Relocation",
     "Request",
     "Return",
+    "SetJump",
     "Slot",
     "Statement",
     "Stop",
@@ -130,7 +134,7 @@ class Block:
     def successors(self) -> list[Block]:
         """Gives the blocks that may come next, in a fixed order, each once."""
         match self.terminator:
-            case Jump(target=block) | Call(then=block) | Request(then=block):
+            case Jump(target=block) | Call(then=block) | Request(then=block) | SetJump(then=block):
                 return [block]
             case Branch(then=then, otherwise=otherwise):
                 return [then] if then is otherwise else [then, otherwise]
@@ -237,7 +241,7 @@ def renumber(terminator: Any, change: Callable[[Any], Any]) -> Any:
     match terminator:
         case Jump(target=target):
             return replace(terminator, target=change(target))
-        case Call(then=then) | Request(then=then):
+        case Call(then=then) | Request(then=then) | SetJump(then=then):
             return replace(terminator, then=change(then))
         case Branch(then=then, otherwise=otherwise):
             return replace(terminator, then=change(then), otherwise=change(otherwise))

@@ -41,12 +41,14 @@ from crs_cc.ir.program import (
     Instruction,
     Jump,
     Load,
+    LongJump,
     Move,
     Operand,
     Program,
     Register,
     Request,
     Return,
+    SetJump,
     Slot,
     Statement,
     Stop,
@@ -251,6 +253,15 @@ class FunctionText:
     def _stop(self, stop: Stop) -> str:
         return f"stop '{stop.kind}'"
 
+    def _set_jump(self, jump: SetJump) -> str:
+        place, activation = self._operand(jump.buffer), self._operand(jump.activation)
+        result = self._operand(jump.result)
+        return f"{result} = setjmp [{place}], {activation} then {jump.then.label}"
+
+    def _long_jump(self, jump: LongJump) -> str:
+        operands = (jump.activation, jump.place, jump.value)
+        return "longjmp {}, {}, {}".format(*map(self._operand, operands))
+
 
 _RENDER: Final[dict[type[Instruction], Callable[..., str]]] = {
     Statement: FunctionText._statement,
@@ -269,4 +280,6 @@ _RENDER: Final[dict[type[Instruction], Callable[..., str]]] = {
     Call: FunctionText._call,
     Request: FunctionText._request,
     Stop: FunctionText._stop,
+    SetJump: FunctionText._set_jump,
+    LongJump: FunctionText._long_jump,
 }

@@ -10,6 +10,8 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from crs_cc.ir.program import (
     Address,
     Binary,
@@ -21,48 +23,50 @@ from crs_cc.ir.program import (
     Function,
     Instruction,
     Load,
+    LongJump,
     Move,
     Register,
     Request,
     Return,
+    SetJump,
     Store,
     Switch,
     Unary,
 )
 
+_OPERANDS: Final[dict[type[Instruction], tuple[str, ...]]] = {
+    Move: ("source",),
+    Unary: ("source",),
+    Binary: ("left", "right"),
+    Load: ("base",),
+    Address: ("base",),
+    Store: ("base", "source"),
+    Copy: ("target", "source", "size"),
+    Fill: ("target", "value", "size"),
+    Branch: ("condition",),
+    Switch: ("value",),
+    Return: ("value",),
+    Call: ("callee",),
+    Request: ("code", "message"),
+    SetJump: ("buffer", "activation"),
+    LongJump: ("activation", "place", "value"),
+}
+"""The fields in which an instruction names what it reads, apart from a call's arguments."""
+
 
 def reads(instruction: Instruction) -> list[Register]:
     """Gives the registers whose values the instruction takes."""
-    return [each for each in _operands(instruction) if isinstance(each, Register)]
-
-
-def _operands(instruction: Instruction) -> list[object]:
-    match instruction:
-        case Move(source=source) | Unary(source=source):
-            return [source]
-        case Binary(left=left, right=right):
-            return [left, right]
-        case Load(base=base) | Address(base=base):
-            return [base]
-        case Store(base=base, source=source):
-            return [base, source]
-        case Copy(target=target, source=source, size=size):
-            return [target, source, size]
-        case Fill(target=target, value=value, size=size):
-            return [target, value, size]
-        case Branch(condition=value) | Switch(value=value) | Return(value=value):
-            return [value]
-        case Call(callee=callee, arguments=arguments):
-            return [callee, *(argument.value for argument in arguments)]
-        case Request(code=code, message=message):
-            return [code, message]
-    return []
+    names = _OPERANDS.get(type(instruction), ())
+    values = [getattr(instruction, name) for name in names]
+    if isinstance(instruction, Call):
+        values += [argument.value for argument in instruction.arguments]
+    return [each for each in values if isinstance(each, Register)]
 
 
 def writes(instruction: Instruction) -> Register | None:
     """Gives the register that the instruction assigns."""
     match instruction:
-        case Move() | Unary() | Binary() | Load() | Address() | Call() | Request():
+        case Move() | Unary() | Binary() | Load() | Address() | Call() | Request() | SetJump():
             return instruction.result
     return None
 

@@ -29,6 +29,7 @@ from crs_cc.ir.program import (
     Instruction,
     Jump,
     Load,
+    LongJump,
     MemoryType,
     Move,
     Operand,
@@ -36,6 +37,7 @@ from crs_cc.ir.program import (
     Register,
     Request,
     Return,
+    SetJump,
     Slot,
     Statement,
     Stop,
@@ -253,6 +255,16 @@ class BlockVerifier:
         if stop.kind not in ERROR_KINDS[1:]:
             yield f"'{stop.kind}' is not a kind of error"
 
+    def _set_jump(self, jump: SetJump) -> Faults:
+        yield from self._register("buffer", jump.buffer, "i32")
+        yield from self._register("activation", jump.activation, "i32")
+        yield from self._register("result", jump.result, "i32")
+
+    def _long_jump(self, jump: LongJump) -> Faults:
+        yield from self._operand("activation", jump.activation, "i32")
+        yield from self._operand("place", jump.place, "i32")
+        yield from self._operand("value", jump.value, "i32")
+
 
 _RULES: Final[dict[type[Instruction], Callable[..., Faults]]] = {
     Statement: BlockVerifier._nothing,
@@ -271,4 +283,6 @@ _RULES: Final[dict[type[Instruction], Callable[..., Faults]]] = {
     Call: BlockVerifier._call,
     Request: BlockVerifier._request,
     Stop: BlockVerifier._stop,
+    SetJump: BlockVerifier._set_jump,
+    LongJump: BlockVerifier._long_jump,
 }

@@ -14,6 +14,7 @@ from typing import Final
 from crs_cc.errors import CompileError
 from crs_cc.ir.program import Data, Program
 from crs_cc.requests import FAILED, slot_offset
+from crs_cc.runtime import jumps
 from crs_cc.runtime.function_code import FunctionInfo, generate
 from crs_cc.runtime.layout import HEADER_SIZE, MEMORY_BYTES, NULL_SIZE, STACK_TOP, round_up
 from crs_cc.runtime.link import HEAP_SYMBOLS, ROOT, pointed_functions
@@ -64,7 +65,7 @@ def compile_program(program: Program, *, checked: bool = True, debug: bool = Fal
         memory_imports=[("crs", "mailbox")],
         memory_pages=MEMORY_BYTES // PAGE,
         tables=[len(pointers) + 1],
-        globals=[("i32", 0)],
+        globals=[("i32", 0), *jumps.GLOBALS],
         elements=[(0, 1, [numbers[name] for name in pointers])] if pointers else [],
     )
     infos = []
@@ -144,8 +145,9 @@ def _resume(root: int) -> Code:
     fuel = slot_offset("fuel")
     body = [
         ("local.get", 0), ("global.set", SLOT_GLOBAL),
-        ("i32.const", STACK_TOP - HEADER_SIZE),
-        ("local.get", 0), ("i64.load", MAILBOX, fuel), ("call", root), ("local.set", 1),
+        ("local.get", 0), ("i64.load", MAILBOX, fuel), ("local.set", 1),
+        *jumps.call_root(root, STACK_TOP - HEADER_SIZE, fuel=1, status=2),
         ("local.get", 0), ("local.get", 1), ("i64.store", MAILBOX, fuel),
+        ("local.get", 2),
     ]  # fmt: skip
-    return Code("resume", TYPE_I32_I32, ["i64"], body)
+    return Code("resume", TYPE_I32_I32, ["i64", "i32"], body)

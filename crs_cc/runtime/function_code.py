@@ -18,11 +18,13 @@ from crs_cc.ir.program import (
     Constant,
     Function,
     Jump,
+    LongJump,
     Operand,
     Parameter,
     Register,
     Request,
     Return,
+    SetJump,
     Statement,
     Stop,
     Switch,
@@ -30,6 +32,7 @@ from crs_cc.ir.program import (
 )
 from crs_cc.ir.uses import Liveness, alive_before, all_instructions, reads, writes
 from crs_cc.requests import MESSAGE, SUSPENDED, slot_offset
+from crs_cc.runtime import jumps
 from crs_cc.runtime.dispatch import add_dispatchers
 from crs_cc.runtime.flow import LANDING, UNWIND, Landing, Node
 from crs_cc.runtime.layout import (
@@ -115,7 +118,7 @@ class _FunctionCode:
         for block in self.function.blocks:
             if block in self.headers:
                 alive |= self.liveness.at_start(block)
-            if isinstance(block.terminator, Call | Request):
+            if isinstance(block.terminator, Call | Request | SetJump):
                 alive |= self.liveness.at_end(block)
                 for register in reads(block.terminator):
                     alive |= 1 << register.index
@@ -217,6 +220,10 @@ class _FunctionCode:
         """Saves what a suspended function must keep, and leaves with the status."""
         code: list[Instr] = []
         self.selector.code = code
+        ends = [block.terminator for block in self.function.blocks]
+        if any(isinstance(end, Call | LongJump) for end in ends):
+            activations = [end.activation for end in ends if isinstance(end, SetJump)]
+            code += jumps.leave([self.selector.value(each) for each in activations[:1]])
         for register in self.saved:
             self.selector.store_at(SP, self.frame.offsets[register], register, register.type)
         code += [("local.get", FP), ("local.get", LABEL), ("i32.store", MEMORY, RESUME)]
@@ -311,6 +318,10 @@ class _FunctionCode:
                 self.request(node, request)
             case Stop(kind=kind, location=location):
                 self.selector.fail(kind, location, [("i32.const", 0)])
+            case SetJump() as jump:
+                self.set_jump(node, jump)
+            case LongJump() as jump:
+                self.long_jump(node, jump)
 
     def leave(self, node: Node, value: Operand | None) -> None:
         if value is not None:
@@ -387,6 +398,31 @@ class _FunctionCode:
         after.code += [("global.get", SLOT_GLOBAL), ("i32.load", MAILBOX, RESULT_OFFSET)]
         selector.pop(request.result)
         after.jump(self.nodes[request.then])
+
+    def set_jump(self, node: Node, jump: SetJump) -> None:
+        """Notes where to come back to; whoever does finds the value in this function's result."""
+        selector = self.selector
+        landed, after = Node(), self.nodes[jump.then]
+        landing = self.land(landed, jump.location)
+        offset = selector.access(jump.buffer, 0, 4, jump.location)
+        node.code += [(LANDING, landing), ("i32.store", MEMORY, offset)]
+        selector.push(Constant("i32", 0))
+        selector.pop(jump.result)
+        node.jump(after)
+        selector.forget()
+        selector.code = landed.code
+        selector.load_at(FP, RESULT, "i32")
+        selector.pop(jump.result)
+        landed.jump(after)
+
+    def long_jump(self, node: Node, jump: LongJump) -> None:
+        """Says where to go, and lets `leave` and `resume` do the rest."""
+        selector = self.selector
+        site = len(selector.names.sites)
+        selector.names.sites.append(("longjmp to a function that has returned", jump.location))
+        operands = [jump.activation, jump.place, jump.value, Constant("i32", site)]
+        node.code += jumps.start([selector.value(each) for each in operands])
+        node.code.append((UNWIND,))
 
 
 def _loop_headers(function: Function) -> set[Block]:

@@ -18,6 +18,7 @@ from crs_cc.ir.program import (
     Instruction,
     Jump,
     Load,
+    LongJump,
     Move,
     Parameter,
     Program,
@@ -25,6 +26,7 @@ from crs_cc.ir.program import (
     Relocation,
     Request,
     Return,
+    SetJump,
     Slot,
     Statement,
     Stop,
@@ -116,12 +118,29 @@ def main_function() -> Function:
     )
 
 
+def jump_function() -> Function:
+    """A function that jumps to itself."""
+    buffer, activation, result = (Register(i, "i32") for i in range(3))
+    landed = Block("landed")
+    jump = SetJump(at(25), buffer, activation, result, landed)
+    entry = block("entry", [Load(at(24), activation, "table", 0, "i32")], jump)
+    landed.terminator = LongJump(at(26), activation, number(1), result)
+    parameters = [Parameter(buffer, "i32", 4)]
+    return Function(
+        "again",
+        at(23, 1),
+        parameters=parameters,
+        registers=[buffer, activation, result],
+        blocks=[entry, landed],
+    )
+
+
 def sample_program() -> Program:
     """A fresh copy, for a test to spoil."""
     table = Data("table", 8, 4, at(8, 1), b"\x01\0\0\0Hi!\0", [Relocation(4, "log", 0)])
     zeros = Data("zeros", 400, 8, at(8, 20), tentative=True)
     return Program(
-        {"log": log_function(), "main": main_function()},
+        {"log": log_function(), "main": main_function(), "again": jump_function()},
         {"table": table, "zeros": zeros},
         {"puts": at(30, 3)},
     )

@@ -23,6 +23,7 @@ from crs_cc.ir.program import (
     Instruction,
     Jump,
     Load,
+    LongJump,
     Move,
     Parameter,
     Program,
@@ -30,6 +31,7 @@ from crs_cc.ir.program import (
     Relocation,
     Request,
     Return,
+    SetJump,
     Slot,
     Statement,
     Stop,
@@ -332,6 +334,14 @@ CASES: dict[str, tuple[Spoil, str]] = {
     "request result": (
         ends(lambda p: Request(HERE, number(1), number(0), register(p, 2), p_loop(p))),
         "result has type f64, not i32",
+    ),
+    "jump operands": (
+        ends(lambda p: LongJump(HERE, number(1), real(0.0), number(2))),
+        "place has type f64, not i32",
+    ),
+    "jump buffer": (
+        ends(lambda p: SetJump(HERE, register(p, 2), *[register(p, 0)] * 2, p_loop(p))),
+        "buffer has type f64, not i32",
     ),
     "stop kind": (ends(lambda p: Stop(HERE, "tired")), "'tired' is not a kind of error"),
 }

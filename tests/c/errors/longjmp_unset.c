@@ -1,0 +1,9 @@
+/* No setjmp ever. */
+#include <setjmp.h>
+
+static jmp_buf env;
+
+int main(void)
+{
+    longjmp(env, 1); // error: longjmp without setjmp
+}
