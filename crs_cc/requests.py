@@ -47,7 +47,8 @@ SLOT: Final = np.dtype(
         ("fuel", "<i8"),  # in: fuel it may burn; out: what is left, below 0 when overdrawn
         ("statements", "<i8"),  # statements begun so far (debug density only)
         ("stop_at", "<i8"),  # statement number to stop before, -1 for none (debug density only)
-        ("reserved", "<i8", (2,)),
+        ("error_size", "<u4"),  # bytes of the access that failed; 0 where the code knows
+        ("reserved", "<u4", (3,)),
         ("message", MESSAGE),
     ]
 )
@@ -67,6 +68,19 @@ ERROR_KINDS: Final = (
     "none",
     "null pointer",
     "pointer outside memory",
+    "wild pointer",  # into memory, but to no object
+    "out of bounds",
+    "use after free",
+    "use after scope",
+    "use after return",
+    "uninitialised read",
+    "invalid free",
+    "double free",
+    "missing argument",  # `va_arg` behind the last argument
+    "no value returned",  # and yet used
+    "mismatched call",  # through a pointer to a function that would misread its arguments
+    "shift out of range",
+    "signed overflow",
     "division by zero",
     "division overflow",
     "bad function pointer",

@@ -19,8 +19,8 @@ from crs_cc.runtime.function_code import FunctionInfo, generate
 from crs_cc.runtime.layout import HEADER_SIZE, MEMORY_BYTES, NULL_SIZE, STACK_TOP, round_up
 from crs_cc.runtime.link import HEAP_SYMBOLS, ROOT, pointed_functions
 from crs_cc.runtime.selection import MAILBOX, SLOT_GLOBAL, Names
+from crs_cc.runtime.sites import CallSite, Site
 from crs_cc.runtime.wasm import PAGE, TYPE_I32_I32, Code, FuncType, Module
-from crs_cc.source import Location
 
 HELPERS: Final = 2  # `fault` and `outside` come first in every module
 _TWO_I32: Final[FuncType] = (("i32", "i32"), ("i32",))
@@ -32,13 +32,15 @@ class Compiled:
 
     Attributes:
         module: the WebAssembly module.
-        sites: every place that can fail: kind of failure ("memory" for accesses) and place.
+        sites: every place that can fail, by the number in the slot's `error_site`.
+        call_sites: every place that calls, by its number less 1; see `sites`.
         functions: the functions in the order of the numbers in their frames.
         addresses: address of each global object and function pointer of each function.
     """
 
     module: Module
-    sites: list[tuple[str, Location]]
+    sites: list[Site]
+    call_sites: list[CallSite]
     functions: list[FunctionInfo]
     addresses: dict[str, int]
 
@@ -83,7 +85,7 @@ def compile_program(program: Program, *, checked: bool = True, debug: bool = Fal
         ("memory", "memory", 1),
         ("resume", "func", len(module.functions) - 1),
     ]
-    return Compiled(module, names.sites, infos, addresses)
+    return Compiled(module, names.sites, names.call_sites, infos, addresses)
 
 
 def _place(program: Program) -> dict[str, int]:

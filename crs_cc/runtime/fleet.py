@@ -29,11 +29,13 @@ from crs_cc.requests import ERROR_KINDS, FAILED, SLOT
 from crs_cc.runtime.driver import HEADER, SLOTS, driver
 from crs_cc.runtime.executable import Executable, engine
 from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE
+from crs_cc.runtime.sites import Access
 from crs_cc.runtime.wasm import PAGE
 from crs_cc.source import Location
 
 if TYPE_CHECKING:
     from crs_cc.runtime.inspect import StackFrame
+    from crs_cc.runtime.objects import Object
 
 CHUNK: Final = 4096  # a snapshot keeps the chunks of memory that are not all zero [bytes]
 
@@ -63,12 +65,18 @@ class Failure:
         value: the address or function pointer that was refused; 0 when there is none.
         stack: the active functions, the innermost, which failed at `location`, first; empty when
             it is not known.
+        access: "read" or "write" when a bad access of memory failed.
+        size: how many bytes were accessed.
+        object: what lies at `value`, or near it; the variable that has no value yet.
     """
 
     kind: str
     location: Location
     value: int
     stack: tuple[StackFrame, ...] = ()
+    access: Access = ""
+    size: int = 0
+    object: Object | None = None
 
 
 class Fleet:
@@ -140,18 +148,23 @@ class Fleet:
     def failure(self, robot: int) -> Failure:
         """Gives why a robot with status FAILED was stopped."""
         slot = self.slots[robot]
-        from crs_cc.runtime.inspect import call_stack  # needs the code generator
+        from crs_cc.runtime.inspect import call_stack  # these need the code generator
+        from crs_cc.runtime.objects import find_object
 
         detail = self._executables[robot].detail()
         value = int(slot["error_address"])
         if slot["error_kind"]:
             kind = ERROR_KINDS[slot["error_kind"]]
             return Failure(kind, Location(self._executables[robot].name), value)
-        kind, location = detail.compiled.sites[slot["error_site"]]
+        site = detail.compiled.sites[slot["error_site"]]
+        kind, memory = site.kind, self._memories[robot]
+        stack = tuple(call_stack(memory, detail.compiled))
+        found = None
         if kind == "memory":
             kind = "null pointer" if value < NULL_SIZE else "pointer outside memory"
-        stack = tuple(call_stack(self._memories[robot], detail.compiled))
-        return Failure(kind, location, value, stack)
+            found = find_object(value, detail.program, detail.compiled, stack)
+        size = site.size or int(slot["error_size"])
+        return Failure(kind, site.location, value, stack, site.access, size, found)
 
     def snapshot(self, robot: int) -> Snapshot:
         """Gives the whole state of one robot's program."""

@@ -60,6 +60,7 @@ from crs_cc.runtime.selection import (
     Names,
     Selector,
 )
+from crs_cc.runtime.sites import Site
 from crs_cc.runtime.switches import lower_switch
 from crs_cc.runtime.wasm import TYPE_CALL, Code, Instr
 from crs_cc.source import Location
@@ -419,7 +420,8 @@ class _FunctionCode:
         """Says where to go, and lets `leave` and `resume` do the rest."""
         selector = self.selector
         site = len(selector.names.sites)
-        selector.names.sites.append(("longjmp to a function that has returned", jump.location))
+        kind = "longjmp to a function that has returned"
+        selector.names.sites.append(Site(kind, jump.location))
         operands = [jump.activation, jump.place, jump.value, Constant("i32", site)]
         node.code += jumps.start([selector.value(each) for each in operands])
         node.code.append((UNWIND,))

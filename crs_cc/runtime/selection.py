@@ -32,6 +32,7 @@ from crs_cc.ir.program import (
 )
 from crs_cc.runtime.flow import UNWIND
 from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE, Frame
+from crs_cc.runtime.sites import CallSite, Site
 from crs_cc.runtime.wasm import Instr
 from crs_cc.source import Location
 
@@ -65,14 +66,16 @@ class Names:
         functions: index in the module of each function.
         sizes: size of each global object.
         pointers: how many function pointers there are; they are numbered from 1.
-        sites: every place that can fail, with the kind of failure; "memory" for accesses.
+        sites: every place that can fail.
+        call_sites: every place that calls, by its number less 1.
     """
 
     addresses: dict[str, int]
     functions: dict[str, int]
     sizes: dict[str, int]
     pointers: int
-    sites: list[tuple[str, Location]] = field(default_factory=list)
+    sites: list[Site] = field(default_factory=list)
+    call_sites: list[CallSite] = field(default_factory=list)
 
 
 class Selector:
@@ -132,7 +135,7 @@ class Selector:
         `value` pushes the address or number to blame.
         """
         site = len(self.names.sites)
-        self.names.sites.append((kind, location))
+        self.names.sites.append(Site(kind, location))
         return [("i32.const", site), *value, ("call", FAULT)]
 
     def fail(self, kind: str, location: Location, value: list[Instr]) -> None:

@@ -1,0 +1,117 @@
+"""What lies at an address of a stopped program: a variable, a string, a block of the heap.
+
+Messages name the object that a bad access belongs to: the one that it hits, or else the nearest
+one. `find_object` looks in the frames of the active functions, among the global objects, and in
+the heap.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final, Literal
+
+from crs_cc.ir.program import Data, Program, Register, Slot, Variable
+from crs_cc.runtime.sites import CallSite
+from crs_cc.source import Location
+
+if TYPE_CHECKING:
+    from crs_cc.runtime.codegen import Compiled
+    from crs_cc.runtime.inspect import StackFrame
+
+NEAR: Final = 4096
+"""An object further away than so many bytes has nothing to do with an address."""
+
+
+@dataclass(frozen=True, slots=True)
+class Object:
+    """Bytes that belong together.
+
+    Attributes:
+        kind: "local" (parameters too), "argument" (of those behind `...`), "global" (static ones
+            too), "string" (a literal), "temporary" (without a name) or "heap block".
+        address: its first byte.
+        size: in bytes; of a heap block, what was asked for.
+        name: as the programmer knows it; empty when it has none.
+        location: where it is declared, when that is known.
+        variable: the C variable, when it is one.
+        function: the function that a local belongs to.
+        state: whether it may be used: "alive", "ended" (its block or function was left), "freed".
+        allocated: the calls that led to the allocation of a heap block, the innermost first; a few.
+        freed: the calls that led to its release.
+    """
+
+    kind: Literal["local", "argument", "global", "string", "temporary", "heap block"]
+    address: int
+    size: int
+    name: str = ""
+    location: Location | None = None
+    variable: Variable | None = None
+    function: str = ""
+    state: Literal["alive", "ended", "freed"] = "alive"
+    allocated: tuple[CallSite, ...] = ()
+    freed: tuple[CallSite, ...] = ()
+
+    def distance(self, address: int) -> int:
+        """Gives how far an address is from the object: 0 inside, else bytes to the nearest end.
+
+        It is negative before the object; the first byte behind it is at distance 1.
+        """
+        if address < self.address:
+            return address - self.address
+        return max(0, address - (self.address + self.size) + 1)
+
+
+def find_object(
+    address: int,
+    program: Program,
+    compiled: Compiled,
+    stack: Sequence[StackFrame],
+) -> Object | None:
+    """Gives the object at an address, or else the nearest one; None when there is none near.
+
+    Args:
+        address: the address.
+        program: what it runs.
+        compiled: what was made of that.
+        stack: its active functions, see `inspect.call_stack`.
+    """
+    nearest = None
+    for each in (*_locals(compiled, stack), *_globals(program, compiled)):
+        if nearest is None or abs(each.distance(address)) < abs(nearest.distance(address)):
+            nearest = each
+    if nearest is None or abs(nearest.distance(address)) > NEAR:
+        return None
+    return nearest
+
+
+def _locals(compiled: Compiled, stack: Sequence[StackFrame]) -> Iterator[Object]:
+    """Gives the slots in the frames of the active functions."""
+    infos = {info.function.name: info for info in compiled.functions}
+    for each in stack:
+        frame = infos[each.function].frame
+        for place, offset in frame.offsets.items():
+            if isinstance(place, Register):
+                continue
+            yield _local(place, each.fp - frame.size + offset, each.function)
+
+
+def _local(slot: Slot, address: int, function: str) -> Object:
+    variable = slot.variable
+    if variable is None:
+        return Object("temporary", address, slot.size, function=function)
+    return Object("local", address, slot.size, variable.name, variable.location, variable, function)
+
+
+def _globals(program: Program, compiled: Compiled) -> Iterator[Object]:
+    for data in program.data.values():
+        yield _global(data, compiled.addresses[data.name])
+
+
+def _global(data: Data, address: int) -> Object:
+    variable = data.variable
+    if variable is None:
+        kind: Literal["string", "temporary"] = "string" if ':"' in data.name else "temporary"
+        return Object(kind, address, data.size, location=data.location)
+    name, location = variable.name, variable.location
+    return Object("global", address, data.size, name, location, variable)

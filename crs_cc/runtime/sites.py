@@ -1,0 +1,71 @@
+"""Places in the code: where a program can fail, and where it calls.
+
+A failing program notes the number of its `Site`. Every call notes the number of its `CallSite` in
+the header of the function that it calls (checked builds only), so that the stack can be walked
+while the program runs: the heap keeps the calls that allocated and freed each block. The header's
+first eight bytes hold, until the returned value takes their place, a call word:
+
+    bits 0 to 23    number of the call site, from 1
+    bits 24 to 41   size of the caller's frame, in units of 16 bytes: its own header lies above it
+    bits 42 to 63   size of the arguments that were passed, in units of 4 bytes
+
+>>> hex(call_word(5, frame_size=96, arguments_size=8))
+'0x80006000005'
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final, Literal
+
+from crs_cc.source import Location
+
+if TYPE_CHECKING:
+    from crs_cc.ir.program import Variable
+
+Access = Literal["", "read", "write"]
+
+SITE_BITS: Final = 24
+FRAME_BITS: Final = 18
+FRAME_UNIT: Final = 16  # bytes
+ARGUMENT_UNIT: Final = 4  # bytes
+
+
+@dataclass(frozen=True, slots=True)
+class Site:
+    """A place that can fail.
+
+    Attributes:
+        kind: one of `requests.ERROR_KINDS`, or "memory" for accesses, whose kind shows only from
+            the address, see `diagnosis`.
+        location: the place in the C source.
+        access: what an access does; empty for all other failures.
+        size: how many bytes are accessed; 0 when only the slot's `error_size` knows.
+        variable: the variable to blame, where that is known.
+    """
+
+    kind: str
+    location: Location
+    access: Access = ""
+    size: int = 0
+    variable: Variable | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class CallSite:
+    """A place that calls: in which function, and where."""
+
+    function: str
+    location: Location
+
+
+def call_word(site: int, frame_size: int, arguments_size: int) -> int:
+    """Gives what a call notes in the header of the function that it calls.
+
+    Args:
+        site: number of the call site.
+        frame_size: of the calling function [bytes].
+        arguments_size: of all arguments, each rounded up to 4 [bytes].
+    """
+    arguments = arguments_size // ARGUMENT_UNIT
+    return site | frame_size // FRAME_UNIT << SITE_BITS | arguments << SITE_BITS + FRAME_BITS
