@@ -13,13 +13,18 @@ wander.c:3:9: error: unknown identifier 'sped'
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Final, Literal
 
 Severity = Literal["error", "warning", "note"]
 
 Stage = Literal["", "preprocessing", "parsing", "types", "linking"]
 """Who speaks: a part of the compiler, or none of them."""
+
+_TOKEN: Final = re.compile(
+    r""" \w+ | "(?:[^"\\]|\\.)*" | '(?:[^'\\]|\\.)*' | \+\+ | -- | . """, re.VERBOSE
+)
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -30,15 +35,47 @@ class Location:
         file: the path as the user gave it.
         line: line number, counted from 1; 0 when the message is about the whole file.
         column: column number in characters, counted from 1; 0 when only the line is known.
+        last: column where the last token of an expression begins, if that is in the same line;
+            0 when unknown. Two places are equal whatever ends there.
     """
 
     file: str
     line: int = 0
     column: int = 0
+    last: int = field(default=0, compare=False)
 
     def __str__(self) -> str:
         parts = [self.file, *(str(number) for number in (self.line, self.column) if number)]
         return ":".join(parts)
+
+
+def underline(line: str, place: Location) -> str:
+    """Gives what to write below an expression: `^~~~`, or `^` where its end is not known.
+
+    A name at the end with a parenthesis behind it is a macro, whose arguments belong to it.
+
+    >>> line = "x = a / HALF(b) + 1;"
+    >>> print(line); print("    " + underline(line, Location("a.c", 1, 5, last=9)))
+    x = a / HALF(b) + 1;
+        ^~~~~~~~~~~
+    """
+    token = _TOKEN.match(line, place.last - 1) if 0 < place.column <= place.last else None
+    if token is None:
+        return "^"
+    end = token.end()
+    if token[0].isidentifier() and line.startswith("(", end):
+        end = _closed(line, end)
+    return "^" + "~" * (end - place.column)
+
+
+def _closed(line: str, start: int) -> int:
+    """Gives the index behind the parenthesis that closes the one at `start`, or the line's end."""
+    depth = 0
+    for token in _TOKEN.finditer(line, start):
+        depth += {"(": 1, ")": -1}.get(token[0], 0)
+        if depth == 0:
+            return token.end()
+    return len(line)
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +104,8 @@ class Diagnostic:
         if self.source_line.strip():
             rows.append("    " + self.source_line.replace("\t", " ").rstrip())
             if self.location.column:
-                rows.append(" " * (4 + self.location.column - 1) + "^")
+                indent = " " * (4 + self.location.column - 1)
+                rows.append(indent + underline(self.source_line, self.location))
         if self.hint:
             rows.append(f"    hint: {self.hint}")
         return "\n".join(rows)

@@ -14,7 +14,7 @@ from typing import Final, TextIO
 
 import click
 
-from crs_cc.source import Diagnostic
+from crs_cc.source import Diagnostic, underline
 
 MAX_MESSAGES: Final = 50
 WARNINGS_BEFORE_RUN: Final = 2
@@ -69,7 +69,7 @@ def render(diagnostic: Diagnostic, *, coloured: bool) -> str:
     place = str(diagnostic.location).translate(_CONTROLS | {10: "?"})
     kind, text = diagnostic.severity, diagnostic.text.translate(_CONTROLS)
     line, column = _excerpt(diagnostic)
-    caret, hint = "^", diagnostic.hint.translate(_CONTROLS)
+    caret, hint = _caret(diagnostic, len(line) - column), diagnostic.hint.translate(_CONTROLS)
     if coloured:
         place, text = click.style(place, bold=True), click.style(text, bold=True)
         caret = click.style(caret, fg="green", bold=True)
@@ -98,6 +98,11 @@ def as_data(diagnostic: Diagnostic) -> dict[str, str | int]:
         "text": diagnostic.text,
         "hint": diagnostic.hint,
     }
+
+
+def _caret(diagnostic: Diagnostic, room: int) -> str:
+    """Gives the caret and what it underlines, which must not stand out of the excerpt."""
+    return underline(diagnostic.source_line, diagnostic.location)[: max(0, room) + 1]
 
 
 def _excerpt(diagnostic: Diagnostic) -> tuple[str, int]:

@@ -15,6 +15,7 @@ from typing import Any, Final, TypeAlias, TypeVar
 from pycparser import c_ast
 
 from crs_cc.frontend import tree
+from crs_cc.frontend.lex import Span
 from crs_cc.frontend.parse import Node, report
 from crs_cc.frontend.scope import FunctionSymbol, ObjectSymbol, Scope, Symbol
 from crs_cc.ir.types import CType
@@ -198,4 +199,7 @@ def expression(unit: Unit, node: Node) -> tree.Expression:
     found = EXPRESSIONS.get(node.__class__)
     if found is None:
         raise CheckError(unit.at(node), f"expected an expression, not {node.__class__.__name__}")
-    return found(unit, node)
+    checked = found(unit, node)
+    if node.coord.__class__ is Span:
+        checked.location = node.coord.location
+    return checked

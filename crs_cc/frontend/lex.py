@@ -53,6 +53,28 @@ class Token:
         return Token(type_, value, self.lineno, self.column, self._locate)
 
 
+class Span:
+    """The tokens of an expression, from the first to the last, and lazily their place."""
+
+    __slots__ = ("_location", "first", "last")
+
+    def __init__(self, first: Token, last: Token) -> None:
+        self.first = first
+        self.last = last
+        self._location: Location | None = None
+
+    @property
+    def location(self) -> Location:
+        """Gives the place of the first token, which knows where the last one begins."""
+        found = self._location
+        if found is None:
+            start, end = self.first.location, self.last.location
+            reaches = start.line == end.line and start.file == end.file
+            column = max(start.column, end.column) if reaches else 0
+            found = self._location = Location(start.file, start.line, start.column, column)
+        return found
+
+
 _KEYWORDS: Final = {
     "auto": "AUTO", "break": "BREAK", "case": "CASE", "char": "CHAR", "const": "CONST",
     "continue": "CONTINUE", "default": "DEFAULT", "do": "DO", "double": "DOUBLE",

@@ -21,21 +21,19 @@ from __future__ import annotations
 from typing import Any, Final, NoReturn, TypeAlias
 
 from pycparser import c_ast
-from pycparser.c_parser import CParser, ParseError
+from pycparser.c_parser import ParseError
 
 from crs_cc.frontend.lex import Locate, Token, lex
+from crs_cc.frontend.parse_expression import NAMES, ExpressionParser
 from crs_cc.source import Diagnostics, Location
 
 Node: TypeAlias = Any
 """A node of pycparser's tree."""
 
-_NAMES: Final = frozenset({"ID", "TYPEID"})
 _BEFORE_TYPES: Final = frozenset(
     {"CONST", "VOLATILE", "STATIC", "EXTERN", "REGISTER", "TYPEDEF", "INLINE", "AUTO"}
 )
 _STATEMENT_ENDS: Final = frozenset({"SEMI", "LBRACE", "RBRACE"})
-_LEAVES: Final = frozenset({"ID", "INT_CONST_DEC"})
-_SUFFIXES: Final = frozenset({"LBRACKET", "LPAREN", "PERIOD", "ARROW", "PLUSPLUS", "MINUSMINUS"})
 _LOOKAHEAD: Final = 64
 """How many ends of file stand behind the last token; nothing looks further ahead."""
 
@@ -125,11 +123,11 @@ def parse(text: str, locate: Locate, diagnostics: Diagnostics) -> list[Node]:
         raise GiveUp from None
 
 
-class _Parser(CParser):  # type: ignore[misc]
+class _Parser(ExpressionParser):
     """pycparser's parser, with recovery, and with faster access to the tokens.
 
     It overrides these of pycparser 3.12's methods: access to tokens, how errors are raised, how
-    coordinates are made, and the entries to declarations and statements.
+    coordinates are made, the entries to declarations and statements, and expressions.
     """
 
     def __init__(self, tokens: list[Token], diagnostics: Diagnostics) -> None:
@@ -159,7 +157,7 @@ class _Parser(CParser):  # type: ignore[misc]
     def _peek(self, k: int = 1) -> Any:
         token = self._buffer[self._index + k - 1]
         if token is not self._typedef_checked_token:
-            if token is not None and token.type in _NAMES:
+            if token is not None and token.type in NAMES:
                 token.type = "TYPEID" if self._is_type_in_scope(token.value) else "ID"
             self._typedef_checked_token = token
         return token
@@ -222,7 +220,7 @@ class _Parser(CParser):  # type: ignore[misc]
         token = self._peek()
         if token is not None:
             kind = token.type
-            if token_type == kind or (kind == "TYPEID" and token_type in _NAMES):
+            if token_type == kind or (kind == "TYPEID" and token_type in NAMES):
                 self._index += 1
                 return token
             return self._missing(token_type, token)
@@ -273,7 +271,7 @@ class _Parser(CParser):  # type: ignore[misc]
             if token.type == "RBRACE" and depth == 0 and is_in_block:
                 break
             self._index += 1
-            if token.type in _NAMES and depth == 0:
+            if token.type in NAMES and depth == 0:
                 broken.names.append(token.value)
             depth += {"LBRACE": 1, "RBRACE": -1}.get(token.type, 0)
             is_end = token.type in {"SEMI", "RBRACE"} and depth <= 0
@@ -359,29 +357,7 @@ class _Parser(CParser):  # type: ignore[misc]
             self._parse_error("Declarator is nested too deeply", tail.coord)
         return super()._type_modify_decl(decl, modifier)
 
-    def _parse_conditional_expression(self) -> Node:
-        """Parses `a ? b : c`, and gcc's `a ?: c`."""
-        condition = self._parse_binary_expression()
-        if self._accept("CONDOP") is None:
-            return condition
-        then = None if self._peek_type() == "COLON" else self._parse_expression()
-        self._expect("COLON")
-        otherwise = self._parse_conditional_expression()
-        return c_ast.TernaryOp(condition, then, otherwise, condition.coord)
-
-    # Short cuts: most operands are a name or a number, and no C before 2023 has attributes.
-
-    def _parse_cast_expression(self) -> Node:
-        token = self._peek()
-        if token is None or token.type not in _LEAVES:
-            return super()._parse_cast_expression()
-        following = self._buffer[self._index + 1]
-        if following is not None and following.type in _SUFFIXES:
-            return self._parse_postfix_expression()
-        self._index += 1
-        if token.type == "ID":
-            return c_ast.ID(token.value, token)
-        return c_ast.Constant("int", token.value, token)
+    # No C before 2023 has attributes.
 
     def _parse_attribute_specifier_sequence(self) -> list[Node]:
         return []

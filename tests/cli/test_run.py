@@ -90,7 +90,7 @@ def test_a_program_that_still_runs_at_max_time_counts_as_0(
 def test_an_error_of_the_program_shows_its_line(capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "null.c"]) == 123
     shown = capfd.readouterr().err
-    assert re.match(r"null\.c:4:\d+: error: null pointer.*\n        return \*p;\n +\^\n", shown)
+    assert re.match(r"null\.c:4:\d+: error: null pointer.*\n        return \*p;\n +\^~\n", shown)
 
 
 def test_errors_of_several_robots_name_them(capfd: pytest.CaptureFixture[str]) -> None:

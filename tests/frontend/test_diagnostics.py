@@ -62,7 +62,7 @@ ONE_ERROR = {
     "int f(int x) { return *x; }":
         "1:24 error: indirection requires pointer operand ('int' invalid)",
     "int f(int x) { return &x + &x; }":
-        "1:24 error: invalid operands to binary expression ('int *' and 'int *')",
+        "1:23 error: invalid operands to binary expression ('int *' and 'int *')",
     "int f(int *x) { return x[1.5]; }": "1:26 error: array subscript is not an integer ('double')",
     "int f(int x) { return x[0]; }": "1:23 error: subscripted value is not an array or pointer",
     "struct s *p; struct s *f(void) { return p + 1; }":
@@ -79,7 +79,7 @@ ONE_ERROR = {
     "int f(void) { const int x = 3; x = 4; return x; }":
         "1:32 error: cannot assign to variable 'x' with const-qualified type 'const int'",
     "int f(const int *p) { *p = 3; return 0; }":
-        "1:24 error: cannot assign to read-only location with const-qualified type 'const int'",
+        "1:23 error: cannot assign to read-only location with const-qualified type 'const int'",
     "int f(void) { double d = 1; int *p; p = d; return 0; }":
         "1:41 error: assigning to 'int *' from incompatible type 'double'",
     "struct a { int x; } v; struct b { int x; } w; void f(void) { v = w; }":
