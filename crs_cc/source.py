@@ -144,6 +144,33 @@ class Diagnostics:
         """Records a warning."""
         self.add("warning", location, text, hint)
 
+    def sort(self) -> None:
+        """Brings the messages into the order of the source: headers first, notes behind theirs."""
+        files = {name: number for number, name in enumerate(self.lines)}
+        groups: list[list[Diagnostic]] = []
+        for message in self.messages:
+            if message.severity == "note" and groups:
+                groups[-1].append(message)
+            else:
+                groups.append([message])
+
+        def key(group: list[Diagnostic]) -> tuple[int, int, int]:
+            place = group[0].location
+            return files.get(place.file, 0) or len(files), place.line, place.column
+
+        groups.sort(key=key)
+        self.messages[:] = [message for group in groups for message in group]
+
+    def shorten(self, most: int) -> None:
+        """Leaves out all but the first errors, and says so."""
+        errors = self.errors
+        if len(errors) <= most:
+            return
+        left_out = {id(each) for each in errors[most:]}
+        self.messages[:] = [each for each in self.messages if id(each) not in left_out]
+        place = Location(errors[most].location.file, errors[most].location.line)
+        self.error(place, f"and {len(left_out)} more errors from here on")
+
     @property
     def errors(self) -> list[Diagnostic]:
         """Gives the errors alone."""

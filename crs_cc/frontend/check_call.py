@@ -21,6 +21,7 @@ from crs_cc.ir.types import (
     PointerType,
     VoidType,
     is_complete,
+    spell,
     unqualified,
 )
 from crs_cc.source import Location
@@ -67,14 +68,14 @@ def call(unit: Unit, node: Node) -> Expression:
             location, f"calling function with incomplete result type '{function.result}'"
         )
     nodes = [] if node.args is None else node.args.exprs
-    arguments = _arguments(unit, function, nodes, location)
+    arguments = _arguments(unit, callee, function, nodes)
     if isinstance(callee, tree.AddressOf) and isinstance(callee.operand, tree.FunctionName):
         callee = callee.operand
     return tree.Call(unqualified(function.result), location, callee, arguments)
 
 
 def _arguments(
-    unit: Unit, function: FunctionType, nodes: list[Node], location: Location
+    unit: Unit, callee: Expression, function: FunctionType, nodes: list[Node]
 ) -> list[Expression]:
     """Converts the arguments to the parameters' types (C17 6.5.2.2p6, p7)."""
     values = [rvalue(unit, each) for each in nodes]
@@ -90,12 +91,21 @@ def _arguments(
         text = (
             f"too {what} arguments to function call, expected {least}{wanted}, have {len(values)}"
         )
-        raise CheckError(location, text)
+        raise CheckError(callee.location, text, _declared(callee))
     fixed = [
         assigned(unit, value, ctype, "pass")
         for value, ctype in zip(values, function.parameters, strict=False)
     ]
     return fixed + [promote_argument(value) for value in values[wanted:]]
+
+
+def _declared(callee: Expression) -> str:
+    """Gives a hint to the declaration of what is called."""
+    if isinstance(callee, tree.AddressOf) and isinstance(callee.operand, tree.FunctionName):
+        symbol = callee.operand.symbol
+        declared = spell(symbol.type, symbol.name)
+        return f"'{symbol.name}' is declared at {symbol.location}, as '{declared}'"
+    return ""
 
 
 def _declare_implicitly(unit: Unit, name: str, location: Location) -> None:

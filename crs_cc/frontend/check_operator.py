@@ -41,9 +41,9 @@ from crs_cc.ir.types import (
 from crs_cc.source import Location
 
 
-def _invalid(left: Expression, right: Expression) -> CheckError:
+def _invalid(left: Expression, right: Expression, place: Location) -> CheckError:
     text = f"invalid operands to binary expression ('{left.type}' and '{right.type}')"
-    return CheckError(left.location, text)
+    return CheckError(place, text)
 
 
 # Binary operators
@@ -54,104 +54,113 @@ def binary(unit: Unit, node: Node) -> Expression:
     """Checks `left op right`."""
     left = decay(expression(unit, node.left))
     right = decay(expression(unit, node.right))
-    return operate(unit, node.op, left, right)
+    return operate(unit, node.op, left, right, unit.at(node))
 
 
-def operate(unit: Unit, op: str, left: Expression, right: Expression) -> Expression:
-    """Makes `left op right` of two values."""
+def operate(
+    unit: Unit, op: str, left: Expression, right: Expression, place: Location
+) -> Expression:
+    """Makes `left op right` of two values, at the operator's place."""
     if op in {"&&", "||"}:
-        return _logical(op, left, right)
+        return _logical(op, left, right, place)
     if op in fold.COMPARISONS:
-        return _comparison(unit, op, left, right)
+        return _comparison(unit, op, left, right, place)
     if op in {"+", "-"} and (
         isinstance(left.type, PointerType) or isinstance(right.type, PointerType)
     ):
-        return _pointer_arithmetic(op, left, right)
+        return _pointer_arithmetic(op, left, right, place)
     if op in {"<<", ">>"}:
-        return _shift(unit, op, left, right)
+        return _shift(unit, op, left, right, place)
     allowed = is_integer if op in {"%", "&", "|", "^"} else is_arithmetic
     if not allowed(left.type) or not allowed(right.type):
-        raise _invalid(left, right)
+        raise _invalid(left, right, place)
     left, right = usual(left, right)
-    return _folded(unit, op, left.type, left, right)
+    return _folded(unit, op, left.type, (left, right), place)
 
 
-def _folded(unit: Unit, op: str, ctype: CType, left: Expression, right: Expression) -> Expression:
+def _folded(
+    unit: Unit, op: str, ctype: CType, operands: tuple[Expression, Expression], place: Location
+) -> Expression:
     """Makes an operation on operands that are converted already, at once if they are constant."""
+    left, right = operands
     if isinstance(right, tree.Literal):
         if isinstance(left, tree.Literal):
             value = fold.binary(op, left.type, left.value, right.value)
             if value is not None:
-                return tree.Literal(ctype, left.location, value)
+                return tree.Literal(ctype, place, value)
         if op in {"/", "%"} and right.value == 0 and is_integer(right.type):
-            unit.warning(left.location, "division by zero is undefined")
-    return tree.Binary(ctype, left.location, op, left, right)
+            unit.warning(place, "division by zero is undefined")
+    return tree.Binary(ctype, place, op, left, right)
 
 
-def _shift(unit: Unit, op: str, left: Expression, right: Expression) -> Expression:
+def _shift(unit: Unit, op: str, left: Expression, right: Expression, place: Location) -> Expression:
     if not is_integer(left.type) or not is_integer(right.type):
-        raise _invalid(left, right)
+        raise _invalid(left, right, place)
     left, right = promote(left), promote(right)
     if isinstance(right, tree.Literal) and not 0 <= right.value < 8 * left.type.size:
         what = "negative" if right.value < 0 else ">= width of type"
         unit.warning(right.location, f"shift count is {what}")
-    return _folded(unit, op, left.type, left, right)
+    return _folded(unit, op, left.type, (left, right), place)
 
 
-def _logical(op: str, left: Expression, right: Expression) -> Expression:
+def _logical(op: str, left: Expression, right: Expression, place: Location) -> Expression:
     if not is_scalar(left.type) or not is_scalar(right.type):
-        raise _invalid(left, right)
+        raise _invalid(left, right, place)
     if isinstance(left, tree.Literal):
         if bool(left.value) == (op == "||"):
-            return tree.integer(int(op == "||"), INT, left.location)
+            return tree.integer(int(op == "||"), INT, place)
         if isinstance(right, tree.Literal):
-            return tree.integer(int(right.value != 0), INT, left.location)
-    return tree.Logical(INT, left.location, op, left, right)
+            return tree.integer(int(right.value != 0), INT, place)
+    return tree.Logical(INT, place, op, left, right)
 
 
-def _comparison(unit: Unit, op: str, left: Expression, right: Expression) -> Expression:
+def _comparison(
+    unit: Unit, op: str, left: Expression, right: Expression, place: Location
+) -> Expression:
     if is_arithmetic(left.type) and is_arithmetic(right.type):
         left, right = usual(left, right)
-        return _folded(unit, op, INT, left, right)
+        return _folded(unit, op, INT, (left, right), place)
     if not is_scalar(left.type) or not is_scalar(right.type):
-        raise _invalid(left, right)
-    _compare_pointers(unit, left, right)
+        raise _invalid(left, right, place)
+    _compare_pointers(unit, left, right, place)
     if not isinstance(left.type, PointerType):
         left = convert(left, right.type)
     elif not isinstance(right.type, PointerType):
         right = convert(right, left.type)
-    return _folded(unit, op, INT, left, right)
+    return _folded(unit, op, INT, (left, right), place)
 
 
-def _compare_pointers(unit: Unit, left: Expression, right: Expression) -> None:
+def _compare_pointers(unit: Unit, left: Expression, right: Expression, place: Location) -> None:
     if is_null_constant(left) or is_null_constant(right):
         return
     if isinstance(left.type, PointerType) and isinstance(right.type, PointerType):
         a, b = unqualified(left.type.target), unqualified(right.type.target)
         if VOID not in (a, b) and not compatible(a, b):
             text = f"comparison of distinct pointer types ('{left.type}' and '{right.type}')"
-            unit.warning(left.location, text)
+            unit.warning(place, text)
         return
     if not is_integer(left.type) and not is_integer(right.type):
-        raise _invalid(left, right)
+        raise _invalid(left, right, place)
     text = f"comparison between pointer and integer ('{left.type}' and '{right.type}')"
-    unit.warning(left.location, text)
+    unit.warning(place, text)
 
 
-def _pointer_arithmetic(op: str, left: Expression, right: Expression) -> Expression:
+def _pointer_arithmetic(
+    op: str, left: Expression, right: Expression, place: Location
+) -> Expression:
     if isinstance(left.type, PointerType) and isinstance(right.type, PointerType):
-        return _difference(op, left, right)
+        return _difference(op, left, right, place)
     if op == "+" and isinstance(right.type, PointerType):
-        return _moved(right, left, op, left)
-    return _moved(left, right, op, left)
+        return _moved(right, left, op, place)
+    return _moved(left, right, op, place)
 
 
-def _moved(pointer: Expression, index: Expression, op: str, first: Expression) -> Expression:
+def _moved(pointer: Expression, index: Expression, op: str, place: Location) -> Expression:
     if not isinstance(pointer.type, PointerType) or not is_integer(index.type):
-        raise _invalid(pointer, index)
+        raise _invalid(pointer, index, place)
     _need_size(pointer, pointer.type)
     index = convert(promote(index), INT)
-    return tree.PointerAdd(pointer.type, first.location, pointer, index, op == "-")
+    return tree.PointerAdd(pointer.type, place, pointer, index, op == "-")
 
 
 def _need_size(pointer: Expression, ctype: PointerType) -> None:
@@ -160,14 +169,14 @@ def _need_size(pointer: Expression, ctype: PointerType) -> None:
         raise CheckError(pointer.location, f"arithmetic on a pointer to incomplete type '{target}'")
 
 
-def _difference(op: str, left: Expression, right: Expression) -> Expression:
+def _difference(op: str, left: Expression, right: Expression, place: Location) -> Expression:
     assert isinstance(left.type, PointerType)
     assert isinstance(right.type, PointerType)
     same = compatible(unqualified(left.type.target), unqualified(right.type.target))
     if op != "-" or not same:
-        raise _invalid(left, right)
+        raise _invalid(left, right, place)
     _need_size(left, left.type)
-    return tree.PointerDifference(INT, left.location, left, right, max(1, left.type.target.size))
+    return tree.PointerDifference(INT, place, left, right, max(1, left.type.target.size))
 
 
 @checks(c_ast.ArrayRef)
@@ -185,7 +194,7 @@ def index(unit: Unit, node: Node) -> Expression:
         )
     if isinstance(array.type.target, FunctionType):
         raise CheckError(array.location, "subscript of pointer to function type")
-    moved = _moved(array, subscript, "+", array)
+    moved = _moved(array, subscript, "+", array.location)
     return tree.Dereference(array.type.target, array.location, moved)
 
 
@@ -199,65 +208,64 @@ def unary(unit: Unit, node: Node) -> Expression:
 
 
 def _sign(unit: Unit, node: Node) -> Expression:
-    operand = rvalue(unit, node.expr)
+    operand, place = rvalue(unit, node.expr), unit.at(node)
     if not is_arithmetic(operand.type) or (node.op == "~" and not is_integer(operand.type)):
         text = f"invalid argument type '{operand.type}' to unary expression"
-        raise CheckError(operand.location, text)
+        raise CheckError(place, text)
     operand = promote(operand)
     if node.op == "+":
         return operand
     if isinstance(operand, tree.Literal):
         value = fold.unary(node.op, operand.type, operand.value)
         if value is not None:
-            return tree.Literal(operand.type, operand.location, value)
-    return tree.Unary(operand.type, operand.location, node.op, operand)
+            return tree.Literal(operand.type, place, value)
+    return tree.Unary(operand.type, place, node.op, operand)
 
 
 def _not(unit: Unit, node: Node) -> Expression:
-    operand = rvalue(unit, node.expr)
+    operand, place = rvalue(unit, node.expr), unit.at(node)
     if not is_scalar(operand.type):
         text = f"invalid argument type '{operand.type}' to unary expression"
-        raise CheckError(operand.location, text)
+        raise CheckError(place, text)
     if isinstance(operand, tree.Literal):
-        return tree.integer(int(operand.value == 0), INT, operand.location)
-    return tree.Unary(INT, operand.location, "!", operand)
+        return tree.integer(int(operand.value == 0), INT, place)
+    return tree.Unary(INT, place, "!", operand)
 
 
 def _dereference(unit: Unit, node: Node) -> Expression:
-    operand = rvalue(unit, node.expr)
+    operand, place = rvalue(unit, node.expr), unit.at(node)
     if not isinstance(operand.type, PointerType):
         text = f"indirection requires pointer operand ('{operand.type}' invalid)"
-        raise CheckError(operand.location, text)
-    return tree.Dereference(operand.type.target, operand.location, operand)
+        raise CheckError(place, text)
+    return tree.Dereference(operand.type.target, place, operand)
 
 
 def _address(unit: Unit, node: Node) -> Expression:
-    operand = expression(unit, node.expr)
+    operand, place = expression(unit, node.expr), unit.at(node)
     if isinstance(operand, tree.Dereference):
         return convert(operand.pointer, PointerType(operand.type))
     if not is_lvalue(operand) and not isinstance(operand, tree.FunctionName):
         text = f"cannot take the address of an rvalue of type '{operand.type}'"
-        raise CheckError(operand.location, text)
+        raise CheckError(place, text)
     if isinstance(operand, tree.MemberAccess) and operand.member.bit_width is not None:
-        raise CheckError(
-            operand.location, f"address of bit-field '{operand.member.name}' requested"
-        )
+        raise CheckError(place, f"address of bit-field '{operand.member.name}' requested")
     if isinstance(operand, tree.ObjectName):
         operand.symbol.in_memory = True
-    return tree.AddressOf(PointerType(operand.type), operand.location, operand)
+    return tree.AddressOf(PointerType(operand.type), place, operand)
 
 
 def _increment(unit: Unit, node: Node) -> Expression:
     target = modifiable(expression(unit, node.expr))
+    place = unit.at(node)
     ctype = target.type
     if isinstance(ctype, PointerType):
         _need_size(target, ctype)
     elif not is_arithmetic(ctype):
         what = "increment" if node.op[-1] == "+" else "decrement"
-        raise CheckError(target.location, f"cannot {what} value of type '{ctype}'")
+        raise CheckError(place, f"cannot {what} value of type '{ctype}'")
     step = 1 if node.op[-1] == "+" else -1
     is_postfix = node.op[0] == "p"
-    return tree.Increment(unqualified(ctype), target.location, target, step, is_postfix)
+    return tree.Increment(unqualified(ctype), place, target, step, is_postfix)
 
 
 _UNARY: Final[dict[str, Callable[[Unit, Node], Expression]]] = {
@@ -321,26 +329,26 @@ def assignment(unit: Unit, node: Node) -> Expression:
     """Checks `target = value` and `target op= value`."""
     target = modifiable(expression(unit, node.lvalue))
     value = decay(expression(unit, node.rvalue))
-    ctype = unqualified(target.type)
+    place = unit.at(node)
     if node.op == "=":
         value = assigned(unit, value, target.type, "assign")
-        return tree.Assign(ctype, target.location, target, value)
-    return _compound(unit, node.op[:-1], target, value, ctype)
+        return tree.Assign(unqualified(target.type), place, target, value)
+    return _compound(unit, node.op[:-1], target, value, place)
 
 
 def _compound(
-    unit: Unit, op: str, target: Expression, value: Expression, ctype: CType
+    unit: Unit, op: str, target: Expression, value: Expression, place: Location
 ) -> Expression:
-    place = target.location
+    ctype = unqualified(target.type)
     if isinstance(ctype, PointerType):
         if op not in {"+", "-"} or not is_integer(value.type):
-            raise _invalid(target, value)
+            raise _invalid(target, value, place)
         _need_size(target, ctype)
         index_ = convert(promote(value), INT)
         return tree.CompoundAssign(ctype, place, op, target, index_, ctype)
-    made = operate(unit, op, decay(target), value)
+    made = operate(unit, op, decay(target), value, place)
     if not isinstance(made, tree.Binary):
-        raise _invalid(target, value)
+        raise _invalid(target, value, place)
     return tree.CompoundAssign(ctype, place, op, target, made.right, made.left.type)
 
 
@@ -368,7 +376,7 @@ def conditional(unit: Unit, node: Node) -> Expression:
         then, otherwise = convert(then, ctype), convert(otherwise, ctype)
     if isinstance(condition, tree.Literal):
         return then if condition.value else otherwise
-    return tree.Conditional(ctype, condition.location, condition, then, otherwise)
+    return tree.Conditional(ctype, unit.at(node), condition, then, otherwise)
 
 
 def _conditional_type(unit: Unit, then: Expression, otherwise: Expression) -> CType:

@@ -88,7 +88,7 @@ def if_(unit: Unit, node: Node, out: list[Statement]) -> None:
     condition = _condition(unit, node.cond)
     then = body(unit, node.iftrue)
     otherwise = body(unit, node.iffalse)
-    out.append(tree.If(condition.location, condition, then, otherwise))
+    out.append(tree.If(unit.at(node), condition, then, otherwise))
 
 
 @checks_statement(c_ast.While, c_ast.DoWhile)
@@ -187,7 +187,7 @@ def switch(unit: Unit, node: Node, out: list[Statement]) -> None:
     inner = body(unit, node.stmt)
     state.breakable -= 1
     state.switches.pop()
-    out.append(tree.Switch(value.location, value, inner, opened.labels))
+    out.append(tree.Switch(location, value, inner, opened.labels))
 
 
 def _switch_value(unit: Unit, node: Node) -> Expression:

@@ -13,7 +13,7 @@ user's own file.
 >>> for message in diagnostics.messages:
 ...     print(message.render())
 a.c:1:1: warning: type specifier missing, defaults to 'int'
-a.c:1:19: error: expected ';' before '}'
+a.c:1:18: error: expected ';' after '0'
 """
 
 from __future__ import annotations
@@ -23,8 +23,10 @@ from typing import Any, Final, NoReturn, TypeAlias
 from pycparser import c_ast
 from pycparser.c_parser import ParseError
 
+from crs_cc.frontend.cpp.tokens import shown
 from crs_cc.frontend.lex import Locate, Token, lex
-from crs_cc.frontend.parse_expression import NAMES, ExpressionParser
+from crs_cc.frontend.parse_doubt import DoubtingParser
+from crs_cc.frontend.parse_expression import NAMES
 from crs_cc.source import Diagnostics, Location
 
 Node: TypeAlias = Any
@@ -42,8 +44,8 @@ _MOST_DERIVATIONS: Final = 200
 
 _IMPLICIT_INT: Final = "type specifier missing, defaults to 'int'"
 
-MOST_ERRORS: Final = 20
-"""After so many errors in one file the rest would mostly be echoes."""
+MOST_ERRORS: Final = 500
+"""After so many errors in one file nothing more is looked for."""
 
 PREDECLARED_TYPES: Final = ("__builtin_va_list",)
 """Type names that every file knows."""
@@ -53,6 +55,8 @@ _SPELLING: Final = {
     "LBRACKET": "'['", "RBRACKET": "']'", "COLON": "':'", "COMMA": "','", "EQUALS": "'='",
     "WHILE": "'while'", "ID": "identifier",
 }  # fmt: skip
+_OPENING: Final = {"RPAREN": "LPAREN", "RBRACKET": "LBRACKET", "RBRACE": "LBRACE"}
+_CLOSING: Final = {opening: closing for closing, opening in _OPENING.items()}
 _PLAIN_TEXT: Final = {
     "Invalid expression": "expected an expression",
     "Invalid declaration": "expected a declaration",
@@ -97,7 +101,6 @@ def report(diagnostics: Diagnostics, place: Location, text: str, hint: str = "")
     """
     diagnostics.error(place, text, hint)
     if len(diagnostics.errors) >= MOST_ERRORS:
-        diagnostics.error(Location(place.file, place.line), "too many errors, giving up")
         raise GiveUp
 
 
@@ -123,7 +126,7 @@ def parse(text: str, locate: Locate, diagnostics: Diagnostics) -> list[Node]:
         raise GiveUp from None
 
 
-class _Parser(ExpressionParser):
+class _Parser(DoubtingParser):
     """pycparser's parser, with recovery, and with faster access to the tokens.
 
     It overrides these of pycparser 3.12's methods: access to tokens, how errors are raised, how
@@ -136,6 +139,7 @@ class _Parser(ExpressionParser):
         self._index = 0
         self._diagnostics = diagnostics
         self._last_patch = -1
+        self._blamed = ""
         self._typedef_checked_token: Token | None = None
         self._type_names: dict[int, tuple[Any, int]] = {}
         self._scope_stack = [dict.fromkeys(PREDECLARED_TYPES, True)]
@@ -201,7 +205,10 @@ class _Parser(ExpressionParser):
         elif following is not None and text.startswith("expected"):
             token = following
             text = f"{text} before '{token.value}'"
-        report(self._diagnostics, self.place() if token is None else token.location, text)
+        hint = "" if following is not None else self._opened("LBRACE", "to close the")
+        if not hint or hint.partition("'{'")[2] != self._blamed.partition("'{'")[2]:
+            place = self.place() if token is None else token.location
+            report(self._diagnostics, place, text, hint)
         raise ParseError(text)
 
     def place(self) -> Location:
@@ -229,15 +236,20 @@ class _Parser(ExpressionParser):
     def _missing(self, wanted: str, token: Token) -> Token:
         text, hint = f"expected {_SPELLING.get(wanted, wanted.lower())} before '{token.value}'", ""
         before = self._buffer[self._index - 1] if self._index else token
-        may_patch = wanted == "SEMI" and before.lineno < token.lineno
+        ends = before.lineno < token.lineno or token.type == "RBRACE"
+        may_patch = wanted == "SEMI" and ends
         place = token.location
-        if may_patch:
+        if wanted in _OPENING:
+            hint = self._opened(_OPENING[wanted], "to close the")
+        if wanted == "SEMI" and token.type == "LBRACE":
+            text = "function definition is not allowed here"
+            hint = self._blamed = self._opened("LBRACE", "a '}' may be missing for the")
+        elif wanted == "SEMI" and token.type == "ELSE" and before.type in _STATEMENT_ENDS:
+            text = "'else' without a previous 'if'"
+        elif wanted == "SEMI" and before is not token:
+            text = f"expected ';' after '{shown(before.value)}'"
             place = before.location
             place = Location(place.file, place.line, place.column + len(before.value))
-        if wanted == "SEMI" and token.type == "LBRACE":
-            text, hint = "function definition is not allowed here", "is a '}' missing above?"
-        if wanted == "SEMI" and token.type == "ELSE" and before.type in _STATEMENT_ENDS:
-            text = "'else' without a previous 'if'"
         if token.type == "ELLIPSIS":
             text = "ranges are not supported"
         report(self._diagnostics, place, text, hint)
@@ -245,6 +257,15 @@ class _Parser(ExpressionParser):
             self._last_patch = self._index
             return token.copy("SEMI", ";")
         raise ParseError(text)
+
+    def _opened(self, opening: str, what: str) -> str:
+        """Gives a hint to the last parenthesis, bracket or brace that is still open."""
+        depth, closing = 0, _CLOSING[opening]
+        for token in reversed(self._buffer[: self._index]):
+            depth += {closing: 1, opening: -1}.get(token.type, 0)
+            if depth < 0:
+                return f"{what} {_SPELLING[opening]} at {token.location}"
+        return ""
 
     # Recovery
 

@@ -55,13 +55,6 @@ class ExpressionParser(CParser):  # type: ignore[misc]
         otherwise = self._parse_conditional_expression()
         return c_ast.TernaryOp(condition, then, otherwise, self._span(start))
 
-    def _parse_assignment_expression(self) -> Node:
-        start = self._index
-        node = super()._parse_assignment_expression()
-        if node.__class__ is c_ast.Assignment:
-            node.coord = self._span(start)
-        return node
-
     def _parse_binary_expression(self, min_prec: int = 0, lhs: Node | None = None) -> Node:
         """Parses operators that bind at least as tightly as `min_prec` says."""
         start = self._index

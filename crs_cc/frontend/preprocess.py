@@ -27,7 +27,7 @@ from crs_cc.frontend.cpp.includes import Headers, Refusal, read_regular_file
 from crs_cc.frontend.cpp.output import Preprocessed, Writer
 from crs_cc.frontend.cpp.predefined import ORIGIN, predefined_macros
 from crs_cc.frontend.cpp.report import Report, StopError
-from crs_cc.frontend.cpp.source_text import Place, Places, decode
+from crs_cc.frontend.cpp.source_text import Place, Places, decode, is_binary
 from crs_cc.frontend.cpp.spelling import is_plain, respell
 from crs_cc.frontend.cpp.state import State
 from crs_cc.frontend.cpp.tokens import Token, tokenise
@@ -52,6 +52,9 @@ def preprocess(path: Path, options: Options, diagnostics: Diagnostics) -> Prepro
     content = read_regular_file(path)
     if isinstance(content, Refusal):
         diagnostics.error(Location(str(path)), content.text, content.hint)
+        return _preprocess("", path, options, diagnostics)
+    if is_binary(content):
+        diagnostics.error(Location(str(path)), "is not a text file", "name a C source file")
         return _preprocess("", path, options, diagnostics)
     return _preprocess(decode(content), path, options, diagnostics)
 

@@ -31,6 +31,9 @@ from crs_cc.source import Diagnostics, Location
 if TYPE_CHECKING:
     from crs_cc.frontend.preprocess import Preprocessed
 
+MOST_SHOWN: Final = 20
+"""How many errors of a file are told; the rest are mostly echoes."""
+
 _STACK_BYTES: Final = 256 << 20
 _RECURSION_LIMIT: Final = 60_000
 """Deep enough for thousands of parentheses; Python's own frames are small."""
@@ -78,6 +81,8 @@ def _compile(
         unit.diagnostics.error(unit.place, "the program is nested too deeply here")
     except GiveUp:
         pass  # the reason is among the diagnostics
+    diagnostics.sort()
+    diagnostics.shorten(MOST_SHOWN)
     if diagnostics.errors:
         raise CompileError(diagnostics.errors)
     return programs[0]
@@ -97,7 +102,7 @@ def _stages(unit: Unit, source: Preprocessed) -> Program:
 
 def _stop_on_errors(unit: Unit) -> None:
     if unit.diagnostics.errors:
-        raise CompileError(unit.diagnostics.errors)
+        raise GiveUp
 
 
 def _with_deep_stack(work: Callable[[], None]) -> None:

@@ -141,8 +141,8 @@ def test_a_file_is_compiled_under_the_name_it_was_given(tmp_path: Path) -> None:
     path = tmp_path / "twice.c"
     path.write_text("static int n;\nint twice(void) { return n * 2 }\n")
     diagnostics = Diagnostics()
-    with pytest.raises(CompileError, match="expected ';' before '}'") as caught:
+    with pytest.raises(CompileError, match="expected ';' after '2'") as caught:
         compile_file(path, Options(), diagnostics)
     (message,) = caught.value.diagnostics
-    assert str(message.location) == f"{path}:2:32"
+    assert str(message.location) == f"{path}:2:31"
     assert message.source_line == "int twice(void) { return n * 2 }"

@@ -31,6 +31,7 @@ _COMMENT_OR_QUOTE: Final = re.compile(
       | '(?:[^'\\\n]|\\.)*+'?""",
     re.VERBOSE,
 )
+_CONTROLS: Final = bytes({*range(32), 127} - set(b"\b\t\n\v\f\r\x1a\x1b"))
 _UNDECODABLE: Final = re.compile("[\udc80-\udcff]")
 
 
@@ -43,6 +44,12 @@ def decode(content: bytes) -> str:
     text = content.removeprefix(b"\xef\xbb\xbf").decode("utf-8", "surrogateescape")
     text = text.replace("\r\n", "\n").replace("\r", "\n")
     return text.rstrip("\x1a")  # the end mark of DOS editors
+
+
+def is_binary(content: bytes) -> bool:
+    """Tells whether bytes are no text in any encoding, but a program, a picture or an archive."""
+    odd = len(content) - len(content.translate(None, _CONTROLS))
+    return odd > 4 + len(content) // 100
 
 
 def printable(text: str) -> str:

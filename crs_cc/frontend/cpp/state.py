@@ -26,7 +26,7 @@ from crs_cc.frontend.cpp.includes import Header, Headers, Refusal, read_regular_
 from crs_cc.frontend.cpp.macros import DEFINED, Macro
 from crs_cc.frontend.cpp.reader import Reader
 from crs_cc.frontend.cpp.report import Report
-from crs_cc.frontend.cpp.source_text import Place, SourceText, decode, printable
+from crs_cc.frontend.cpp.source_text import Place, SourceText, decode, is_binary, printable
 from crs_cc.frontend.cpp.tokens import Token
 
 MAX_DEPTH: Final = 200
@@ -110,6 +110,9 @@ class State:
             content = read_regular_file(header.file)
             if isinstance(content, Refusal):
                 self.report.error(place, f"'{header.path}' {content.text}", content.hint)
+                return
+            if is_binary(content):
+                self.report.error(place, f"'{header.path}' is not a text file")
                 return
             text = self._texts[header.file] = self.add_text(str(header.path), decode(content))
         self.open(text, header.path.parent, header, place)
