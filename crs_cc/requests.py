@@ -89,6 +89,8 @@ ERROR_KINDS: Final = (
     "unreachable code reached",
     "abort called",
     "assertion failed",
+    "array length not positive",
+    "no memory for local array",
     "longjmp without setjmp",
     "longjmp to a function that has returned",
     "internal trap",

@@ -16,7 +16,7 @@ import math
 from dataclasses import dataclass
 from typing import Final
 
-from crs_cc.frontend import tree
+from crs_cc.frontend import tree, vla
 from crs_cc.frontend.check import CheckError, Unit, expression
 from crs_cc.frontend.check_expr import rvalue
 from crs_cc.frontend.check_operator import modifiable
@@ -63,6 +63,7 @@ def _table() -> dict[str, Builtin]:
     table = {
         "__crs_request": Builtin(INT, (INT, _ADDRESS)),
         "__crs_setjmp": Builtin(INT, (_ADDRESS,)),
+        "__builtin_alloca": Builtin(_ADDRESS, (UINT,)),
         "__crs_longjmp": Builtin(VOID, (UINT, UINT, INT)),
         "__builtin_memcpy": Builtin(_ADDRESS, (_ADDRESS, _CONST_ADDRESS, UINT)),
         "__builtin_memmove": Builtin(_ADDRESS, (_ADDRESS, _CONST_ADDRESS, UINT)),
@@ -110,6 +111,8 @@ def call_builtin(unit: Unit, name: str, node: Node) -> Expression | None:
     ]
     if name == "__builtin_expect":
         return arguments[0]
+    if name == "__builtin_alloca":
+        return vla.alloca(unit, arguments[0], location)
     return tree.Intrinsic(builtin.result, location, name, arguments)
 
 

@@ -35,10 +35,28 @@ class CheckError(Exception):
 
 
 @dataclass(slots=True, eq=False)
+class Automatic:
+    """A local variable of a variably modified type, in its scope.
+
+    Attributes:
+        mark: for an array the hidden variable that tells what memory to give back behind it.
+    """
+
+    name: str
+    location: Location
+    mark: ObjectSymbol | None
+
+
+@dataclass(slots=True, eq=False)
 class SwitchState:
-    """An open `switch`: the type of its value, its labels, and where each value stands."""
+    """An open `switch`: the type of its value, its labels, and where each value stands.
+
+    Attributes:
+        automatics: how many `Automatic`s there were where it began.
+    """
 
     type: CType
+    automatics: int
     labels: list[tree.CaseLabel] = field(default_factory=list)
     places: dict[int | None, Location] = field(default_factory=dict)
 
@@ -49,22 +67,30 @@ class FunctionState:
 
     Attributes:
         returns_implicit_int: no result type was written, so that no value need be returned.
-        loops: how many loops are open.
+        loops: for each open loop, how many `automatics` there were where it began.
         switches: every open switch.
-        breakable: how many loops and switches are open.
-        labels: where each label stands.
-        gotos: every `goto`.
+        breakable: the same for each open loop and switch.
+        labels: where each label stands, and the `automatics` there.
+        gotos: every `goto`, with the `automatics` there.
+        returns: every `return`.
+        automatics: the variables in scope that have variably modified types.
+        effects: what must be done for the types in the present declaration or expression.
+        alloca_mark: as in `Automatic`, for all that the function got with `alloca`.
     """
 
     symbol: FunctionSymbol
     result: CType
     returns_implicit_int: bool = False
     is_variadic: bool = False
-    loops: int = 0
+    loops: list[int] = field(default_factory=list)
     switches: list[SwitchState] = field(default_factory=list)
-    breakable: int = 0
-    labels: dict[str, Location] = field(default_factory=dict)
-    gotos: list[tree.Goto] = field(default_factory=list)
+    breakable: list[int] = field(default_factory=list)
+    labels: dict[str, tuple[Location, list[Automatic]]] = field(default_factory=dict)
+    gotos: list[tuple[tree.Goto, list[Automatic]]] = field(default_factory=list)
+    returns: list[tree.Return] = field(default_factory=list)
+    automatics: list[Automatic] = field(default_factory=list)
+    effects: list[tree.Expression] = field(default_factory=list)
+    alloca_mark: ObjectSymbol | None = None
 
 
 @dataclass(slots=True, eq=False)
@@ -81,6 +107,7 @@ class Unit:
         function: the function being checked.
         place: the last known place, for nodes without one.
         link_names: how many statics of each name there are.
+        prototypes: how many lists of parameters, whose lengths are not computed, are open.
         unknown: unknown names that were reported, with the function that used them.
         suggestions: how many more unknown names get a hint.
     """
@@ -95,6 +122,7 @@ class Unit:
     specified: dict[Any, CType] = field(default_factory=dict)
     function: FunctionState | None = None
     link_names: dict[str, int] = field(default_factory=dict)
+    prototypes: int = 0
     unknown: set[tuple[str, str]] = field(default_factory=set)
     suggestions: int = 20
 

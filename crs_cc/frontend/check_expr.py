@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pycparser import c_ast
 
-from crs_cc.frontend import convert, literal, tree
+from crs_cc.frontend import convert, literal, tree, vla
 from crs_cc.frontend.check import CheckError, Unit, checks, expression
 from crs_cc.frontend.check_init import initialise
 from crs_cc.frontend.compatible import compatible
@@ -21,6 +21,7 @@ from crs_cc.frontend.tree import Expression
 from crs_cc.ir.types import (
     CHAR,
     UINT,
+    VOID,
     ArrayType,
     CType,
     FunctionType,
@@ -48,7 +49,11 @@ def name(unit: Unit, node: Node) -> Expression:
     location = unit.at(node)
     symbol = unit.scope.find(node.name)
     if isinstance(symbol, ObjectSymbol):
-        return tree.ObjectName(symbol.type, location, symbol)
+        found = tree.ObjectName(symbol.type, location, symbol)
+        if symbol.is_indirect:
+            assert isinstance(symbol.type, PointerType)
+            return tree.Dereference(symbol.type.target, location, found)
+        return found
     if isinstance(symbol, FunctionSymbol):
         return tree.FunctionName(symbol.type, location, symbol)
     if isinstance(symbol, EnumConstant):
@@ -146,12 +151,13 @@ def find_member(ctype: CType, wanted: str, location: Location) -> Member:
 def cast(unit: Unit, node: Node) -> Expression:
     """Checks `(type)value`."""
     location = unit.at(node)
-    ctype = type_name(unit, node.to_type)
+    with vla.effects(unit) as effects:
+        ctype = type_name(unit, node.to_type)
     value = expression(unit, node.expr)
     result = convert.cast(unit, value, ctype)
     if result is not value and isinstance(result, tree.Convert | tree.Literal):
         result.location = location
-    return result
+    return vla.after(effects, result)
 
 
 @checks(c_ast.CompoundLiteral)
@@ -159,6 +165,8 @@ def compound_literal(unit: Unit, node: Node) -> Expression:
     """Checks `(type){...}` (C17 6.5.2.5)."""
     location = unit.at(node)
     ctype = type_name(unit, node.type)
+    if vla.is_variable(ctype):
+        raise CheckError(location, "a compound literal's length must be constant")
     initialiser, ctype = initialise(unit, ctype, node.init, unit.function is None)
     symbol = ObjectSymbol("", ctype, location, is_defined=True, in_memory=True)
     if unit.function is None:
@@ -186,18 +194,24 @@ def generic(unit: Unit, node: Node) -> Expression:
 def size_of(unit: Unit, node: Node) -> Expression:
     """Checks `sizeof` and `_Alignof` (C17 6.5.3.4)."""
     location = unit.at(node)
+    effects: list[Expression] = []
     if isinstance(node.expr, c_ast.Typename):
-        ctype = type_name(unit, node.expr)
+        with vla.effects(unit) as effects:
+            ctype = type_name(unit, node.expr)
     else:
         operand = expression(unit, node.expr)
         ctype = operand.type
+        if vla.is_variable(ctype):
+            effects = [convert.convert(operand, VOID)]
         if isinstance(operand, tree.MemberAccess) and operand.member.bit_width is not None:
             raise CheckError(location, f"'{node.op}' of a bit-field")
     if not is_complete(ctype) and not isinstance(ctype, VoidType | FunctionType):
         raise CheckError(
             location, f"invalid application of '{node.op}' to incomplete type '{ctype}'"
         )
-    return tree.integer(ctype.size if node.op == "sizeof" else ctype.align, UINT, location)
+    if node.op == "sizeof":
+        return vla.after(effects, vla.size(ctype, location))
+    return tree.integer(ctype.align, UINT, location)
 
 
 def offset_of(unit: Unit, node: Node) -> Expression:

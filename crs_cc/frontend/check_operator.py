@@ -7,7 +7,7 @@ from typing import Final
 
 from pycparser import c_ast
 
-from crs_cc.frontend import fold, tree
+from crs_cc.frontend import fold, tree, vla
 from crs_cc.frontend.check import CheckError, Unit, checks, expression
 from crs_cc.frontend.check_expr import rvalue, size_of
 from crs_cc.frontend.compatible import compatible, composite
@@ -26,6 +26,7 @@ from crs_cc.frontend.parse import Node
 from crs_cc.frontend.scope import ObjectSymbol
 from crs_cc.frontend.tree import Expression
 from crs_cc.ir.types import (
+    CHAR,
     INT,
     VOID,
     ArrayType,
@@ -160,7 +161,7 @@ def _moved(pointer: Expression, index: Expression, op: str, place: Location) -> 
         raise _invalid(pointer, index, place)
     _need_size(pointer, pointer.type)
     index = convert(promote(index), INT)
-    return tree.PointerAdd(pointer.type, place, pointer, index, op == "-")
+    return vla.moved(pointer, index, op == "-", place)
 
 
 def _need_size(pointer: Expression, ctype: PointerType) -> None:
@@ -176,7 +177,7 @@ def _difference(op: str, left: Expression, right: Expression, place: Location) -
     if op != "-" or not same:
         raise _invalid(left, right, place)
     _need_size(left, left.type)
-    return tree.PointerDifference(INT, place, left, right, max(1, left.type.target.size))
+    return vla.difference(left, right, place)
 
 
 @checks(c_ast.ArrayRef)
@@ -265,7 +266,9 @@ def _increment(unit: Unit, node: Node) -> Expression:
         raise CheckError(place, f"cannot {what} value of type '{ctype}'")
     step = 1 if node.op[-1] == "+" else -1
     is_postfix = node.op[0] == "p"
-    return tree.Increment(unqualified(ctype), place, target, step, is_postfix)
+    if isinstance(ctype, PointerType) and vla.is_variable(ctype.target):
+        return vla.step(target, step, is_postfix=is_postfix)
+    return tree.Increment(unqualified(ctype), target.location, target, step, is_postfix)
 
 
 _UNARY: Final[dict[str, Callable[[Unit, Node], Expression]]] = {
@@ -345,6 +348,9 @@ def _compound(
             raise _invalid(target, value, place)
         _need_size(target, ctype)
         index_ = convert(promote(value), INT)
+        if vla.is_variable(ctype.target):
+            index_, computed = vla.scaled(index_, ctype.target), PointerType(CHAR)
+            return tree.CompoundAssign(ctype, place, op, target, index_, computed)
         return tree.CompoundAssign(ctype, place, op, target, index_, ctype)
     made = operate(unit, op, decay(target), value, place)
     if not isinstance(made, tree.Binary):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pycparser import c_ast
 
-from crs_cc.frontend import constant, tree
+from crs_cc.frontend import constant, tree, vla
 from crs_cc.frontend.check import (
     EXPRESSIONS,
     STATEMENTS,
@@ -21,8 +21,10 @@ from crs_cc.frontend.convert import assigned, convert, decay, is_integer, is_sca
 from crs_cc.frontend.fold import wrap
 from crs_cc.frontend.parse import Node
 from crs_cc.frontend.refuse import refused
+from crs_cc.frontend.scope import ObjectSymbol
 from crs_cc.frontend.tree import Expression, Statement
 from crs_cc.ir.types import INT, VOID, IntegerType, VoidType
+from crs_cc.source import Location
 
 
 def statement(unit: Unit, node: Node, out: list[Statement]) -> None:
@@ -45,7 +47,7 @@ def body(unit: Unit, node: Node | None) -> list[Statement]:
     """Checks a statement that is part of another, in a scope of its own."""
     out: list[Statement] = []
     if node is not None:
-        with unit.new_scope():
+        with unit.new_scope(), vla.block(_function(unit), out, unit.place):
             statement(unit, node, out)
     return out
 
@@ -58,7 +60,7 @@ def _function(unit: Unit) -> FunctionState:
 @checks_statement(c_ast.Compound)
 def compound(unit: Unit, node: Node, out: list[Statement]) -> None:
     """Checks `{ ... }`."""
-    with unit.new_scope():
+    with unit.new_scope(), vla.block(_function(unit), out, unit.at(node)):
         for each in node.block_items or []:
             statement(unit, each, out)
 
@@ -106,7 +108,7 @@ def for_(unit: Unit, node: Node, out: list[Statement]) -> None:
     """Checks `for`."""
     location = unit.at(node)
     start: list[Statement] = []
-    with unit.new_scope():
+    with unit.new_scope(), vla.block(_function(unit), out, location):
         if isinstance(node.init, c_ast.DeclList):
             for each in node.init.decls:
                 statement(unit, each, start)
@@ -115,62 +117,72 @@ def for_(unit: Unit, node: Node, out: list[Statement]) -> None:
         condition = None if node.cond is None else _condition(unit, node.cond)
         step = None if node.next is None else unit.attempt(rvalue, node.next)
         inner = _loop_body(unit, node.stmt)
-    out.append(tree.Loop(location, start, condition, step, inner))
+        out.append(tree.Loop(location, start, condition, step, inner))
 
 
 def _loop_body(unit: Unit, node: Node) -> list[Statement]:
     state = _function(unit)
-    state.loops += 1
-    state.breakable += 1
+    state.loops.append(len(state.automatics))
+    state.breakable.append(len(state.automatics))
     inner = body(unit, node)
-    state.loops -= 1
-    state.breakable -= 1
+    state.loops.pop()
+    state.breakable.pop()
     return inner
 
 
 @checks_statement(c_ast.Break)
 def break_(unit: Unit, node: Node, out: list[Statement]) -> None:
     """Checks `break`."""
-    if _function(unit).breakable == 0:
-        unit.error(unit.at(node), "'break' statement not in loop or switch statement")
-    out.append(tree.Break(unit.at(node)))
+    state, location = _function(unit), unit.at(node)
+    if not state.breakable:
+        unit.error(location, "'break' statement not in loop or switch statement")
+        return
+    vla.leave(state, state.breakable[-1], out, location)
+    out.append(tree.Break(location))
 
 
 @checks_statement(c_ast.Continue)
 def continue_(unit: Unit, node: Node, out: list[Statement]) -> None:
     """Checks `continue`."""
-    if _function(unit).loops == 0:
-        unit.error(unit.at(node), "'continue' statement not in loop statement")
-    out.append(tree.Continue(unit.at(node)))
+    state, location = _function(unit), unit.at(node)
+    if not state.loops:
+        unit.error(location, "'continue' statement not in loop statement")
+        return
+    vla.leave(state, state.loops[-1], out, location)
+    out.append(tree.Continue(location))
 
 
 @checks_statement(c_ast.Goto)
 def goto(unit: Unit, node: Node, out: list[Statement]) -> None:
     """Checks `goto`; whether its label exists is known at the function's end."""
     made = tree.Goto(unit.at(node), node.name)
-    _function(unit).gotos.append(made)
+    state = _function(unit)
+    state.gotos.append((made, list(state.automatics)))
     out.append(made)
 
 
 @checks_statement(c_ast.Label)
 def label(unit: Unit, node: Node, out: list[Statement]) -> None:
     """Checks a label and the statement behind it."""
-    location, labels = unit.at(node), _function(unit).labels
-    if node.name in labels:
-        hint = f"first at {labels[node.name]}"
+    location, state = unit.at(node), _function(unit)
+    if node.name in state.labels:
+        hint = f"first at {state.labels[node.name][0]}"
         unit.error(location, f"redefinition of label '{node.name}'", hint)
-    labels[node.name] = location
+    state.labels[node.name] = location, list(state.automatics)
     out.append(tree.Label(location, node.name))
     if node.stmt is not None:
         statement(unit, node.stmt, out)
 
 
 def check_labels(unit: Unit) -> None:
-    """Reports every `goto` whose label does not exist."""
+    """Reports every `goto` whose label does not exist, or lies where it must not go."""
     state = _function(unit)
-    for each in state.gotos:
+    for each, automatics in state.gotos:
         if each.name not in state.labels:
             unit.error(each.location, f"use of undeclared label '{each.name}'")
+            continue
+        there = state.labels[each.name][1]
+        each.release = vla.jump(unit, "'goto'", each.location, automatics, there)
 
 
 @checks_statement(c_ast.Switch)
@@ -181,11 +193,11 @@ def switch(unit: Unit, node: Node, out: list[Statement]) -> None:
     if value is None:
         value = tree.integer(0, INT, location)
     state = _function(unit)
-    opened = SwitchState(value.type)
+    opened = SwitchState(value.type, len(state.automatics))
     state.switches.append(opened)
-    state.breakable += 1
+    state.breakable.append(len(state.automatics))
     inner = body(unit, node.stmt)
-    state.breakable -= 1
+    state.breakable.pop()
     state.switches.pop()
     out.append(tree.Switch(location, value, inner, opened.labels))
 
@@ -225,6 +237,8 @@ def _case_label(unit: Unit, node: Node) -> tree.CaseLabel:
             text = f"duplicate case value '{value}'"
         raise CheckError(location, text, f"first at {opened.places[value]}")
     opened.places[value] = location
+    outside = state.automatics[: opened.automatics]
+    vla.jump(unit, "'switch'", location, outside, state.automatics)
     made = tree.CaseLabel(location, value)
     opened.labels.append(made)
     return made
@@ -242,16 +256,22 @@ def _return(unit: Unit, node: Node, out: list[Statement]) -> None:
     if node.expr is None:
         if not isinstance(state.result, VoidType) and not state.returns_implicit_int:
             unit.warning(location, f"non-void function '{name}' should return a value")
-        out.append(tree.Return(location, None))
+        out.append(_leave(state, location, None))
         return
     value = decay(expression(unit, node.expr))
     if isinstance(state.result, VoidType):
         if not isinstance(value.type, VoidType):
             unit.warning(location, f"void function '{name}' should not return a value")
         out.append(tree.ExpressionStatement(location, convert(value, VOID)))
-        out.append(tree.Return(location, None))
+        out.append(_leave(state, location, None))
         return
-    out.append(tree.Return(location, assigned(unit, value, state.result, "return")))
+    out.append(_leave(state, location, assigned(unit, value, state.result, "return")))
+
+
+def _leave(state: FunctionState, location: Location, value: Expression | None) -> tree.Return:
+    made = tree.Return(location, value, vla.release(state.automatics, 0, location))
+    state.returns.append(made)
+    return made
 
 
 @checks(c_ast.Compound)
@@ -261,9 +281,26 @@ def statement_expression(unit: Unit, node: Node) -> Expression:
     if unit.function is None:
         raise CheckError(location, "statement expression not allowed at file scope")
     out: list[Statement] = []
-    compound(unit, node, out)
-    if out and isinstance(last := out[-1], tree.ExpressionStatement):
-        out.pop()
-        value = decay(last.expression)
-        return tree.StatementExpression(value.type, location, out, value)
-    return tree.StatementExpression(VOID, location, out, None)
+    with unit.new_scope(), vla.block(unit.function, out, location):
+        for each in node.block_items or []:
+            statement(unit, each, out)
+        value = _last_value(unit.function, out)
+    return tree.StatementExpression(VOID if value is None else value.type, location, out, value)
+
+
+def _last_value(state: FunctionState, out: list[Statement]) -> Expression | None:
+    """Takes the value of a statement expression off its end, if it has one.
+
+    It is kept in a variable where memory that it may lie in is given back.
+    """
+    if not out or not isinstance(last := out[-1], tree.ExpressionStatement):
+        return None
+    out.pop()
+    value, location = decay(last.expression), last.location
+    if isinstance(value.type, VoidType) or vla.release(state.automatics, 0, location) is None:
+        return value
+    kept = ObjectSymbol("", value.type, location, in_memory=not is_scalar(value.type))
+    name = tree.ObjectName(value.type, location, kept)
+    assign = tree.Assign(value.type, location, name, value)
+    out.append(tree.ExpressionStatement(location, assign))
+    return name

@@ -7,7 +7,7 @@ from typing import Any, Final
 
 from pycparser import c_ast
 
-from crs_cc.frontend import check_call, tree
+from crs_cc.frontend import check_call, tree, vla
 from crs_cc.frontend.builtins import VA_LIST
 from crs_cc.frontend.check import CheckError, FunctionState, Unit
 from crs_cc.frontend.check_stmt import check_labels, statement
@@ -34,6 +34,7 @@ from crs_cc.ir.types import (
     FunctionType,
     VoidType,
     is_complete,
+    is_variably_modified,
     unqualified,
 )
 
@@ -90,11 +91,15 @@ def _function_definition(unit: Unit, node: Node) -> None:
     state = FunctionState(symbol, ctype.result, implicit, symbol.type.variadic)
     unit.function = state
     with unit.new_scope():
-        parameters, passed = _parameters(unit, node, ctype, before)
         body: list[tree.Statement] = []
-        for each in node.body.block_items or []:
-            statement(unit, each, body)
+        with vla.effects(unit) as effects:
+            parameters, passed = _parameters(unit, node, ctype, before)
+        body.extend(tree.ExpressionStatement(each.location, each) for each in effects)
+        with vla.block(state, body, location):
+            for each in node.body.block_items or []:
+                statement(unit, each, body)
     check_labels(unit)
+    vla.finish(state, body)
     made = tree.FunctionDefinition(location, symbol, parameters, passed, body, implicit)
     unit.functions.append(made)
 
@@ -116,11 +121,18 @@ def _parameters(
     arguments = [each for each in arguments if not isinstance(each, c_ast.EllipsisParam)]
     if ctype.parameters is None and arguments:
         return _old_style(unit, node, arguments, before)
-    symbols = [
-        _declare_parameter(unit, each, each.name, parameter)
-        for each, parameter in zip(arguments, ctype.parameters or (), strict=False)
-    ]
+    symbols = []
+    for each, parameter in zip(arguments, ctype.parameters or (), strict=False):
+        if is_variably_modified(parameter) or _has_length(each):
+            parameter = parameter_type(unit, each)  # noqa: PLW2901 - now the others are known
+        symbols.append(_declare_parameter(unit, each, each.name, parameter))
     return symbols, list(ctype.parameters or ())
+
+
+def _has_length(node: Node) -> bool:
+    """Tells whether a parameter is written as an array of a length that may have effects."""
+    is_array = isinstance(node.type, c_ast.ArrayDecl)
+    return is_array and not isinstance(node.type.dim, c_ast.Constant | None)
 
 
 def _declare_parameter(unit: Unit, node: Node, name: str | None, ctype: CType) -> ObjectSymbol:
@@ -139,27 +151,35 @@ def _old_style(
     unit: Unit, node: Node, names: list[Node], before: CType | None
 ) -> tuple[list[ObjectSymbol], list[CType]]:
     """Declares the parameters of `f(a, b) int a; {...}` (C17 6.9.1p6)."""
-    declared: dict[str, tuple[Node, CType]] = {}
+    declared: dict[str, tuple[Node, ObjectSymbol]] = {}
     listed = {each.name for each in names}
-    for each in node.param_decls or []:
+    # The length of an array may name parameters that are declared behind it.
+    for each in sorted(node.param_decls or [], key=_is_derived):
         if not isinstance(each, c_ast.Decl) or each.name is None:
             unit.attempt(declared_type, each.type) if isinstance(each, c_ast.Decl) else None
             continue
         if each.name not in listed:
             text = f"declaration for parameter '{each.name}' but no such parameter"
             unit.error(unit.at(each), text)
-        declared[each.name] = (each, parameter_type(unit, each))
+        ctype = parameter_type(unit, each)
+        declared[each.name] = each, _declare_parameter(unit, each, each.name, ctype)
     symbols, passed = [], []
     prototype = before.parameters if isinstance(before, FunctionType) else None
     for number, each in enumerate(names):
-        place, ctype = declared.get(each.name, (each, INT))
-        symbols.append(_declare_parameter(unit, place, each.name, ctype))
+        place, symbol = declared.get(each.name, (each, None))
+        symbol = symbol or _declare_parameter(unit, each, each.name, INT)
+        symbols.append(symbol)
         promised = prototype[number] if prototype and number < len(prototype) else None
-        passed.append(_passed(ctype, promised))
+        passed.append(_passed(symbol.type, promised))
         if promised is not None and not compatible(unqualified(promised), passed[-1]):
             text = f"parameter '{each.name}' has type '{promised}' in the prototype"
             unit.warning(unit.at(place), text)
     return symbols, passed
+
+
+def _is_derived(node: Node) -> bool:
+    """Tells whether a declaration is of an array, or of something made of other types."""
+    return not isinstance(node.type, c_ast.TypeDecl)
 
 
 def _passed(ctype: CType, promised: CType | None) -> CType:

@@ -32,7 +32,7 @@ def compatible(left: CType, right: CType) -> bool:
     if isinstance(left, PointerType) and isinstance(right, PointerType):
         return compatible(left.target, right.target)
     if isinstance(left, ArrayType) and isinstance(right, ArrayType):
-        lengths = {left.length, right.length}
+        lengths = {left.length, right.length}  # None for those not known here (6.7.6.2p6)
         return (None in lengths or len(lengths) == 1) and compatible(left.element, right.element)
     if isinstance(left, FunctionType) and isinstance(right, FunctionType):
         return compatible(left.result, right.result) and _compatible_parameters(left, right)
@@ -62,8 +62,9 @@ def is_promoted(ctype: CType) -> bool:
 def composite(left: CType, right: CType) -> CType:
     """Gives what two compatible declarations of one thing say together (C17 6.2.7p3)."""
     if isinstance(left, ArrayType) and isinstance(right, ArrayType):
-        length = right.length if left.length is None else left.length
-        return ArrayType(composite(left.element, right.element), length)
+        is_better = left.length is None and (right.length is not None or left.extent is None)
+        known = right if is_better else left
+        return replace(known, element=composite(left.element, right.element))
     if isinstance(left, FunctionType) and isinstance(right, FunctionType):
         if left.parameters is None or right.parameters is None:
             return left if right.parameters is None else right

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from pycparser import c_ast
 
-from crs_cc.frontend import tree
-from crs_cc.frontend.check import CheckError, Unit, checks_statement
+from crs_cc.frontend import tree, vla
+from crs_cc.frontend.check import Automatic, CheckError, Unit, checks_statement
 from crs_cc.frontend.check_init import initialise
 from crs_cc.frontend.compatible import compatible, composite
 from crs_cc.frontend.convert import is_scalar
@@ -32,6 +32,7 @@ from crs_cc.ir.types import (
     Record,
     RecordType,
     is_complete,
+    is_variably_modified,
 )
 from crs_cc.source import Location
 
@@ -46,7 +47,9 @@ def declare(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> 
         _declare_tag(unit, node)
         return
     storage = node.storage or []
-    ctype = declared_anyhow(unit, node)
+    with vla.effects(unit) as effects:
+        ctype = declared_anyhow(unit, node)
+    _do(effects, out)
     location = unit.at_name(node)
     if isinstance(ctype, FunctionType):
         _declare_function(unit, node, ctype, location)
@@ -54,6 +57,12 @@ def declare(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> 
         _declare_global(unit, node, ctype, location)
     else:
         _declare_local(unit, node, ctype, location, out)
+
+
+def _do(effects: list[tree.Expression], out: list[tree.Statement] | None) -> None:
+    """Adds what a declaration's type asks for to the statements."""
+    if out is not None:
+        out.extend(tree.ExpressionStatement(each.location, each) for each in effects)
 
 
 def declared_anyhow(unit: Unit, node: Node) -> CType:
@@ -85,10 +94,14 @@ def _declare_tag(unit: Unit, node: Node) -> None:
         unit.warning(unit.at(node), "declaration does not declare anything")
 
 
-def typedef(unit: Unit, node: Node) -> None:
-    """Checks a typedef."""
-    ctype = declared_anyhow(unit, node)
+def typedef(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> None:
+    """Checks a typedef; what it does at run time is added to `out`."""
+    with vla.effects(unit) as effects:
+        ctype = declared_anyhow(unit, node)
+    _do(effects, out)
     location = unit.at_name(node)
+    if is_variably_modified(ctype) and unit.function is not None:
+        unit.function.automatics.append(Automatic(node.name, location, None))
     known = unit.scope.names.get(node.name)
     if known is not None and not (isinstance(known, TypedefName) and compatible(known.type, ctype)):
         raise _redefinition(known, node.name, location)
@@ -189,6 +202,9 @@ def _declare_global(unit: Unit, node: Node, ctype: CType, location: Location) ->
     storage = node.storage or []
     if unit.function is None and ("register" in storage or "auto" in storage):
         raise CheckError(location, f"illegal storage class on file-scoped variable '{node.name}'")
+    if is_variably_modified(ctype):
+        text = f"'{node.name}' is known to other functions, so its length must be constant"
+        raise CheckError(location, text)
     is_extern = "extern" in storage
     symbol = _global_symbol(unit, node, ctype, location, is_static="static" in storage)
     symbol.align = max(symbol.align, alignment(unit, node))
@@ -294,6 +310,14 @@ def _declare_local(
         symbol.is_defined = True
     unit.scope.names[node.name] = symbol
     made = None
+    if vla.is_variable(ctype) and (is_static or node.init is not None):
+        what = "static" if is_static else "given an initial value"
+        text = f"'{node.name}' cannot be {what}: its length is not constant"
+        raise CheckError(location, text)
+    if is_variably_modified(ctype):
+        vla.declare(unit, symbol, ctype, out)
+        if symbol.is_indirect:
+            return
     if node.init is not None:
         made, symbol.type = initialise(unit, ctype, node.init, is_static)
     need_complete(symbol.type, location, node.name)
@@ -321,8 +345,8 @@ def _local_declaration(unit: Unit, node: Node, out: list[tree.Statement]) -> Non
 
 
 @checks_statement(c_ast.Typedef)
-def _local_typedef(unit: Unit, node: Node, _out: list[tree.Statement]) -> None:
-    unit.attempt(typedef, node)
+def _local_typedef(unit: Unit, node: Node, out: list[tree.Statement]) -> None:
+    unit.attempt(typedef, node, out)
 
 
 @checks_statement(c_ast.StaticAssert)

@@ -12,13 +12,15 @@ from typing import Any, Final
 
 from pycparser import c_ast
 
-from crs_cc.frontend import constant
-from crs_cc.frontend.check import CheckError, Unit
+from crs_cc.frontend import constant, vla
+from crs_cc.frontend.check import CheckError, Unit, expression
+from crs_cc.frontend.convert import convert
 from crs_cc.frontend.parse import Node
 from crs_cc.frontend.refuse import refused
 from crs_cc.frontend.scope import BrokenName, ObjectSymbol, TypedefName
 from crs_cc.ir.types import (
     BASIC_TYPES,
+    UINT,
     VOID,
     ArrayType,
     CType,
@@ -137,26 +139,24 @@ def _array(unit: Unit, node: Node) -> CType:
         raise CheckError(location, f"array has incomplete element type '{element}'")
     if node.dim is None:
         return ArrayType(element)
-    length = _length(unit, node)
+    if _is_star(node.dim):
+        if unit.prototypes == 0:
+            raise CheckError(location, "'[*]' outside of a function declaration's parameters")
+        return ArrayType(element, None, ObjectSymbol("", UINT, location))
+    given = expression(unit, node.dim)
+    length = constant.integer_value(given)
+    if length is None or vla.is_variable(element):
+        return vla.array(unit, element, given)
+    if length < 0:
+        raise CheckError(unit.at(node.dim), "array length is negative")
     if length * element.size > LARGEST_OBJECT:
         raise CheckError(location, "array is too large")
     return ArrayType(element, length)
 
 
-_LENGTH: Final = "array length"
-
-
-def _length(unit: Unit, node: Node) -> int:
-    try:
-        length = constant.integer(unit, node.dim, _LENGTH)
-    except CheckError as mistake:
-        if not mistake.text.startswith(_LENGTH):
-            raise
-        text = "variable length arrays are not supported"
-        raise CheckError(mistake.location, text, "use a constant length or malloc") from None
-    if length < 0:
-        raise CheckError(unit.at(node.dim), "array length is negative")
-    return length
+def _is_star(node: Node) -> bool:
+    """Tells whether an array's length is `*`: it has one, but which does not matter here."""
+    return isinstance(node, c_ast.ID) and node.name == "*"
 
 
 def _function(unit: Unit, node: Node) -> CType:
@@ -168,8 +168,12 @@ def _function(unit: Unit, node: Node) -> CType:
     result = unqualified(result)
     if node.args is None or isinstance(node.args.params[0], c_ast.ID):
         return FunctionType(result)
-    with unit.new_scope():
-        return _prototype(unit, result, node.args.params)
+    unit.prototypes += 1
+    try:
+        with unit.new_scope():
+            return _prototype(unit, result, node.args.params)
+    finally:
+        unit.prototypes -= 1
 
 
 def _prototype(unit: Unit, result: CType, nodes: list[Node]) -> CType:
@@ -195,6 +199,10 @@ def parameter_type(unit: Unit, node: Node) -> CType:
     declarator = node.type
     if isinstance(declarator, c_ast.ArrayDecl):
         pointer = PointerType(declared_type(unit, declarator.type))
+        if declarator.dim is not None and not _is_star(declarator.dim):
+            length = expression(unit, declarator.dim)
+            if unit.prototypes == 0 and unit.function is not None:
+                unit.function.effects.append(convert(length, VOID))
         quals = declarator.dim_quals or []
         return qualify(pointer, "const" in quals, "volatile" in quals)
     ctype = declared_type(unit, declarator)
@@ -231,6 +239,8 @@ def need_complete(ctype: CType, location: Location, name: str) -> None:
     """
     if isinstance(ctype, VoidType) or not is_complete(ctype):
         raise CheckError(location, f"variable '{name}' has incomplete type '{ctype}'")
+    if vla.is_variable(ctype):
+        return
     if isinstance(ctype, RecordType | ArrayType) and ctype.size > LARGEST_OBJECT:
         raise CheckError(location, f"variable '{name}' is too large")
 

@@ -27,6 +27,7 @@ from crs_cc.ir.types import (
     Record,
     RecordType,
     is_complete,
+    is_variably_modified,
     qualify,
 )
 from crs_cc.source import Location
@@ -94,6 +95,8 @@ def _member(unit: Unit, node: Node, is_last: bool) -> Member:
     is_flexible = is_last and isinstance(ctype, ArrayType) and ctype.length is None
     if not is_complete(ctype) and not is_flexible:
         raise CheckError(location, f"member '{node.name}' has incomplete type '{ctype}'")
+    if is_variably_modified(ctype):
+        raise CheckError(location, f"member '{node.name}' has a length that is not constant")
     member = Member(node.name, ctype, align=alignment(unit, node))
     if node.bitsize is not None:
         member.bit_width = _width(unit, node, ctype, location)

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Final
 
 from crs_cc.frontend import tree
+from crs_cc.frontend.declare import LARGEST_OBJECT
 from crs_cc.frontend.lower import (
     EFFECT,
     PLACE,
@@ -20,16 +21,19 @@ from crs_cc.frontend.lower import (
 from crs_cc.frontend.lower_convert import convert_operand, narrow
 from crs_cc.frontend.lower_place import load, store
 from crs_cc.frontend.tree import Expression
+from crs_cc.frontend.vla import AUTOMATIC_COUNT
 from crs_cc.ir.program import (
     MEMORY_SIZE,
     VARARGS,
     Address,
     Argument,
     Binary,
+    Branch,
     Call,
     Constant,
     Copy,
     Fill,
+    Load,
     LongJump,
     Move,
     Operand,
@@ -40,7 +44,8 @@ from crs_cc.ir.program import (
     Store,
     Unary,
 )
-from crs_cc.ir.types import INT, ULLONG, RecordType
+from crs_cc.ir.types import INT, UINT, ULLONG, RecordType
+from crs_cc.source import Location
 
 
 def argument(low: Lowering, expression: Expression) -> Argument:
@@ -190,11 +195,14 @@ def _request(low: Lowering, expression: tree.Intrinsic) -> Operand:
 
 
 def _set_jump(low: Lowering, expression: tree.Intrinsic) -> Operand:
-    """Lowers `setjmp`: the activation goes into the buffer's first word, the place behind it."""
+    """Lowers `setjmp`: fills in `struct __crs_jump`; the place is written where it is known."""
     location, pointer = expression.location, value(low, expression.arguments[0])
     buffer, result, then = low.register("i32"), low.register("i32"), low.new_block("landed")
     low.move(buffer, pointer, location)
     low.emit(Store(location, buffer, 0, low.activation(), "i32"))
+    count = low.register("i32")
+    low.emit(Load(location, count, low.refer(AUTOMATIC_COUNT, location), 0, "i32"))
+    low.emit(Store(location, buffer, 8, count, "i32"))
     place_at = low.binary(location, "i32.add", buffer, Constant("i32", 4))
     low.end(SetJump(location, place_at, low.activation(), result, then))
     low.start(then, location)
@@ -205,6 +213,32 @@ def _long_jump(low: Lowering, expression: tree.Intrinsic) -> Operand:
     activation, where, given = (value(low, each) for each in expression.arguments)
     low.end(LongJump(expression.location, activation, where, given))
     return Constant("i32", 0)
+
+
+def _array_size(low: Lowering, expression: tree.Intrinsic) -> Operand:
+    """Lowers `length * size of an element`, with a length of 64 bits; stops where that is wrong."""
+    location = expression.location
+    length, element = (value(low, each) for each in expression.arguments)
+    most = Constant("i64", LARGEST_OBJECT)
+    before = low.binary(location, "i64.sub", length, Constant("i64", 1))
+    none = low.binary(location, "i64.lt_s", before, Constant("i64", 0))
+    _stop_if(low, none, "array length not positive", location)
+    # A length of more than 2**31 is as wrong as a size of so many bytes, and overflows nothing.
+    huge = low.binary(location, "i64.gt_s", length, most)
+    _stop_if(low, huge, "no memory for local array", location)
+    wide = convert_operand(low, element, UINT, ULLONG, location)
+    bytes_ = low.binary(location, "i64.mul", length, wide)
+    huge = low.binary(location, "i64.gt_s", bytes_, most)
+    _stop_if(low, huge, "no memory for local array", location)
+    return convert_operand(low, bytes_, ULLONG, UINT, location)
+
+
+def _stop_if(low: Lowering, condition: Operand, kind: str, location: Location) -> None:
+    wrong, right = low.new_block("wrong"), low.new_block("right")
+    low.end(Branch(location, condition, wrong, right))
+    low.start(wrong, location)
+    low.end(Stop(location, kind))
+    low.start(right, location)
 
 
 def _copy(low: Lowering, expression: tree.Intrinsic) -> Operand:
@@ -244,6 +278,7 @@ def _va_start(low: Lowering, expression: tree.Intrinsic) -> Operand:
 
 _SPECIAL: Final[dict[str, Callable[[Lowering, tree.Intrinsic], Operand]]] = {
     "__crs_request": _request,
+    "__crs_array_size": _array_size,
     "__crs_stop": _stop,
     "__crs_setjmp": _set_jump,
     "__crs_longjmp": _long_jump,

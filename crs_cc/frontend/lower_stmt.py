@@ -108,6 +108,7 @@ def _label(low: Lowering, statement: tree.Label) -> None:
 
 def _goto(low: Lowering, statement: tree.Goto) -> None:
     low.mark(statement.location)
+    _release(low, statement.release)
     low.end(Jump(statement.location, _label_block(low, statement.name)))
 
 
@@ -125,13 +126,22 @@ def _return(low: Lowering, statement: tree.Return) -> None:
     location, result = statement.location, statement.value
     low.mark(location)
     if result is None:
+        _release(low, statement.release)
         low.end(Return(location, None))
     elif isinstance(result.type, RecordType):
         assert low.result_pointer is not None
         copy(low, (low.result_pointer, 0), place(low, result), result.type.size, location)
+        _release(low, statement.release)
         low.end(Return(location, None))
     else:
-        low.end(Return(location, value(low, result)))
+        operand = value(low, result)
+        _release(low, statement.release)
+        low.end(Return(location, operand))
+
+
+def _release(low: Lowering, release: tree.Expression | None) -> None:
+    if release is not None:
+        effect(low, release)
 
 
 STATEMENT[tree.ExpressionStatement] = _expression

@@ -29,6 +29,8 @@ class ObjectSymbol:
         is_defined: has an initialiser, or is static.
         is_tentative: declared at file scope without `extern` and initialiser (C17 6.9.2).
         in_memory: its address is taken, or it is no scalar, so that no register can hold it.
+        is_indirect: the name means what this variable, a pointer, points to; so it is with an array
+            whose length is not constant.
         align: alignment that `_Alignas` asks for [bytes], 0 for the type's own.
     """
 
@@ -40,6 +42,7 @@ class ObjectSymbol:
     is_defined: bool = False
     is_tentative: bool = False
     in_memory: bool = False
+    is_indirect: bool = False
     align: int = 0
 
 

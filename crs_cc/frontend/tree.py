@@ -318,10 +318,11 @@ class Label:
 
 @dataclass(slots=True, eq=False)
 class Goto:
-    """`goto`."""
+    """`goto`; `release` gives back the memory of arrays whose scope it leaves."""
 
     location: Location
     name: str
+    release: Expression | None = None
 
 
 @dataclass(slots=True, eq=False)
@@ -340,10 +341,11 @@ class Continue:
 
 @dataclass(slots=True, eq=False)
 class Return:
-    """`return`."""
+    """`return`; `release` is done when the value is known, as in `Goto`."""
 
     location: Location
     value: Expression | None
+    release: Expression | None = None
 
 
 Statement: TypeAlias = (

@@ -16,7 +16,7 @@ char *[3] 12
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Hashable, Iterable
 from dataclasses import dataclass, field, replace
 from typing import ClassVar, Final, Literal, TypeAlias, TypeVar
 
@@ -160,14 +160,20 @@ class PointerType:
 
 @dataclass(frozen=True, slots=True)
 class ArrayType:
-    """`length` elements in a row; the length is None while unknown (`int a[]`)."""
+    """`length` elements in a row; the length is None while unknown (`int a[]`).
+
+    Attributes:
+        extent: what the front end knows of a length that only the running program knows.
+    """
 
     element: CType
     length: int | None = None
+    extent: Hashable = None
 
     @property
     def size(self) -> int:
         """Gives the size [bytes], 0 while the length is unknown."""
+        assert self.extent is None, "the program must compute this size"
         return self.element.size * (self.length or 0)
 
     @property
@@ -371,7 +377,7 @@ def qualify(ctype: CType, const: bool, volatile: bool) -> CType:
     if not (const or volatile) or isinstance(ctype, FunctionType):
         return ctype
     if isinstance(ctype, ArrayType):
-        return ArrayType(qualify(ctype.element, const, volatile), ctype.length)
+        return replace(ctype, element=qualify(ctype.element, const, volatile))
     return replace(ctype, const=ctype.const or const, volatile=ctype.volatile or volatile)
 
 
@@ -380,7 +386,7 @@ def unqualified(ctype: CType) -> CType:
     if not (ctype.const or ctype.volatile) or isinstance(ctype, FunctionType):
         return ctype
     if isinstance(ctype, ArrayType):
-        return ArrayType(unqualified(ctype.element), ctype.length)
+        return replace(ctype, element=unqualified(ctype.element))
     if isinstance(ctype, IntegerType | FloatType):
         return BASIC_TYPES[ctype.name]
     return replace(ctype, const=False, volatile=False)
@@ -389,10 +395,20 @@ def unqualified(ctype: CType) -> CType:
 def is_complete(ctype: CType) -> bool:
     """Tells whether an object can have this type (C17 6.2.5p1)."""
     if isinstance(ctype, ArrayType):
-        return ctype.length is not None and is_complete(ctype.element)
+        is_known = ctype.length is not None or ctype.extent is not None
+        return is_known and is_complete(ctype.element)
     if isinstance(ctype, RecordType):
         return ctype.record.members is not None
     return not isinstance(ctype, VoidType | FunctionType)
+
+
+def is_variably_modified(ctype: CType) -> bool:
+    """Tells whether the type depends on a length that only the running program knows."""
+    while isinstance(ctype, PointerType | ArrayType):
+        if isinstance(ctype, ArrayType) and ctype.extent is not None:
+            return True
+        ctype = ctype.target if isinstance(ctype, PointerType) else ctype.element
+    return False
 
 
 def spell(ctype: CType, declarator: str = "") -> str:
@@ -410,6 +426,8 @@ def spell(ctype: CType, declarator: str = "") -> str:
         return spell(ctype.target, text)
     if isinstance(ctype, ArrayType):
         length = "" if ctype.length is None else str(ctype.length)
+        if ctype.extent is not None:
+            length = "*"
         return spell(ctype.element, f"{declarator}[{length}]")
     if isinstance(ctype, FunctionType):
         return spell(ctype.result, f"{declarator}({_parameters(ctype)})")

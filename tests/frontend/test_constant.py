@@ -140,7 +140,7 @@ def test_an_expression_has_its_type(expression: str) -> None:
 
 
 NOT_CONSTANT = {
-    "int n; int a[n];": "variable length arrays are not supported",
+    "int n; int a[n];": "array length is not constant, but outside of functions",
     "int n; int x = n;": "initializer element is not a compile-time constant",
     "int f(void); int x = f();": "initializer element is not a compile-time constant",
     "int x = 1 / 0;": "initializer element is not a compile-time constant",

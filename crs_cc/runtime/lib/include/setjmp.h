@@ -5,6 +5,7 @@
 struct __crs_jump {
     unsigned activation;     /* the call of a function that called setjmp; 0 for none */
     unsigned place;          /* where it goes on */
+    int automatic;           /* how many local arrays it had got memory for */
 };
 
 typedef struct __crs_jump jmp_buf[1];

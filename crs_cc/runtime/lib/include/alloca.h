@@ -1,0 +1,9 @@
+/* Memory that is given back at the end of the function. */
+#ifndef _ALLOCA_H
+#define _ALLOCA_H
+
+#include <stddef.h>
+
+#define alloca(size) __builtin_alloca(size)
+
+#endif

@@ -1,0 +1,14 @@
+/* The length of an array is a mistake of whoever computed it. */
+#include <string.h>
+
+static int sum(int n)
+{
+    int values[n]; // error: array length not positive
+    memset(values, 0, sizeof values);
+    return values[0];
+}
+
+int main(void)
+{
+    return sum(3) + sum(-1);
+}
