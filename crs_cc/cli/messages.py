@@ -86,6 +86,11 @@ def render(diagnostic: Diagnostic, *, coloured: bool) -> str:
     return "\n".join(rows)
 
 
+def printable(text: str) -> str:
+    """Gives a text for one line of a terminal, without characters that would do harm there."""
+    return text.translate(_CONTROLS | {9: " ", 10: "?"})
+
+
 def as_data(diagnostic: Diagnostic) -> dict[str, str | int]:
     """Gives a message as plain data for JSON."""
     place = diagnostic.location
@@ -107,7 +112,7 @@ def _caret(diagnostic: Diagnostic, room: int) -> str:
 
 def _excerpt(diagnostic: Diagnostic) -> tuple[str, int]:
     """Gives as much of the line of source as fits on a screen, and the caret's column in it."""
-    line = diagnostic.source_line.translate(_CONTROLS | {9: " ", 10: "?"}).rstrip()
+    line = printable(diagnostic.source_line).rstrip()
     column = diagnostic.location.column
     if len(line) <= MAX_LINE_LENGTH:
         return line, column

@@ -6,7 +6,6 @@ import json
 import math
 import sys
 import time
-from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -15,20 +14,20 @@ import click
 
 from crs_cc.cli.interrupt import Interrupt
 from crs_cc.cli.load import Loaded, load
-from crs_cc.cli.messages import as_data, is_terminal, say, show, show_before_run
+from crs_cc.cli.messages import as_data, is_terminal, say, show_before_run
 from crs_cc.cli.output import ProgramOutput, ProgressLine, read_line
 from crs_cc.cli.plot import Picture, Trip
+from crs_cc.cli.report import show_reports
 from crs_cc.cli.summary import Run, as_json, exit_status
 from crs_cc.cli.tracks import Tracks
 from crs_cc.errors import CrsError
 from crs_cc.session.session import Session
 from crs_cc.sim.model import Box, Cylinder, Pose
 from crs_cc.sim.scene import Scene
-from crs_cc.source import Diagnostic, Diagnostics, Location
+from crs_cc.source import Diagnostics
 
 if TYPE_CHECKING:
     from crs_cc.cli.run import RunOptions
-    from crs_cc.session.result import RobotResult
     from crs_cc.session.trace import Trace
     from crs_cc.sim.step import Step
 
@@ -203,7 +202,7 @@ def _write(path: Path, picture: bytes) -> None:
 
 def _report(run: Run, options: RunOptions) -> None:
     """Says what came of the run, as far as anybody wants to know."""
-    show(list(_failures(run.result.robots)))
+    show_reports(run.result.robots)
     if options.as_json:
         click.echo(as_json(run))
     asked = options.summary
@@ -211,21 +210,3 @@ def _report(run: Run, options: RunOptions) -> None:
         from crs_cc.cli.table import print_summary
 
         print_summary(run)
-
-
-def _failures(robots: Sequence[RobotResult]) -> Iterator[Diagnostic]:
-    """Gives why programs were stopped, with the lines of source; of several, with their robots."""
-    for robot in robots:
-        if robot.error is not None:
-            text = robot.error.text
-            text = f"[{robot.id}] {text}" if len(robots) > 1 else text
-            yield replace(robot.error, text=text, source_line=_source_line(robot.error.location))
-
-
-def _source_line(place: Location) -> str:
-    """Gives the line at a place, if its file can still be read."""
-    try:
-        lines = Path(place.file).read_text(encoding="utf-8", errors="replace").split("\n")
-    except (OSError, ValueError):
-        return ""
-    return lines[place.line - 1] if 0 < place.line <= len(lines) else ""

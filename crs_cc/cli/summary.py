@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from crs_cc import __version__
-from crs_cc.cli.messages import as_data
+from crs_cc.cli.report import report_data
 from crs_cc.cli.status import INTERRUPTED
 from crs_cc.errors import ProgramError
 
@@ -77,7 +77,7 @@ def _robot_data(robot: RobotResult) -> dict[str, Any]:
         "program": robot.program,
         "outcome": robot.outcome,
         "exit_status": robot.exit_status,
-        "error": as_data(robot.error) if robot.error else None,
+        "error": report_data(robot.error) if robot.error else None,
         "time_s": float(robot.time_s),
         "odometry": _pose_data(robot.odometry),
         "pose": _pose_data(robot.pose),

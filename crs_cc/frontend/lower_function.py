@@ -92,7 +92,8 @@ def _parameter(low: Lowering, symbol: ObjectSymbol, passed: CType) -> None:
         low.function.parameters.append(Parameter(place, memory, MEMORY_SIZE[memory]))
         return
     arrived = low.register(value_type(passed))
-    low.function.parameters.append(Parameter(arrived, memory, MEMORY_SIZE[memory]))
+    variable = Variable(symbol.name, passed, location)
+    low.function.parameters.append(Parameter(arrived, memory, MEMORY_SIZE[memory], variable))
     _convert_parameter(low, symbol, arrived, passed, location)
 
 

@@ -151,11 +151,13 @@ class Parameter:
         place: the register it is loaded into at entry, or the slot that lies over it in memory.
         memory: how it lies in memory; None for a struct.
         size: size in bytes, before rounding up to 4.
+        variable: the C parameter as it is passed, where it becomes another variable.
     """
 
     place: Register | Slot
     memory: MemoryType | None
     size: int
+    variable: Variable | None = None
 
 
 @dataclass(slots=True, eq=False)

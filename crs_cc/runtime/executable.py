@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import functools
 import resource
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -73,10 +73,17 @@ class Executable:
 
 @dataclass(slots=True)
 class Detail:
-    """A program in the forms that it had on its way to machine code."""
+    """A program in the forms that it had on its way to machine code.
+
+    Attributes:
+        program: linked, as IR.
+        compiled: as WebAssembly.
+        lines: the lines of the user's files, by their names.
+    """
 
     program: Program
     compiled: Compiled
+    lines: Mapping[str, Sequence[str]]
 
 
 def load_executable(
@@ -96,12 +103,25 @@ def load_executable(
 
 
 def make_executable(
-    program: Program, name: str, *, checked: bool = True, debug: bool = False
+    program: Program,
+    name: str,
+    *,
+    lines: Mapping[str, Sequence[str]] | None = None,
+    checked: bool = True,
+    debug: bool = False,
 ) -> Executable:
-    """Compiles a linked, verified program."""
+    """Compiles a linked, verified program.
+
+    Args:
+        program: the program.
+        name: the program as the user named it.
+        lines: the lines of the user's files, by their names; messages show them.
+        checked: test every access through a pointer.
+        debug: make every statement a place to stop at.
+    """
     from crs_cc.runtime.codegen import compile_program
 
     compiled = compile_program(program, checked=checked, debug=debug)
     module = wasmtime.Module(engine(), compiled.module.to_binary())
-    detail = Detail(program, compiled)
+    detail = Detail(program, compiled, lines or {})
     return Executable(name, bytes(module.serialize()), lambda: detail, module)

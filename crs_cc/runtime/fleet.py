@@ -34,8 +34,9 @@ from crs_cc.runtime.wasm import PAGE
 from crs_cc.source import Location
 
 if TYPE_CHECKING:
-    from crs_cc.runtime.inspect import StackFrame
+    from crs_cc.runtime.inspect import StackFrame, StoppedProgram
     from crs_cc.runtime.objects import Object
+    from crs_cc.runtime.report import ErrorReport
 
 CHUNK: Final = 4096  # a snapshot keeps the chunks of memory that are not all zero [bytes]
 
@@ -68,6 +69,7 @@ class Failure:
         access: "read" or "write" when a bad access of memory failed.
         size: how many bytes were accessed.
         object: what lies at `value`, or near it; the variable that has no value yet.
+        program: the stopped program, to be read; None when its stack cannot be trusted.
     """
 
     kind: str
@@ -77,6 +79,7 @@ class Failure:
     access: Access = ""
     size: int = 0
     object: Object | None = None
+    program: StoppedProgram | None = None
 
 
 class Fleet:
@@ -148,7 +151,7 @@ class Fleet:
     def failure(self, robot: int) -> Failure:
         """Gives why a robot with status FAILED was stopped."""
         slot = self.slots[robot]
-        from crs_cc.runtime.inspect import call_stack  # these need the code generator
+        from crs_cc.runtime.inspect import StoppedProgram, call_stack  # need the code generator
         from crs_cc.runtime.objects import find_object
 
         detail = self._executables[robot].detail()
@@ -158,13 +161,20 @@ class Fleet:
             return Failure(kind, Location(self._executables[robot].name), value)
         site = detail.compiled.sites[slot["error_site"]]
         kind, memory = site.kind, self._memories[robot]
-        stack = tuple(call_stack(memory, detail.compiled))
+        stack = tuple(call_stack(memory, detail.compiled, site.location))
         found = None
         if kind == "memory":
             kind = "null pointer" if value < NULL_SIZE else "pointer outside memory"
             found = find_object(value, detail.program, detail.compiled, stack)
         size = site.size or int(slot["error_size"])
-        return Failure(kind, site.location, value, stack, site.access, size, found)
+        program = StoppedProgram(memory, detail, stack)
+        return Failure(kind, site.location, value, stack, site.access, size, found, program)
+
+    def report(self, robot: int) -> ErrorReport:
+        """Gives the report on a robot with status FAILED: its failure in words."""
+        from crs_cc.runtime.report import report  # needs the code generator
+
+        return report(self.failure(robot))
 
     def snapshot(self, robot: int) -> Snapshot:
         """Gives the whole state of one robot's program."""

@@ -24,13 +24,13 @@ class _Entry:
     Attributes:
         digests: of every file that the compiler looked for, see `Diagnostics`.
         machine_code: wasmtime's serialised module.
-        program: the pickled IR, which only messages and debuggers need.
+        source: the pickled IR and lines of C, which only messages and debuggers need.
         warnings: what the compiler had to say.
     """
 
     digests: dict[str, str]
     machine_code: bytes
-    program: bytes
+    source: bytes
     warnings: tuple[Diagnostic, ...]
 
 
@@ -85,8 +85,9 @@ def build_executable(
     finally:
         diagnostics.messages.extend(own.messages)
         diagnostics.lines.update(own.lines)
-    program = pickle.dumps(executable.program, pickle.HIGHEST_PROTOCOL)
-    cache.store(key, _Entry(own.digests, executable.machine_code, program, tuple(own.messages)))
+    made = executable.detail()
+    source = pickle.dumps((made.program, made.lines), pickle.HIGHEST_PROTOCOL)
+    cache.store(key, _Entry(own.digests, executable.machine_code, source, tuple(own.messages)))
     return executable
 
 
@@ -118,7 +119,9 @@ def _compile(
     for unit in units:
         verify(unit)
     program = link(units, library(), diagnostics)
-    return make_executable(program, name, checked=checked, debug=debug)
+    files = {function.location.file for function in program.functions.values()}
+    lines = {file: diagnostics.lines[file] for file in sorted(files & diagnostics.lines.keys())}
+    return make_executable(program, name, lines=lines, checked=checked, debug=debug)
 
 
 def _unchanged(entry: _Entry) -> bool:
@@ -132,7 +135,7 @@ def _reload(entry: _Entry, *, checked: bool, debug: bool) -> Callable[[], Detail
     def detail() -> Detail:
         from crs_cc.runtime.codegen import compile_program
 
-        program = pickle.loads(entry.program)  # noqa: S301 - see `crs_cc.session.cache`
-        return Detail(program, compile_program(program, checked=checked, debug=debug))
+        program, lines = pickle.loads(entry.source)  # noqa: S301 - see `crs_cc.session.cache`
+        return Detail(program, compile_program(program, checked=checked, debug=debug), lines)
 
     return detail

@@ -3,20 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Final, Literal
-
-from crs_cc.runtime.link import LIBRARY
-from crs_cc.source import Diagnostic
+from typing import TYPE_CHECKING, Any, Literal
 
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    from crs_cc.runtime.fleet import Failure, Snapshot
+    from crs_cc.runtime.fleet import Snapshot
+    from crs_cc.runtime.report import ErrorReport
     from crs_cc.sim.environment import Snapshot as EnvironmentSnapshot
     from crs_cc.sim.state import EnvState
-
-WITH_ADDRESS: Final = ("null pointer", "pointer outside memory", "bad function pointer")
-SHOWN_CALLS: Final = 3
 
 Pose = tuple[float, float, float]
 """x [m], y [m], heading [rad, counter-clockwise from x]."""
@@ -45,7 +40,7 @@ class RobotResult:
     program: str
     outcome: Literal["exited", "running", "failed"]
     exit_status: int | None
-    error: Diagnostic | None
+    error: ErrorReport | None
     time_s: float
     odometry: Pose
     pose: Pose
@@ -94,20 +89,3 @@ def robot_state(state: EnvState, robot: int) -> dict[str, Any]:
         "collisions": int(state.collisions[robot]),
         "commands": int(state.commands[robot]),
     }
-
-
-def error_of(failure: Failure) -> Diagnostic:
-    """Gives a program's failure as a message about the innermost place in the user's own files."""
-    text, place = failure.kind, failure.location
-    if failure.kind in WITH_ADDRESS:
-        text += f" (address {failure.value:#010x})"
-    mine = [frame for frame in failure.stack if not frame.location.file.startswith(LIBRARY)]
-    if mine and place.file.startswith(LIBRARY):
-        callee = failure.stack[failure.stack.index(mine[0]) - 1].function
-        place = mine[0].location
-        if callee not in text and not callee.startswith("__"):
-            text += f" in {callee}"
-    calls = [f"{frame.location} in {frame.function}" for frame in mine[1 : 1 + SHOWN_CALLS]]
-    if len(mine) > 1 + SHOWN_CALLS:
-        calls.append(f"{len(mine) - 1 - SHOWN_CALLS} more")
-    return Diagnostic("error", place, text, hint="called from " + ", ".join(calls) if calls else "")

@@ -46,7 +46,6 @@ from crs_cc.session.result import (
     RobotResult,
     RunResult,
     SessionSnapshot,
-    error_of,
     robot_state,
 )
 from crs_cc.sim.environment import Environment
@@ -205,7 +204,7 @@ class Session:
             program=self._executables[robot].name,
             outcome="running" if running else "failed" if failed else "exited",
             exit_status=self._host.exit_status[robot],
-            error=error_of(self.fleet.failure(robot)) if failed else None,
+            error=self.fleet.report(robot) if failed else None,
             time_s=self.time_s if running else float(self._ended_s[robot]),
             fuel=int(self.fuel[robot]),
             **robot_state(self.environment.state, robot),

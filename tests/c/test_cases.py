@@ -23,8 +23,8 @@ import pytest
 
 from crs_cc.errors import CompileError
 from crs_cc.requests import ERROR_KINDS
+from crs_cc.runtime.report import report
 from crs_cc.session.build import build_executable
-from crs_cc.session.result import error_of
 from crs_cc.source import Diagnostics
 from tests.c.execution import (
     ENDLESS,
@@ -130,7 +130,7 @@ def test_a_run_time_error_is_named_at_its_line(path: Path) -> None:
         failure = Run(build(path), Stepping(fuel)).to_end().failure
         assert failure is not None
         assert failure.kind == wanted.text
-        message = error_of(failure)
+        message = report(failure)
         assert message.text.startswith(wanted.text)
         if wanted.line:
             assert Path(message.location.file).name == path.name

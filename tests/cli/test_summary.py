@@ -9,10 +9,11 @@ import pytest
 
 from crs_cc.cli.summary import Run, as_json, exit_status
 from crs_cc.cli.table import MAX_ROWS, print_summary
+from crs_cc.runtime.report import ErrorReport
 from crs_cc.session.result import RobotResult, RunResult
-from crs_cc.source import Diagnostic, Location
+from crs_cc.source import Location
 
-FAILURE = Diagnostic("error", Location("wander.c", 7, 3), "null pointer")
+FAILURE = ErrorReport("null pointer", Location("wander.c", 7, 3), "null pointer: 'p' is null")
 
 
 def robot(name: str = "robot0", **changes: Any) -> RobotResult:
@@ -74,7 +75,7 @@ def test_json_holds_every_figure_of_every_robot() -> None:
     assert first["exit_status"] == 0
     assert first["error"] is None
     assert second["outcome"] == "failed"
-    assert second["error"]["text"] == "null pointer"
+    assert second["error"]["text"] == "null pointer: 'p' is null"
     assert second["error"]["line"] == 7
     assert set(first) == set(RobotResult.__slots__)
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import gc
+
 import numpy as np
 import pytest
 
@@ -145,3 +147,12 @@ def test_a_slot_in_the_frame_survives_a_stop() -> None:
     base = 4096 + 2 * 2**20 - 16 - info.frame.size
     at = base + info.frame.offsets[slot]
     assert fleet.memory(0)[at : at + 4].view("<i4")[0] == 77
+
+
+def test_arrays_into_a_fleet_keep_its_memory() -> None:
+    fleet = Fleet([counting_program()])
+    memory, slots = fleet.memory(0), fleet.slots
+    del fleet
+    gc.collect()
+    assert memory[5000] == 0
+    assert slots["run"][0] == 0

@@ -1,0 +1,109 @@
+"""How crs shows the report of a stopped program, and gives it as data for JSON.
+
+The first lines are those of every message: the place, the sentence, the source with what failed
+underlined. Below stand the values of the variables there, what is known of the object, and the
+call stack, which begins with `in` and goes outwards with `from`.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Final
+
+import click
+
+from crs_cc.cli.messages import is_coloured, printable, render, say
+from crs_cc.source import Diagnostic
+
+if TYPE_CHECKING:
+    from crs_cc.runtime.objects import Object
+    from crs_cc.runtime.report import ActiveCall, ErrorReport
+    from crs_cc.runtime.sites import CallSite
+    from crs_cc.session.result import RobotResult
+    from crs_cc.source import Location
+
+_ALIKE: Final = 3
+
+
+def show_reports(robots: Sequence[RobotResult]) -> None:
+    """Writes to stderr why programs were stopped; of many that failed alike the first few."""
+    alike: dict[tuple[str, Location], list[RobotResult]] = {}
+    for robot in robots:
+        if robot.error is not None:
+            alike.setdefault((robot.error.kind, robot.error.location), []).append(robot)
+    for same in alike.values():
+        for robot in same[:_ALIKE]:
+            assert robot.error is not None
+            name = robot.id if len(robots) > 1 else ""
+            say(render_report(robot.error, name, coloured=is_coloured(sys.stderr)))
+        if len(same) > _ALIKE:
+            say(f"... and {len(same) - _ALIKE} more robots were stopped at the same place")
+
+
+def render_report(report: ErrorReport, robot: str = "", *, coloured: bool = False) -> str:
+    """Gives a report as it is shown, under the name of a robot if one is given."""
+    text = f"[{robot}] {report.text}" if robot else report.text
+    head = Diagnostic("error", report.location, text, report.source_line)
+    rows = []
+    if report.values:
+        rows.append(", ".join(f"{name} = {value}" for name, value in report.values))
+    rows += report.notes
+    rows = [printable(row) for row in rows]
+    for number, call in enumerate(report.stack):
+        word = "..." if call.count > 1 else "from" if number else "in"
+        known = call.location in (None, report.location)
+        place = "" if known else f" at {printable(str(call.location))}"
+        rows.append(f"{word:4} {_call(call, coloured=coloured)}{place}")
+    return "\n".join([render(head, coloured=coloured), *(f"    {row}" for row in rows)])
+
+
+def report_data(report: ErrorReport) -> dict[str, Any]:
+    """Gives a report as plain data."""
+    return {
+        "kind": report.kind,
+        "text": report.text,
+        **_place(report.location),
+        "values": dict(report.values),
+        "notes": list(report.notes),
+        "object": _object(report.object) if report.object else None,
+        "stack": [_call_data(call) for call in report.stack],
+    }
+
+
+def _call(call: ActiveCall, *, coloured: bool) -> str:
+    text, name = printable(str(call)), call.function
+    is_one = coloured and call.count == 1
+    return click.style(name, bold=True) + text.removeprefix(name) if is_one else text
+
+
+def _place(place: Location | None) -> dict[str, Any]:
+    if place is None:
+        return {"file": None, "line": None, "column": None}
+    return {"file": place.file, "line": place.line, "column": place.column}
+
+
+def _call_data(call: ActiveCall) -> dict[str, Any]:
+    return {
+        "function": call.function,
+        "arguments": dict(call.arguments),
+        **_place(call.location),
+        "count": call.count,
+    }
+
+
+def _object(found: Object) -> dict[str, Any]:
+    return {
+        "kind": found.kind,
+        "name": found.name,
+        "address": found.address,
+        "size": found.size,
+        "state": found.state,
+        "declared": _place(found.location) if found.location else None,
+        "allocated": [_site(each) for each in found.allocated],
+        "freed": [_site(each) for each in found.freed],
+    }
+
+
+def _site(site: CallSite) -> dict[str, Any]:
+    return {"function": site.function, **_place(site.location)}

@@ -1,0 +1,138 @@
+r"""Finds in the text of an expression the pointer that it goes through, and the names in it.
+
+Only what a reader sees at a glance is understood: a name with members, indices and stars. All
+else gives nothing, and messages do without.
+
+>>> from crs_cc.ir.types import INT, ArrayType, Member, PointerType, Record, RecordType
+>>> node = Record("struct", "node")
+>>> pointer = PointerType(RecordType(node))
+>>> node.complete([Member("data", ArrayType(INT, 2)), Member("next", pointer)])
+>>> head = pointer, b"\x10\0\0\0"
+>>> memory = {0x10: bytes(12)}
+>>> find = {"head": head, "i": (INT, b"\1\0\0\0")}.get
+>>> read = lambda address, size: memory.get(address, b"")
+>>> pointer_in("head->next->data[i]", find, read)
+('head->next', 0)
+>>> pointer_in("head->data[i]", find, read)
+('head', 16)
+>>> names_in("head->next->data[i] + f(2)")
+['head', 'i']
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from typing import Final, TypeAlias
+
+from crs_cc.ir.types import ArrayType, CType, IntegerType, PointerType, RecordType
+
+Find: TypeAlias = Callable[[str], "tuple[CType, bytes] | None"]
+"""Gives type and content of a variable."""
+
+Read: TypeAlias = Callable[[int, int], bytes]
+"""Gives the bytes at an address, as many as can be read."""
+
+_EXPRESSION: Final = re.compile(
+    r"\s*(\**)\s*(?:\+\+|--)?\s*([^\W\d]\w*)((?:\s*(?:->|\.)\s*\w+|\s*\[[^][]*\])*)\s*(?:\+\+|--)?\s*"
+)
+_SUFFIX: Final = re.compile(r"\s*(->|\.)\s*(\w+)|\s*\[\s*([^][]*?)\s*\]")
+_NAME: Final = re.compile(
+    r""""(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*'|(?:->|\.)\s*\w+|\.?\d[\w.]*|([^\W\d]\w*)(\s*\()?"""
+)
+
+
+def names_in(expression: str) -> list[str]:
+    """Gives the names in an expression that may be those of variables, each once."""
+    found = (match for match in _NAME.finditer(expression) if match[1] and not match[2])
+    return list(dict.fromkeys(match[1] for match in found))
+
+
+def pointer_in(expression: str, find: Find, read: Read) -> tuple[str, int | None] | None:
+    """Gives the text of the pointer that an expression goes through last, and its value if known.
+
+    Args:
+        expression: an expression that names an object.
+        find: knows the variables.
+        read: knows the memory.
+    """
+    whole = _EXPRESSION.fullmatch(expression)
+    known = find(whole[2]) if whole else None
+    if whole is None or known is None:
+        return None
+    walk = _Walk(whole[2], *known, read)
+    try:
+        for suffix in _SUFFIX.finditer(whole[3]):
+            if isinstance(walk.ctype, PointerType) and suffix[1] != ".":
+                walk.follow(0 if suffix[1] else _index(suffix[3], find))
+            elif suffix[1] is None:
+                walk.index(_index(suffix[3], find))
+            if suffix[1]:
+                walk.member(suffix[2])
+            walk.text += suffix[0]
+        for _ in whole[1]:
+            walk.follow(0)
+            walk.text = f"*{walk.text}"
+    except _LostError:
+        return None
+    return walk.pointer
+
+
+class _LostError(Exception):
+    """The expression is not what its text looks like."""
+
+
+class _Walk:
+    """Goes along an expression from the left: the object reached, and the last pointer followed."""
+
+    def __init__(self, text: str, ctype: CType, content: bytes, read: Read) -> None:
+        self.text = text
+        self.ctype = ctype
+        self.content: bytes | None = content
+        self.pointer: tuple[str, int | None] | None = None
+        self._read = read
+
+    def follow(self, index: int | None) -> None:
+        """Goes from a pointer to an element of what it points to."""
+        if not isinstance(self.ctype, PointerType):
+            raise _LostError
+        address = None if self.content is None else int.from_bytes(self.content, "little")
+        self.pointer = self.text, address
+        self.ctype = self.ctype.target
+        size, self.content = self.ctype.size, None
+        if address is not None and index is not None:
+            found = self._read(address + index * size, size)
+            self.content = found if len(found) == size else None
+
+    def index(self, index: int | None) -> None:
+        """Goes from an array to one of its elements."""
+        if not isinstance(self.ctype, ArrayType):
+            raise _LostError
+        self.ctype = self.ctype.element
+        self._cut(None if index is None else index * self.ctype.size)
+
+    def member(self, name: str) -> None:
+        """Goes from a struct to one of its members."""
+        named = self.ctype.record.named if isinstance(self.ctype, RecordType) else {}
+        if name not in named:
+            raise _LostError
+        self.ctype = named[name].type
+        self._cut(named[name].offset)
+
+    def _cut(self, offset: int | None) -> None:
+        """Keeps the bytes of the present type at an offset."""
+        if offset is None or self.content is None:
+            self.content = None
+            return
+        part = self.content[offset : offset + self.ctype.size] if offset >= 0 else b""
+        self.content = part if len(part) == self.ctype.size else None
+
+
+def _index(text: str, find: Find) -> int | None:
+    """Gives the value of an index that is a number or a variable."""
+    if text.isdecimal():
+        return int(text)
+    known = find(text)
+    if known is None or not isinstance(known[0], IntegerType):
+        return None
+    return int.from_bytes(known[1], "little", signed=known[0].signed)

@@ -1,0 +1,330 @@
+"""Says in plain words why a program was stopped: one function for each kind of error.
+
+The reader may have learned C last month. A sentence says what the program did and what is wrong
+with it; the notes tell of the object: how large it is, where it is declared, where a block of the
+heap was allocated and freed.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.ir.types import spell
+from crs_cc.runtime.blame import pointer_in
+from crs_cc.runtime.layout import NULL_SIZE, STACK_SIZE
+from crs_cc.runtime.link import LIBRARY
+from crs_cc.runtime.values import place_name
+
+if TYPE_CHECKING:
+    from crs_cc.ir.types import CType
+    from crs_cc.runtime.fleet import Failure
+    from crs_cc.runtime.inspect import StackFrame
+    from crs_cc.runtime.objects import Object
+    from crs_cc.runtime.report import ActiveCall
+    from crs_cc.runtime.sites import CallSite
+
+SHOWN_SITES: Final = 3
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """What there is to know of a failure.
+
+    Attributes:
+        failure: the failure.
+        expression: the text of the expression that failed, as far as it is known.
+        frame: the innermost function of the user's own files.
+        callee: the function of the library that it called, if the failure is in there.
+    """
+
+    failure: Failure
+    expression: str = ""
+    frame: StackFrame | None = None
+    callee: ActiveCall | None = None
+
+    @property
+    def access(self) -> str:
+        """Gives what was done: `reads 4 bytes`, `strcpy writes 1 byte`."""
+        failure = self.failure
+        verb = {"read": "reads", "write": "writes", "": "accesses"}[failure.access]
+        what = count(failure.size, "byte") if failure.size else "memory"
+        return f"{self.callee.function} {verb} {what}" if self.callee else f"{verb} {what}"
+
+    def find(self, name: str) -> tuple[CType, bytes] | None:
+        """Gives type and content of a variable."""
+        program = self.failure.program
+        if program is None or self.frame is None:
+            return None
+        known = program.variable(name, self.frame)
+        return None if known is None else (known[0].ctype, known[1])
+
+    def pointer(self) -> tuple[str, int | None] | None:
+        """Gives the pointer that the expression goes through last, and its value if known."""
+        program = self.failure.program
+        if program is None or self.callee is not None:
+            return None
+        return pointer_in(self.expression, self.find, program.read)
+
+
+@dataclass(frozen=True, slots=True)
+class Explanation:
+    """The words.
+
+    Attributes:
+        text: what happened; empty when the kind says all.
+        notes: what else there is to say, a sentence each.
+        told: the variable whose value the text tells, or says to be missing.
+        shows_callee: whether the library's function belongs into the call stack.
+    """
+
+    text: str
+    notes: tuple[str, ...] = ()
+    told: str = ""
+    shows_callee: bool = True
+
+
+def explain(case: Case) -> Explanation:
+    """Gives the words for a failure; none for a kind that says all."""
+    words = EXPLAIN.get(case.failure.kind)
+    return Explanation("") if words is None else words(case)
+
+
+def count(number: int, what: str) -> str:
+    """Gives a number with its noun: `1 byte`, `2 bytes`."""
+    return f"{number:,} {what}" + ("" if number == 1 else "s")
+
+
+# Objects
+
+
+def object_name(found: Object | None) -> str:
+    """Names an object in the middle of a sentence."""
+    if found is None:
+        return "an unknown object"
+    if found.kind == "heap block":
+        return f"a heap block of {count(found.size, 'byte')}"
+    if found.kind == "string":
+        return "a string literal"
+    if found.kind == "argument":
+        return f"the arguments of '{found.function.rpartition(':')[2]}'"
+    return f"'{found.name}'" if found.name else "an unnamed object"
+
+
+def object_notes(found: Object | None, address: int) -> tuple[str, ...]:
+    """Says what an object is, where it was declared, or allocated and freed."""
+    if found is None:
+        return ()
+    notes = []
+    if found.variable is not None:
+        ctype, name = found.variable.ctype, found.name
+        part = place_name(name, ctype, address - found.address)
+        this = f"; this is {part}" if part != name else ""
+        size = count(found.size, "byte")
+        notes.append(f"'{name}' is {spell(ctype)}, {size}, declared at {found.location}{this}")
+    elif found.kind == "string" and found.location is not None:
+        notes.append(f"the string has {count(found.size, 'byte')} and stands at {found.location}")
+    if found.allocated:
+        notes.append(f"allocated {_sites(found.allocated)}")
+    if found.freed:
+        notes.append(f"freed {_sites(found.freed)}")
+    return tuple(notes)
+
+
+def _sites(sites: tuple[CallSite, ...]) -> str:
+    """Gives the calls that led to an event, without those inside the library."""
+    mine = [site for site in sites if not site.location.file.startswith(LIBRARY)]
+    if not mine:
+        return "inside the library"
+    calls = [f"{site.location} in {site.function.rpartition(':')[2]}" for site in mine]
+    return "at " + ", from ".join(calls[:SHOWN_SITES])
+
+
+# Pointers
+
+
+def _null(case: Case) -> Explanation:
+    if case.callee is not None:
+        names = [name for name, value in case.callee.arguments if value == "null"]
+        given = f" as '{names[0]}'" if names else ""
+        return Explanation(f"{case.callee.function} is given a null pointer{given}")
+    text, value = case.pointer() or ("", None)
+    if text and (value == 0 or (value is None and case.failure.value == 0)):
+        return Explanation(f"'{text}' is null", told=text)
+    if text and value is not None and value < NULL_SIZE:
+        return Explanation(f"'{text}' is {value:#x}, which is no pointer", told=text)
+    return Explanation(f"{case.access} at address {case.failure.value:#x}")
+
+
+def _outside(case: Case) -> Explanation:
+    text, value = case.pointer() or ("", None)
+    if text and value is not None:
+        where = f"through '{text}', which is {value:#x}"
+    else:
+        where = f"at {case.failure.value:#x}"
+    return Explanation(f"{case.access} {where}, where the program has no memory", told=text)
+
+
+def _wild(case: Case) -> Explanation:
+    failure = case.failure
+    text = f"{case.access} at {failure.value:#x}, where no object lies"
+    return Explanation(text, object_notes(failure.object, failure.value))
+
+
+def _out_of_bounds(case: Case) -> Explanation:
+    failure, found = case.failure, case.failure.object
+    if found is None:
+        return _wild(case)
+    offset = failure.value - found.address
+    behind = offset - found.size
+    if behind >= 0:
+        where = f"{count(behind, 'byte')} behind" if behind else "right behind"
+        where += " the end of"
+    elif offset < 0:
+        gap = -offset - failure.size
+        where = f"{count(-offset, 'byte')} before" if gap > 0 else "right before"
+        where += " the start of"
+    else:
+        where = f"from byte {offset} on, over the end of"
+    text = f"{case.access} {where} {object_name(found)}"
+    return Explanation(text, object_notes(found, failure.value))
+
+
+def _freed(case: Case) -> Explanation:
+    failure, found = case.failure, case.failure.object
+    offset = failure.value - found.address if found else 0
+    text = f"{case.access} at byte {offset} of {object_name(found)} that was freed"
+    return Explanation(text, object_notes(found, failure.value))
+
+
+def _scope(case: Case) -> Explanation:
+    failure = case.failure
+    text = f"{case.access} of {object_name(failure.object)}, whose block has ended"
+    return Explanation(text, object_notes(failure.object, failure.value))
+
+
+def _returned(case: Case) -> Explanation:
+    failure, found = case.failure, case.failure.object
+    owner = f"'{found.function.rpartition(':')[2]}'" if found and found.function else "a function"
+    name = object_name(found) if found and found.name else "a local variable"
+    text = f"{case.access} of {name} of {owner}, which has returned"
+    return Explanation(text, object_notes(found, failure.value))
+
+
+def _uninitialised(case: Case) -> Explanation:
+    failure, found = case.failure, case.failure.object
+    notes = object_notes(found, failure.value or (found.address if found else 0))
+    if found is not None and found.variable is not None:
+        offset = max(0, failure.value - found.address) if failure.value else 0
+        part = place_name(found.name, found.variable.ctype, offset)
+        return Explanation(f"'{part}' has no value yet", notes, told=found.name)
+    if found is not None and found.kind == "heap block":
+        offset = failure.value - found.address
+        text = f"{case.access} at byte {offset} of {object_name(found)} that have no value yet"
+        return Explanation(text, notes)
+    what = f"'{case.expression}'" if case.expression else "what is used here"
+    return Explanation(f"{what} has no value yet", notes)
+
+
+# The heap
+
+
+def _invalid_free(case: Case) -> Explanation:
+    failure, found = case.failure, case.failure.object
+    who = case.callee.function if case.callee else "free"
+    text = f"{who} is given a pointer that malloc never gave"
+    if found is not None and found.distance(failure.value) == 0:
+        offset = failure.value - found.address
+        where = f"byte {offset} of {object_name(found)}" if offset else object_name(found)
+        text += f": it points to {where}"
+    return Explanation(text, object_notes(found, failure.value))
+
+
+def _double_free(case: Case) -> Explanation:
+    failure = case.failure
+    text = f"{object_name(failure.object)} was freed before"
+    return Explanation(text, object_notes(failure.object, failure.value))
+
+
+# Functions
+
+
+def _missing_argument(case: Case) -> Explanation:
+    if case.callee is not None:
+        name = case.callee.function
+        return Explanation(f"{name} is asked for more arguments than were passed")
+    return Explanation("va_arg asks for an argument that was not passed")
+
+
+def _bad_function(case: Case) -> Explanation:
+    value = case.failure.value
+    called = re.match(r"\(?\s*\*?\s*([\w.>\[\]-]+?)\s*\)?\s*\(", case.expression)
+    name = f"'{called[1]}'" if called else "the pointer called"
+    what = "is null" if value == 0 else f"is {value:#x}, which is no function"
+    return Explanation(f"{name} {what}", told=called[1] if called else "")
+
+
+def _stack(case: Case) -> Explanation:
+    program = case.failure.program
+    if program is None:
+        return Explanation("the functions called need too much memory")
+    size = program.infos[program.stack[0].function].frame.size if program.stack else 0
+    if size * 4 > STACK_SIZE:
+        name = program.stack[0].function.rpartition(":")[2]
+        text = f"the variables of '{name}' need {count(size, 'byte')} of {STACK_SIZE:,}"
+        return Explanation(text, ("hint: make large arrays static",))
+    text = f"{count(len(program.stack), 'call')} are active, for which {STACK_SIZE:,} bytes"
+    return Explanation(f"{text} are too little", ("hint: does the recursion end?",))
+
+
+def _assertion(case: Case) -> Explanation:
+    program = case.failure.program
+    for frame in program.stack if program else ():
+        if frame.function == "__crs_assert_failed" and program:
+            _, content = program.arguments(frame)[0]
+            address = int.from_bytes(content, "little")
+            text = program.read(address, 200).partition(b"\0")[0].decode("utf-8", "replace")
+            return Explanation(text, shows_callee=False)
+    return Explanation("", shows_callee=False)
+
+
+# Arithmetic
+
+
+def _shift(case: Case) -> Explanation:
+    value = case.failure.value
+    value -= (value >> 31) << 32
+    return Explanation(f"by {count(value, 'bit')}")
+
+
+def _says(text: str, *, shows_callee: bool = True) -> Callable[[Case], Explanation]:
+    return lambda _case: Explanation(text, shows_callee=shows_callee)
+
+
+EXPLAIN: Final[dict[str, Callable[[Case], Explanation]]] = {
+    "null pointer": _null,
+    "pointer outside memory": _outside,
+    "wild pointer": _wild,
+    "out of bounds": _out_of_bounds,
+    "use after free": _freed,
+    "use after scope": _scope,
+    "use after return": _returned,
+    "uninitialised read": _uninitialised,
+    "invalid free": _invalid_free,
+    "double free": _double_free,
+    "missing argument": _missing_argument,
+    "no value returned": _says("a function ended without 'return', but its value is used"),
+    "mismatched call": _says("the function called takes other arguments than it is given"),
+    "shift out of range": _shift,
+    "signed overflow": _says("the result does not fit its type"),
+    "division overflow": _says("the quotient does not fit its type"),
+    "bad function pointer": _bad_function,
+    "stack overflow": _stack,
+    "damaged stack": _says("the program has written over the stack of its calls"),
+    "abort called": _says("", shows_callee=False),
+    "assertion failed": _assertion,
+    "internal trap": _says("a mistake of crs, please report it"),
+}
+"""Who explains each kind of error that needs words."""

@@ -1,0 +1,221 @@
+r"""Writes the bytes of an object as its C type means them, for messages and debuggers.
+
+>>> from crs_cc.ir.types import CHAR, DOUBLE, INT, ArrayType, Member, PointerType
+>>> from crs_cc.ir.types import Record, RecordType
+>>> show = Values().show
+>>> show(INT, b"\xff\xff\xff\xff"), show(CHAR, b"a"), show(DOUBLE, bytes(8))
+('-1', "97 'a'", '0.0')
+>>> show(ArrayType(CHAR, 8), b"left\0\0\0\0"), show(PointerType(INT), bytes(4))
+('"left"', 'null')
+>>> point = Record("struct", "point")
+>>> point.complete([Member("x", INT), Member("on", INT, bit_width=2)])
+>>> show(RecordType(point), bytes((7, 0, 0, 0, 3, 0, 0, 0)))
+'{x = 7, on = -1}'
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from crs_cc.ir.types import (
+    ArrayType,
+    CType,
+    EnumType,
+    FloatType,
+    FunctionType,
+    IntegerType,
+    Member,
+    PointerType,
+    RecordType,
+    VoidType,
+    unqualified,
+)
+
+LONGEST: Final = 60
+"""Longer values are cut [characters]."""
+
+MOST_ELEMENTS: Final = 8
+LONGEST_TEXT: Final = 40
+DEEPEST: Final = 3
+
+_ESCAPES: Final = {7: "\\a", 8: "\\b", 9: "\\t", 10: "\\n", 11: "\\v", 12: "\\f", 13: "\\r"}
+
+
+def _nothing(_address: int, _size: int) -> bytes:
+    return b""
+
+
+def _no_object(_address: int, _target: CType) -> str:
+    return ""
+
+
+def _no_function(_number: int) -> str:
+    return ""
+
+
+@dataclass(frozen=True, slots=True)
+class Values:
+    """Writes values; knows the memory that pointers point into as far as it is told.
+
+    Attributes:
+        read: gives up to so many bytes at an address, as many as can be read.
+        object_at: names what of a type lies at an address (`sonar`, `&head.next`); empty when
+            unknown.
+        function_at: names the function that a function pointer stands for; empty when unknown.
+    """
+
+    read: Callable[[int, int], bytes] = _nothing
+    object_at: Callable[[int, CType], str] = _no_object
+    function_at: Callable[[int], str] = _no_function
+
+    def show(self, ctype: CType, content: bytes) -> str:
+        """Gives the value of an object of a type with this content, at most `LONGEST` long."""
+        text = self._show(ctype, content, 0)
+        return text if len(text) <= LONGEST else text[: LONGEST - 3] + "..."
+
+    def show_target(self, ctype: CType, content: bytes) -> str:
+        """Gives the struct that a pointer points to; empty for all other values."""
+        if isinstance(ctype, PointerType) and isinstance(ctype.target, RecordType):
+            target = self.read(_integer(content, signed=False), ctype.target.size)
+            if target and len(target) == ctype.target.size:
+                return self.show(ctype.target, target)
+        return ""
+
+    def _show(self, ctype: CType, content: bytes, depth: int) -> str:
+        match ctype:
+            case EnumType():
+                return _enumerator(ctype, _integer(content, signed=True))
+            case IntegerType():
+                return _number(ctype, content)
+            case FloatType():
+                return _floating(content)
+            case PointerType():
+                return self._pointer(ctype, _integer(content, signed=False))
+            case ArrayType():
+                return self._array(ctype, content, depth)
+            case RecordType():
+                return self._record(ctype, content, depth)
+            case VoidType() | FunctionType():
+                return ""
+
+    def _pointer(self, ctype: PointerType, address: int) -> str:
+        if address == 0:
+            return "null"
+        target = ctype.target
+        if isinstance(target, FunctionType):
+            return self.function_at(address) or f"{address:#x}"
+        if isinstance(target, IntegerType) and target.name.endswith("char"):
+            text = _text(self.read(address, LONGEST_TEXT + 1))
+            if text is not None:
+                return text
+        return self.object_at(address, target) or f"{address:#x}"
+
+    def _array(self, ctype: ArrayType, content: bytes, depth: int) -> str:
+        element, size = ctype.element, ctype.element.size
+        if isinstance(element, IntegerType) and element.name.endswith("char"):
+            text = _text(content)
+            if text is not None:
+                return text
+        if depth >= DEEPEST or size == 0:
+            return "{...}"
+        parts = [
+            self._show(element, content[start : start + size], depth + 1)
+            for start in range(0, min(len(content), MOST_ELEMENTS * size), size)
+        ]
+        if len(content) > MOST_ELEMENTS * size:
+            parts.append("...")
+        return "{" + ", ".join(parts) + "}"
+
+    def _record(self, ctype: RecordType, content: bytes, depth: int) -> str:
+        if depth >= DEEPEST:
+            return "{...}"
+        parts = []
+        for member in ctype.record.members or []:
+            if member.name is None and not isinstance(member.type, RecordType):
+                continue
+            inner = content[member.offset : member.offset + member.type.size]
+            shown = self._show(member.type, _bits(member, inner), depth + 1)
+            parts.append(shown if member.name is None else f"{member.name} = {shown}")
+        return "{" + ", ".join(parts) + "}"
+
+
+def place_name(name: str, ctype: CType, offset: int, wanted: CType | None = None) -> str:
+    """Names the part of an object that lies at an offset, also behind the end of an array.
+
+    Of the parts that begin there it is the first that has the type `wanted`, else the smallest.
+
+    >>> from crs_cc.ir.types import INT, ArrayType
+    >>> place_name("order", ArrayType(INT, 4), 16)
+    'order[4]'
+    """
+    if offset == 0 and wanted is not None and unqualified(ctype) == unqualified(wanted):
+        return name
+    if isinstance(ctype, ArrayType) and ctype.element.size:
+        index, rest = divmod(offset, ctype.element.size)
+        return place_name(f"{name}[{index}]", ctype.element, rest, wanted)
+    if isinstance(ctype, RecordType):
+        for member in ctype.record.members or []:
+            start = member.offset
+            if start <= offset < start + member.type.size and member.bit_width is None:
+                inner = f"{name}.{member.name}" if member.name else name
+                return place_name(inner, member.type, offset - start, wanted)
+    return name
+
+
+def _integer(content: bytes, *, signed: bool) -> int:
+    return int.from_bytes(content, "little", signed=signed)
+
+
+def _number(ctype: IntegerType, content: bytes) -> str:
+    value = _integer(content, signed=ctype.signed)
+    if ctype.name == "_Bool":
+        return "true" if value else "false"
+    if ctype.name.endswith("char") and (32 <= value < 127 or value in _ESCAPES):
+        return f"{value} {_quoted(value)}"
+    return str(value)
+
+
+def _quoted(code: int) -> str:
+    return "'" + (_ESCAPES.get(code) or ("\\" if code in b"\\'" else "") + chr(code)) + "'"
+
+
+def _floating(content: bytes) -> str:
+    if len(content) == 4:
+        return str(np.frombuffer(content, "<f4")[0])
+    return repr(struct.unpack("<d", content)[0])
+
+
+def _enumerator(ctype: EnumType, value: int) -> str:
+    for name, each in (ctype.definition.constants or {}).items():
+        if each == value:
+            return name
+    return str(value)
+
+
+def _text(content: bytes) -> str | None:
+    """Gives a string in quotes as far as it goes; None when it is no text."""
+    characters, end, _ = content.partition(b"\0")
+    if not content or any(code < 32 and code not in _ESCAPES for code in characters):
+        return None
+    if not end and len(content) <= LONGEST_TEXT:
+        return None  # nothing ends it
+    shown = characters[:LONGEST_TEXT]
+    escapes = _ESCAPES | {34: '\\"', 92: "\\\\", 127: "\\177"}
+    text = shown.decode("utf-8", "replace").translate(escapes)
+    return f'"{text}"' + ("..." if len(characters) > LONGEST_TEXT else "")
+
+
+def _bits(member: Member, content: bytes) -> bytes:
+    """Gives a member's bytes, those of a bit-field as if it had a whole object of its type."""
+    if member.bit_width is None:
+        return content
+    value = _integer(content, signed=False) >> member.bit_offset & (1 << member.bit_width) - 1
+    signed = isinstance(member.type, IntegerType | EnumType) and member.type.signed
+    if signed and value >> member.bit_width - 1:
+        value -= 1 << member.bit_width
+    return value.to_bytes(len(content), "little", signed=value < 0)
