@@ -137,6 +137,7 @@ class _Filler:
 
     Attributes:
         length: elements seen so far of an outermost array without length.
+        reached: where the furthest value ends; behind it nothing can be overridden [bytes].
         has_gaps: whether what is not named must become zero though there are no braces.
     """
 
@@ -146,6 +147,7 @@ class _Filler:
         self.has_gaps = False
         self.values: list[InitialValue] = []
         self.length = 0
+        self.reached = 0
 
     def braced(self, part: _Part, node: Node) -> None:
         """Takes `{...}` for a part."""
@@ -155,6 +157,7 @@ class _Filler:
             return
         if not is_complete(ctype) and not isinstance(ctype, ArrayType):
             raise CheckError(self.unit.at(node), f"initializer for incomplete type '{ctype}'")
+        self._override(part)
         if self._braced_string(part, node):
             return
         places = [_Place(ctype, part.offset)]
@@ -166,6 +169,16 @@ class _Filler:
                 value = item.expr
             self._item(places, value)
             self._measure(places[0])
+
+    def _override(self, part: _Part) -> None:
+        """Forgets what designators gave for an aggregate that is given anew (C17 6.7.9p19)."""
+        end = part.offset + part.type.size
+        if part.offset < self.reached:
+            self.values = [each for each in self.values if not part.offset <= each.offset < end]
+
+    def _take(self, value: InitialValue) -> None:
+        self.values.append(value)
+        self.reached = max(self.reached, value.offset + value.type.size)
 
     def _braced_scalar(self, part: _Part, node: Node) -> None:
         location = self.unit.at(node)
@@ -238,7 +251,7 @@ class _Filler:
         if isinstance(value, tree.CompoundLiteral) and self._expand(part, value):
             return True
         if isinstance(ctype, RecordType) and unqualified(value.type) == unqualified(ctype):
-            self.values.append(InitialValue(part.offset, ctype, value))
+            self._take(InitialValue(part.offset, ctype, value))
             return True
         return False
 
@@ -252,10 +265,8 @@ class _Filler:
         elif not self.is_static or part.type != literal.type:
             return False
         self.has_gaps = True
-        self.values.extend(
-            InitialValue(part.offset + each.offset, each.type, each.value, each.member)
-            for each in literal.initialiser.values
-        )
+        for each in literal.initialiser.values:
+            self._take(InitialValue(part.offset + each.offset, each.type, each.value, each.member))
         return True
 
     def _string(self, part: _Part, ctype: ArrayType, value: tree.StringLiteral) -> bool:
@@ -273,13 +284,14 @@ class _Filler:
             self.unit.warning(value.location, "initializer string for char array is too long")
         content = content[: ctype.size]
         string = tree.StringLiteral(ctype, value.location, content)
-        self.values.append(InitialValue(part.offset, ctype, string))
+        self._override(_Part(ctype, part.offset))
+        self._take(InitialValue(part.offset, ctype, string))
         return True
 
     def scalar(self, part: _Part, value: tree.Expression) -> None:
         """Takes a value for a part that has no parts."""
         converted = assigned(self.unit, value, part.type, "initialise")
-        self.values.append(InitialValue(part.offset, part.type, converted, part.member))
+        self._take(InitialValue(part.offset, part.type, converted, part.member))
 
     # Designators (C17 6.7.9p6, p7)
 
