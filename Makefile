@@ -1,11 +1,14 @@
 # make demo    runs a real control program in a world and draws its path
 # make test    runs the whole test suite
 # make check   checks style, types and layers, and runs the quick tests; under a minute
+# make fuzz    compares random programs with gcc -m32 (COUNT=500 SEED=1), with csmith's if installed
 # make bench   measures, prints ratios
 
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
+COUNT ?= 500
+SEED ?= 1
 
 # Installs the package, with extras $(1), once for each content of pyproject.toml.
 define install
@@ -21,7 +24,7 @@ define install
 		&& for extras in '' '$(1)'; do cp pyproject.toml "$(VENV)/installed$$extras"; done; }
 endef
 
-.PHONY: demo test check bench install install-dev clean
+.PHONY: demo test check fuzz bench install install-dev clean
 
 demo: install
 	$(BIN)/crs run samples/scout_c/wander.c worlds/room.xml --max-time 60 --plot demo.svg --summary
@@ -35,6 +38,9 @@ check: install-dev
 	$(BIN)/ruff format --check
 	$(BIN)/mypy
 	$(BIN)/python -m pytest -n 2 -m "not slow"
+
+fuzz: install-dev
+	$(BIN)/python -m tests.fuzz --count $(COUNT) --seed $(SEED)
 
 bench: install
 	@set -e; for script in bench/c_speed.py bench/fleet.py bench/start.py; do \

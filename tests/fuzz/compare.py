@@ -1,0 +1,133 @@
+"""Runs one C program as gcc compiles it and as we do, and tells the difference.
+
+gcc judges at -O0 and at -O2: where the two disagree the program has no defined meaning, and says
+nothing about us. Our programs run checked and unchecked.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import signal
+import subprocess
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from crs_cc.errors import CrsError
+from crs_cc.frontend.options import Options
+from crs_cc.frontend.unit import compile_file
+from crs_cc.ir.verify import verify
+from crs_cc.runtime.executable import make_executable
+from crs_cc.runtime.link import link
+from crs_cc.session.library import HEADERS, library
+from crs_cc.source import Diagnostics
+from tests.c.execution import Run, Stepping
+
+GCC = [
+    "gcc", "-std=gnu17", "-w", "-m32", "-malign-double", "-msse2", "-mfpmath=sse",
+    "-ffp-contract=off", "-fwrapv", "-fno-strict-aliasing", "-fcommon",
+]  # fmt: skip
+"""The C that we promise: i386's sizes, doubles that are doubles, signed overflow that wraps."""
+
+SANITIZERS = [
+    "-fsanitize=address,undefined", "-fno-sanitize=signed-integer-overflow,shift",
+    "-fno-sanitize-recover=all",
+]  # fmt: skip
+NATIVE_SECONDS = 3.0
+COMPILE_SECONDS = 60
+FUEL, ROUNDS = 3 * 10**9, 10**5
+
+
+@dataclass(frozen=True)
+class Result:
+    """What a program did: its output and how it ended."""
+
+    output: bytes
+    end: str
+
+
+def gcc_result(source: Path, options: Sequence[str]) -> Result | None:
+    """Gives what gcc's program does; None if there is none, or it takes too long."""
+    program = source.with_suffix(".exe")
+    command = [*GCC, *options, str(source), "-o", str(program), "-lm"]
+    if subprocess.run(command, check=False, capture_output=True).returncode != 0:
+        return None
+    try:
+        done = subprocess.run(
+            [program], check=False, capture_output=True, timeout=NATIVE_SECONDS, cwd=source.parent
+        )
+    except subprocess.TimeoutExpired:
+        return None
+    return Result(done.stdout, f"exit {done.returncode}")
+
+
+def meaning(source: Path, options: Sequence[str] = ()) -> Result | None:
+    """Gives what a program must do; None where gcc itself does not know."""
+    plain = gcc_result(source, [*options, "-O0"])
+    if plain is None or plain.end.startswith("exit -"):
+        return None
+    return plain if gcc_result(source, [*options, "-O2"]) == plain else None
+
+
+def is_defined(source: Path, options: Sequence[str] = ()) -> bool:
+    """Tells whether gcc's sanitizers and warnings find nothing wrong with a program."""
+    found = gcc_result(source, [*options, "-O1", *SANITIZERS, "-Werror=uninitialized"])
+    return found is None or not found.end.startswith(("exit -", "exit 1"))
+
+
+@contextlib.contextmanager
+def _time_limit(seconds: int) -> Iterator[None]:
+    def stop(_signal: int, _frame: object) -> None:
+        raise TimeoutError
+
+    previous = signal.signal(signal.SIGALRM, stop)
+    signal.alarm(seconds)
+    try:
+        yield
+    finally:
+        signal.alarm(0)
+        signal.signal(signal.SIGALRM, previous)
+
+
+def our_results(source: Path, include_paths: Sequence[Path] = ()) -> dict[str, Result]:
+    """Gives what our program does, in each way of compiling it."""
+    diagnostics = Diagnostics()
+    options = Options(tuple(include_paths), (HEADERS,))
+    try:
+        with _time_limit(COMPILE_SECONDS):
+            unit = compile_file(source, options, diagnostics)
+            verify(unit)
+            program = link([unit], library(), diagnostics)
+    except TimeoutError:
+        return {"compiler": Result(b"", "compiling takes too long")}
+    except CrsError as error:
+        return {"compiler": Result(b"", f"refused: {error}")}
+    except Exception as error:  # whatever it is, it is a finding
+        return {"compiler": Result(b"", f"traceback: {error!r}")}
+    results = {}
+    for name, checked in (("checked", True), ("unchecked", False)):
+        run = Run(make_executable(program, source.name, checked=checked), Stepping(FUEL // 10))
+        outcome = run.up_to(FUEL, ROUNDS)
+        end = f"exit {outcome.status}"
+        if outcome.failure is not None:
+            end = f"{outcome.failure.kind}: {outcome.failure}"
+        elif outcome.status is None:
+            end = "does not end"
+        results[name] = Result(outcome.output, end)
+    return results
+
+
+def difference(wanted: Result, results: dict[str, Result]) -> str | None:
+    """Gives in a few words how our results differ from the wanted one; None if they do not."""
+    for way, result in results.items():
+        if result == wanted:
+            continue
+        if result.end != wanted.end:
+            return f"{way}: {result.end[:200]}, gcc: {wanted.end}"
+        for ours, theirs in zip(
+            result.output.split(b"\n"), wanted.output.split(b"\n"), strict=False
+        ):
+            if ours != theirs:
+                return f"{way}: {ours.decode('latin-1')!r}, gcc: {theirs.decode('latin-1')!r}"
+        return f"{way}: the output ends too soon or too late"
+    return None

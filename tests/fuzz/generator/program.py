@@ -1,0 +1,55 @@
+"""A whole random program from a seed.
+
+>>> text = generate(1)
+>>> text == generate(1), text == generate(2)
+(True, False)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from tests.fuzz.generator import calls, general, memory, records, texts
+from tests.fuzz.generator.expressions import PRELUDE, Function
+from tests.fuzz.generator.source import Source
+
+Topic = Callable[[Source, list[Function], str], None]
+"""Writes a function of a given name that prints what it computes, and what it needs."""
+
+TOPICS: dict[str, Topic] = {
+    "control": general.control,
+    "promotions": general.promotions,
+    "statics": general.statics,
+    "bit_fields": records.bit_fields,
+    "structs": records.structs,
+    "unions": records.unions,
+    "initialisers": records.initialisers,
+    "printing": texts.printing,
+    "strings": texts.strings,
+    "numbers": texts.numbers,
+    "varargs": calls.varargs,
+    "function_pointers": calls.function_pointers,
+    "recursion": calls.recursion,
+    "pointers": memory.pointers,
+    "sorting": memory.sorting,
+    "lists": memory.lists,
+}
+
+
+def generate(seed: int) -> str:
+    """Gives a program without undefined behaviour that prints what it computes."""
+    source = Source(seed)
+    source.add(*PRELUDE.splitlines(), "")
+    functions: list[Function] = []
+    for _ in range(source.chance.randint(2, 4)):
+        functions.append(general.pure_function(source, functions))
+    chosen = source.chance.choices(sorted(TOPICS), k=source.chance.randint(4, 7))
+    names = []
+    for topic in ["control", *chosen]:
+        name = source.name(f"{topic}_")
+        names.append(name)
+        TOPICS[topic](source, functions, name)
+        source.add("")
+    with source.block("int main(void)"):
+        source.add(*(f"{name}();" for name in names), "return 0;")
+    return source.text()

@@ -1,0 +1,66 @@
+"""The generator of random programs and the reducer; `make fuzz` does the comparing."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from tests.fuzz.compare import Result, difference, meaning, our_results
+from tests.fuzz.generator.program import TOPICS, generate
+from tests.fuzz.reduce import reduced
+
+STORED = Path(__file__).parent / "stored"
+SEEDS = range(1, 11)
+
+
+def test_a_seed_makes_the_same_program_again() -> None:
+    assert generate(7) == generate(7) != generate(8)
+
+
+def test_programs_of_a_few_seeds_use_every_topic() -> None:
+    text = "".join(generate(seed) for seed in range(20))
+    assert all(f"static void {topic}_" in text for topic in TOPICS)
+
+
+def test_a_difference_is_told_by_way_and_line() -> None:
+    wanted = Result(b"1\n2\n", "exit 0")
+    same, other = Result(b"1\n2\n", "exit 0"), Result(b"1\n3\n", "exit 0")
+    assert difference(wanted, {"checked": same}) is None
+    found = difference(wanted, {"checked": same, "unchecked": other})
+    assert found == "unchecked: '3', gcc: '2'"
+    refused = {"checked": Result(b"", "refused")}
+    assert difference(wanted, refused) == "checked: refused, gcc: exit 0"
+
+
+def test_reducing_leaves_what_shows_the_difference() -> None:
+    text = generate(3)
+    shorter = reduced(text, lambda each: "int main(void) {" in each and "return 0;" in each)
+    assert [line.strip() for line in shorter.split("\n")] == ["int main(void) {", "return 0;", "}"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_program_does_what_gcc_said(
+    seed: int, tmp_path: Path, check_golden: Callable[[Path, bytes], None]
+) -> None:
+    source = tmp_path / "program.c"
+    source.write_text(generate(seed))
+    results = our_results(source)
+    assert {result.end for result in results.values()} == {"exit 0"}
+    for result in results.values():
+        check_golden(STORED / f"seed_{seed}.out", result.output)
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("gcc") is None, reason="compares with gcc -m32")
+@pytest.mark.parametrize("seed", SEEDS)
+def test_what_is_stored_is_what_gcc_says(seed: int, tmp_path: Path) -> None:
+    source = tmp_path / "program.c"
+    source.write_text(generate(seed))
+    wanted = meaning(source)
+    if wanted is None:
+        pytest.skip("gcc -m32 cannot compile here")
+    assert wanted.output == (STORED / f"seed_{seed}.out").read_bytes()
