@@ -50,7 +50,8 @@ def render_report(report: ErrorReport, robot: str = "", *, coloured: bool = Fals
         rows.append(", ".join(f"{name} = {value}" for name, value in report.values))
     rows += report.notes
     rows = [printable(row) for row in rows]
-    for number, call in enumerate(report.stack):
+    is_obvious = [call.function for call in report.stack] == ["main"]
+    for number, call in enumerate(() if is_obvious else report.stack):
         word = "..." if call.count > 1 else "from" if number else "in"
         known = call.location in (None, report.location)
         place = "" if known else f" at {printable(str(call.location))}"

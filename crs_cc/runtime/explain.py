@@ -12,8 +12,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.ir.types import spell
-from crs_cc.runtime.blame import pointer_in
+from crs_cc.ir.types import PointerType, spell
+from crs_cc.runtime.blame import names_in, pointer_in
 from crs_cc.runtime.layout import NULL_SIZE, STACK_SIZE
 from crs_cc.runtime.link import LIBRARY
 from crs_cc.runtime.values import place_name
@@ -68,6 +68,16 @@ class Case:
             return None
         return pointer_in(self.expression, self.find, program.read)
 
+    def null_variable(self) -> str:
+        """Gives the variable in the expression that is a null pointer, if there is just one."""
+        known = [(name, self.find(name)) for name in names_in(self.expression)]
+        null = [
+            name
+            for name, found in known
+            if found and isinstance(found[0], PointerType) and not any(found[1])
+        ]
+        return null[0] if len(null) == 1 else ""
+
 
 @dataclass(frozen=True, slots=True)
 class Explanation:
@@ -78,12 +88,14 @@ class Explanation:
         notes: what else there is to say, a sentence each.
         told: the variable whose value the text tells, or says to be missing.
         shows_callee: whether the library's function belongs into the call stack.
+        shows_values: whether the values of the variables in the expression help.
     """
 
     text: str
     notes: tuple[str, ...] = ()
     told: str = ""
     shows_callee: bool = True
+    shows_values: bool = True
 
 
 def explain(case: Case) -> Explanation:
@@ -155,16 +167,22 @@ def _null(case: Case) -> Explanation:
         return Explanation(f"'{text}' is null", told=text)
     if text and value is not None and value < NULL_SIZE:
         return Explanation(f"'{text}' is {value:#x}, which is no pointer", told=text)
+    name = case.null_variable()
+    if name:
+        return Explanation(f"'{name}' is null", told=name)
     return Explanation(f"{case.access} at address {case.failure.value:#x}")
 
 
 def _outside(case: Case) -> Explanation:
     text, value = case.pointer() or ("", None)
+    address = case.failure.value
     if text and value is not None:
-        where = f"through '{text}', which is {value:#x}"
+        what = f"'{text}' is {value:#x}"
+    elif case.expression and case.callee is None:
+        what = f"'{case.expression}' lies at {address:#x}"
     else:
-        where = f"at {case.failure.value:#x}"
-    return Explanation(f"{case.access} {where}, where the program has no memory", told=text)
+        what = f"{case.access} at {address:#x}"
+    return Explanation(f"{what}, where the program has no memory", told=text)
 
 
 def _wild(case: Case) -> Explanation:
@@ -273,10 +291,10 @@ def _stack(case: Case) -> Explanation:
     size = program.infos[program.stack[0].function].frame.size if program.stack else 0
     if size * 4 > STACK_SIZE:
         name = program.stack[0].function.rpartition(":")[2]
-        text = f"the variables of '{name}' need {count(size, 'byte')} of {STACK_SIZE:,}"
-        return Explanation(text, ("hint: make large arrays static",))
-    text = f"{count(len(program.stack), 'call')} are active, for which {STACK_SIZE:,} bytes"
-    return Explanation(f"{text} are too little", ("hint: does the recursion end?",))
+        text = f"the variables of '{name}' take {size:,} bytes of a stack of {STACK_SIZE:,}"
+        return Explanation(text, ("hint: make large arrays static",), shows_values=False)
+    text = f"{len(program.stack):,} calls at once fill the stack of {STACK_SIZE:,} bytes"
+    return Explanation(text, ("hint: does the recursion end?",), shows_values=False)
 
 
 def _assertion(case: Case) -> Explanation:

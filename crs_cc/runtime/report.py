@@ -7,7 +7,7 @@ variables in the expression, and the call stack.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.runtime.blame import names_in
@@ -85,15 +85,18 @@ def report(failure: Failure) -> ErrorReport:
     rows = _rows(program)
     mine = [frame for frame in rows if not _is_library(frame)]
     place = mine[0].location if mine else failure.location
+    place = replace(place, last=place.last or place.column)  # one token at least
     line = _line(program, place)
     start = max(0, place.column - 1)
-    expression = line[start : start + len(underline(line, place))] if place.last else ""
+    expression = line[start : start + len(underline(line, place))]
     callee = _active_call(program, rows[0]) if rows and _is_library(rows[0]) else None
     case = Case(failure, expression, mine[0] if mine else None, callee)
     explained = explain(case)
     if not explained.shows_callee and callee is not None:
         rows = rows[1:]
-    values = () if callee else _values(program, mine[0], expression, explained.told) if mine else ()
+    values: tuple[tuple[str, str], ...] = ()
+    if mine and callee is None and explained.shows_values:
+        values = _values(program, mine[0], expression, explained.told)
     stack = _folded(program, rows)
     text = f"{failure.kind}: {explained.text}" if explained.text else failure.kind
     found = failure.object

@@ -2,7 +2,8 @@
 
 valid/     must print what is in the `.out` file beside them (made with `gcc -m32`), and exit
 with 0 or with what a comment `// exit: N` says
-errors/    must be stopped by the error that a comment `// error: kind` names, at its line
+errors/    must be stopped by the error that a comment `// error: kind` names, at its line, with
+the report in the `.report` file beside them (see `test_errors_page.py` for what is made of them)
 refused/   must not compile; a comment `// error: text` stands at each line to be blamed, and
            the folder's name is that of the stage that must say so
 warned/    must compile, with the warnings of the comments `// warning: text` and no others
@@ -21,8 +22,10 @@ from pathlib import Path
 
 import pytest
 
+from crs_cc.cli.report import render_report
 from crs_cc.errors import CompileError
 from crs_cc.requests import ERROR_KINDS
+from crs_cc.runtime.fleet import Failure
 from crs_cc.runtime.report import report
 from crs_cc.session.build import build_executable
 from crs_cc.source import Diagnostics
@@ -122,8 +125,16 @@ def test_leaving_out_the_checks_changes_nothing(case: Path) -> None:
     assert same(Run(build(case, checked=False)).to_end(), plain(case))
 
 
+def shown(failure: Failure, folder: Path) -> bytes:
+    """Gives a report without what a change elsewhere would change: the folder and addresses."""
+    text = render_report(report(failure)).replace(f"{folder}/", "")
+    return re.sub(r"0x[0-9a-f]{5,}", "0x...", text).encode() + b"\n"
+
+
 @pytest.mark.parametrize("path", cases("errors"), ids=name)
-def test_a_run_time_error_is_named_at_its_line(path: Path) -> None:
+def test_a_run_time_error_is_named_at_its_line(
+    path: Path, check_golden: Callable[[Path, bytes], None]
+) -> None:
     (wanted,) = expected_errors(path)
     assert wanted.text in ERROR_KINDS
     for fuel in (ENDLESS, 2000):
@@ -136,6 +147,7 @@ def test_a_run_time_error_is_named_at_its_line(path: Path) -> None:
             assert Path(message.location.file).name == path.name
             assert message.location.line == wanted.line
             assert message.location.column > 0
+        check_golden(path.with_suffix(".report"), shown(failure, path.parent))
 
 
 def refused_cases() -> list[object]:

@@ -1,4 +1,4 @@
-/* int division by zero. */
+/* Example: int division by zero. */
 #include <stdio.h>
 
 static int average(int sum, int count)

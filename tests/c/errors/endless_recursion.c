@@ -1,4 +1,4 @@
-/* Recursion without end. */
+/* Example: recursion without end. */
 #include <stdio.h>
 
 static int deeper(int n) // error: stack overflow

@@ -1,4 +1,4 @@
-/* Calling a null function pointer. */
+/* Example: Calling a null function pointer. */
 #include <stdio.h>
 
 static int (*handler)(int);

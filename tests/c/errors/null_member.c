@@ -1,4 +1,4 @@
-/* A member of a struct at a null pointer: the address is small, but not null. */
+/* Example: a member of a struct at a null pointer; the address is small, but not null. */
 #include <stdio.h>
 
 struct node {

@@ -1,4 +1,4 @@
-/* A pointer far behind the end of memory. */
+/* Example: a pointer far behind the end of memory. */
 #include <stdio.h>
 
 int main(void)
