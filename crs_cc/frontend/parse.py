@@ -23,9 +23,10 @@ from typing import Any, Final, NoReturn, TypeAlias
 from pycparser import c_ast
 from pycparser.c_parser import ParseError
 
+from crs_cc.frontend.attributes import take_attributes
 from crs_cc.frontend.cpp.tokens import shown
 from crs_cc.frontend.lex import Locate, Token, lex
-from crs_cc.frontend.parse_doubt import DoubtingParser
+from crs_cc.frontend.parse_attributes import AttributeParser
 from crs_cc.frontend.parse_expression import NAMES
 from crs_cc.source import Diagnostics, Location
 
@@ -126,7 +127,7 @@ def parse(text: str, locate: Locate, diagnostics: Diagnostics) -> list[Node]:
         raise GiveUp from None
 
 
-class _Parser(DoubtingParser):
+class _Parser(AttributeParser):
     """pycparser's parser, with recovery, and with faster access to the tokens.
 
     It overrides these of pycparser 3.12's methods: access to tokens, how errors are raised, how
@@ -135,7 +136,8 @@ class _Parser(DoubtingParser):
 
     def __init__(self, tokens: list[Token], diagnostics: Diagnostics) -> None:
         super().__init__()
-        self._buffer: list[Any] = [*tokens, *[None] * _LOOKAHEAD]
+        rest, self._before = take_attributes(tokens, diagnostics)
+        self._buffer: list[Any] = [*rest, *[None] * _LOOKAHEAD]
         self._index = 0
         self._diagnostics = diagnostics
         self._last_patch = -1

@@ -20,7 +20,7 @@ from typing import Final
 
 from crs_cc.frontend.cpp import conditionals
 from crs_cc.frontend.cpp.budget import MAX_EXPANSION, ExhaustedError
-from crs_cc.frontend.cpp.directives import run_directive
+from crs_cc.frontend.cpp.directives import obey_pragma, run_directive
 from crs_cc.frontend.cpp.dynamic import dynamic_macros
 from crs_cc.frontend.cpp.gnu import GnuSyntax
 from crs_cc.frontend.cpp.includes import Headers, Refusal, read_regular_file
@@ -100,7 +100,7 @@ class _Run:
         self.state = State(report, Headers(folder, options, diagnostics.digests))
         self.options = options
         self.writer = Writer()
-        self.gnu = GnuSyntax(report)
+        self.gnu = GnuSyntax(report, lambda tokens: obey_pragma(self.state, tokens))
 
     def read(self, content: str, path: Path) -> None:
         """Reads everything."""
@@ -138,6 +138,8 @@ class _Run:
         while (line := state.reader.next_line()) is not None:
             text, place = line
             if ("#" in text or "%:" in text) and run_directive(state, text, place):
+                self.writer.tokens(state.pending)
+                state.pending.clear()
                 continue
             if text and not state.reader.skipping and not text.isspace():
                 return line

@@ -37,6 +37,12 @@ def result(source: str, options: Options | None = None) -> list[str]:
     return tokens(program.text)
 
 
+def without_attributes(text: str) -> str:
+    """Gives a text in which spaces stand for GNU attributes, which pycparser does not know."""
+    group = r"__attribute__\s*\(\s*\((?:[^()]|\([^()]*\))*\)\s*\)"
+    return re.sub(group, lambda found: re.sub(r"\S", " ", found[0]), text)
+
+
 def messages(source: str, options: Options | None = None) -> list[str]:
     """Gives the messages about a text, each as `line:column: severity: text`."""
     _, diagnostics = run(source, options)

@@ -15,7 +15,7 @@ from pycparser.c_parser import CParser
 from crs_cc.frontend.options import Options
 from crs_cc.frontend.preprocess import Preprocessed, preprocess
 from crs_cc.source import Diagnostics, Location
-from tests.frontend.preprocessing import run
+from tests.frontend.preprocessing import run, without_attributes
 
 SOURCE = """\
 #define ZERO 0
@@ -66,7 +66,7 @@ class _Names(c_ast.NodeVisitor):
 def names(program: Preprocessed) -> dict[str, Location]:
     """Parses a program and gives where each name first is."""
     visitor = _Names(program)
-    visitor.visit(CParser().parse(program.text))
+    visitor.visit(CParser().parse(without_attributes(program.text)))
     return visitor.places
 
 

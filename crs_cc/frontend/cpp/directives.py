@@ -12,6 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
+from crs_cc.frontend.attributes import KEYWORD, PACK
 from crs_cc.frontend.cpp import conditionals
 from crs_cc.frontend.cpp.condition import ConditionError, evaluate, resolve_operators
 from crs_cc.frontend.cpp.includes import Refusal
@@ -22,7 +23,7 @@ from crs_cc.frontend.cpp.tokens import NAME, STRING, Token, shown, spell, tokeni
 
 _DIRECTIVE: Final = re.compile(r"[ \t\v\f]*(?:#|%:)[ \t\v\f]*(\w*)")
 _HEADER: Final = re.compile(r"[ \t\v\f]*(?:\"([^\"]*)\"|<([^>]*)>)")
-_PRAGMAS_WITH_MEANING: Final = frozenset({"pack", "weak", "redefine_extname"})
+_PRAGMAS_WITH_MEANING: Final = frozenset({"weak", "redefine_extname"})
 MAX_LINE: Final = (1 << 31) - 1
 """The largest line number that `#line` can set (C17 6.10.4)."""
 
@@ -254,13 +255,21 @@ def _line(state: State, line: _Line) -> None:
 
 
 def _pragma(state: State, line: _Line) -> None:
-    tokens = line.tokens()
+    state.pending += obey_pragma(state, line.tokens())
+
+
+def obey_pragma(state: State, tokens: list[Token]) -> list[Token]:
+    """Does what a `#pragma` says, and gives the tokens that stand for it in the program."""
     name = tokens[0].text if tokens else ""
     if name == "once":
         if state.reader.header is not None:
             state.once.add(state.reader.header.file)
+    elif name == "pack":
+        words = [KEYWORD, "(", "(", PACK, *(each.text for each in tokens[1:]), ")", ")"]
+        return tokenise(" ".join(words), tokens[0].place)
     elif name in _PRAGMAS_WITH_MEANING:
-        state.report.warning(line.place, f"'#pragma {name}' is ignored")
+        state.report.warning(tokens[0].place, f"'#pragma {name}' is ignored")
+    return []
 
 
 def _ignore(_state: State, _line: _Line) -> None:

@@ -8,10 +8,10 @@ syntax that no word announces, as `case 1 ... 5`, must also be no plain line (`s
 >>> from crs_cc.frontend.cpp.source_text import Places
 >>> from crs_cc.frontend.cpp.tokens import spell, tokenise
 >>> from crs_cc.source import Diagnostics
->>> gnu = GnuSyntax(Report(Diagnostics(), Places()))
->>> line = "static __inline__ int f(void) __attribute__((noreturn)), x asm(\"y\");"
+>>> gnu = GnuSyntax(Report(Diagnostics(), Places()), lambda tokens: [])
+>>> line = "static __inline__ int f(void), x asm(\"y\") __attribute((unused));"
 >>> spell(gnu.rewrite(tokenise(line, 0), before=lambda: ""))
-'static inline int f(void), x;'
+'static inline int f(void), x __attribute__((unused));'
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from dataclasses import dataclass, field
 from typing import Final
 
 from crs_cc.frontend.cpp.report import Report
-from crs_cc.frontend.cpp.tokens import NAME, Token, shown
+from crs_cc.frontend.cpp.tokens import NAME, Token, tokenise
 
 _TWINS: Final = {
     "__inline": "inline", "__inline__": "inline",
@@ -36,23 +36,20 @@ _TWINS: Final = {
     "__FUNCTION__": "__func__", "__PRETTY_FUNCTION__": "__func__",
     "__builtin_offsetof": "offsetof",
     "typeof": "__typeof__", "__typeof": "__typeof__",
+    "__attribute": "__attribute__",
 }  # fmt: skip
 _DROPPED: Final = frozenset({"__extension__"})
-_ATTRIBUTE: Final = frozenset({"__attribute__", "__attribute"})
 _ASM: Final = frozenset({"asm", "__asm", "__asm__"})
 _PRAGMA: Final = frozenset({"_Pragma"})
-_CONSTRUCTS: Final = _ATTRIBUTE | _ASM | _PRAGMA
+_CONSTRUCTS: Final = _ASM | _PRAGMA
 _ASM_QUALIFIERS: Final = frozenset({
     "const", "goto", "inline", "__inline", "__inline__", "volatile", "__volatile", "__volatile__",
 })  # fmt: skip
+Pragma = Callable[[list[Token]], list[Token]]
+"""Does what the tokens behind `#pragma` say, and gives what stands in their place."""
+
 WORDS: Final = frozenset(_TWINS) | _DROPPED | _CONSTRUCTS
 """A line without any of these words is left as it is."""
-
-_MEANINGFUL: Final = frozenset({
-    "packed", "aligned", "mode", "vector_size", "transparent_union", "alias", "cleanup",
-    "constructor", "destructor",
-})  # fmt: skip
-"""Attributes that change what a program does, so that the user must hear that they are ignored."""
 
 _STATEMENT_BEGIN: Final = re.compile(r"\s*(?:if|while|for|switch|else|do|return)\b")
 _BEFORE_ASM: Final = 200
@@ -79,8 +76,9 @@ class _Construct:
 class GnuSyntax:
     """Rewrites a stream of tokens, which comes in pieces."""
 
-    def __init__(self, report: Report) -> None:
+    def __init__(self, report: Report, pragma: Pragma) -> None:
         self._report = report
+        self._pragma = pragma
         self._construct: _Construct | None = None
 
     @property
@@ -97,7 +95,7 @@ class GnuSyntax:
         """
         result: list[Token] = []
         for token in tokens:
-            if self._construct is not None and self._goes_on(self._construct, token):
+            if self._construct is not None and self._goes_on(self._construct, token, result):
                 continue
             text = token.text
             if text not in WORDS or token.kind != NAME:
@@ -116,7 +114,7 @@ class GnuSyntax:
             self._report.error(word.place, f"'{word.text}' has no ')' at its end")
             self._construct = None
 
-    def _goes_on(self, construct: _Construct, token: Token) -> bool:
+    def _goes_on(self, construct: _Construct, token: Token, result: list[Token]) -> bool:
         """Tells whether a token belongs to the open construct, and takes it then."""
         if construct.depth == 0 and token.text != "(":
             if construct.word.text in _ASM and token.text in _ASM_QUALIFIERS:
@@ -133,23 +131,17 @@ class GnuSyntax:
         construct.inside.append(token)
         if construct.depth == 0:
             self._construct = None
-            self._close(construct)
+            result += self._close(construct)
         return True
 
-    def _close(self, construct: _Construct) -> None:
-        if construct.word.text in _ATTRIBUTE:
-            self._close_attribute(construct)
-        elif construct.word.text in _ASM:
+    def _close(self, construct: _Construct) -> list[Token]:
+        """Gives what stands for a construct."""
+        if construct.word.text in _ASM:
             self._close_asm(construct)
-
-    def _close_attribute(self, construct: _Construct) -> None:
-        """Takes an attribute away, with a warning if it had a meaning."""
-        depth = 0
-        for token in construct.inside:
-            depth += {"(": 1, ")": -1}.get(token.text, 0)
-            name = token.text.removeprefix("__").removesuffix("__")
-            if depth == 2 and name in _MEANINGFUL:
-                self._report.warning(token.place, f"attribute '{shown(name)}' is ignored")
+            return []
+        literal = "".join(each.text for each in construct.inside[1:-1])
+        text = literal.removeprefix("L").strip('"').replace('\\"', '"')
+        return self._pragma(tokenise(text.replace("\\\\", "\\"), construct.word.place))
 
     def _close_asm(self, construct: _Construct) -> None:
         """Takes the assembler name of a declared object away, and refuses statements."""

@@ -50,6 +50,7 @@ class State:
         once: files that said `#pragma once`.
         budget: what macros may still expand to.
         characters_left: how much more source is read.
+        pending: tokens that a directive puts into the program.
     """
 
     report: Report
@@ -60,6 +61,7 @@ class State:
     once: set[Path] = field(default_factory=set)
     budget: Budget = field(default_factory=Budget)
     characters_left: int = MAX_CHARACTERS
+    pending: list[Token] = field(default_factory=list)
     _texts: dict[Path, SourceText] = field(default_factory=dict)
 
     @property
