@@ -5,6 +5,7 @@ from __future__ import annotations
 from pycparser import c_ast
 
 from crs_cc.frontend import convert, literal, tree, vla
+from crs_cc.frontend.alignment import natural_alignment
 from crs_cc.frontend.check import CheckError, Unit, checks, expression
 from crs_cc.frontend.check_init import initialise
 from crs_cc.frontend.compatible import compatible
@@ -211,7 +212,19 @@ def size_of(unit: Unit, node: Node) -> Expression:
         )
     if node.op == "sizeof":
         return vla.after(effects, vla.size(ctype, location))
-    return tree.integer(ctype.align, UINT, location)
+    return tree.integer(_alignment(unit, node.expr, ctype), UINT, location)
+
+
+def _alignment(unit: Unit, node: Node, ctype: CType) -> int:
+    """Gives the alignment of a type, or of the object that an expression names (as gcc does)."""
+    if isinstance(node, c_ast.Typename):
+        return natural_alignment(unit, node) or ctype.align
+    match expression(unit, node):
+        case tree.ObjectName(symbol=symbol):
+            return max(symbol.align, ctype.align)
+        case tree.MemberAccess(member=member):
+            return max(member.align, 1 if member.packed else member.natural or ctype.align)
+    return ctype.align
 
 
 def offset_of(unit: Unit, node: Node) -> Expression:

@@ -23,6 +23,7 @@ from crs_cc.frontend.declaration import (
 )
 from crs_cc.frontend.declare import declared_type, parameter_type
 from crs_cc.frontend.declare_tag import static_assert
+from crs_cc.frontend.function_attributes import apply_attributes
 from crs_cc.frontend.parse import PREDECLARED_TYPES, Broken, Node
 from crs_cc.frontend.refuse import refused
 from crs_cc.frontend.scope import FunctionSymbol, ObjectSymbol, TypedefName
@@ -82,6 +83,7 @@ def _function_definition(unit: Unit, node: Node) -> None:
     storage = [*(declaration.storage or []), *(declaration.funcspec or [])]
     is_static = "static" in storage or ("inline" in storage and "extern" in storage)
     symbol = declare_function(unit, declaration.name, ctype, location, is_static)
+    apply_attributes(unit, symbol, declaration)
     if symbol.is_defined:
         text = f"redefinition of '{declaration.name}'"
         raise CheckError(location, text, f"first at {symbol.location}")

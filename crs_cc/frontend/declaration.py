@@ -9,12 +9,19 @@ from __future__ import annotations
 from pycparser import c_ast
 
 from crs_cc.frontend import tree, vla
+from crs_cc.frontend.alignment import (
+    alignment,
+    attribute_alignment,
+    attributes,
+    natural_alignment,
+)
 from crs_cc.frontend.check import Automatic, CheckError, Unit, checks_statement
 from crs_cc.frontend.check_init import initialise
 from crs_cc.frontend.compatible import compatible, composite
 from crs_cc.frontend.convert import is_scalar
-from crs_cc.frontend.declare import alignment, declared_type, need_complete
+from crs_cc.frontend.declare import declared_type, need_complete
 from crs_cc.frontend.declare_tag import static_assert
+from crs_cc.frontend.function_attributes import apply_attributes
 from crs_cc.frontend.parse import Broken, Node
 from crs_cc.frontend.scope import (
     BrokenName,
@@ -106,7 +113,8 @@ def typedef(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> 
     if known is not None and not (isinstance(known, TypedefName) and compatible(known.type, ctype)):
         raise _redefinition(known, node.name, location)
     if known is None:
-        unit.scope.names[node.name] = TypedefName(node.name, ctype, location)
+        align = attribute_alignment(unit, attributes(node)) or natural_alignment(unit, node)
+        unit.scope.names[node.name] = TypedefName(node.name, ctype, location, align)
     if isinstance(ctype, RecordType) and ctype.record.tag is None and ctype.record.alias is None:
         ctype.record.alias = node.name
 
@@ -129,7 +137,8 @@ def _declare_function(unit: Unit, node: Node, ctype: FunctionType, location: Loc
     storage = node.storage or []
     if unit.function is not None and "static" in storage:
         raise CheckError(location, "function declared in block scope cannot be 'static'")
-    declare_function(unit, node.name, ctype, location, "static" in storage)
+    symbol = declare_function(unit, node.name, ctype, location, "static" in storage)
+    apply_attributes(unit, symbol, node)
 
 
 def declare_function(
@@ -207,7 +216,9 @@ def _declare_global(unit: Unit, node: Node, ctype: CType, location: Location) ->
         raise CheckError(location, text)
     is_extern = "extern" in storage
     symbol = _global_symbol(unit, node, ctype, location, is_static="static" in storage)
-    symbol.align = max(symbol.align, alignment(unit, node))
+    align = max(alignment(unit, node), natural_alignment(unit, node))
+    symbol.align = max(symbol.align, align)
+    symbol.is_weak = symbol.is_weak or any(each.name == "weak" for each in attributes(node))
     if node.init is not None:
         _initialise_global(unit, symbol, node, ctype, location)
     elif not is_extern:
@@ -302,7 +313,8 @@ def _declare_local(
     known = unit.scope.names.get(node.name)
     if known is not None:
         raise CheckError(location, f"redefinition of '{node.name}'", f"first at {known.location}")
-    symbol = ObjectSymbol(node.name, ctype, location, align=alignment(unit, node))
+    symbol = ObjectSymbol(node.name, ctype, location)
+    symbol.align = max(alignment(unit, node), natural_alignment(unit, node))
     symbol.in_memory = not is_scalar(ctype)
     is_static = bool({"static", "_Thread_local"} & set(node.storage or []))
     if is_static:

@@ -213,24 +213,6 @@ def parameter_type(unit: Unit, node: Node) -> CType:
     return ctype
 
 
-def alignment(unit: Unit, node: Node) -> int:
-    """Gives what the `_Alignas` specifiers of a declaration ask for [bytes], 0 when none does."""
-    largest = 0
-    for each in getattr(node, "align", None) or []:
-        operand = each.alignment
-        if isinstance(operand, c_ast.Typename):
-            align = type_name(unit, operand).align
-        else:
-            align = constant.integer(unit, operand, "alignment")
-        if align < 0 or align & (align - 1) or align > _LARGEST_ALIGNMENT:
-            raise CheckError(unit.at(each), f"alignment {align} is not a small power of two")
-        largest = max(largest, align)
-    return largest
-
-
-_LARGEST_ALIGNMENT: Final = 4096
-
-
 def need_complete(ctype: CType, location: Location, name: str) -> None:
     """Checks that a variable can have a type.
 

@@ -7,9 +7,17 @@ from typing import Literal
 from pycparser import c_ast
 
 from crs_cc.frontend import constant
+from crs_cc.frontend.alignment import (
+    alignment,
+    attribute_alignment,
+    attributes,
+    is_packed,
+    natural_alignment,
+    pack,
+)
 from crs_cc.frontend.check import CheckError, Unit
 from crs_cc.frontend.convert import is_integer
-from crs_cc.frontend.declare import LARGEST_OBJECT, alignment, declared_type, specifies
+from crs_cc.frontend.declare import LARGEST_OBJECT, declared_type, specifies
 from crs_cc.frontend.parse import Node
 from crs_cc.frontend.scope import EnumConstant, Tag
 from crs_cc.ir.types import (
@@ -72,20 +80,22 @@ def _define(unit: Unit, record: Record, node: Node, tag: Tag | None) -> None:
     if tag is not None:
         tag.location = location
     members: list[Member] = []
+    packed = is_packed(node)
     for each in node.decls:
         if isinstance(each, c_ast.StaticAssert):
             unit.attempt(static_assert, each)
         elif isinstance(each, c_ast.Decl):
-            member = unit.attempt(_member, each, each is node.decls[-1])
+            member = unit.attempt(_member, each, each is node.decls[-1], packed)
             if member is not None:
                 members.append(member)
     _check_names(unit, members, node)
-    record.complete(members)
+    align = attribute_alignment(unit, attributes(node))
+    record.complete(members, max(1, align), pack(node))
     if record.size > LARGEST_OBJECT:
         raise CheckError(location, f"'{record.kind} {node.name or '<anonymous>'}' is too large")
 
 
-def _member(unit: Unit, node: Node, is_last: bool) -> Member:
+def _member(unit: Unit, node: Node, is_last: bool, in_packed: bool) -> Member:
     ctype = declared_type(unit, node.type)
     location = unit.at_name(node)
     if node.name is None and isinstance(node.type, c_ast.Struct | c_ast.Union):
@@ -97,7 +107,9 @@ def _member(unit: Unit, node: Node, is_last: bool) -> Member:
         raise CheckError(location, f"member '{node.name}' has incomplete type '{ctype}'")
     if is_variably_modified(ctype):
         raise CheckError(location, f"member '{node.name}' has a length that is not constant")
-    member = Member(node.name, ctype, align=alignment(unit, node))
+    natural = natural_alignment(unit, node)
+    packed = in_packed or is_packed(node)
+    member = Member(node.name, ctype, align=alignment(unit, node), natural=natural, packed=packed)
     if node.bitsize is not None:
         member.bit_width = _width(unit, node, ctype, location)
         if (

@@ -70,7 +70,7 @@ def _target(low: Lowering, expression: Expression) -> _Target:
     if isinstance(expression, tree.MemberAccess) and expression.member.bit_width is not None:
         member = expression.member
     where = place(low, expression)
-    size = member.type.size if member is not None else expression.type.size
+    size = (member.spread or member.type.size) if member is not None else expression.type.size
     where = low.access(where, size, expression.location)
     return _Target(expression.type, expression.location, None, where, member)
 

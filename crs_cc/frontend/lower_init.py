@@ -171,7 +171,7 @@ class Image:
             self.addresses[each.offset] = address
 
     def _put_bits(self, offset: int, member: Member, number: int) -> None:
-        size = member.type.size
+        size = member.spread or member.type.size
         unit = int.from_bytes(self.content[offset : offset + size], "little")
         mask = ((1 << (member.bit_width or 0)) - 1) << member.bit_offset
         unit = unit & ~mask | number << member.bit_offset & mask

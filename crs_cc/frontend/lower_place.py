@@ -22,6 +22,7 @@ from crs_cc.frontend.lower import (
     value,
     value_type,
 )
+from crs_cc.frontend.lower_spread import read_spread, write_spread
 from crs_cc.frontend.tree import Expression
 from crs_cc.ir.program import (
     MEMORY_SIZE,
@@ -75,6 +76,8 @@ def read_bits(low: Lowering, where: Place, member: Member, location: Location) -
     """Reads a bit-field: its bits, extended as its type says."""
     width, ctype = member.bit_width or 0, member.type
     assert isinstance(ctype, IntegerType | EnumType)
+    if member.spread:
+        return read_spread(low, where, member, location)
     unit = load(low, where, ctype, location)
     if width == 8 * ctype.size:
         return unit
@@ -102,6 +105,9 @@ def write_bits(
 ) -> None:
     """Writes a bit-field and leaves the other bits of its unit as they are."""
     width, ctype = member.bit_width or 0, member.type
+    if member.spread:
+        write_spread(low, where, member, source, location)
+        return
     if width == 8 * ctype.size:
         store(low, where, ctype, source, location)
         return

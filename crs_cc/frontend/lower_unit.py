@@ -9,6 +9,7 @@ from crs_cc.frontend.check import Unit
 from crs_cc.frontend.constant import ConstantAddress
 from crs_cc.frontend.lower_function import lower_function
 from crs_cc.frontend.lower_init import Image
+from crs_cc.frontend.scope import FunctionSymbol
 from crs_cc.ir.program import Data, Program, Relocation, Variable
 from crs_cc.source import Location
 
@@ -69,6 +70,8 @@ class UnitLowering:
         if definition.initialiser is not None:
             self._fill(data, definition.initialiser)
         self.program.data[data.name] = data
+        if symbol.is_weak:
+            self.program.weak.add(data.name)
 
     def _fill(self, data: Data, initialiser: tree.Initialiser) -> None:
         image = Image(data.size)
@@ -98,6 +101,7 @@ def lower_unit(unit: Unit) -> Program:
     for function in unit.functions:
         made = lower_function(lowering, function)
         lowering.program.functions[made.name] = made
+        _note(lowering.program, function.symbol)
     program = lowering.program
     own = f"{unit.name}:"
     for name, location in lowering.uses.items():
@@ -110,3 +114,13 @@ def lower_unit(unit: Unit) -> Program:
         if name not in program.functions and name not in program.data
     }
     return program
+
+
+def _note(program: Program, symbol: FunctionSymbol) -> None:
+    """Notes what the linker must know of a function that is defined."""
+    if symbol.is_weak:
+        program.weak.add(symbol.link_name)
+    if symbol.starts is not None:
+        program.starts.append((symbol.starts, symbol.link_name))
+    if symbol.ends is not None:
+        program.ends.append((symbol.ends, symbol.link_name))

@@ -13,7 +13,7 @@ from pycparser import c_ast
 from crs_cc.frontend.attributes import PACK, Attribute
 from crs_cc.frontend.parse_doubt import DoubtingParser, Node
 
-_OPERANDS = frozenset({"aligned"})
+_OPERANDS = frozenset({"aligned", "constructor", "destructor"})
 """Attributes whose argument is an expression."""
 
 
@@ -48,6 +48,18 @@ class AttributeParser(DoubtingParser):
             return node
         finally:
             self._buffer, self._index = outside
+
+    def _parse_unary_expression(self) -> Node:
+        """Parses GNU's `__alignof__ expression` as `sizeof expression` is parsed, too."""
+        token = self._accept("_ALIGNOF")
+        if token is None:
+            return super()._parse_unary_expression()
+        found = self._try_parse_paren_type_name()
+        if found is not None and self._peek_type() != "LBRACE":
+            return c_ast.UnaryOp("_Alignof", found[0], token)
+        if found is not None:
+            self._reset(found[1])
+        return c_ast.UnaryOp("_Alignof", self._parse_unary_expression(), token)
 
     def _parse_struct_or_union_specifier(self) -> Node:
         start = self._index

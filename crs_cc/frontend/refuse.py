@@ -25,7 +25,7 @@ REFUSED: Final[dict[type, str]] = {
 """Node classes of C23, and what is said of them."""
 
 PARTS: Final[dict[type, str]] = {
-    c_ast.Alignas: "declare.alignment",
+    c_ast.Alignas: "alignment.alignment",
     c_ast.ArrayDecl: "declare.declared_type",
     c_ast.ArrayDesignator: "check_init.initialise",
     c_ast.DeclList: "check_stmt.for_",

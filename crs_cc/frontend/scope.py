@@ -28,6 +28,7 @@ class ObjectSymbol:
         is_external: known to other files.
         is_defined: has an initialiser, or is static.
         is_tentative: declared at file scope without `extern` and initialiser (C17 6.9.2).
+        is_weak: another file may define it, too, and prevails.
         in_memory: its address is taken, or it is no scalar, so that no register can hold it.
         is_indirect: the name means what this variable, a pointer, points to; so it is with an array
             whose length is not constant.
@@ -41,9 +42,25 @@ class ObjectSymbol:
     is_external: bool = False
     is_defined: bool = False
     is_tentative: bool = False
+    is_weak: bool = False
     in_memory: bool = False
     is_indirect: bool = False
     align: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Format:
+    """How a function's arguments are formatted, as `printf`'s are.
+
+    Attributes:
+        kind: "printf" or "scanf".
+        string: number of the argument that is the format, from 0.
+        first: number of the first argument that it formats, -1 when they come as a `va_list`.
+    """
+
+    kind: str
+    string: int
+    first: int
 
 
 @dataclass(slots=True, eq=False)
@@ -52,6 +69,11 @@ class FunctionSymbol:
 
     Attributes:
         is_implicit: known only because it was called.
+        is_noreturn: it never returns.
+        is_weak: another file may define it, too, and prevails.
+        starts: with what priority it runs before `main`; None when it does not.
+        ends: with what priority it runs after the end; None when it does not.
+        format: how its arguments are formatted.
     """
 
     name: str
@@ -61,15 +83,21 @@ class FunctionSymbol:
     is_external: bool = True
     is_defined: bool = False
     is_implicit: bool = False
+    is_noreturn: bool = False
+    is_weak: bool = False
+    starts: int | None = None
+    ends: int | None = None
+    format: Format | None = None
 
 
 @dataclass(slots=True, eq=False)
 class TypedefName:
-    """A name for a type."""
+    """A name for a type; `align` is what its attributes ask for [bytes], 0 for nothing."""
 
     name: str
     type: CType
     location: Location
+    align: int = 0
 
 
 @dataclass(slots=True, eq=False)

@@ -231,11 +231,23 @@ class Data:
 
 @dataclass(slots=True, eq=False)
 class Program:
-    """Functions and data by name, and where names that are used but not defined were first used."""
+    """What a file, or all files of a program together, define.
+
+    Attributes:
+        functions: by name.
+        data: by name.
+        undefined: where names that are used but not defined were first used.
+        weak: names whose definition gives way to another one.
+        starts: functions to be called before `main`, with their priority, the lowest first.
+        ends: functions to be called after the program's end, the highest priority first.
+    """
 
     functions: dict[str, Function] = field(default_factory=dict)
     data: dict[str, Data] = field(default_factory=dict)
     undefined: dict[str, Location] = field(default_factory=dict)
+    weak: set[str] = field(default_factory=set)
+    starts: list[tuple[int, str]] = field(default_factory=list)
+    ends: list[tuple[int, str]] = field(default_factory=list)
 
 
 def renumber(terminator: Any, change: Callable[[Any], Any]) -> Any:

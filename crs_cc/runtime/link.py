@@ -14,7 +14,17 @@ from dataclasses import replace
 from typing import Final, Protocol
 
 from crs_cc.errors import CompileError
-from crs_cc.ir.program import Address, Call, Data, Function, Instruction, Load, Program, Store
+from crs_cc.ir.program import (
+    Address,
+    Call,
+    Data,
+    Function,
+    Instruction,
+    Load,
+    Program,
+    Relocation,
+    Store,
+)
 from crs_cc.ir.uses import all_instructions
 from crs_cc.source import Diagnostics, Location
 
@@ -23,6 +33,12 @@ ROOT: Final = "__crs_start"
 
 LIBRARY: Final = "<library>/"
 """What the names of the library's own files begin with."""
+
+STARTS: Final = "__crs_starts"
+"""The array of the functions to be called before `main`, with a null pointer at its end."""
+
+ENDS: Final = "__crs_ends"
+"""The same of those to be called after the end."""
 
 HEAP_SYMBOLS: Final = ("__heap_start", "__heap_end")
 """Names that the code generator defines: the ends of the memory left for `malloc`."""
@@ -52,6 +68,8 @@ def link(units: Sequence[Program], library: Library, diagnostics: Diagnostics) -
     diagnostics.stage = "linking"
     user = join(units, diagnostics)
     whole = Program()
+    for table, calls in ((STARTS, _in_order(user.starts)), (ENDS, _in_order(user.ends)[::-1])):
+        user.data[table] = _table(table, calls)
     work = [ROOT]
     for name in work:
         if name in whole.functions or name in whole.data or name in HEAP_SYMBOLS:
@@ -75,11 +93,15 @@ def join(units: Sequence[Program], diagnostics: Diagnostics) -> Program:
     whole = Program()
     for unit in units:
         for name, function in unit.functions.items():
+            if _gives_way(name, unit, whole):
+                continue
             if name in whole.functions or name in whole.data:
                 _defined_twice(name, function.location, whole, diagnostics)
             else:
                 whole.functions[name] = function
         for name, data in unit.data.items():
+            if _gives_way(name, unit, whole):
+                continue
             if name in whole.functions:
                 _defined_twice(name, data.location, whole, diagnostics)
             elif name in whole.data:
@@ -88,7 +110,36 @@ def join(units: Sequence[Program], diagnostics: Diagnostics) -> Program:
                 whole.data[name] = data
         for name, location in unit.undefined.items():
             whole.undefined.setdefault(name, location)
+        whole.starts += unit.starts
+        whole.ends += unit.ends
     return whole
+
+
+def _gives_way(name: str, unit: Program, whole: Program) -> bool:
+    """Tells whether a definition is weak and not the first; takes away a weak one before it."""
+    if name not in whole.functions and name not in whole.data:
+        if name in unit.weak:
+            whole.weak.add(name)
+        return False
+    if name in unit.weak:
+        return True
+    if name in whole.weak:
+        whole.weak.remove(name)
+        whole.functions.pop(name, None)
+        whole.data.pop(name, None)
+    return False
+
+
+def _in_order(calls: list[tuple[int, str]]) -> list[str]:
+    return [name for _, name in sorted(calls, key=lambda call: call[0])]
+
+
+def _table(name: str, functions: list[str]) -> Data:
+    """Makes an array of pointers to functions with a null pointer at its end."""
+    size = 4 * len(functions) + 4
+    relocations = [Relocation(4 * i, function, 0) for i, function in enumerate(functions)]
+    place = Location(LIBRARY)
+    return Data(name, size, 4, place, bytes(size) if functions else None, relocations)
 
 
 def references(definition: Function | Data) -> Iterator[str]:

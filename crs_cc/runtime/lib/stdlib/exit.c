@@ -15,6 +15,10 @@ struct handlers {
 static struct handlers first_block;
 static struct handlers *last_block = &first_block;
 
+/* The program's destructors, a null pointer at the end; made by the linker. */
+extern void (*__crs_ends[])(void);
+static void (**next_end)(void) = __crs_ends;
+
 int atexit(void (*handler)(void))
 {
     if (last_block->count == 32) {
@@ -59,6 +63,8 @@ _Noreturn void exit(int status)
             break;
         last_block->handler[--last_block->count]();
     }
+    while (*next_end != NULL)
+        (*next_end++)();
     __crs_flush_all();
     end_program(status);
 }

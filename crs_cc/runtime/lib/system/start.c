@@ -4,6 +4,9 @@
 
 int main();
 
+/* The program's constructors, a null pointer at the end; made by the linker. */
+extern void (*__crs_starts[])(void);
+
 /* Makes a copy of an argument, or gives a null pointer when there is none of that number. */
 static char *read_argument(int number)
 {
@@ -31,11 +34,12 @@ static char *read_argument(int number)
     return text;
 }
 
-/* The outermost function: collects the arguments, calls main, ends the program. */
+/* The outermost function: collects the arguments, calls constructors and main, ends the program. */
 int __crs_start(void)
 {
     int count = 0, capacity = 8;
     char **arguments = malloc(capacity * sizeof *arguments);
+    void (**each)(void);
 
     while (arguments != NULL && (arguments[count] = read_argument(count)) != NULL) {
         if (++count == capacity) {
@@ -43,6 +47,8 @@ int __crs_start(void)
             arguments = realloc(arguments, capacity * sizeof *arguments);
         }
     }
+    for (each = __crs_starts; *each != NULL; each++)
+        (*each)();
     exit(main(count, arguments));
     return 0;
 }

@@ -1,0 +1,2 @@
+int limit = 20;
+int speed(void) { return 2; }
