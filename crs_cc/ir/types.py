@@ -21,6 +21,7 @@ from dataclasses import dataclass, field, replace
 from typing import ClassVar, Final, Literal, TypeAlias, TypeVar
 
 from crs_cc.ir.program import MemoryType
+from crs_cc.ir.record_layout import lay_out
 
 
 @dataclass(frozen=True, slots=True)
@@ -279,61 +280,15 @@ class Record:
     def complete(self, members: Iterable[Member], align: int = 1, pack: int = 0) -> None:
         """Gives every member its place, and the whole its size and alignment.
 
-        Bit-fields lie as gcc puts them on i386: in the lowest free bits, but never across a
-        boundary of their own type, unless they are packed; one of width 0 ends the unit.
-
         Args:
             members: the members; those of a packed struct are packed.
             align: what the whole is aligned to at least [bytes].
             pack: what members are aligned to at most [bytes], as `#pragma pack` says; 0 if any.
         """
         self.members = list(members)
-        self.align = align
-        end_bits = size_bits = 0
+        self.size, self.align = lay_out(self.members, self.kind == "union", align, pack)
         for member in self.members:
-            start = 0 if self.kind == "union" else end_bits
-            end_bits = self._place(member, start, pack)
-            size_bits = max(size_bits, end_bits)
-        self.size = -(-size_bits // (8 * self.align)) * self.align
-        for member in self.members:
-            self._spread(member)
             self._name(member)
-
-    def _place(self, member: Member, start_bits: int, pack: int) -> int:
-        """Puts a member at the first fitting place from `start_bits` on; gives where it ends."""
-        natural = member.natural or member.type.align
-        unit_bits = 8 * member.type.size
-        if member.bit_width is None:
-            align = _least(max(member.align, 1 if member.packed else natural), pack)
-            self.align = max(self.align, align)
-            start_bits = -(-start_bits // (8 * align)) * 8 * align
-            member.offset = start_bits // 8
-            return start_bits + unit_bits
-        if member.bit_width == 0:
-            align = max(member.align, natural)
-            return -(-start_bits // (8 * align)) * 8 * align
-        align = _least(member.align, pack)
-        if align:
-            start_bits = -(-start_bits // (8 * align)) * 8 * align
-        if member.name is not None:
-            least = 1 if member.packed and not pack else natural
-            self.align = max(self.align, align, _least(least, pack))
-        crosses = start_bits % unit_bits + member.bit_width > unit_bits
-        if crosses and not member.packed and not pack:
-            start_bits = -(-start_bits // (8 * natural)) * 8 * natural
-        member.offset = start_bits // unit_bits * member.type.size
-        member.bit_offset = start_bits % unit_bits
-        return start_bits + member.bit_width
-
-    def _spread(self, member: Member) -> None:
-        """Makes a bit-field one of single bytes if the unit it begins in does not hold it."""
-        if not member.bit_width:
-            return
-        end = member.bit_offset + member.bit_width
-        if end > 8 * member.type.size or member.offset + member.type.size > self.size:
-            member.offset += member.bit_offset // 8
-            member.bit_offset %= 8
-            member.spread = -(-(member.bit_offset + member.bit_width) // 8)
 
     def _name(self, member: Member) -> None:
         if member.name is not None:
@@ -341,11 +296,6 @@ class Record:
         elif isinstance(member.type, RecordType):
             for name, inner in member.type.record.named.items():
                 self.named[name] = replace(inner, offset=member.offset + inner.offset)
-
-
-def _least(align: int, pack: int) -> int:
-    """Gives an alignment, cut down to that of `#pragma pack` if there is one."""
-    return min(align, pack) if pack else align
 
 
 @dataclass(frozen=True, slots=True)

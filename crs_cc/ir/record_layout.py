@@ -1,0 +1,89 @@
+"""Where the members of structs and unions lie, as gcc lays them out on i386.
+
+Bit-fields lie in the lowest free bits, but never across a boundary of their own type, unless they
+are packed; one of width 0 ends the unit.
+
+>>> from crs_cc.ir.types import CHAR, INT, Member
+>>> members = [Member("tag", CHAR), Member("low", INT, bit_width=5), Member("n", INT)]
+>>> lay_out(members), [(each.offset, each.bit_offset) for each in members]
+((8, 4), [(0, 0), (0, 8), (4, 0)])
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from crs_cc.ir.types import Member
+
+
+def lay_out(
+    members: list[Member], is_union: bool = False, align: int = 1, pack: int = 0
+) -> tuple[int, int]:
+    """Gives every member its place, and the size and alignment of the whole [bytes].
+
+    Args:
+        members: the members; those of a packed struct are packed.
+        is_union: whether all begin at the same place.
+        align: what the whole is aligned to at least [bytes].
+        pack: what members are aligned to at most [bytes], as `#pragma pack` says; 0 if any.
+    """
+    end_bits = size_bits = 0
+    for member in members:
+        end_bits = _place(member, 0 if is_union else end_bits, pack)
+        size_bits = max(size_bits, end_bits)
+        align = max(align, _wanted(member, pack))
+    size = -(-size_bits // (8 * align)) * align
+    for member in members:
+        _spread(member, size)
+    return size, align
+
+
+def _wanted(member: Member, pack: int) -> int:
+    """Gives the alignment that a member asks of the whole [bytes]."""
+    if member.bit_width is not None and member.name is None:
+        return 1
+    natural = member.natural or member.type.align
+    is_free = member.packed and not (pack and member.bit_width is not None)
+    return _least(max(member.align, 1 if is_free else natural), pack)
+
+
+def _place(member: Member, start_bits: int, pack: int) -> int:
+    """Puts a member at the first fitting place from `start_bits` on; gives where it ends."""
+    unit_bits = 8 * member.type.size
+    if member.bit_width is None:
+        start_bits = _rounded(start_bits, _wanted(member, pack))
+        member.offset = start_bits // 8
+        return start_bits + unit_bits
+    natural = member.natural or member.type.align
+    if member.bit_width == 0:
+        return _rounded(start_bits, max(member.align, natural))
+    if member.align:
+        start_bits = _rounded(start_bits, _least(member.align, pack))
+    crosses = start_bits % unit_bits + member.bit_width > unit_bits
+    if crosses and not member.packed and not pack:
+        start_bits = _rounded(start_bits, natural)
+    member.offset = start_bits // unit_bits * member.type.size
+    member.bit_offset = start_bits % unit_bits
+    return start_bits + member.bit_width
+
+
+def _spread(member: Member, size: int) -> None:
+    """Makes a bit-field one of single bytes if the unit it begins in does not hold it."""
+    if not member.bit_width:
+        return
+    end = member.bit_offset + member.bit_width
+    if end > 8 * member.type.size or member.offset + member.type.size > size:
+        member.offset += member.bit_offset // 8
+        member.bit_offset %= 8
+        member.spread = -(-(member.bit_offset + member.bit_width) // 8)
+
+
+def _rounded(bits: int, align: int) -> int:
+    """Gives the next multiple of an alignment [bytes]."""
+    return -(-bits // (8 * align)) * 8 * align
+
+
+def _least(align: int, pack: int) -> int:
+    """Gives an alignment, cut down to that of `#pragma pack` if there is one."""
+    return min(align, pack) if pack else align
