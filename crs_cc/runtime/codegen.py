@@ -44,6 +44,10 @@ class Compiled:
     functions: list[FunctionInfo]
     addresses: dict[str, int]
 
+    def info(self, function: str) -> FunctionInfo:
+        """Gives how the frames of a function look."""
+        return next(each for each in self.functions if each.function.name == function)
+
 
 def compile_program(program: Program, *, checked: bool = True, debug: bool = False) -> Compiled:
     """Generates the code of a linked and verified program.

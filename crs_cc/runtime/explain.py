@@ -17,6 +17,7 @@ from crs_cc.runtime.blame import names_in, pointer_in
 from crs_cc.runtime.layout import NULL_SIZE, STACK_SIZE
 from crs_cc.runtime.link import LIBRARY
 from crs_cc.runtime.values import place_name
+from crs_cc.runtime.variables import plain_name
 
 if TYPE_CHECKING:
     from crs_cc.ir.types import CType
@@ -25,8 +26,11 @@ if TYPE_CHECKING:
     from crs_cc.runtime.objects import Object
     from crs_cc.runtime.report import ActiveCall
     from crs_cc.runtime.sites import CallSite
+    from crs_cc.runtime.variables import Variables
 
 SHOWN_SITES: Final = 3
+FORMATTED: Final = ("printf", "scanf")
+FORMAT_HINT: Final = "hint: does the format fit the arguments?"
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,12 +40,14 @@ class Case:
     Attributes:
         failure: the failure.
         expression: the text of the expression that failed, as far as it is known.
+        variables: reads the program.
         frame: the innermost function of the user's own files.
         callee: the function of the library that it called, if the failure is in there.
     """
 
     failure: Failure
     expression: str = ""
+    variables: Variables | None = None
     frame: StackFrame | None = None
     callee: ActiveCall | None = None
 
@@ -55,18 +61,16 @@ class Case:
 
     def find(self, name: str) -> tuple[CType, bytes] | None:
         """Gives type and content of a variable."""
-        program = self.failure.program
-        if program is None or self.frame is None:
+        if self.variables is None or self.frame is None:
             return None
-        known = program.variable(name, self.frame)
+        known = self.variables.find(name, self.frame)
         return None if known is None else (known[0].ctype, known[1])
 
     def pointer(self) -> tuple[str, int | None] | None:
         """Gives the pointer that the expression goes through last, and its value if known."""
-        program = self.failure.program
-        if program is None or self.callee is not None:
+        if self.variables is None or self.callee is not None:
             return None
-        return pointer_in(self.expression, self.find, program.read)
+        return pointer_in(self.expression, self.find, self.variables.read)
 
     def null_variable(self) -> str:
         """Gives the variable in the expression that is a null pointer, if there is just one."""
@@ -121,7 +125,7 @@ def object_name(found: Object | None) -> str:
     if found.kind == "string":
         return "a string literal"
     if found.kind == "argument":
-        return f"the arguments of '{found.function.rpartition(':')[2]}'"
+        return f"the arguments of '{plain_name(found.function)}'"
     return f"'{found.name}'" if found.name else "an unnamed object"
 
 
@@ -150,7 +154,7 @@ def _sites(sites: tuple[CallSite, ...]) -> str:
     mine = [site for site in sites if not site.location.file.startswith(LIBRARY)]
     if not mine:
         return "inside the library"
-    calls = [f"{site.location} in {site.function.rpartition(':')[2]}" for site in mine]
+    calls = [f"{site.location} in {plain_name(site.function)}" for site in mine]
     return "at " + ", from ".join(calls[:SHOWN_SITES])
 
 
@@ -159,9 +163,13 @@ def _sites(sites: tuple[CallSite, ...]) -> str:
 
 def _null(case: Case) -> Explanation:
     if case.callee is not None:
-        names = [name for name, value in case.callee.arguments if value == "null"]
-        given = f" as '{names[0]}'" if names else ""
-        return Explanation(f"{case.callee.function} is given a null pointer{given}")
+        name, address = case.callee.function, case.failure.value
+        null = [each for each, shown in case.callee.arguments if shown == "null"]
+        notes = (FORMAT_HINT,) if name.endswith(FORMATTED) else ()
+        if null:
+            return Explanation(f"{name} is given a null pointer as '{null[0]}'")
+        what = "a null pointer" if address == 0 else f"{address:#x}, which is no pointer"
+        return Explanation(f"{name} is given {what}", notes)
     text, value = case.pointer() or ("", None)
     if text and (value == 0 or (value is None and case.failure.value == 0)):
         return Explanation(f"'{text}' is null", told=text)
@@ -225,7 +233,7 @@ def _scope(case: Case) -> Explanation:
 
 def _returned(case: Case) -> Explanation:
     failure, found = case.failure, case.failure.object
-    owner = f"'{found.function.rpartition(':')[2]}'" if found and found.function else "a function"
+    owner = f"'{plain_name(found.function)}'" if found and found.function else "a function"
     name = object_name(found) if found and found.name else "a local variable"
     text = f"{case.access} of {name} of {owner}, which has returned"
     return Explanation(text, object_notes(found, failure.value))
@@ -272,7 +280,8 @@ def _double_free(case: Case) -> Explanation:
 def _missing_argument(case: Case) -> Explanation:
     if case.callee is not None:
         name = case.callee.function
-        return Explanation(f"{name} is asked for more arguments than were passed")
+        text = f"{name} is asked for more arguments than were passed"
+        return Explanation(text, (FORMAT_HINT,) if name.endswith(FORMATTED) else ())
     return Explanation("va_arg asks for an argument that was not passed")
 
 
@@ -285,25 +294,26 @@ def _bad_function(case: Case) -> Explanation:
 
 
 def _stack(case: Case) -> Explanation:
-    program = case.failure.program
-    if program is None:
+    stopped = case.failure.stopped
+    if stopped is None or not stopped.stack:
         return Explanation("the functions called need too much memory")
-    size = program.infos[program.stack[0].function].frame.size if program.stack else 0
+    innermost = stopped.stack[0].function
+    size = stopped.compiled.info(innermost).frame.size
     if size * 4 > STACK_SIZE:
-        name = program.stack[0].function.rpartition(":")[2]
+        name = plain_name(innermost)
         text = f"the variables of '{name}' take {size:,} bytes of a stack of {STACK_SIZE:,}"
         return Explanation(text, ("hint: make large arrays static",), shows_values=False)
-    text = f"{len(program.stack):,} calls at once fill the stack of {STACK_SIZE:,} bytes"
+    text = f"{len(stopped.stack):,} calls at once fill the stack of {STACK_SIZE:,} bytes"
     return Explanation(text, ("hint: does the recursion end?",), shows_values=False)
 
 
 def _assertion(case: Case) -> Explanation:
-    program = case.failure.program
-    for frame in program.stack if program else ():
-        if frame.function == "__crs_assert_failed" and program:
-            _, content = program.arguments(frame)[0]
+    variables = case.variables
+    for frame in case.failure.stack if variables else ():
+        if frame.function == "__crs_assert_failed" and variables:
+            _, content = variables.arguments(frame)[0]
             address = int.from_bytes(content, "little")
-            text = program.read(address, 200).partition(b"\0")[0].decode("utf-8", "replace")
+            text = variables.read(address, 200).partition(b"\0")[0].decode("utf-8", "replace")
             return Explanation(text, shows_callee=False)
     return Explanation("", shows_callee=False)
 

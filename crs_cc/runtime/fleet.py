@@ -34,7 +34,7 @@ from crs_cc.runtime.wasm import PAGE
 from crs_cc.source import Location
 
 if TYPE_CHECKING:
-    from crs_cc.runtime.inspect import StackFrame, StoppedProgram
+    from crs_cc.runtime.inspect import StackFrame, Stopped
     from crs_cc.runtime.objects import Object
     from crs_cc.runtime.report import ErrorReport
 
@@ -69,7 +69,7 @@ class Failure:
         access: "read" or "write" when a bad access of memory failed.
         size: how many bytes were accessed.
         object: what lies at `value`, or near it; the variable that has no value yet.
-        program: the stopped program, to be read; None when its stack cannot be trusted.
+        stopped: the program, to be read; None when its stack cannot be trusted.
     """
 
     kind: str
@@ -79,7 +79,7 @@ class Failure:
     access: Access = ""
     size: int = 0
     object: Object | None = None
-    program: StoppedProgram | None = None
+    stopped: Stopped | None = None
 
 
 class Fleet:
@@ -151,7 +151,7 @@ class Fleet:
     def failure(self, robot: int) -> Failure:
         """Gives why a robot with status FAILED was stopped."""
         slot = self.slots[robot]
-        from crs_cc.runtime.inspect import StoppedProgram, call_stack  # need the code generator
+        from crs_cc.runtime.inspect import Stopped, call_stack  # these need the code generator
         from crs_cc.runtime.objects import find_object
 
         detail = self._executables[robot].detail()
@@ -162,13 +162,13 @@ class Fleet:
         site = detail.compiled.sites[slot["error_site"]]
         kind, memory = site.kind, self._memories[robot]
         stack = tuple(call_stack(memory, detail.compiled, site.location))
+        stopped = Stopped(memory, detail.program, detail.compiled, detail.lines, stack)
         found = None
         if kind == "memory":
             kind = "null pointer" if value < NULL_SIZE else "pointer outside memory"
-            found = find_object(value, detail.program, detail.compiled, stack)
+            found = find_object(stopped, value)
         size = site.size or int(slot["error_size"])
-        program = StoppedProgram(memory, detail, stack)
-        return Failure(kind, site.location, value, stack, site.access, size, found, program)
+        return Failure(kind, site.location, value, stack, site.access, size, found, stopped)
 
     def report(self, robot: int) -> ErrorReport:
         """Gives the report on a robot with status FAILED: its failure in words."""

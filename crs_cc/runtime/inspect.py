@@ -1,35 +1,19 @@
-"""What a stopped program's memory tells: the active functions, where each is, and its variables."""
+"""What a stopped program's memory tells: which functions are active, and where each one is."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.ir.program import Variable
-from crs_cc.ir.types import ArrayType, VoidType
+from crs_cc.ir.program import Program
 from crs_cc.runtime.codegen import HELPERS, Compiled
-from crs_cc.runtime.layout import (
-    FUNCTION,
-    HEADER_SIZE,
-    MEMORY_BYTES,
-    NULL_SIZE,
-    RESUME,
-    STACK_TOP,
-)
+from crs_cc.runtime.layout import FUNCTION, HEADER_SIZE, NULL_SIZE, RESUME, STACK_TOP
 from crs_cc.runtime.link import ROOT
-from crs_cc.runtime.objects import find_object
-from crs_cc.runtime.values import Values, place_name
 from crs_cc.source import Location
-
-if TYPE_CHECKING:
-    from crs_cc.ir.types import CType
-    from crs_cc.runtime.executable import Detail
-    from crs_cc.runtime.function_code import FunctionInfo
 
 DEEPEST: Final = (STACK_TOP - NULL_SIZE) // HEADER_SIZE
 
@@ -47,6 +31,25 @@ class StackFrame:
     function: str
     location: Location
     fp: int
+
+
+@dataclass(frozen=True, slots=True)
+class Stopped:
+    """A program that has come back, and all that tells where it stands.
+
+    Attributes:
+        memory: its memory.
+        program: what it runs.
+        compiled: what was made of that.
+        lines: the lines of the user's files, by their names.
+        stack: its active functions, the innermost first.
+    """
+
+    memory: npt.NDArray[np.uint8]
+    program: Program
+    compiled: Compiled
+    lines: Mapping[str, Sequence[str]]
+    stack: tuple[StackFrame, ...]
 
 
 def call_stack(
@@ -82,102 +85,6 @@ def call_stack(
     if failed_at is not None:
         frames[-1] = replace(frames[-1], location=failed_at)
     return frames[::-1]
-
-
-@dataclass(frozen=True)
-class StoppedProgram:
-    """A program that has come back, and what is needed to read its memory.
-
-    Attributes:
-        memory: its memory, shape (MEMORY_BYTES,).
-        detail: the program.
-        stack: its active functions, the innermost first.
-    """
-
-    memory: npt.NDArray[np.uint8]
-    detail: Detail
-    stack: tuple[StackFrame, ...]
-
-    def read(self, address: int, size: int) -> bytes:
-        """Gives the bytes at an address, as many as are accessible."""
-        if address < NULL_SIZE:
-            return b""
-        return self.memory[address : min(address + size, MEMORY_BYTES)].tobytes()
-
-    @cached_property
-    def values(self) -> Values:
-        """Gives what writes the values of variables."""
-        functions = self.detail.program.functions
-        addresses = self.detail.compiled.addresses
-        pointers = {addresses[name]: name for name in functions if name in addresses}
-        return Values(
-            self.read,
-            self.name_of_place,
-            lambda number: plain_name(pointers[number]) if number in pointers else "",
-        )
-
-    @cached_property
-    def infos(self) -> dict[str, FunctionInfo]:
-        """Gives how the frames of each function look, by its name."""
-        return {info.function.name: info for info in self.detail.compiled.functions}
-
-    def name_of_place(self, address: int, target: CType) -> str:
-        """Names a variable, or the part of it, that a pointer points to; "" when unknown."""
-        found = find_object(address, self.detail.program, self.detail.compiled, self.stack)
-        if found is None or found.variable is None or found.distance(address):
-            return ""
-        offset = address - found.address
-        ctype = found.variable.ctype
-        if isinstance(ctype, ArrayType) and offset == 0:
-            return found.name
-        if isinstance(target, VoidType) and offset == 0:
-            return f"&{found.name}"
-        return "&" + place_name(found.name, ctype, offset, target)
-
-    def arguments(self, frame: StackFrame) -> list[tuple[Variable, bytes]]:
-        """Gives the parameters of an active function with the values that were passed."""
-        info = self.infos[frame.function]
-        found = []
-        for parameter, offset in zip(info.function.parameters, info.frame.parameters, strict=True):
-            variable = parameter.variable or parameter.place.variable
-            if variable is not None:
-                address = frame.fp - info.frame.size + offset
-                found.append((variable, self.read(address, variable.ctype.size)))
-        return found
-
-    def variables(self, frame: StackFrame) -> Iterator[tuple[Variable, bytes]]:
-        """Gives the variables of an active function with their present values."""
-        info = self.infos[frame.function]
-        sp = frame.fp - info.frame.size
-        if sp < NULL_SIZE:  # there was no room for its frame
-            yield from self.arguments(frame)
-            return
-        for place, offset in info.frame.offsets.items():
-            if place.variable is not None:
-                yield place.variable, self.read(sp + offset, place.variable.ctype.size)
-
-    def variable(self, name: str, frame: StackFrame) -> tuple[Variable, bytes] | None:
-        """Gives the variable that a name means where an active function is, and its value."""
-        place = frame.location
-        seen = [
-            (variable.location, number, (variable, content))
-            for number, (variable, content) in enumerate(self.variables(frame))
-            if variable.name == name and variable.location <= place
-        ]
-        if seen:
-            return max(seen)[2]
-        static = f"{place.file}:{plain_name(frame.function)}.{name}"
-        for wanted in (static, f"{place.file}:{name}", name):
-            data = self.detail.program.data.get(wanted)
-            if data is not None and data.variable is not None:
-                content = self.read(self.detail.compiled.addresses[wanted], data.size)
-                return data.variable, content
-        return None
-
-
-def plain_name(function: str) -> str:
-    """Gives a function's name as the programmer knows it."""
-    return function.rpartition(":")[2]
 
 
 def _word(memory: npt.NDArray[np.uint8], address: int) -> int:

@@ -17,7 +17,7 @@ from crs_cc.source import Location
 
 if TYPE_CHECKING:
     from crs_cc.runtime.codegen import Compiled
-    from crs_cc.runtime.inspect import StackFrame
+    from crs_cc.runtime.inspect import StackFrame, Stopped
 
 NEAR: Final = 4096
 """An object further away than so many bytes has nothing to do with an address."""
@@ -62,22 +62,11 @@ class Object:
         return max(0, address - (self.address + self.size) + 1)
 
 
-def find_object(
-    address: int,
-    program: Program,
-    compiled: Compiled,
-    stack: Sequence[StackFrame],
-) -> Object | None:
-    """Gives the object at an address, or else the nearest one; None when there is none near.
-
-    Args:
-        address: the address.
-        program: what it runs.
-        compiled: what was made of that.
-        stack: its active functions, see `inspect.call_stack`.
-    """
+def find_object(stopped: Stopped, address: int) -> Object | None:
+    """Gives the object at an address, or else the nearest one; None when there is none near."""
+    compiled = stopped.compiled
     nearest = None
-    for each in (*_locals(compiled, stack), *_globals(program, compiled)):
+    for each in (*_locals(compiled, stopped.stack), *_globals(stopped.program, compiled)):
         if nearest is None or abs(each.distance(address)) < abs(nearest.distance(address)):
             nearest = each
     if nearest is None or abs(nearest.distance(address)) > NEAR:

@@ -11,14 +11,14 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.runtime.blame import names_in
-from crs_cc.runtime.explain import Case, explain
-from crs_cc.runtime.inspect import plain_name
+from crs_cc.runtime.explain import Case, Explanation, explain
 from crs_cc.runtime.link import LIBRARY
+from crs_cc.runtime.variables import Variables, plain_name
 from crs_cc.source import Location, underline
 
 if TYPE_CHECKING:
     from crs_cc.runtime.fleet import Failure
-    from crs_cc.runtime.inspect import StackFrame, StoppedProgram
+    from crs_cc.runtime.inspect import StackFrame, Stopped
     from crs_cc.runtime.objects import Object
 
 FIRST_CALLS: Final = 3
@@ -79,87 +79,105 @@ class ErrorReport:
 
 def report(failure: Failure) -> ErrorReport:
     """Gives the report of a failure, about the innermost place in the user's own files."""
-    program = failure.program
-    if program is None:
-        return ErrorReport(failure.kind, failure.location, explain(Case(failure)).text)
-    rows = _rows(program)
-    mine = [frame for frame in rows if not _is_library(frame)]
-    place = mine[0].location if mine else failure.location
-    place = replace(place, last=place.last or place.column)  # one token at least
-    line = _line(program, place)
-    start = max(0, place.column - 1)
-    expression = line[start : start + len(underline(line, place))]
-    callee = _active_call(program, rows[0]) if rows and _is_library(rows[0]) else None
-    case = Case(failure, expression, mine[0] if mine else None, callee)
-    explained = explain(case)
-    if not explained.shows_callee and callee is not None:
-        rows = rows[1:]
-    values: tuple[tuple[str, str], ...] = ()
-    if mine and callee is None and explained.shows_values:
-        values = _values(program, mine[0], expression, explained.told)
-    stack = _folded(program, rows)
-    text = f"{failure.kind}: {explained.text}" if explained.text else failure.kind
-    found = failure.object
-    return ErrorReport(failure.kind, place, text, line, values, explained.notes, stack, found)
+    if failure.stopped is None:
+        return ErrorReport(
+            failure.kind, failure.location, _sentence(failure, explain(Case(failure)))
+        )
+    return _Reporter(failure, failure.stopped).report()
+
+
+def _sentence(failure: Failure, explained: Explanation) -> str:
+    return f"{failure.kind}: {explained.text}" if explained.text else failure.kind
+
+
+class _Reporter:
+    """Makes the report of one failure."""
+
+    def __init__(self, failure: Failure, stopped: Stopped) -> None:
+        self.failure = failure
+        self.stopped = stopped
+        self.variables = Variables(stopped)
+
+    def report(self) -> ErrorReport:
+        failure, rows = self.failure, _shown_frames(self.stopped)
+        frame = next((each for each in rows if not _is_library(each)), None)
+        place = failure.location if frame is None else frame.location
+        place = replace(place, last=place.last or place.column)  # one token at least
+        line = self.line(place)
+        start = max(0, place.column - 1)
+        expression = line[start : start + len(underline(line, place))]
+        callee = self.call(rows[0]) if rows and _is_library(rows[0]) else None
+        explained = explain(Case(failure, expression, self.variables, frame, callee))
+        if callee is not None and not explained.shows_callee:
+            rows = rows[1:]
+        values: tuple[tuple[str, str], ...] = ()
+        if frame is not None and callee is None and explained.shows_values:
+            values = self.values(frame, expression, explained.told)
+        return ErrorReport(
+            failure.kind,
+            place,
+            _sentence(failure, explained),
+            line,
+            values,
+            explained.notes,
+            self.folded(rows),
+            failure.object,
+        )
+
+    def line(self, place: Location) -> str:
+        """Gives the line of source at a place."""
+        lines = self.stopped.lines.get(place.file, ())
+        return lines[place.line - 1] if 0 < place.line <= len(lines) else ""
+
+    def call(self, frame: StackFrame) -> ActiveCall:
+        """Gives an active function with its arguments."""
+        show = self.variables.values.show
+        arguments = [
+            (variable.name, show(variable.ctype, content))
+            for variable, content in self.variables.arguments(frame)
+        ]
+        if self.stopped.compiled.info(frame.function).function.variadic:
+            arguments.append(("...", ""))
+        place = None if _is_library(frame) else frame.location
+        return ActiveCall(plain_name(frame.function), tuple(arguments), place)
+
+    def values(self, frame: StackFrame, expression: str, told: str) -> tuple[tuple[str, str], ...]:
+        """Gives the values of the variables in an expression, and of the structs they point to."""
+        write, values = self.variables.values, []
+        for name in names_in(expression):
+            known = self.variables.find(name, frame)
+            if known is None or name == told:
+                continue
+            variable, content = known
+            values.append((name, write.show(variable.ctype, content)))
+            target = write.show_target(variable.ctype, content)
+            if target:
+                values.append((f"*{name}", target))
+        return tuple(values[:MOST_VALUES])
+
+    def folded(self, rows: Sequence[StackFrame]) -> tuple[ActiveCall, ...]:
+        """Gives the call stack; of a long one the first and the last calls."""
+        if len(rows) <= FIRST_CALLS + LAST_CALLS + 1:
+            return tuple(map(self.call, rows))
+        hidden = rows[FIRST_CALLS:-LAST_CALLS]
+        names = list(dict.fromkeys(plain_name(frame.function) for frame in hidden))
+        shown = " and ".join(names) if len(names) <= MOST_NAMES else ""
+        return (
+            *map(self.call, rows[:FIRST_CALLS]),
+            ActiveCall(shown, count=len(hidden)),
+            *map(self.call, rows[-LAST_CALLS:]),
+        )
 
 
 def _is_library(frame: StackFrame) -> bool:
     return frame.location.file.startswith(LIBRARY)
 
 
-def _rows(program: StoppedProgram) -> list[StackFrame]:
+def _shown_frames(stopped: Stopped) -> list[StackFrame]:
     """Gives the user's functions, and those of the library that they called themselves."""
     rows: list[StackFrame] = []
-    for frame, caller in zip(program.stack, [*program.stack[1:], None], strict=True):
+    for frame, caller in zip(stopped.stack, [*stopped.stack[1:], None], strict=True):
         by_user = caller is not None and not _is_library(caller)
         if not _is_library(frame) or (by_user and not frame.function.startswith("__")):
             rows.append(frame)
     return rows
-
-
-def _line(program: StoppedProgram, place: Location) -> str:
-    lines = program.detail.lines.get(place.file, ())
-    return lines[place.line - 1] if 0 < place.line <= len(lines) else ""
-
-
-def _active_call(program: StoppedProgram, frame: StackFrame) -> ActiveCall:
-    arguments = [
-        (variable.name, program.values.show(variable.ctype, content))
-        for variable, content in program.arguments(frame)
-    ]
-    if program.infos[frame.function].function.variadic:
-        arguments.append(("...", ""))
-    place = None if _is_library(frame) else frame.location
-    return ActiveCall(plain_name(frame.function), tuple(arguments), place)
-
-
-def _values(
-    program: StoppedProgram, frame: StackFrame, expression: str, told: str
-) -> tuple[tuple[str, str], ...]:
-    """Gives the values of the variables in an expression, and of the structs they point to."""
-    values = []
-    for name in names_in(expression):
-        known = program.variable(name, frame)
-        if known is None or name == told:
-            continue
-        variable, content = known
-        shown = program.values.show(variable.ctype, content)
-        target = program.values.show_target(variable.ctype, content)
-        values.append((name, shown))
-        if target:
-            values.append((f"*{name}", target))
-    return tuple(values[:MOST_VALUES])
-
-
-def _folded(program: StoppedProgram, rows: Sequence[StackFrame]) -> tuple[ActiveCall, ...]:
-    """Gives the call stack; of a long one the first and the last calls."""
-    if len(rows) <= FIRST_CALLS + LAST_CALLS + 1:
-        return tuple(_active_call(program, frame) for frame in rows)
-    hidden = rows[FIRST_CALLS:-LAST_CALLS]
-    names = list(dict.fromkeys(plain_name(frame.function) for frame in hidden))
-    shown = " and ".join(names) if len(names) <= MOST_NAMES else ""
-    return (
-        *(_active_call(program, frame) for frame in rows[:FIRST_CALLS]),
-        ActiveCall(shown, count=len(hidden)),
-        *(_active_call(program, frame) for frame in rows[-LAST_CALLS:]),
-    )
