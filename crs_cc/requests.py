@@ -91,6 +91,7 @@ ERROR_KINDS: Final = (
     "assertion failed",
     "array length not positive",
     "no memory for local array",
+    "goto to no label",
     "longjmp without setjmp",
     "longjmp to a function that has returned",
     "internal trap",

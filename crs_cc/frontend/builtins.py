@@ -7,7 +7,10 @@ __crs_longjmp(activation, place, value)
 __builtin_sqrt, floor, clz, ...    one WebAssembly instruction each
 __builtin_memcpy, memmove, memset  whole blocks of memory
 __builtin_va_start, va_copy, ...   arguments of variadic functions; a `va_list` is a `char *`
-__builtin_expect, unreachable, trap, inf, nan, huge_val
+__builtin_expect, unreachable, trap, constant_p, choose_expr, types_compatible_p, ...
+
+`builtins_number` has those that calculate. What is left of the names with `__builtin_` in front
+means the library's function of that name.
 """
 
 from __future__ import annotations
@@ -16,11 +19,12 @@ import math
 from dataclasses import dataclass
 from typing import Final
 
-from crs_cc.frontend import tree, vla
+from crs_cc.frontend import constant, tree, vla
+from crs_cc.frontend.builtins_number import NUMBER_BUILTINS
 from crs_cc.frontend.check import CheckError, Unit, expression
 from crs_cc.frontend.check_expr import rvalue
 from crs_cc.frontend.check_operator import modifiable
-from crs_cc.frontend.compatible import is_promoted
+from crs_cc.frontend.compatible import compatible, is_promoted
 from crs_cc.frontend.convert import assigned, convert, promote_argument
 from crs_cc.frontend.declare import type_name
 from crs_cc.frontend.parse import Node
@@ -70,7 +74,6 @@ def _table() -> dict[str, Builtin]:
         "__builtin_memset": Builtin(_ADDRESS, (_ADDRESS, INT, UINT)),
         "__builtin_unreachable": Builtin(VOID, ()),
         "__builtin_trap": Builtin(VOID, ()),
-        "__builtin_expect": Builtin(LONG, (LONG, LONG)),
     }
     for suffix, ctype in (("", UINT), ("l", ULONG), ("ll", ULLONG)):
         for name in ("clz", "ctz", "popcount"):
@@ -95,7 +98,7 @@ def call_builtin(unit: Unit, name: str, node: Node) -> Expression | None:
     """Checks a call if the name is a builtin's; gives None for all other names."""
     location = unit.at(node)
     nodes = [] if node.args is None else node.args.exprs
-    special = _SPECIAL.get(name)
+    special = _SPECIAL.get(name) or NUMBER_BUILTINS.get(name)
     if special is not None:
         return special(unit, nodes, location)
     if name in _CONSTANTS:
@@ -109,8 +112,6 @@ def call_builtin(unit: Unit, name: str, node: Node) -> Expression | None:
         assigned(unit, rvalue(unit, each), ctype, "pass")
         for each, ctype in zip(nodes, builtin.parameters, strict=True)
     ]
-    if name == "__builtin_expect":
-        return arguments[0]
     if name == "__builtin_alloca":
         return vla.alloca(unit, arguments[0], location)
     return tree.Intrinsic(builtin.result, location, name, arguments)
@@ -121,6 +122,51 @@ def _count(nodes: list[Node], wanted: int, location: Location) -> None:
         what = "few" if len(nodes) < wanted else "many"
         text = f"too {what} arguments to function call, expected {wanted}, have {len(nodes)}"
         raise CheckError(location, text)
+
+
+def _expect(unit: Unit, nodes: list[Node], location: Location) -> Expression:
+    if len(nodes) not in {2, 3}:
+        _count(nodes, 2, location)
+    return assigned(unit, rvalue(unit, nodes[0]), LONG, "pass")
+
+
+def _first(unit: Unit, nodes: list[Node], location: Location) -> Expression:
+    """Gives the first argument; the others only advise."""
+    if not nodes:
+        _count(nodes, 1, location)
+    values = [rvalue(unit, each) for each in nodes]
+    return values[0]
+
+
+def _prefetch(unit: Unit, nodes: list[Node], location: Location) -> Expression:
+    return convert(_first(unit, nodes, location), VOID)
+
+
+def _constant_p(unit: Unit, nodes: list[Node], location: Location) -> Expression:
+    _count(nodes, 1, location)
+    value = rvalue(unit, nodes[0])
+    is_text = isinstance(value, tree.AddressOf) and isinstance(value.operand, tree.StringLiteral)
+    return tree.integer(int(is_text or isinstance(value, tree.Literal)), INT, location)
+
+
+def _choose(unit: Unit, nodes: list[Node], location: Location) -> Expression:
+    _count(nodes, 3, location)
+    chosen = constant.integer(unit, nodes[0], "first argument of '__builtin_choose_expr'")
+    return expression(unit, nodes[1] if chosen else nodes[2])
+
+
+def _types_compatible(unit: Unit, nodes: list[Node], location: Location) -> Expression:
+    _count(nodes, 2, location)
+    left, right = (unqualified(type_name(unit, each)) for each in nodes)
+    return tree.integer(int(compatible(left, right)), INT, location)
+
+
+def _object_size(unit: Unit, nodes: list[Node], location: Location) -> Expression:
+    """Gives what gcc does when it cannot tell how large an object is, as without optimising."""
+    _count(nodes, 2, location)
+    rvalue(unit, nodes[0])
+    kind = constant.integer(unit, nodes[1], "second argument of '__builtin_object_size'")
+    return tree.integer(0 if kind & 2 else UINT.largest, UINT, location)
 
 
 def _stop(unit: Unit, nodes: list[Node], location: Location) -> Expression:
@@ -171,6 +217,14 @@ def _va_arg(unit: Unit, nodes: list[Node], location: Location) -> Expression:
 
 
 _SPECIAL: Final = {
+    "__builtin_assume_aligned": _first,
+    "__builtin_choose_expr": _choose,
+    "__builtin_constant_p": _constant_p,
+    "__builtin_expect": _expect,
+    "__builtin_expect_with_probability": _expect,
+    "__builtin_object_size": _object_size,
+    "__builtin_prefetch": _prefetch,
+    "__builtin_types_compatible_p": _types_compatible,
     "__crs_stop": _stop,
     "__builtin_va_start": _va_start,
     "__builtin_va_copy": _va_copy,

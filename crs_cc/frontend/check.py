@@ -17,11 +17,22 @@ from pycparser import c_ast
 from crs_cc.frontend import tree
 from crs_cc.frontend.lex import Span
 from crs_cc.frontend.parse import Node, report
+from crs_cc.frontend.parse_gnu import GnuNode
 from crs_cc.frontend.scope import FunctionSymbol, ObjectSymbol, Scope, Symbol
 from crs_cc.ir.types import CType
 from crs_cc.source import Diagnostics, Location
 
 Result = TypeVar("Result")
+
+
+class Checked(GnuNode):
+    """Stands for an expression that is checked already."""
+
+    __slots__ = ("expression",)
+
+    def __init__(self, expression: tree.Expression, coord: Any) -> None:
+        super().__init__(coord)
+        self.expression = expression
 
 
 class CheckError(Exception):
@@ -49,16 +60,21 @@ class Automatic:
 
 @dataclass(slots=True, eq=False)
 class SwitchState:
-    """An open `switch`: the type of its value, its labels, and where each value stands.
+    """An open `switch`: the type of its value and its labels.
 
     Attributes:
+        lows: the lowest value of each `case`, sorted.
+        cases: for each of them the highest value, and where it stands.
+        default: where `default` stands.
         automatics: how many `Automatic`s there were where it began.
     """
 
     type: CType
     automatics: int
     labels: list[tree.CaseLabel] = field(default_factory=list)
-    places: dict[int | None, Location] = field(default_factory=dict)
+    lows: list[int] = field(default_factory=list)
+    cases: list[tuple[int, Location]] = field(default_factory=list)
+    default: Location | None = None
 
 
 @dataclass(slots=True, eq=False)
@@ -70,6 +86,9 @@ class FunctionState:
         loops: for each open loop, how many `automatics` there were where it began.
         switches: every open switch.
         breakable: the same for each open loop and switch.
+        addresses: number of each label whose address is taken, and where that was first done;
+            the number is the address.
+        label_names: for each open block with labels of its own, what they are called in `labels`.
         labels: where each label stands, and the `automatics` there.
         gotos: every `goto`, with the `automatics` there.
         returns: every `return`.
@@ -85,6 +104,8 @@ class FunctionState:
     loops: list[int] = field(default_factory=list)
     switches: list[SwitchState] = field(default_factory=list)
     breakable: list[int] = field(default_factory=list)
+    addresses: dict[str, tuple[int, Location]] = field(default_factory=dict)
+    label_names: list[dict[str, str]] = field(default_factory=list)
     labels: dict[str, tuple[Location, list[Automatic]]] = field(default_factory=dict)
     gotos: list[tuple[tree.Goto, list[Automatic]]] = field(default_factory=list)
     returns: list[tree.Return] = field(default_factory=list)
@@ -231,3 +252,8 @@ def expression(unit: Unit, node: Node) -> tree.Expression:
     if node.coord.__class__ is Span:
         checked.location = node.coord.location
     return checked
+
+
+@checks(Checked)
+def _checked(_unit: Unit, node: Checked) -> tree.Expression:
+    return node.expression

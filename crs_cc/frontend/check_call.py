@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Final
-
 from pycparser import c_ast
 
 from crs_cc.frontend import tree
 from crs_cc.frontend.builtins import call_builtin
 from crs_cc.frontend.check import CheckError, Unit, checks
 from crs_cc.frontend.check_expr import offset_of, rvalue
-from crs_cc.frontend.convert import assigned, promote_argument
+from crs_cc.frontend.convert import assigned, decay, promote_argument
+from crs_cc.frontend.known import library_functions, undeclared
 from crs_cc.frontend.parse import Node
 from crs_cc.frontend.scope import FunctionSymbol
 from crs_cc.frontend.tree import Expression
 from crs_cc.ir.types import (
-    DOUBLE,
     INT,
     FunctionType,
     PointerType,
@@ -25,20 +23,6 @@ from crs_cc.ir.types import (
     unqualified,
 )
 from crs_cc.source import Location
-
-_ONE_DOUBLE: Final = (
-    "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "log10",
-    "sqrt", "ceil", "floor", "fabs", "cbrt", "log1p", "expm1", "asinh", "acosh", "atanh", "rint",
-)  # fmt: skip
-_TWO_DOUBLES: Final = ("atan2", "pow", "fmod", "hypot")
-_KNOWN: Final = {
-    **dict.fromkeys(_ONE_DOUBLE, FunctionType(DOUBLE, (DOUBLE,))),
-    **dict.fromkeys(_TWO_DOUBLES, FunctionType(DOUBLE, (DOUBLE, DOUBLE))),
-    "ldexp": FunctionType(DOUBLE, (DOUBLE, INT)),
-    "frexp": FunctionType(DOUBLE, (DOUBLE, PointerType(INT))),
-    "modf": FunctionType(DOUBLE, (DOUBLE, PointerType(DOUBLE))),
-}
-"""Functions that give a `double`: taken for `int`, they would give nonsense."""
 
 _OFFSETOF = {"offsetof", "__builtin_offsetof"}
 
@@ -54,10 +38,35 @@ def call(unit: Unit, node: Node) -> Expression:
             found = call_builtin(unit, name, node)
             if found is not None:
                 return found
+            if name.startswith("__builtin_"):
+                return _call(unit, node, decay(_library_function(unit, node.name)))
         if unit.scope.find(name) is None:
+            if name == "alloca":
+                node.name.name = "__builtin_alloca"
+                return call(unit, node)
             _declare_implicitly(unit, name, unit.at(node.name))
+    return _call(unit, node, rvalue(unit, node.name))
+
+
+def _library_function(unit: Unit, node: Node) -> Expression:
+    """Gives the library's function that a name with `__builtin_` in front means.
+
+    Raises:
+        CheckError: there is no such builtin, or it is one that makes no sense here.
+    """
+    location, name = unit.at(node), node.name.removeprefix("__builtin_")
+    found = library_functions().get(name)
+    if found is None:
+        raise CheckError(location, f"'{node.name}' is not supported")
+    symbol = unit.externals.get(name)
+    if not isinstance(symbol, FunctionSymbol) or symbol.is_implicit:
+        symbol = FunctionSymbol(name, found[0], location, name)
+    return tree.FunctionName(symbol.type, location, symbol)
+
+
+def _call(unit: Unit, node: Node, callee: Expression) -> Expression:
+    """Checks the call of a function that is known."""
     location = unit.at(node)
-    callee = rvalue(unit, node.name)
     pointer = callee.type
     if not isinstance(pointer, PointerType) or not isinstance(pointer.target, FunctionType):
         text = f"called object type '{callee.type}' is not a function or function pointer"
@@ -111,18 +120,20 @@ def _declared(callee: Expression) -> str:
 def _declare_implicitly(unit: Unit, name: str, location: Location) -> None:
     """Takes an unknown function for one that gives `int` (C90 6.3.2.2).
 
-    A mathematical function is taken for what it is, as gcc does.
+    A function of the library is taken for what it is, as gcc does.
     """
-    text, ctype = f"implicit declaration of function '{name}'", _KNOWN.get(name)
-    if ctype is None:
+    text, found = f"implicit declaration of function '{name}'", undeclared(name)
+    if found is None:
+        ctype = FunctionType(INT)
         unit.warning(location, text, unit.suggest(name, FunctionSymbol))
     else:
-        unit.warning(location, f"{text}, taken for '{ctype}'", "include <math.h>")
+        ctype, header = found
+        unit.warning(location, f"{text}, taken for '{ctype}'", f"include <{header}>")
     outermost = unit.scope
     while outermost.outer is not None:
         outermost = outermost.outer
     known = unit.externals.get(name)
     if not isinstance(known, FunctionSymbol):
-        known = FunctionSymbol(name, ctype or FunctionType(INT), location, name, is_implicit=True)
+        known = FunctionSymbol(name, ctype, location, name, is_implicit=True)
         unit.externals[name] = known
     outermost.names[name] = known

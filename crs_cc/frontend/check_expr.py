@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pycparser import c_ast
 
-from crs_cc.frontend import convert, literal, tree, vla
+from crs_cc.frontend import convert, fold, literal, tree, vla
 from crs_cc.frontend.alignment import natural_alignment
 from crs_cc.frontend.check import CheckError, Unit, checks, expression
 from crs_cc.frontend.check_init import initialise
@@ -230,26 +230,35 @@ def _alignment(unit: Unit, node: Node, ctype: CType) -> int:
 def offset_of(unit: Unit, node: Node) -> Expression:
     """Checks `__builtin_offsetof(type, member)`."""
     type_node, designator = node.args.exprs
-    location = unit.at(node)
-    offset = _offset(unit, type_name(unit, type_node), designator)[1]
-    return tree.integer(offset, UINT, location)
+    return _offset(unit, type_name(unit, type_node), designator)[1]
 
 
-def _offset(unit: Unit, ctype: CType, node: Node) -> tuple[CType, int]:
+def _offset(unit: Unit, ctype: CType, node: Node) -> tuple[CType, Expression]:
     """Gives the type of the part that a designator names, and its offset [bytes]."""
     location = unit.at(node)
     if isinstance(node, c_ast.ArrayRef):
         inner, offset = _offset(unit, ctype, node.name)
-        index = expression(unit, node.subscript)
-        if not isinstance(inner, ArrayType) or not isinstance(index, tree.Literal):
-            raise CheckError(location, "'offsetof' needs members and constant indices")
-        return inner.element, offset + int(index.value) * inner.element.size
+        index = convert.convert(rvalue(unit, node.subscript), UINT)
+        if not isinstance(inner, ArrayType) or not convert.is_integer(index.type):
+            raise CheckError(location, "'offsetof' needs members and indices")
+        size = tree.integer(inner.element.size, UINT, location)
+        return inner.element, _computed("+", offset, _computed("*", index, size))
+    offset = tree.integer(0, UINT, location)
     if isinstance(node, c_ast.StructRef):
-        inner, offset = _offset(unit, ctype, node.name)
-        found = find_member(inner, node.field.name, unit.at(node.field))
+        ctype, offset = _offset(unit, ctype, node.name)
+        found = find_member(ctype, node.field.name, unit.at(node.field))
     else:
-        offset = 0
         found = find_member(ctype, node.name, location)
     if found.bit_width is not None:
         raise CheckError(location, f"'offsetof' of the bit-field '{found.name}'")
-    return found.type, offset + found.offset
+    inside = tree.integer(found.offset, UINT, location)
+    return found.type, _computed("+", offset, inside)
+
+
+def _computed(op: str, left: Expression, right: Expression) -> Expression:
+    """Makes `left op right` in `unsigned int`."""
+    if isinstance(left, tree.Literal) and isinstance(right, tree.Literal):
+        value = fold.binary(op, UINT, left.value, right.value)
+        if value is not None:
+            return tree.Literal(UINT, left.location, value)
+    return tree.Binary(UINT, left.location, op, left, right)

@@ -17,6 +17,8 @@ from crs_cc.frontend.compatible import compatible
 from crs_cc.frontend.convert import assigned
 from crs_cc.frontend.declare import LARGEST_OBJECT
 from crs_cc.frontend.parse import Node
+from crs_cc.frontend.parse_gnu import Range
+from crs_cc.frontend.scope import ObjectSymbol
 from crs_cc.frontend.tree import Initialiser, InitialValue
 from crs_cc.ir.types import (
     ArrayType,
@@ -28,6 +30,9 @@ from crs_cc.ir.types import (
     unqualified,
 )
 from crs_cc.source import Location
+
+MOST_VALUES: Final = 1 << 20
+"""How many values the elements of a range may get: each is kept while compiling."""
 
 LARGEST_INITIALISED: Final = 1 << 26
 """An object with an initialiser may be this large [bytes]: its image is kept while compiling."""
@@ -78,6 +83,23 @@ class _Place:
         """Goes to the part behind."""
         self.index += 1
         self.is_chosen = False
+
+
+def _compute_once(each: InitialValue) -> None:
+    """Keeps a value that is needed several times in a variable, unless it is constant."""
+    value = each.value
+    if isinstance(value, tree.Literal | tree.StringLiteral):
+        return
+    if constant.constant_address(value) is None:
+        is_record = isinstance(value.type, RecordType)
+        kept = ObjectSymbol("", value.type, value.location, in_memory=is_record)
+        name = tree.ObjectName(value.type, value.location, kept)
+        each.value = tree.Assign(value.type, value.location, name, value)
+
+
+def _again(value: tree.Expression) -> tree.Expression:
+    """Gives a value that `_compute_once` has seen to another element."""
+    return value.target if isinstance(value, tree.Assign) else value
 
 
 def _is_padding(member: Member) -> bool:
@@ -162,13 +184,43 @@ class _Filler:
             return
         places = [_Place(ctype, part.offset)]
         for item in node.exprs:
-            value = item
-            if isinstance(item, c_ast.NamedInitializer):
-                del places[1:]
-                self._designate(places, item.name)
-                value = item.expr
-            self._item(places, value)
+            if not isinstance(item, c_ast.NamedInitializer):
+                self._item(places, item)
+                self._measure(places[0])
+                continue
+            del places[1:]
+            ranges = self._designate(places, item.name)
+            self._item_for_all(places, item.expr, ranges)
             self._measure(places[0])
+
+    def _item_for_all(
+        self, places: list[_Place], node: Node, ranges: list[tuple[_Place, int]]
+    ) -> None:
+        """Puts one item into the next part, and into those that ranges name besides."""
+        if not ranges:
+            self._item(places, node)
+            return
+        shifts, part, before = [0], places[-1].part(), set(map(id, self.values))
+        for place, count in ranges:
+            if len(shifts) * count > MOST_VALUES:
+                raise CheckError(self.unit.at(node), "the range is too large")
+            assert isinstance(place.type, ArrayType)
+            size = place.type.element.size
+            shifts = [shift + number * size for shift in shifts for number in range(count)]
+        self._item(places, node)
+        values = [each for each in self.values if id(each) not in before]
+        if len(values) * len(shifts) > MOST_VALUES:
+            raise CheckError(self.unit.at(node), "the range is too large")
+        for each in values:
+            _compute_once(each)
+        for shift in shifts[1:]:
+            if part is not None and isinstance(node, c_ast.InitList):
+                self._override(_Part(part.type, part.offset + shift))
+            for each in values:
+                offset, value = shift + each.offset, _again(each.value)
+                self._take(InitialValue(offset, each.type, value, each.member))
+        for place, count in ranges:
+            place.index += count - 1
 
     def _override(self, part: _Part) -> None:
         """Forgets what designators gave for an aggregate that is given anew (C17 6.7.9p19)."""
@@ -295,15 +347,23 @@ class _Filler:
 
     # Designators (C17 6.7.9p6, p7)
 
-    def _designate(self, places: list[_Place], designators: list[Node]) -> None:
+    def _designate(self, places: list[_Place], designators: list[Node]) -> list[tuple[_Place, int]]:
+        """Goes where designators say; gives the arrays of which a range is meant, and its length.
+
+        The place is then that of the first element of the range.
+        """
+        ranges = []
         for number, designator in enumerate(designators):
             if number > 0:
                 self._open(places, self.unit.at(designator))
             place = places[-1]
             if isinstance(designator, c_ast.ArrayDesignator):
-                self._choose_element(place, designator)
+                count = self._choose_elements(place, designator)
+                if count > 1:
+                    ranges.append((place, count))
             else:
                 self._choose_member(places, designator.name, self.unit.at(designator))
+        return ranges
 
     def _open(self, places: list[_Place], location: Location) -> None:
         """Opens the aggregate that was designated last."""
@@ -313,15 +373,25 @@ class _Filler:
         places[-1].advance()
         places.append(_Place(part.type, part.offset))
 
-    def _choose_element(self, place: _Place, designator: Node) -> None:
+    def _choose_elements(self, place: _Place, designator: Node) -> int:
+        """Goes to the element that is named, or the first of a range; gives how many are meant."""
         location = self.unit.at(designator)
         if not isinstance(place.type, ArrayType):
             raise CheckError(location, f"array designator for non-array type '{place.type}'")
-        index = constant.integer(self.unit, designator.expr, "array designator")
+        chosen = designator.expr
+        first, last = chosen, chosen
+        if isinstance(chosen, Range):
+            first, last = chosen.first, chosen.last
+        index = constant.integer(self.unit, first, "array designator")
+        end = index if last is first else constant.integer(self.unit, last, "array designator")
+        if end < index:
+            raise CheckError(location, f"the range of elements is empty: {index} > {end}")
         length = place.type.length
-        if index < 0 or (length is not None and index >= length):
-            raise CheckError(location, f"array designator index ({index}) exceeds array bounds")
+        if index < 0 or (length is not None and end >= length):
+            wrong = end if index >= 0 else index
+            raise CheckError(location, f"array designator index ({wrong}) exceeds array bounds")
         place.choose(index)
+        return end - index + 1
 
     def _choose_member(self, places: list[_Place], name: str, location: Location) -> None:
         ctype = places[-1].type

@@ -268,7 +268,7 @@ def _increment(unit: Unit, node: Node) -> Expression:
     is_postfix = node.op[0] == "p"
     if isinstance(ctype, PointerType) and vla.is_variable(ctype.target):
         return vla.step(target, step, is_postfix=is_postfix)
-    return tree.Increment(unqualified(ctype), target.location, target, step, is_postfix)
+    return tree.Increment(unqualified(ctype), place, target, step, is_postfix)
 
 
 _UNARY: Final[dict[str, Callable[[Unit, Node], Expression]]] = {

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 from pycparser import c_ast
 
 from crs_cc.frontend import constant, tree, vla
@@ -20,10 +24,11 @@ from crs_cc.frontend.check_expr import rvalue
 from crs_cc.frontend.convert import assigned, convert, decay, is_integer, is_scalar, promote
 from crs_cc.frontend.fold import wrap
 from crs_cc.frontend.parse import Node
+from crs_cc.frontend.parse_gnu import ComputedGoto, LabelAddress, LocalLabels, Range
 from crs_cc.frontend.refuse import refused
 from crs_cc.frontend.scope import ObjectSymbol
 from crs_cc.frontend.tree import Expression, Statement
-from crs_cc.ir.types import INT, VOID, IntegerType, VoidType
+from crs_cc.ir.types import INT, VOID, IntegerType, PointerType, VoidType, qualify
 from crs_cc.source import Location
 
 
@@ -60,9 +65,21 @@ def _function(unit: Unit) -> FunctionState:
 @checks_statement(c_ast.Compound)
 def compound(unit: Unit, node: Node, out: list[Statement]) -> None:
     """Checks `{ ... }`."""
-    with unit.new_scope(), vla.block(_function(unit), out, unit.at(node)):
+    with _block(unit, node, out):
         for each in node.block_items or []:
             statement(unit, each, out)
+
+
+@contextmanager
+def _block(unit: Unit, node: Node, out: list[Statement]) -> Iterator[None]:
+    """Opens a block's scope of names, of its own labels, and of its variables' memory."""
+    state = _function(unit)
+    state.label_names.append({})
+    try:
+        with unit.new_scope(), vla.block(state, out, unit.at(node)):
+            yield
+    finally:
+        state.label_names.pop()
 
 
 @checks_statement(c_ast.EmptyStatement, c_ast.Pragma)
@@ -155,7 +172,7 @@ def continue_(unit: Unit, node: Node, out: list[Statement]) -> None:
 @checks_statement(c_ast.Goto)
 def goto(unit: Unit, node: Node, out: list[Statement]) -> None:
     """Checks `goto`; whether its label exists is known at the function's end."""
-    made = tree.Goto(unit.at(node), node.name)
+    made = tree.Goto(unit.at(node), _label_name(unit, node.name))
     state = _function(unit)
     state.gotos.append((made, list(state.automatics)))
     out.append(made)
@@ -165,18 +182,62 @@ def goto(unit: Unit, node: Node, out: list[Statement]) -> None:
 def label(unit: Unit, node: Node, out: list[Statement]) -> None:
     """Checks a label and the statement behind it."""
     location, state = unit.at(node), _function(unit)
-    if node.name in state.labels:
-        hint = f"first at {state.labels[node.name][0]}"
+    name = _label_name(unit, node.name)
+    if name in state.labels:
+        hint = f"first at {state.labels[name][0]}"
         unit.error(location, f"redefinition of label '{node.name}'", hint)
-    state.labels[node.name] = location, list(state.automatics)
-    out.append(tree.Label(location, node.name))
+    state.labels[name] = location, list(state.automatics)
+    out.append(tree.Label(location, name))
     if node.stmt is not None:
         statement(unit, node.stmt, out)
+
+
+def _label_name(unit: Unit, name: str) -> str:
+    """Gives what a label is called in its function; `__label__` gives it a name of its own."""
+    for names in reversed(_function(unit).label_names):
+        if name in names:
+            return names[name]
+    return name
+
+
+@checks_statement(LocalLabels)
+def local_labels(unit: Unit, node: LocalLabels, _out: list[Statement]) -> None:
+    """Checks `__label__`."""
+    names = _function(unit).label_names
+    if not names:
+        raise CheckError(unit.at(node), "'__label__' outside of a block")
+    names[-1].update((name, f"{name}.{unit.at(node)}") for name in node.names)
+
+
+@checks(LabelAddress)
+def label_address(unit: Unit, node: LabelAddress) -> Expression:
+    """Checks `&&label`, a number of its own for each label of the function."""
+    location = unit.at(node)
+    if unit.function is None:
+        raise CheckError(location, "the address of a label is taken outside of functions")
+    name, known = _label_name(unit, node.name), unit.function.addresses
+    number, _ = known.setdefault(name, (len(known) + 1, location))
+    return tree.Literal(PointerType(VOID), location, number)
+
+
+@checks_statement(ComputedGoto)
+def computed_goto(unit: Unit, node: ComputedGoto, out: list[Statement]) -> None:
+    """Checks `goto *target`."""
+    unit.attempt(_computed_goto, node, out)
+
+
+def _computed_goto(unit: Unit, node: ComputedGoto, out: list[Statement]) -> None:
+    anything = PointerType(qualify(VOID, const=True, volatile=False))
+    target = assigned(unit, rvalue(unit, node.target), anything, "assign")
+    out.append(tree.ComputedGoto(unit.at(node), target, _function(unit).addresses))
 
 
 def check_labels(unit: Unit) -> None:
     """Reports every `goto` whose label does not exist, or lies where it must not go."""
     state = _function(unit)
+    for name, (_, location) in state.addresses.items():
+        if name not in state.labels:
+            unit.error(location, f"use of undeclared label '{name}'")
     for each, automatics in state.gotos:
         if each.name not in state.labels:
             unit.error(each.location, f"use of undeclared label '{each.name}'")
@@ -220,28 +281,51 @@ def case(unit: Unit, node: Node, out: list[Statement]) -> None:
         statement(unit, each, out)
 
 
-def _case_label(unit: Unit, node: Node) -> tree.CaseLabel:
+def _case_label(unit: Unit, node: Node) -> tree.CaseLabel | None:
     state, location = _function(unit), unit.at(node)
     what = "case" if isinstance(node, c_ast.Case) else "default"
     if not state.switches:
         raise CheckError(location, f"'{what}' statement not in switch statement")
     opened = state.switches[-1]
-    value = None
-    if isinstance(node, c_ast.Case):
-        exact, ctype = constant.integer(unit, node.expr, "case label"), opened.type
-        assert isinstance(ctype, IntegerType)
-        value = wrap(exact, 8 * ctype.size, ctype.signed)
-    if value in opened.places:
-        text = "multiple default labels in one switch"
-        if value is not None:
-            text = f"duplicate case value '{value}'"
-        raise CheckError(location, text, f"first at {opened.places[value]}")
-    opened.places[value] = location
     outside = state.automatics[: opened.automatics]
     vla.jump(unit, "'switch'", location, outside, state.automatics)
-    made = tree.CaseLabel(location, value)
+    if isinstance(node, c_ast.Default):
+        if opened.default is not None:
+            text = "multiple default labels in one switch"
+            raise CheckError(location, text, f"first at {opened.default}")
+        opened.default = location
+        made = tree.CaseLabel(location, None)
+    else:
+        is_range = isinstance(node.expr, Range)
+        first = _case_value(unit, node.expr.first if is_range else node.expr, opened)
+        last = _case_value(unit, node.expr.last, opened) if is_range else first
+        if first > last:
+            unit.warning(location, f"the range of this 'case' is empty: {first} > {last}")
+            return None
+        _enter_case(opened, first, last, location)
+        made = tree.CaseLabel(location, first, last)
     opened.labels.append(made)
     return made
+
+
+def _case_value(unit: Unit, node: Node, opened: SwitchState) -> int:
+    exact, ctype = constant.integer(unit, node, "case label"), opened.type
+    assert isinstance(ctype, IntegerType)
+    return wrap(exact, 8 * ctype.size, ctype.signed)
+
+
+def _enter_case(opened: SwitchState, first: int, last: int, location: Location) -> None:
+    """Notes a `case`; the values of all of them must differ (C17 6.8.4.2p3)."""
+    number = bisect_left(opened.lows, first)
+    before, behind = opened.cases[max(0, number - 1) : number], opened.cases[number : number + 1]
+    if before and before[0][0] >= first:
+        hint = f"first at {before[0][1]}"
+        raise CheckError(location, f"duplicate case value '{first}'", hint)
+    if behind and opened.lows[number] <= last:
+        hint = f"first at {behind[0][1]}"
+        raise CheckError(location, f"duplicate case value '{opened.lows[number]}'", hint)
+    opened.lows.insert(number, first)
+    opened.cases.insert(number, (last, location))
 
 
 @checks_statement(c_ast.Return)
@@ -281,7 +365,7 @@ def statement_expression(unit: Unit, node: Node) -> Expression:
     if unit.function is None:
         raise CheckError(location, "statement expression not allowed at file scope")
     out: list[Statement] = []
-    with unit.new_scope(), vla.block(unit.function, out, location):
+    with _block(unit, node, out):
         for each in node.block_items or []:
             statement(unit, each, out)
         value = _last_value(unit.function, out)

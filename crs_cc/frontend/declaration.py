@@ -15,14 +15,22 @@ from crs_cc.frontend.alignment import (
     attributes,
     natural_alignment,
 )
-from crs_cc.frontend.check import Automatic, CheckError, Unit, checks_statement
+from crs_cc.frontend.check import (
+    Automatic,
+    Checked,
+    CheckError,
+    Unit,
+    checks_statement,
+    expression,
+)
 from crs_cc.frontend.check_init import initialise
 from crs_cc.frontend.compatible import compatible, composite
-from crs_cc.frontend.convert import is_scalar
+from crs_cc.frontend.convert import decay, is_scalar
 from crs_cc.frontend.declare import declared_type, need_complete
 from crs_cc.frontend.declare_tag import static_assert
 from crs_cc.frontend.function_attributes import apply_attributes
 from crs_cc.frontend.parse import Broken, Node
+from crs_cc.frontend.parse_gnu import AUTO_TYPE
 from crs_cc.frontend.scope import (
     BrokenName,
     FunctionSymbol,
@@ -40,6 +48,7 @@ from crs_cc.ir.types import (
     RecordType,
     is_complete,
     is_variably_modified,
+    qualify,
 )
 from crs_cc.source import Location
 
@@ -79,10 +88,29 @@ def declared_anyhow(unit: Unit, node: Node) -> CType:
         CheckError: when it is broken; uses of the name will give no more errors.
     """
     try:
+        if _is_auto(node.type):
+            return _inferred(unit, node)
         return declared_type(unit, node.type)
     except CheckError:
         unit.scope.names.setdefault(node.name, BrokenName(node.name, unit.at(node)))
         raise
+
+
+def _is_auto(node: Node) -> bool:
+    """Tells whether a declarator is a name of GNU C's `__auto_type`."""
+    specifier = node.type if isinstance(node, c_ast.TypeDecl) else None
+    return isinstance(specifier, c_ast.IdentifierType) and specifier.names == [AUTO_TYPE]
+
+
+def _inferred(unit: Unit, node: Node) -> CType:
+    """Gives the type of the initial value, which is checked once only."""
+    if getattr(node, "init", None) is None or isinstance(node.init, c_ast.InitList):
+        text = f"'{AUTO_TYPE}' needs one initial value"
+        raise CheckError(unit.at_name(node), text)
+    value = decay(expression(unit, node.init))
+    node.init = Checked(value, node.init.coord)
+    quals = node.type.quals
+    return qualify(value.type, "const" in quals, "volatile" in quals)
 
 
 def _declare_tag(unit: Unit, node: Node) -> None:

@@ -12,7 +12,7 @@ from typing import Any, Final
 
 from pycparser import c_ast
 
-from crs_cc.frontend import constant, vla
+from crs_cc.frontend import constant, tree, vla
 from crs_cc.frontend.check import CheckError, Unit, expression
 from crs_cc.frontend.convert import convert
 from crs_cc.frontend.parse import Node
@@ -120,6 +120,21 @@ def _unknown(unit: Unit, names: tuple[str, ...], location: Location) -> CType:
     unit.unknown.add((names[0], "type"))
     hint = unit.suggest(names[0], TypedefName)
     raise CheckError(location, f"unknown type name '{names[0]}'", hint)
+
+
+def _type_of(unit: Unit, node: Node) -> CType:
+    """Gives the type that `typeof` names; it is kept, since declarators share it."""
+    known = unit.specified.get(node)
+    if known is None:
+        if isinstance(node.expr, c_ast.Typename):
+            known = type_name(unit, node.expr)
+        else:
+            operand = expression(unit, node.expr)
+            if isinstance(operand, tree.MemberAccess) and operand.member.bit_width is not None:
+                raise CheckError(unit.at(node), "'typeof' of a bit-field")
+            known = operand.type
+        unit.specified[node] = known
+    return known
 
 
 def _pointer(unit: Unit, node: Node) -> CType:
@@ -235,6 +250,7 @@ _DECLARATORS: Final[dict[type, Declarator]] = {
     c_ast.ArrayDecl: _array,
     c_ast.FuncDecl: _function,
     c_ast.Typename: _base,
+    c_ast.TypeOf: _type_of,
 }
 
 

@@ -89,6 +89,7 @@ _KEYWORDS: Final = {
     "_Noreturn": "_NORETURN", "_Static_assert": "_STATIC_ASSERT",
     "_Thread_local": "_THREAD_LOCAL", "__builtin_offsetof": "OFFSETOF",
     "__builtin_va_arg": "__BUILTIN_VA_ARG", "__int128": "__INT128",
+    "__label__": "__LABEL__", "__typeof__": "TYPEOF", "__typeof": "TYPEOF", "typeof": "TYPEOF",
 }  # fmt: skip
 _PUNCTUATORS: Final = {
     "...": "ELLIPSIS", "<<=": "LSHIFTEQUAL", ">>=": "RSHIFTEQUAL", "++": "PLUSPLUS",

@@ -72,6 +72,7 @@ class Lowering:
         continues: where `continue` goes, innermost last.
         cases: the blocks of case labels.
         labels: the blocks of named labels.
+        chooser: for computed gotos, the register with the label's number and where it is chosen.
         references: global names with the block that uses them, to see which are used at all.
     """
 
@@ -84,6 +85,7 @@ class Lowering:
     continues: list[Block] = field(default_factory=list)
     cases: dict[tree.CaseLabel, Block] = field(default_factory=dict)
     labels: dict[str, Block] = field(default_factory=dict)
+    chooser: tuple[Register, Block] | None = None
     references: list[tuple[Block, str, Location]] = field(default_factory=list)
     block_count: int = 0
     _activation: Register | None = None

@@ -14,8 +14,12 @@ from crs_cc.frontend.lower import (
     value,
 )
 from crs_cc.frontend.lower_place import copy
-from crs_cc.ir.program import Block, Jump, Return, Switch
+from crs_cc.ir.program import Block, Branch, Constant, Jump, Operand, Return, Stop, Switch
 from crs_cc.ir.types import RecordType
+from crs_cc.source import Location
+
+_MOST_CASES = 256
+"""A range of so many values becomes a comparison instead of cases."""
 
 
 def _expression(low: Lowering, statement: tree.ExpressionStatement) -> None:
@@ -79,17 +83,35 @@ def _switch(low: Lowering, statement: tree.Switch) -> None:
     cases: list[tuple[int, Block]] = []
     bits = 64 if operand.type == "i64" else 32
     for label in statement.labels:
-        block = low.new_block("default" if label.value is None else "case")
+        block = low.new_block("default" if label.first is None else "case")
         low.cases[label] = block
-        if label.value is None:
+        if label.first is None or label.last is None:
             default = block
+        elif label.last - label.first < _MOST_CASES:
+            values = range(label.first, label.last + 1)
+            cases += [(wrap(each, bits, signed=True), block) for each in values]
         else:
-            cases.append((wrap(label.value, bits, signed=True), block))
+            _test_range(low, operand, (label.first, label.last), block, location)
     low.end(Switch(location, operand, cases, default))
     low.breaks.append(end)
     statements(low, statement.body)
     low.breaks.pop()
     low.start(end, location)
+
+
+def _test_range(
+    low: Lowering, operand: Operand, ends: tuple[int, int], block: Block, location: Location
+) -> None:
+    """Goes to `block` when a value lies in a range that is too long for single cases."""
+    (first, last), kind = ends, operand.type
+    bits = 64 if kind == "i64" else 32
+    start = Constant(kind, wrap(first, bits, signed=True))
+    length = Constant(kind, wrap(last - first, bits, signed=True))
+    above = low.binary(location, f"{kind}.sub", operand, start)
+    inside = low.binary(location, f"{kind}.le_u", above, length)
+    other = low.new_block("next")
+    low.end(Branch(location, inside, block, other))
+    low.start(other, location)
 
 
 def _case(low: Lowering, statement: tree.CaseLabel) -> None:
@@ -110,6 +132,23 @@ def _goto(low: Lowering, statement: tree.Goto) -> None:
     low.mark(statement.location)
     _release(low, statement.release)
     low.end(Jump(statement.location, _label_block(low, statement.name)))
+
+
+def _computed_goto(low: Lowering, statement: tree.ComputedGoto) -> None:
+    """Goes to the label of a number, by way of one switch for the whole function."""
+    location = statement.location
+    low.mark(location)
+    operand = value(low, statement.target)
+    if low.chooser is None:
+        number, block, wrong = low.register("i32"), low.new_block("goto"), low.new_block("wrong")
+        low.chooser = number, block
+        cases = [(n, _label_block(low, name)) for name, (n, _) in statement.numbers.items()]
+        block.terminator = Switch(location, number, cases, wrong)
+        wrong.terminator = Stop(location, "goto to no label")
+        low.function.blocks += [block, wrong]
+    number, block = low.chooser
+    low.move(number, operand, location)
+    low.end(Jump(location, block))
 
 
 def _break(low: Lowering, statement: tree.Break) -> None:
@@ -151,6 +190,7 @@ STATEMENT[tree.Switch] = _switch
 STATEMENT[tree.CaseLabel] = _case
 STATEMENT[tree.Label] = _label
 STATEMENT[tree.Goto] = _goto
+STATEMENT[tree.ComputedGoto] = _computed_goto
 STATEMENT[tree.Break] = _break
 STATEMENT[tree.Continue] = _continue
 STATEMENT[tree.Return] = _return

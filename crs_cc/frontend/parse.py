@@ -28,6 +28,7 @@ from crs_cc.frontend.cpp.tokens import shown
 from crs_cc.frontend.lex import Locate, Token, lex
 from crs_cc.frontend.parse_attributes import AttributeParser
 from crs_cc.frontend.parse_expression import NAMES
+from crs_cc.frontend.parse_gnu import AUTO_TYPE
 from crs_cc.source import Diagnostics, Location
 
 Node: TypeAlias = Any
@@ -48,7 +49,7 @@ _IMPLICIT_INT: Final = "type specifier missing, defaults to 'int'"
 MOST_ERRORS: Final = 500
 """After so many errors in one file nothing more is looked for."""
 
-PREDECLARED_TYPES: Final = ("__builtin_va_list",)
+PREDECLARED_TYPES: Final = ("__builtin_va_list", AUTO_TYPE)
 """Type names that every file knows."""
 
 _SPELLING: Final = {
@@ -252,8 +253,6 @@ class _Parser(AttributeParser):
             text = f"expected ';' after '{shown(before.value)}'"
             place = before.location
             place = Location(place.file, place.line, place.column + len(before.value))
-        if token.type == "ELLIPSIS":
-            text = "ranges are not supported"
         report(self._diagnostics, place, text, hint)
         if may_patch and self._index != self._last_patch:
             self._last_patch = self._index

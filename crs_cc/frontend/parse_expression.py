@@ -11,9 +11,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Final
 
 from pycparser import c_ast
-from pycparser.c_parser import CParser
 
 from crs_cc.frontend.lex import Span
+from crs_cc.frontend.parse_gnu import GnuParser
 
 if TYPE_CHECKING:
     from crs_cc.frontend.parse import Node
@@ -34,7 +34,7 @@ _PRECEDENCE: Final = {
 """How tightly each binary operator binds (C17 6.5.5 to 6.5.14)."""
 
 
-class ExpressionParser(CParser):  # type: ignore[misc]
+class ExpressionParser(GnuParser):
     """pycparser's parser with other methods for expressions; it reads the tokens in `_buffer`."""
 
     _buffer: list[Any]

@@ -20,7 +20,6 @@ REFUSED: Final[dict[type, str]] = {
     c_ast.AttributedType: "attributes in [[...]] are not supported",
     c_ast.BitIntType: "'_BitInt' is not supported",
     c_ast.InferredType: "a type inferred from 'auto' is not supported",
-    c_ast.TypeOf: "'typeof' is not supported",
 }
 """Node classes of C23, and what is said of them."""
 
@@ -43,6 +42,7 @@ PARTS: Final[dict[type, str]] = {
     c_ast.PtrDecl: "declare.declared_type",
     c_ast.Struct: "declare_tag.record_type",
     c_ast.TypeDecl: "declare.declared_type",
+    c_ast.TypeOf: "declare.declared_type",
     c_ast.Typename: "declare.type_name",
     c_ast.Union: "declare_tag.record_type",
 }

@@ -302,10 +302,11 @@ class Switch:
 
 @dataclass(slots=True, eq=False)
 class CaseLabel:
-    """`case value:`, or `default:` when the value is None."""
+    """`case first ... last:`, for a single value twice the same; `default:` when it is None."""
 
     location: Location
-    value: int | None
+    first: int | None
+    last: int | None = None
 
 
 @dataclass(slots=True, eq=False)
@@ -323,6 +324,19 @@ class Goto:
     location: Location
     name: str
     release: Expression | None = None
+
+
+@dataclass(slots=True, eq=False)
+class ComputedGoto:
+    """`goto *target`: goes to the label of that number.
+
+    Attributes:
+        numbers: the number of each label of the function that has one, by its name.
+    """
+
+    location: Location
+    target: Expression
+    numbers: dict[str, tuple[int, Location]]
 
 
 @dataclass(slots=True, eq=False)
@@ -357,6 +371,7 @@ Statement: TypeAlias = (
     | CaseLabel
     | Label
     | Goto
+    | ComputedGoto
     | Break
     | Continue
     | Return

@@ -27,6 +27,6 @@ def test_every_node_class_has_exactly_one_fate(node: type) -> None:
 
 def test_a_refused_node_is_named() -> None:
     unit = Unit("a.c", Diagnostics(), Location("a.c", 1, 1))
-    error = refused(unit, c_ast.TypeOf("typeof", None))
+    error = refused(unit, c_ast.BitIntType(None, None))
     assert isinstance(error, CheckError)
-    assert error.text == "'typeof' is not supported"
+    assert error.text == "'_BitInt' is not supported"

@@ -1,0 +1,26 @@
+/* Mistakes in GNU C's additions, and builtins that make no sense here. */
+void *far = &&nowhere; // error: the address of a label is taken outside of functions
+
+struct s { int bits : 3; };
+
+int main(void)
+{
+    struct s s;
+    void *p = &&missing; // error: use of undeclared label 'missing'
+    __auto_type empty; // error: '__auto_type' needs one initial value
+    typeof(s.bits) b; // error: 'typeof' of a bit-field
+    int v[4] = {[3 ... 1] = 1}; // error: the range of elements is empty: 3 > 1
+    int w[4] = {[2 ... 4] = 1}; // error: array designator index (4) exceeds array bounds
+    int o = __builtin_add_overflow(1.5, 2, &o); // error: an overflow of 'double' cannot be told
+
+    goto *s; // error: assigning to 'const void *' from incompatible type 'struct s'
+    __builtin_frame_address(0); // error: '__builtin_frame_address' is not supported
+    __builtin_choose_expr(o, 1, 2); // error: is not an integer constant expression
+    switch (o) {
+    case 1 ... 5:
+    case 3: // error: duplicate case value '3'
+    case 0 ... 1: // error: duplicate case value '1'
+        break;
+    }
+    return 0;
+}
