@@ -56,6 +56,7 @@ MEANING = {
     "no memory for local array": "A local array of variable length, or `alloca`, finds no room.",
     "array length not positive": "A local array of variable length has none.",
     "unreachable code reached": "The program comes to a `__builtin_unreachable()`.",
+    "goto to no label": "`goto *p` with a pointer that no `&&label` of the function gave.",
     "longjmp without setjmp": "`longjmp` gets a buffer that no `setjmp` has filled.",
     "longjmp to a function that has returned": "The function that called `setjmp` is no longer "
     "active.",
