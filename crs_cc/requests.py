@@ -94,6 +94,7 @@ ERROR_KINDS: Final = (
     "goto to no label",
     "longjmp without setjmp",
     "longjmp to a function that has returned",
+    "unhandled signal",
     "internal trap",
 )
 """What can stop a program, by the number in the slot."""
@@ -201,6 +202,64 @@ _TABLE: Final = (
             ("result", "length of the argument, -1 when there is none", "byte"),
             ("size", "bytes", "byte"), ("data", "the piece", "1"),
         ),
+    ),
+    RequestCode(
+        "FILE_OPEN", 7, "host", "FILE *fopen(const char *name, const char *mode)",
+        "opens a file on the robot's own disk, or makes it",
+        _arguments(
+            ("i[0]", "flags: O_CREAT, O_EXCL, O_TRUNC, O_TMPFILE of fcntl.h", "1"),
+            ("size", "length of the name", "byte"), ("data", "the name", "1"),
+        ),
+        _arguments(("result", "the file's number, or -errno", "1")),
+    ),
+    RequestCode(
+        "FILE_CLOSE", 8, "host", "int close(int fd)", "says that an open file is no longer needed",
+        _arguments(("i[0]", "the file's number", "1")), _arguments(("result", "0, or -errno", "1")),
+    ),
+    RequestCode(
+        "FILE_READ", 9, "host",
+        "size_t fread(void *items, size_t size, size_t count, FILE *stream)",
+        "reads from a file",
+        _arguments(
+            ("i[0]", "the file's number", "1"), ("i[1]", "first byte wanted", "byte"),
+            ("i[2]", "bytes wanted", "byte"),
+        ),
+        _arguments(
+            ("result", "bytes read, 0 at the end, or -errno", "byte"),
+            ("size", "bytes", "byte"), ("data", "the bytes", "1"),
+        ),
+    ),
+    RequestCode(
+        "FILE_WRITE", 10, "host",
+        "size_t fwrite(const void *items, size_t size, size_t count, FILE *stream)",
+        "writes to a file",
+        _arguments(
+            ("i[0]", "the file's number", "1"), ("i[1]", "where, -1 for the end", "byte"),
+            ("size", "bytes", "byte"), ("data", "the bytes", "1"),
+        ),
+        _arguments(("result", "place behind what was written, or -errno", "byte")),
+    ),
+    RequestCode(
+        "FILE_RESIZE", 11, "host", "int ftruncate(int fd, off_t size)",
+        "cuts a file off or fills it up with zeros",
+        _arguments(
+            ("i[0]", "the file's number", "1"), ("i[1]", "size, -1 for no change", "byte")
+        ),
+        _arguments(("result", "size, or -errno", "byte")),
+    ),
+    RequestCode(
+        "FILE_REMOVE", 12, "host", "int remove(const char *name)", "takes a file's name away",
+        _arguments(("size", "length of the name", "byte"), ("data", "the name", "1")),
+        _arguments(("result", "0, or -errno", "1")),
+    ),
+    RequestCode(
+        "FILE_RENAME", 13, "host", "int rename(const char *from, const char *to)",
+        "gives a file another name",
+        _arguments(
+            ("i[0]", "length of the old name", "byte"), ("size", "length of both", "byte"),
+            ("data", "the old name, the new name", "1"),
+        ),
+        _arguments(("result", "0, or -errno", "1")),
     ),
     _robot("CONNECT", 100, "int connect_robot(long id, ...)", "connects to the robot",
            _arguments(("i[0]", "robot number", "1"))),

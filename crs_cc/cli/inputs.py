@@ -12,11 +12,14 @@ import stat
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Final
 
 import click
 
 from crs_cc.errors import CompileError, CrsError, WorldError
 from crs_cc.source import Location
+
+LARGEST_FILE: Final = 64 * 2**20  # that a program can be given to read [bytes]
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,6 +73,39 @@ def demand_readable(path: Path) -> None:
         raise blame.at(place, "is a directory, not a file")
     if not os.access(path, os.R_OK):
         raise blame.at(place, "cannot be read: permission denied")
+
+
+def name_files(options: Sequence[str]) -> dict[str, Path]:
+    """Gives the files that programs may read, by name, from `FILE` or `NAME=FILE`.
+
+    Raises:
+        click.UsageError: there is no such file, or it cannot be read, or is too large.
+
+    >>> name_files(["pyproject.toml", "map=README.md"])
+    {'pyproject.toml': PosixPath('pyproject.toml'), 'map': PosixPath('README.md')}
+    """
+    named = {}
+    for option in options:
+        name, _, file = option.rpartition("=")
+        path = Path(file)
+        if not path.is_file() or not os.access(path, os.R_OK):
+            raise click.UsageError(f"--file '{file}': no such file, or it cannot be read.")
+        if path.stat().st_size > LARGEST_FILE:
+            raise click.UsageError(f"--file '{file}' is larger than {LARGEST_FILE >> 20} MiB.")
+        named[name or file] = path
+    return named
+
+
+def make_folder(path: Path) -> None:
+    """Makes the folder for results, unless it is there.
+
+    Raises:
+        click.UsageError: it cannot be made.
+    """
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise click.UsageError(f"cannot make the folder '{path}': {error.strerror}.") from None
 
 
 def demand_picture(path: Path) -> None:

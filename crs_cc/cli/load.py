@@ -28,11 +28,13 @@ class Loaded:
         world: the world.
         executables: each robot's program.
         arguments: each robot's `argv`.
+        files: what every program finds on its disk, by name.
     """
 
     world: WorldModel
     executables: tuple[Executable, ...]
     arguments: tuple[tuple[str, ...], ...]
+    files: dict[str, bytes]
 
 
 def load(options: RunOptions, diagnostics: Diagnostics) -> Loaded:
@@ -59,6 +61,7 @@ def load(options: RunOptions, diagnostics: Diagnostics) -> Loaded:
             (built[sources].name, *_arguments(robot, options))
             for robot, sources in zip(world.robots, programs, strict=True)
         ),
+        {name: path.read_bytes() for name, path in options.inputs_on_disk.items()},
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Final
@@ -11,7 +11,7 @@ from typing import Any, Final
 import click
 
 from crs_cc.cli.compiler_options import CompilerOptions, compiler_options
-from crs_cc.cli.inputs import Inputs, demand_picture, sort_files
+from crs_cc.cli.inputs import Inputs, demand_picture, make_folder, name_files, sort_files
 
 _ARGUMENTS = "crs.arguments"
 
@@ -28,6 +28,8 @@ class RunOptions:
         seed: start of all random numbers.
         max_time_s: stop at the first timestep that ends at or after it [s]; None for no end.
         plot: the picture to draw.
+        inputs_on_disk: files that the programs can read, by the names that they have for them.
+        outputs: the folder that takes the files that the programs write; None to drop them.
         trace_requests: show the request queue.
         as_json: give the results as JSON on stdout.
         quiet: say nothing but errors.
@@ -41,6 +43,8 @@ class RunOptions:
     seed: int = 0
     max_time_s: float | None = None
     plot: Path | None = None
+    inputs_on_disk: Mapping[str, Path] = field(default_factory=dict)
+    outputs: Path | None = None
     trace_requests: bool = False
     as_json: bool = False
     quiet: bool = False
@@ -64,6 +68,7 @@ Examples:
   crs run wander.c
   crs run wander.c room.xml --max-time 60 --plot path.svg
   crs run main.c turn.c office.xml -I include -D SPEED=80 -- fast 3
+  crs run logger.c room.xml --file maps/room.txt --files out
   crs run wander.c room.xml --max-time 5 --json | jq .robots[0].pose
 """
 
@@ -104,6 +109,20 @@ def _time(_ctx: click.Context, _option: click.Parameter, time_s: float | None) -
     help="Draw the world from above with each robot's path.",
 )
 @click.option(
+    "--file",
+    "named_files",
+    multiple=True,
+    metavar="[NAME=]FILE",
+    help="Let the programs read a file, under its own path or as NAME; may be given again.",
+)
+@click.option(
+    "--files",
+    "outputs",
+    type=click.Path(file_okay=False, path_type=Path),
+    metavar="DIR",
+    help="Keep the files that the programs write; of several robots in DIR/ROBOT.",
+)
+@click.option(
     "--trace",
     type=click.Choice(["requests"]),
     help="Show the request queue on stderr, a line per robot and timestep.",
@@ -130,6 +149,8 @@ def run(
     /,
     files: Sequence[str],
     compiler: CompilerOptions,
+    *,
+    named_files: Sequence[str],
     trace: str | None,
     unchecked: bool,
     **others: Any,
@@ -149,11 +170,14 @@ def run(
         arguments=ctx.meta.get(_ARGUMENTS, ()),
         compiler=compiler,
         checked=not unchecked,
+        inputs_on_disk=name_files(named_files),
         trace_requests=trace == "requests",
         **others,
     )
     if options.plot is not None:
         demand_picture(options.plot)
+    if options.outputs is not None:
+        make_folder(options.outputs)
     from crs_cc.cli.simulate import simulate
 
     return simulate(options)

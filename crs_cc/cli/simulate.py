@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Final
 import click
 
 from crs_cc.cli.interrupt import Interrupt
+from crs_cc.cli.keep import dropped, keep
 from crs_cc.cli.load import Loaded, load
 from crs_cc.cli.messages import as_data, is_terminal, say, show_before_run
 from crs_cc.cli.output import ProgramOutput, ProgressLine, read_line
@@ -60,6 +61,7 @@ def _simulate(options: RunOptions) -> int:
     runner = Runner(loaded, options)
     run = runner.run()
     _report(run, options)
+    _keep_files(runner.session, run, options)
     if options.plot is not None:
         _write(options.plot, runner.picture(run).render())
     return exit_status(run)
@@ -96,6 +98,7 @@ class Runner:
             arguments=loaded.arguments,
             output=self._output.write,
             read=self._read,
+            files=loaded.files,
             trace=self,
         )
 
@@ -198,6 +201,20 @@ def _write(path: Path, picture: bytes) -> None:
         path.write_bytes(picture)
     except OSError as error:
         raise OSError(error.errno, error.strerror, str(path)) from None  # a full disk has no name
+
+
+def _keep_files(session: Session, run: Run, options: RunOptions) -> None:
+    """Writes what the programs wrote to where the user wants it, or says that it is lost."""
+    robots = run.result.robots
+    written = {number: session.files(number) for number in range(len(robots))}
+    lost = [number for number, files in written.items() if files]
+    if options.outputs is None:
+        if lost and not options.quiet:
+            show([dropped(robots[number], written[number]) for number in lost])
+        return
+    for number, files in written.items():
+        folder = options.outputs / robots[number].id if len(robots) > 1 else options.outputs
+        keep(folder, files)
 
 
 def _report(run: Run, options: RunOptions) -> None:

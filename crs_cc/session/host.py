@@ -1,18 +1,20 @@
-"""The requests that a program's host computer answers: streams, time, arguments, the end.
+"""The requests that a program's host computer answers: streams, files, time, arguments, the end.
 
 A request costs processor time like a system call; apart from `SLEEP` it is answered at once.
 """
 
 from __future__ import annotations
 
+import functools
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
 
 from crs_cc.requests import CODES, DATA_SIZE, REQUESTS
+from crs_cc.session.files import Disk
 
 HOST_SPEED: Final = 50_000_000
 """How many IR instructions a host runs in a second.
@@ -64,10 +66,26 @@ class Host:
 
     Attributes:
         exit_status: by robot, the status that its program ended with; None while it runs.
+        disks: by robot, its files.
     """
 
-    def __init__(self, arguments: Sequence[Sequence[str]], output: Output, read: Input) -> None:
+    def __init__(
+        self,
+        arguments: Sequence[Sequence[str]],
+        output: Output,
+        read: Input,
+        files: Mapping[str, bytes] | None = None,
+    ) -> None:
+        """Makes one host for each robot.
+
+        Args:
+            arguments: for each robot `argv`.
+            output: takes what the programs write to their standard streams.
+            read: gives what they read from their standard input.
+            files: what every program finds on its disk, by name.
+        """
         self.exit_status: list[int | None] = [None] * len(arguments)
+        self.disks = [Disk(files or {}) for _ in arguments]
         self._arguments = [
             [each.encode("utf-8", "surrogateescape") for each in row] for row in arguments
         ]
@@ -81,6 +99,8 @@ class Host:
             CODES["SLEEP"]: self._sleep,
             CODES["ARGUMENT"]: self._argument,
         }
+        for name, serve in _FILES.items():
+            self._serve[CODES[f"FILE_{name}"]] = functools.partial(self._file, serve)
 
     def serve(self, code: int, request: HostRequest) -> float:
         """Answers a request; an unknown code gets the result -1. Gives when the program goes on."""
@@ -133,6 +153,37 @@ class Host:
             _reply_bytes(message, arguments[number][first : first + DATA_SIZE])
             message["result"] = len(arguments[number])
         return request.clock_s
+
+    def _file(self, serve: FileServer, request: HostRequest) -> float:
+        """Answers a request about files: the reply's result is what the disk gives."""
+        message = request.message
+        size = min(max(int(message["size"]), 0), DATA_SIZE)
+        first, second, third = message["i"][:3].tolist()
+        data = message["data"][:size].tobytes()
+        found = serve(self.disks[request.robot], first, second, third, data)
+        if isinstance(found, bytes):
+            _reply_bytes(message, found)
+            found = len(found)
+        message["result"] = found
+        return request.clock_s
+
+
+FileServer = Callable[[Disk, int, int, int, bytes], int | bytes]
+
+_FILES: Final[dict[str, FileServer]] = {
+    "OPEN": lambda disk, flags, _1, _2, name: disk.open(name, flags),
+    "CLOSE": lambda disk, number, _1, _2, _data: disk.close(number),
+    "READ": lambda disk, number, offset, wanted, _data: disk.read(
+        number, offset, min(wanted, DATA_SIZE)
+    ),
+    "WRITE": lambda disk, number, offset, _, data: disk.write(number, offset, data),
+    "RESIZE": lambda disk, number, size, _, _data: disk.resize(number, size),
+    "REMOVE": lambda disk, _0, _1, _2, name: disk.remove(name),
+    "RENAME": lambda disk, size, _1, _2, names: disk.rename(
+        names[: max(size, 0)], names[max(size, 0) :]
+    ),
+}
+"""What each request about files asks of the disk, given `i[0]`, `i[1]`, `i[2]` and the data."""
 
 
 def _reply_bytes(message: Any, content: bytes) -> None:

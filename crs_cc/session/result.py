@@ -10,6 +10,7 @@ if TYPE_CHECKING:
 
     from crs_cc.runtime.fleet import Snapshot
     from crs_cc.runtime.report import ErrorReport
+    from crs_cc.session.files import DiskSnapshot
     from crs_cc.sim.environment import Snapshot as EnvironmentSnapshot
     from crs_cc.sim.state import EnvState
 
@@ -75,6 +76,7 @@ class SessionSnapshot:
     programs: tuple[Snapshot, ...]
     arrays: tuple[npt.NDArray[Any], ...]
     exit_status: tuple[int | None, ...]
+    disks: tuple[DiskSnapshot, ...]
     timesteps: int
 
 

@@ -25,7 +25,7 @@ from __future__ import annotations
 
 import hashlib
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
@@ -86,6 +86,7 @@ class Session:
         arguments: Sequence[Sequence[str]] = (),
         output: Output = discard,
         read: Input = no_input,
+        files: Mapping[str, bytes] | None = None,
         trace: Listener | None = None,
     ) -> None:
         """Puts the programs into the robots, in the world's order of robots.
@@ -97,6 +98,7 @@ class Session:
             arguments: for each robot `argv`; by default just the program's name.
             output: takes what the programs write.
             read: gives what they read.
+            files: what every program finds on its disk, by name.
             trace: hears of every timestep.
         """
         assert len(executables) == len(world.robots)
@@ -105,7 +107,7 @@ class Session:
         self.environment = Environment(world, seed)
         self.fleet = Fleet(executables)
         rows = arguments or [[executable.name] for executable in executables]
-        self._host = Host(rows, output, read)
+        self._host = Host(rows, output, read, files)
         self._trace = trace
         count = len(executables)
         self.clock_s = np.zeros(count)
@@ -210,6 +212,10 @@ class Session:
             **robot_state(self.environment.state, robot),
         )
 
+    def files(self, robot: int) -> dict[bytes, bytes]:
+        """Gives the files that a robot's program made or changed, by name."""
+        return self._host.disks[robot].outputs()
+
     def snapshot(self) -> SessionSnapshot:
         """Gives the whole state between two timesteps."""
         return SessionSnapshot(
@@ -217,6 +223,7 @@ class Session:
             tuple(self.fleet.snapshot(robot) for robot in range(len(self.fleet))),
             tuple(array.copy() for array in self._arrays()),
             tuple(self._host.exit_status),
+            tuple(disk.snapshot() for disk in self._host.disks),
             self.timesteps,
         )
 
@@ -228,15 +235,20 @@ class Session:
         for array, saved in zip(self._arrays(), snapshot.arrays, strict=True):
             array[:] = saved
         self._host.exit_status[:] = snapshot.exit_status
+        for disk, files in zip(self._host.disks, snapshot.disks, strict=True):
+            disk.restore(files)
         self.timesteps = snapshot.timesteps
 
     def state_hash(self) -> str:
-        """Gives the SHA-256 of all state: environment, programs' memories and slots, clocks."""
+        """Gives the SHA-256 of all state: environment, programs' memories, slots, files, clocks."""
         digest = hashlib.sha256(self.environment.hash().encode())
         for robot in range(len(self.fleet)):
             program = self.fleet.snapshot(robot)
             for part in (program.slot, program.chunks, program.content):
                 digest.update(part.tobytes())
+        for disk in self._host.disks:
+            for piece in disk.state():
+                digest.update(piece)
         for array in self._arrays():
             digest.update(array.tobytes())
         return digest.hexdigest()

@@ -126,6 +126,6 @@ def test_results_of_the_family() -> None:
         "-1 1 99",
         "-1 1",
         "wide|    w|wi",
-        "-1 1",
+        "€3 0",
         "44 4464 1.500000 %y 3",
     ]

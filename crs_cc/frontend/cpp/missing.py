@@ -1,7 +1,7 @@
 """What to tell a user whose header is missing.
 
->>> hint_for_missing("malloc.h", [])
-'include <stdlib.h> instead'
+>>> hint_for_missing("fstream", [])
+"it belongs to C++, and crs compiles C"
 """
 
 from __future__ import annotations
@@ -25,18 +25,16 @@ def _all(names: str, hint: str) -> dict[str, str]:
 
 
 _HINTS: Final = {
-    **_all("sys/socket.h sys/un.h netinet/in.h netinet/tcp.h arpa/inet.h netdb.h", _NETWORK),
-    **_all("net/if.h rpc/rpc.h", _NETWORK),
-    **_all("sys/wait.h sys/ipc.h sys/shm.h sys/sem.h sys/msg.h sys/mman.h", _PROCESSES),
+    **_all("net/if.h rpc/rpc.h netinet/ip.h", _NETWORK),
+    **_all("sys/ipc.h sys/shm.h sys/sem.h sys/msg.h sys/mman.h", _PROCESSES),
     **_all("sys/ptrace.h pthread.h semaphore.h threads.h sched.h spawn.h dlfcn.h", _PROCESSES),
-    **_all("curses.h ncurses.h term.h termio.h termios.h sys/termios.h sgtty.h", _TERMINAL),
-    **_all("sys/ioctl.h readline/readline.h", _TERMINAL),
+    "stdatomic.h": f"a control program is a single thread here, which needs no atomics: {_GUARD}",
+    "complex.h": f"crs has no complex numbers: {_GUARD}",
+    **_all("curses.h ncurses.h term.h termio.h sgtty.h", _TERMINAL),
+    **_all("readline/readline.h", _TERMINAL),
     **_all("X11/Xlib.h X11/Xutil.h X11/Xos.h X11/Intrinsic.h GL/gl.h GL/glut.h", _TERMINAL),
     **_all("conio.h dos.h bios.h io.h windows.h winsock.h winsock2.h", _DOS),
     **_all("iostream iostream.h fstream string vector map cstdio cstdlib cmath", _CPLUSPLUS),
-    "malloc.h": "include <stdlib.h> instead",
-    "memory.h": "include <string.h> instead",
-    "values.h": "include <limits.h> and <float.h> instead",
     "varargs.h": "include <stdarg.h> instead, and give the function a named parameter",
 }
 

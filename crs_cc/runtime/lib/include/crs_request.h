@@ -20,6 +20,13 @@ struct __crs_message {
 #define CRS_CLOCK 4
 #define CRS_SLEEP 5
 #define CRS_ARGUMENT 6
+#define CRS_FILE_OPEN 7
+#define CRS_FILE_CLOSE 8
+#define CRS_FILE_READ 9
+#define CRS_FILE_WRITE 10
+#define CRS_FILE_RESIZE 11
+#define CRS_FILE_REMOVE 12
+#define CRS_FILE_RENAME 13
 #define CRS_CONNECT 100
 #define CRS_DISCONNECT 101
 #define CRS_AC 102

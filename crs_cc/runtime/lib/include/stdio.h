@@ -33,7 +33,8 @@ extern FILE *stderr;
 #define EOF (-1)
 #define BUFSIZ 1024
 #define FILENAME_MAX 4096
-#define FOPEN_MAX 16
+#define FOPEN_MAX 64
+#define P_tmpdir "/tmp"
 #define L_tmpnam 20
 #define TMP_MAX 238328
 #define _IOFBF 0
@@ -72,20 +73,43 @@ char *fgets(char *text, int size, FILE *stream);
 int ungetc(int c, FILE *stream);
 size_t fread(void *items, size_t size, size_t count, FILE *stream);
 void perror(const char *text);
+char *gets(char *text);
+int getw(FILE *stream);
+int putw(int word, FILE *stream);
+ssize_t getdelim(char **line, size_t *size, int end, FILE *stream);
+ssize_t getline(char **line, size_t *size, FILE *stream);
+int asprintf(char **text, const char *format, ...);
+int vasprintf(char **text, const char *format, va_list arguments);
+int dprintf(int descriptor, const char *format, ...);
+int vdprintf(int descriptor, const char *format, va_list arguments);
+
+#define getc_unlocked getc
+#define getchar_unlocked getchar
+#define putc_unlocked putc
+#define putchar_unlocked putchar
+#define fgetc_unlocked fgetc
+#define fputc_unlocked fputc
+#define fflush_unlocked fflush
 
 FILE *fopen(const char *name, const char *mode);
 FILE *freopen(const char *name, const char *mode, FILE *stream);
 FILE *fdopen(int descriptor, const char *mode);
+FILE *popen(const char *command, const char *mode);
+int pclose(FILE *stream);
 FILE *tmpfile(void);
+char *tmpnam(char *name);
 int fclose(FILE *stream);
 int fflush(FILE *stream);
 int remove(const char *name);
 int rename(const char *from, const char *to);
+void setbuffer(FILE *stream, char *buffer, size_t size);
 void setbuf(FILE *stream, char *buffer);
 void setlinebuf(FILE *stream);
 int setvbuf(FILE *stream, char *buffer, int mode, size_t size);
 int fseek(FILE *stream, long offset, int whence);
 long ftell(FILE *stream);
+int fseeko(FILE *stream, off_t offset, int whence);
+off_t ftello(FILE *stream);
 void rewind(FILE *stream);
 int fgetpos(FILE *stream, fpos_t *position);
 int fsetpos(FILE *stream, const fpos_t *position);

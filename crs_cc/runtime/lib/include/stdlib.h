@@ -9,7 +9,7 @@
 #define EXIT_SUCCESS 0
 #define EXIT_FAILURE 1
 #define RAND_MAX 2147483647
-#define MB_CUR_MAX ((size_t)1)
+#define MB_CUR_MAX ((size_t)4)
 
 typedef struct { int quot, rem; } div_t;
 typedef struct { long quot, rem; } ldiv_t;
@@ -41,19 +41,52 @@ lldiv_t lldiv(long long numerator, long long denominator);
 
 int rand(void);
 void srand(unsigned int seed);
+int rand_r(unsigned int *seed);
 long random(void);
 void srandom(unsigned int seed);
+char *initstate(unsigned int seed, char *memory, size_t size);
+char *setstate(char *memory);
+double drand48(void);
+double erand48(unsigned short state[3]);
+long lrand48(void);
+long nrand48(unsigned short state[3]);
+long mrand48(void);
+long jrand48(unsigned short state[3]);
+void srand48(long seed);
+unsigned short *seed48(unsigned short seed[3]);
+void lcong48(unsigned short parameters[7]);
 
 void qsort(void *items, size_t count, size_t size,
            int (*compare)(const void *left, const void *right));
 void *bsearch(const void *key, const void *items, size_t count, size_t size,
               int (*compare)(const void *key, const void *item));
+void qsort_r(void *items, size_t count, size_t size,
+             int (*compare)(const void *left, const void *right, void *extra), void *extra);
+
+int mblen(const char *text, size_t size);
+int mbtowc(wchar_t *wide, const char *text, size_t size);
+int wctomb(char *text, wchar_t wide);
+size_t mbstowcs(wchar_t *wide, const char *text, size_t size);
+size_t wcstombs(char *text, const wchar_t *wide, size_t size);
 
 _Noreturn void exit(int status);
 _Noreturn void _Exit(int status);
+_Noreturn void quick_exit(int status);
 _Noreturn void abort(void);
 int atexit(void (*handler)(void));
+int on_exit(void (*handler)(int status, void *argument), void *argument);
+int at_quick_exit(void (*handler)(void));
 char *getenv(const char *name);
+int setenv(const char *name, const char *value, int overwrite);
+int unsetenv(const char *name);
+int putenv(char *pair);
+int clearenv(void);
 int system(const char *command);
+
+char *mktemp(char *name);
+int mkstemp(char *name);
+char *ecvt(double value, int digits, int *point, int *negative);
+char *fcvt(double value, int digits, int *point, int *negative);
+char *gcvt(double value, int digits, char *text);
 
 #endif

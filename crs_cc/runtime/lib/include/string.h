@@ -38,6 +38,23 @@ size_t strnlen(const char *text, size_t size);
 char *strtok_r(char *text, const char *separators, char **rest);
 char *strsep(char **text, const char *separators);
 char *stpcpy(char *to, const char *from);
+char *stpncpy(char *to, const char *from, size_t size);
+size_t strlcpy(char *to, const char *from, size_t size);
+size_t strlcat(char *to, const char *from, size_t size);
+char *strchrnul(const char *text, int c);
+char *strcasestr(const char *text, const char *part);
+char *strsignal(int signal);
+char *strerror_r(int number, char *text, size_t size);
+#ifndef basename
+char *basename(const char *path);
+#endif
 void *memccpy(void *to, const void *from, int c, size_t size);
+void *mempcpy(void *to, const void *from, size_t size);
+void *memrchr(const void *bytes, int c, size_t size);
+void *rawmemchr(const void *bytes, int c);
+void *memmem(const void *bytes, size_t size, const void *part, size_t part_size);
+void explicit_bzero(void *bytes, size_t size);
+
+#define strdupa(text) strcpy(__builtin_alloca(strlen(text) + 1), text)
 
 #endif

@@ -4,6 +4,8 @@
 #include <crs_request.h>
 #include <stdio.h>
 
+#include <crs/clock.h>
+
 /* No initialiser: a program may define State itself, as some do (C17 6.9.2). */
 long State[NUM_STATE];
 int Smask[NUM_MASK] = {
@@ -28,6 +30,8 @@ static int exchange(int code, struct __crs_message *message, int first, int last
     result = __crs_request(code, message);
     for (i = first; i <= last; i++)
         State[i] = numbers[i];
+    if (__crs_after_request != NULL)
+        __crs_after_request();
     return result != 0;
 }
 

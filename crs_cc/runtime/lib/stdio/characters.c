@@ -1,4 +1,4 @@
-/* Character and direct input and output (C17 7.21.7 and 7.21.8). */
+/* Character and direct input and output (C17 7.21.7 and 7.21.8; getw, putw: System V). */
 #include <errno.h>
 #include <string.h>
 
@@ -76,6 +76,10 @@ int ungetc(int c, FILE *stream)
 {
     if (c == EOF || !(stream->flags & READS))
         return EOF;
+    if (stream->flags & OUTPUT) {
+        __crs_synchronise(stream);
+        stream->flags &= ~OUTPUT;
+    }
     if (stream->begin == stream->end)
         stream->begin = stream->end = PUSHBACK;
     if (stream->begin == 0)
@@ -87,13 +91,35 @@ int ungetc(int c, FILE *stream)
 
 size_t fread(void *items, size_t size, size_t count, FILE *stream)
 {
-    unsigned char *to = items;
-    size_t total = size * count, done = 0;
+    if (size == 0 || count == 0)
+        return 0;
+    return __crs_take(stream, items, size * count) / size;
+}
+
+/* Reads a line however long it is, which no program can make safe: C11 took it away. */
+char *gets(char *text)
+{
+    char *at = text;
     int c;
 
-    while (done < total && (c = __crs_next(stream)) != EOF)
-        to[done++] = c;
-    return size == 0 ? 0 : done / size;
+    while ((c = __crs_next(stdin)) != EOF && c != '\n')
+        *at++ = c;
+    if (c == EOF && (at == text || stdin->flags & FAILED))
+        return NULL;
+    *at = 0;
+    return text;
+}
+
+int putw(int word, FILE *stream)
+{
+    return fwrite(&word, sizeof word, 1, stream) == 1 ? 0 : EOF;
+}
+
+int getw(FILE *stream)
+{
+    int word;
+
+    return fread(&word, sizeof word, 1, stream) == 1 ? word : EOF;
 }
 
 void perror(const char *text)

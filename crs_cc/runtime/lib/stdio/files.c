@@ -1,155 +1,128 @@
-/* Files and the state of streams (C17 7.21.4, 7.21.5, 7.21.9, 7.21.10). A control program has no
-   files: opening one fails as on a read-only, empty disk. */
+/* Opening and closing streams (C17 7.21.4 and 7.21.5; fdopen: POSIX). */
+#include <crs_request.h>
 #include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
 
+#include <crs/descriptor.h>
 #include <crs/stream.h>
 
-static void *refuse(const char *mode)
+/* Reads a mode such as "r+b"; gives flags for open, -1 with errno when it is none. */
+static int open_flags(const char *mode)
 {
-    errno = *mode == 'r' ? ENOENT : EROFS;
-    return NULL;
+    int flags = *mode == 'r' ? 0 : *mode == 'w' ? O_CREAT | O_TRUNC : O_CREAT | O_APPEND;
+
+    if (*mode == 0 || strchr("rwa", *mode) == NULL) {
+        errno = EINVAL;
+        return -1;
+    }
+    if (strchr(mode, 'x') != NULL)
+        flags |= O_EXCL;
+    if (strchr(mode, '+') != NULL)
+        return flags | O_RDWR;
+    return flags | (*mode == 'r' ? O_RDONLY : O_WRONLY);
+}
+
+/* Gives a stream's flags for those of open. */
+static int stream_flags(int flags)
+{
+    flags &= O_ACCMODE;
+    return flags == O_RDONLY ? READS : flags == O_WRONLY ? WRITES | OUTPUT : READS | WRITES;
+}
+
+FILE *__crs_make_stream(int descriptor, int flags)
+{
+    FILE *stream = malloc(sizeof *stream + BUFSIZ);
+
+    if (stream == NULL)
+        return NULL;
+    __builtin_memset(stream, 0, sizeof *stream);
+    stream->descriptor = descriptor;
+    stream->mode = _IOFBF;
+    stream->flags = stream_flags(flags) | OWNED;
+    stream->buffer = (unsigned char *)(stream + 1);
+    stream->capacity = BUFSIZ;
+    stream->next = __crs_streams;
+    __crs_streams = stream;
+    return stream;
+}
+
+/* Puts a stream around a descriptor that was just opened, and closes it when that fails. */
+static FILE *around(int descriptor, int flags)
+{
+    FILE *stream = descriptor < 0 ? NULL : __crs_make_stream(descriptor, flags);
+
+    if (descriptor >= 0 && stream == NULL)
+        __crs_close(descriptor);
+    return stream;
 }
 
 FILE *fopen(const char *name, const char *mode)
 {
-    (void)name;
-    return refuse(mode);
-}
+    int flags = open_flags(mode);
 
-FILE *freopen(const char *name, const char *mode, FILE *stream)
-{
-    (void)name;
-    fclose(stream);
-    return refuse(mode);
+    return flags < 0 ? NULL : around(__crs_open(name, flags), flags);
 }
 
 FILE *fdopen(int descriptor, const char *mode)
 {
-    (void)mode;
-    if (descriptor == 0)
-        return stdin;
-    if (descriptor == 1 || descriptor == 2)
-        return descriptor == 1 ? stdout : stderr;
-    errno = EBADF;
-    return NULL;
+    int flags = open_flags(mode);
+
+    if (flags < 0 || __crs_find(descriptor) == NULL)
+        return NULL;
+    return __crs_make_stream(descriptor, flags);
 }
 
 FILE *tmpfile(void)
 {
-    return refuse("w");
+    return around(__crs_open("", O_RDWR | O_TMPFILE), O_RDWR);
 }
 
-int remove(const char *name)
-{
-    (void)name;
-    errno = ENOENT;
-    return -1;
-}
-
-int rename(const char *from, const char *to)
-{
-    (void)from;
-    (void)to;
-    errno = ENOENT;
-    return -1;
-}
-
-int fclose(FILE *stream)
+static int close_descriptor(FILE *stream)
 {
     int result = __crs_flush(stream);
 
-    stream->flags = 0;
-    stream->begin = stream->end = 0;
+    if (__crs_close(stream->descriptor) < 0)
+        result = EOF;
+    stream->begin = stream->end = stream->line_end = 0;
+    stream->flags &= OWNED;
     return result;
 }
 
-int fflush(FILE *stream)
+/* The standard streams stay in the list, closed, since a program may still name them. */
+int fclose(FILE *stream)
 {
-    if (stream != NULL)
-        return __crs_flush(stream);
-    __crs_flush_all();
-    return 0;
+    int result = close_descriptor(stream);
+    FILE **link;
+
+    if (!(stream->flags & OWNED))
+        return result;
+    for (link = &__crs_streams; *link != NULL && *link != stream; link = &(*link)->next)
+        ;
+    if (*link != NULL)
+        *link = stream->next;
+    free(stream);
+    return result;
 }
 
-/* The caller's buffer may be used (C17 7.21.5.6p2); it is not, only the mode changes. */
-int setvbuf(FILE *stream, char *buffer, int mode, size_t size)
+/* Without a name the mode changes, as far as the descriptor allows it (C17 7.21.5.4p3). */
+FILE *freopen(const char *name, const char *mode, FILE *stream)
 {
-    (void)buffer;
-    (void)size;
-    if (mode < _IOFBF || mode > _IONBF)
-        return -1;
-    if (__crs_flush(stream) < 0)
-        return -1;
-    stream->mode = mode;
-    return 0;
-}
+    int flags = open_flags(mode);
 
-void setbuf(FILE *stream, char *buffer)
-{
-    setvbuf(stream, buffer, buffer != NULL ? _IOFBF : _IONBF, BUFSIZ);
-}
-
-void setlinebuf(FILE *stream)
-{
-    setvbuf(stream, NULL, _IOLBF, 0);
-}
-
-/* The standard streams cannot be positioned, as if they were a terminal or a pipe. */
-static int no_position(void)
-{
-    errno = ESPIPE;
-    return -1;
-}
-
-int fseek(FILE *stream, long offset, int whence)
-{
-    (void)stream;
-    (void)offset;
-    (void)whence;
-    return no_position();
-}
-
-long ftell(FILE *stream)
-{
-    (void)stream;
-    return no_position();
-}
-
-int fgetpos(FILE *stream, fpos_t *position)
-{
-    (void)stream;
-    (void)position;
-    return no_position();
-}
-
-int fsetpos(FILE *stream, const fpos_t *position)
-{
-    (void)stream;
-    (void)position;
-    return no_position();
-}
-
-void rewind(FILE *stream)
-{
-    stream->flags &= ~(AT_END | FAILED);
-}
-
-void clearerr(FILE *stream)
-{
-    stream->flags &= ~(AT_END | FAILED);
-}
-
-int feof(FILE *stream)
-{
-    return (stream->flags & AT_END) != 0;
-}
-
-int ferror(FILE *stream)
-{
-    return (stream->flags & FAILED) != 0;
-}
-
-int fileno(FILE *stream)
-{
-    return stream->descriptor;
+    if (flags < 0)
+        return NULL;
+    if (name == NULL) {
+        __crs_synchronise(stream);
+        stream->flags = (stream->flags & OWNED) | stream_flags(flags);
+        return stream;
+    }
+    close_descriptor(stream);
+    stream->descriptor = __crs_open(name, flags);
+    if (stream->descriptor < 0)
+        return NULL;
+    stream->flags |= stream_flags(flags);
+    stream->mode = _IOFBF;
+    return stream;
 }

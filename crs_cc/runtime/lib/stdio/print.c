@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include <crs/stream.h>
+#include <crs/utf8.h>
 
 #include "print.h"
 
@@ -80,39 +81,44 @@ static void print_string(struct __crs_sink *sink, struct __crs_conversion *conve
     print_text(sink, conversion, text, size);
 }
 
-/* Wide characters beyond ASCII have no form in the "C" locale: EILSEQ (C17 7.21.6.1p14). */
+/* Prints the first `size` bytes that `count` wide characters have in UTF-8. */
 static void print_wide(struct __crs_sink *sink, struct __crs_conversion *conversion,
-                       const wchar_t *text, int size)
+                       const wchar_t *text, int count, int size)
 {
+    char bytes[4];
     int i, after;
 
-    for (i = 0; i < size; i++)
-        if (text[i] < 0 || text[i] > 127) {
-            sink->failed = EILSEQ;
-            return;
-        }
     conversion->flags &= ~ZERO;
     after = __crs_open_field(sink, conversion, "", 0, size);
-    for (i = 0; i < size; i++) {
-        char c = text[i];
-        __crs_emit(sink, &c, 1);
-    }
+    for (i = 0; i < count; i++)
+        __crs_emit(sink, bytes, __crs_encode(bytes, text[i]));
     __crs_pad(sink, ' ', after);
 }
 
+/* The precision counts bytes, and no character is cut in two (C17 7.21.6.1p8). */
 static void print_wide_string(struct __crs_sink *sink, struct __crs_conversion *conversion,
-                              const wchar_t *text)
+                              const wchar_t *text, int most_characters)
 {
     int most = conversion->precision < 0 ? INT_MAX : conversion->precision;
-    int size = 0;
+    int count = 0, size = 0, length;
+    char bytes[4];
 
     if (text == NULL) {
         print_string(sink, conversion, NULL);
         return;
     }
-    while (size < most && text[size])
-        size++;
-    print_wide(sink, conversion, text, size);
+    for (; count < most_characters && size < most; count++, size += length) {
+        if (text[count] == 0 && most_characters == INT_MAX)
+            break;
+        length = __crs_encode(bytes, text[count]);
+        if (length < 0) {
+            sink->failed = EILSEQ;
+            return;
+        }
+        if (length > most - size)
+            break;
+    }
+    print_wide(sink, conversion, text, count, size);
 }
 
 /* Prints an unsigned value; `prefix` is the sign of a signed one. */
@@ -201,7 +207,8 @@ void __crs_print_word(struct __crs_sink *sink, struct __crs_conversion *conversi
         print_text(sink, conversion, &c, 1);
         break;
     case 'C':
-        print_wide(sink, conversion, &wide, 1);
+        conversion->precision = -1;
+        print_wide_string(sink, conversion, &wide, 1);
         break;
     case 'd': case 'i':
         __crs_print_signed(sink, conversion, value);
@@ -210,7 +217,7 @@ void __crs_print_word(struct __crs_sink *sink, struct __crs_conversion *conversi
         print_pointer(sink, conversion, value);
         break;
     case 'S':
-        print_wide_string(sink, conversion, (const wchar_t *)value);
+        print_wide_string(sink, conversion, (const wchar_t *)value, INT_MAX);
         break;
     case 's':
         print_string(sink, conversion, (const char *)value);

@@ -18,6 +18,8 @@ struct __crs_conversion {
     int flags;
     int width;
     int precision;        /* -1 when absent */
+    int width_from, precision_from;    /* number of the argument that tells, 0 for the next */
+    int position;         /* number of the argument, 0 for the next */
     int length;           /* 'H' for hh, 'q' for ll, j and L, else the letter itself, or 0 */
     char letter;
 };

@@ -2,6 +2,8 @@
 #include <ctype.h>
 #include <string.h>
 
+#include <crs/stream.h>
+
 #include "scan.h"
 
 static int skip_space(struct __crs_source *source)
@@ -174,23 +176,33 @@ static int scan(struct __crs_source *source, const char *format, va_list argumen
     return assigned;
 }
 
-int vfscanf(FILE *stream, const char *format, va_list arguments)
+int __crs_scan_stream(FILE *stream, const char *format, va_list arguments)
 {
     struct __crs_source source = {stream, NULL, 0};
 
     return scan(&source, format, arguments);
 }
 
-int vscanf(const char *format, va_list arguments)
-{
-    return vfscanf(stdin, format, arguments);
-}
-
-int vsscanf(const char *text, const char *format, va_list arguments)
+int __crs_scan_string(const char *text, const char *format, va_list arguments)
 {
     struct __crs_source source = {NULL, text, 0};
 
     return scan(&source, format, arguments);
+}
+
+int vfscanf(FILE *stream, const char *format, va_list arguments)
+{
+    return __crs_scan_stream(stream, format, arguments);
+}
+
+int vscanf(const char *format, va_list arguments)
+{
+    return __crs_scan_stream(stdin, format, arguments);
+}
+
+int vsscanf(const char *text, const char *format, va_list arguments)
+{
+    return __crs_scan_string(text, format, arguments);
 }
 
 int scanf(const char *format, ...)
@@ -199,7 +211,7 @@ int scanf(const char *format, ...)
     int result;
 
     va_start(arguments, format);
-    result = vfscanf(stdin, format, arguments);
+    result = __crs_scan_stream(stdin, format, arguments);
     va_end(arguments);
     return result;
 }
@@ -210,7 +222,7 @@ int fscanf(FILE *stream, const char *format, ...)
     int result;
 
     va_start(arguments, format);
-    result = vfscanf(stream, format, arguments);
+    result = __crs_scan_stream(stream, format, arguments);
     va_end(arguments);
     return result;
 }
@@ -221,7 +233,7 @@ int sscanf(const char *text, const char *format, ...)
     int result;
 
     va_start(arguments, format);
-    result = vsscanf(text, format, arguments);
+    result = __crs_scan_string(text, format, arguments);
     va_end(arguments);
     return result;
 }

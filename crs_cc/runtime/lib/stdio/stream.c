@@ -2,13 +2,15 @@
 #include <crs_request.h>
 #include <errno.h>
 
-#include <crs/write.h>
+#include <crs/descriptor.h>
 #include <crs/stream.h>
 
 static unsigned char input[PUSHBACK + CRS_DATA_SIZE], output[BUFSIZ], errors[CRS_DATA_SIZE];
 
-static FILE standard_error = {2, _IONBF, WRITES, errors, sizeof errors, 0, 0, 0, NULL};
-static FILE standard_output = {1, _IOLBF, WRITES, output, sizeof output, 0, 0, 0, &standard_error};
+static FILE standard_error = {2, _IONBF, WRITES | OUTPUT, errors, sizeof errors};
+static FILE standard_output = {
+    1, _IOLBF, WRITES | OUTPUT, output, sizeof output, 0, 0, 0, &standard_error,
+};
 static FILE standard_input = {0, _IOLBF, READS, input, sizeof input, 0, 0, 0, &standard_output};
 
 FILE *stdin = &standard_input;
@@ -19,7 +21,7 @@ FILE *__crs_streams = &standard_input;
 /* Writes out the first `size` bytes of the buffer. Output that failed is lost, as on Linux. */
 static int write_out(FILE *stream, int size)
 {
-    int result = __crs_write(stream->descriptor, stream->buffer, size);
+    int result = __crs_put(stream->descriptor, stream->buffer, size);
 
     if (result < 0)
         stream->flags |= FAILED;
@@ -31,7 +33,7 @@ static int write_out(FILE *stream, int size)
 
 int __crs_flush(FILE *stream)
 {
-    return stream->flags & WRITES && stream->end > 0 ? write_out(stream, stream->end) : 0;
+    return stream->flags & OUTPUT && stream->end > 0 ? write_out(stream, stream->end) : 0;
 }
 
 void __crs_flush_all(void)
@@ -42,6 +44,19 @@ void __crs_flush_all(void)
         __crs_flush(stream);
 }
 
+int __crs_synchronise(FILE *stream)
+{
+    int result = 0;
+
+    if (stream->flags & OUTPUT)
+        return __crs_flush(stream);
+    if (stream->begin < stream->end &&
+        __crs_seek(stream->descriptor, stream->begin - stream->end, SEEK_CUR) < 0)
+        result = EOF;
+    stream->begin = stream->end = 0;
+    return result;
+}
+
 int __crs_settle(FILE *stream)
 {
     if (stream->mode == _IONBF)
@@ -49,16 +64,29 @@ int __crs_settle(FILE *stream)
     return stream->mode == _IOLBF && stream->line_end > 0 ? write_out(stream, stream->line_end) : 0;
 }
 
+/* Makes a stream ready for output or input; gives EOF with errno when it is not meant for it. */
+static int turn(FILE *stream, int allowed, int output)
+{
+    if (!(stream->flags & allowed)) {
+        stream->flags |= FAILED;
+        errno = EBADF;
+        return EOF;
+    }
+    if ((stream->flags & OUTPUT) != output) {
+        __crs_synchronise(stream);
+        stream->begin = stream->end = 0;
+        stream->flags ^= OUTPUT;
+    }
+    return 0;
+}
+
 int __crs_append(FILE *stream, const void *bytes, int size)
 {
     const unsigned char *from = bytes;
     int i;
 
-    if (!(stream->flags & WRITES)) {
-        stream->flags |= FAILED;
-        errno = EBADF;
+    if (turn(stream, WRITES, OUTPUT) < 0)
         return EOF;
-    }
     while (size > 0) {
         int room = stream->capacity - stream->end;
         int piece = size < room ? size : room;
@@ -81,38 +109,51 @@ int __crs_append(FILE *stream, const void *bytes, int size)
    waits for the end of its line goes out (C17 7.21.3p3). */
 static int refill(FILE *stream)
 {
-    struct __crs_message message;
     FILE *other;
-    int size;
+    int size = stream->mode == _IONBF ? 1 : stream->capacity - PUSHBACK;
 
-    for (other = __crs_streams; other != NULL; other = other->next)
+    for (other = __crs_streams; stream->mode != _IOFBF && other != NULL; other = other->next)
         if (other->mode == _IOLBF)
             __crs_flush(other);
-    message.i[0] = stream->descriptor;
-    message.i[1] = stream->mode == _IONBF ? 1 : CRS_DATA_SIZE;
-    size = __crs_request(CRS_READ, &message);
-    if (size <= 0 || size > CRS_DATA_SIZE) {
+    size = __crs_read(stream->descriptor, stream->buffer + PUSHBACK, size);
+    if (size <= 0) {
         stream->flags |= size == 0 ? AT_END : FAILED;
-        if (size != 0)
-            errno = EIO;
         return EOF;
     }
-    __builtin_memcpy(stream->buffer + PUSHBACK, message.data, size);
     stream->begin = PUSHBACK;
     stream->end = PUSHBACK + size;
     return 0;
 }
 
+/* Makes at least one byte of input ready; gives EOF at the end. */
+static int fill(FILE *stream)
+{
+    if (turn(stream, READS, 0) < 0)
+        return EOF;
+    if (stream->begin < stream->end)
+        return 0;
+    return stream->flags & AT_END ? EOF : refill(stream);
+}
+
 int __crs_next(FILE *stream)
 {
-    if (stream->begin == stream->end) {
-        if (!(stream->flags & READS)) {
-            stream->flags |= FAILED;
-            errno = EBADF;
-            return EOF;
-        }
-        if (stream->flags & AT_END || refill(stream) < 0)
-            return EOF;
-    }
+    if ((stream->flags & OUTPUT || stream->begin == stream->end) && fill(stream) < 0)
+        return EOF;
     return stream->buffer[stream->begin++];
+}
+
+size_t __crs_take(FILE *stream, void *bytes, size_t size)
+{
+    unsigned char *to = bytes;
+
+    while (size > 0 && fill(stream) == 0) {
+        size_t piece = stream->end - stream->begin;
+        if (piece > size)
+            piece = size;
+        __builtin_memcpy(to, stream->buffer + stream->begin, piece);
+        stream->begin += piece;
+        to += piece;
+        size -= piece;
+    }
+    return to - (unsigned char *)bytes;
 }

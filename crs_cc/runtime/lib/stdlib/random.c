@@ -1,41 +1,66 @@
-/* Pseudo-random numbers (C17 7.22.2; random and srandom: POSIX).
+/* Pseudo-random numbers (C17 7.22.2; random, srandom, initstate, setstate, rand_r: POSIX).
 
-   The additive feedback generator of BSD's random(3): x[n] = x[n-3] + x[n-31] modulo 2^32, of which
-   the upper 31 bits are given, its first 31 numbers made from the seed by the minimal standard
-   generator of Park and Miller, x[n] = 16807 x[n-1] modulo 2^31 - 1 (CACM 31, 1988), the first 310
-   results thrown away. It is also Linux's, so a seed gives the numbers it gave on the real host. */
+   The additive feedback generator of BSD's random(3): x[n] = x[n-s] + x[n-d] modulo 2^32, of which
+   the upper 31 bits are given, its first d numbers made from the seed by the minimal standard
+   generator of Park and Miller, x[n] = 16807 x[n-1] modulo 2^31 - 1 (CACM 31, 1988), the first 10 d
+   results thrown away; d = 31 and s = 3 unless a program brings a state of another size. It is also
+   Linux's, so a seed gives the numbers it gave on the real host. */
+#include <errno.h>
 #include <stdlib.h>
 
-#define DEGREE 31
-#define SEPARATION 3
+#define KINDS 5
 
-static unsigned int state[DEGREE];
+static const unsigned char degrees[KINDS] = {0, 7, 15, 31, 63};
+static const unsigned char separations[KINDS] = {0, 3, 1, 3, 1};
+
+/* A state is a word that says its kind, and while it is set aside its place, and `degree` numbers,
+   or one where the degree is 0: that is the generator x[n] = 1103515245 x[n-1] + 12345. */
+static unsigned int own[32] = {3};
+static unsigned int *state = own;
 static int newest = -1;
 
 static unsigned int next(void)
 {
-    int oldest = newest + 1 < DEGREE ? newest + 1 : 0;
-    int near = oldest < SEPARATION ? oldest + DEGREE - SEPARATION : oldest - SEPARATION;
+    int degree = degrees[*state], separation = separations[*state];
+    unsigned int *numbers = state + 1;
+    int oldest, near;
 
+    if (degree == 0)
+        return *numbers = (*numbers * 1103515245 + 12345) & 0x7fffffff;
+    oldest = newest + 1 < degree ? newest + 1 : 0;
+    near = oldest < separation ? oldest + degree - separation : oldest - separation;
     newest = oldest;
-    state[oldest] += state[near];
-    return state[oldest] >> 1;
+    numbers[oldest] += numbers[near];
+    return numbers[oldest] >> 1;
 }
 
 static void seed_with(unsigned int seed)
 {
     int value = seed == 0 ? 1 : (int)seed;
+    int degree = degrees[*state];
     int i;
 
-    for (i = 0; i < DEGREE; i++) {
-        state[i] = value;
+    state[1] = value;
+    newest = 0;
+    if (degree == 0)
+        return;
+    for (i = 0; i < degree; i++) {
+        state[1 + i] = value;
         value = 16807LL * value % 2147483647;
         if (value < 0)
             value += 2147483647;
     }
-    newest = SEPARATION - 1;
-    for (i = 0; i < 310; i++)
+    newest = separations[*state] - 1;
+    for (i = 0; i < 10 * degree; i++)
         next();
+}
+
+/* Without a seed the numbers are those of seed 1 (C17 7.22.2.2). */
+static unsigned int number(void)
+{
+    if (newest < 0)
+        seed_with(1);
+    return next();
 }
 
 void srandom(unsigned int seed)
@@ -43,12 +68,9 @@ void srandom(unsigned int seed)
     seed_with(seed);
 }
 
-/* Without a seed the numbers are those of seed 1 (C17 7.22.2.2). */
 long random(void)
 {
-    if (newest < 0)
-        seed_with(1);
-    return next();
+    return number();
 }
 
 void srand(unsigned int seed)
@@ -58,7 +80,54 @@ void srand(unsigned int seed)
 
 int rand(void)
 {
+    return number();
+}
+
+/* Notes the place in the present state, so that it can be taken up again. */
+static char *set_aside(void)
+{
     if (newest < 0)
         seed_with(1);
-    return next();
+    *state += KINDS * newest;
+    return (char *)state;
+}
+
+char *initstate(unsigned int seed, char *memory, size_t size)
+{
+    char *before;
+
+    if (size < 8) {
+        errno = EINVAL;
+        return NULL;
+    }
+    before = set_aside();
+    state = (unsigned int *)memory;
+    *state = size < 32 ? 0 : size < 64 ? 1 : size < 128 ? 2 : size < 256 ? 3 : 4;
+    seed_with(seed);
+    return before;
+}
+
+char *setstate(char *memory)
+{
+    char *before = set_aside();
+
+    state = (unsigned int *)memory;
+    newest = *state / KINDS;
+    *state %= KINDS;
+    return before;
+}
+
+/* Three steps of the generator of degree 0, of 11, 10 and 10 bits each. */
+int rand_r(unsigned int *seed)
+{
+    unsigned int x = *seed, result;
+
+    x = x * 1103515245 + 12345;
+    result = (x >> 16) % 2048;
+    x = x * 1103515245 + 12345;
+    result = result << 10 ^ (x >> 16) % 1024;
+    x = x * 1103515245 + 12345;
+    result = result << 10 ^ (x >> 16) % 1024;
+    *seed = x;
+    return result;
 }

@@ -1,6 +1,7 @@
-/* Strings to integers (C17 7.22.1). */
+/* Strings to integers (C17 7.22.1, 7.8.2). */
 #include <ctype.h>
 #include <errno.h>
+#include <inttypes.h>
 #include <limits.h>
 #include <stdlib.h>
 
@@ -73,6 +74,16 @@ long long strtoll(const char *text, char **end, int base)
 unsigned long long strtoull(const char *text, char **end, int base)
 {
     return read_integer(text, end, base, ULLONG_MAX, 0);
+}
+
+intmax_t strtoimax(const char *text, char **end, int base)
+{
+    return read_integer(text, end, base, INTMAX_MAX, 1);
+}
+
+uintmax_t strtoumax(const char *text, char **end, int base)
+{
+    return read_integer(text, end, base, UINTMAX_MAX, 0);
 }
 
 int atoi(const char *text)

@@ -7,6 +7,8 @@ int main();
 /* The program's constructors, a null pointer at the end; made by the linker. */
 extern void (*__crs_starts[])(void);
 
+char *__crs_program = "";    /* argv[0], for messages */
+
 /* Makes a copy of an argument, or gives a null pointer when there is none of that number. */
 static char *read_argument(int number)
 {
@@ -37,6 +39,7 @@ static char *read_argument(int number)
 /* The outermost function: collects the arguments, calls constructors and main, ends the program. */
 int __crs_start(void)
 {
+    static char *environment[1];
     int count = 0, capacity = 8;
     char **arguments = malloc(capacity * sizeof *arguments);
     void (**each)(void);
@@ -47,8 +50,10 @@ int __crs_start(void)
             arguments = realloc(arguments, capacity * sizeof *arguments);
         }
     }
+    if (count > 0)
+        __crs_program = arguments[0];
     for (each = __crs_starts; *each != NULL; each++)
         (*each)();
-    exit(main(count, arguments));
+    exit(main(count, arguments, environment));
     return 0;
 }

@@ -1,45 +1,38 @@
-/* Simulated time (C17 7.27.2; gettimeofday, nanosleep, sleep, usleep: POSIX). */
-#include <crs_request.h>
+/* Reading the time and waiting (C17 7.27.2; gettimeofday, clock_gettime, nanosleep, sleep, usleep,
+   times: POSIX). */
 #include <errno.h>
 #include <sys/time.h>
+#include <sys/times.h>
 #include <time.h>
 #include <unistd.h>
 
-#define EPOCH_S 946684800L   /* when a run starts: 1 January 2000, 00:00:00 UTC, in Unix time */
+#include <crs/clock.h>
 
-/* Gives seconds since the start of the run. */
-static double now_s(void)
+/* The clock's microsecond: a time such as 0.3 s, as a double slightly less, counts as reached. */
+static long long microseconds_of(double seconds)
 {
-    struct __crs_message message;
-
-    __crs_request(CRS_CLOCK, &message);
-    return message.f[0];
-}
-
-static void pass_s(double seconds)
-{
-    struct __crs_message message;
-
-    message.f[0] = seconds;
-    __crs_request(CRS_SLEEP, &message);
+    return (long long)(seconds * 1e6 + 1e-3);
 }
 
 time_t time(time_t *now)
 {
-    time_t result = EPOCH_S + (time_t)now_s();
+    time_t result = CRS_START + (time_t)(microseconds_of(__crs_now(NULL)) / 1000000);
 
+    if (__crs_after_request != NULL)
+        __crs_after_request();
     if (now != NULL)
         *now = result;
     return result;
 }
 
-/* The clock's microsecond: a time such as 0.3 s, as a double slightly less, counts as reached. */
 int gettimeofday(struct timeval *now, void *zone)
 {
-    long long microseconds = (long long)(now_s() * 1e6 + 1e-3);
+    long long microseconds = microseconds_of(__crs_now(NULL));
 
+    if (__crs_after_request != NULL)
+        __crs_after_request();
     if (now != NULL) {
-        now->tv_sec = EPOCH_S + (time_t)(microseconds / 1000000);
+        now->tv_sec = CRS_START + (time_t)(microseconds / 1000000);
         now->tv_usec = microseconds % 1000000;
     }
     if (zone != NULL) {
@@ -49,13 +42,75 @@ int gettimeofday(struct timeval *now, void *zone)
     return 0;
 }
 
+/* Only a superuser may set the clock, and nobody may set the simulator's. */
+int settimeofday(const struct timeval *now, const struct timezone *zone)
+{
+    (void)now;
+    (void)zone;
+    errno = EPERM;
+    return -1;
+}
+
+int clock_gettime(clockid_t clock, struct timespec *now)
+{
+    double processor_s, now_s = __crs_now(&processor_s);
+    long long microseconds;
+
+    if (clock == CLOCK_PROCESS_CPUTIME_ID || clock == CLOCK_THREAD_CPUTIME_ID)
+        now_s = processor_s;
+    else if (clock != CLOCK_REALTIME && clock != CLOCK_MONOTONIC) {
+        errno = EINVAL;
+        return -1;
+    }
+    microseconds = microseconds_of(now_s);
+    now->tv_sec = microseconds / 1000000 + (clock == CLOCK_REALTIME ? CRS_START : 0);
+    now->tv_nsec = microseconds % 1000000 * 1000;
+    return 0;
+}
+
+int clock_getres(clockid_t clock, struct timespec *resolution)
+{
+    if (clock < CLOCK_REALTIME || clock > CLOCK_THREAD_CPUTIME_ID) {
+        errno = EINVAL;
+        return -1;
+    }
+    if (resolution != NULL) {
+        resolution->tv_sec = 0;
+        resolution->tv_nsec = 1000;
+    }
+    return 0;
+}
+
+int timespec_get(struct timespec *now, int base)
+{
+    long long microseconds = microseconds_of(__crs_now(NULL));
+
+    if (base != TIME_UTC)
+        return 0;
+    now->tv_sec = CRS_START + microseconds / 1000000;
+    now->tv_nsec = microseconds % 1000000 * 1000;
+    return base;
+}
+
 /* Processor time in microseconds; like Linux's on 32 bits it wraps round after 71 minutes. */
 clock_t clock(void)
 {
-    struct __crs_message message;
+    double processor_s;
 
-    __crs_request(CRS_CLOCK, &message);
-    return (clock_t)(unsigned int)(long long)(message.f[1] * 1e6 + 1e-3);
+    __crs_now(&processor_s);
+    return (clock_t)(unsigned int)microseconds_of(processor_s);
+}
+
+/* Ticks of 1/100 s. */
+clock_t times(struct tms *used)
+{
+    double processor_s, now_s = __crs_now(&processor_s);
+
+    if (used != NULL) {
+        used->tms_utime = (clock_t)(microseconds_of(processor_s) / 10000);
+        used->tms_stime = used->tms_cutime = used->tms_cstime = 0;
+    }
+    return (clock_t)(microseconds_of(now_s) / 10000);
 }
 
 double difftime(time_t end, time_t start)
@@ -65,24 +120,33 @@ double difftime(time_t end, time_t start)
 
 int nanosleep(const struct timespec *wanted, struct timespec *left)
 {
+    double left_s;
+
     if (wanted->tv_sec < 0 || wanted->tv_nsec < 0 || wanted->tv_nsec >= 1000000000L) {
         errno = EINVAL;
         return -1;
     }
-    pass_s(wanted->tv_sec + wanted->tv_nsec * 1e-9);
-    if (left != NULL)
-        left->tv_sec = left->tv_nsec = 0;
-    return 0;
+    left_s = __crs_pass(wanted->tv_sec + wanted->tv_nsec * 1e-9);
+    if (left != NULL) {
+        left->tv_sec = (time_t)left_s;
+        left->tv_nsec = (long)((left_s - left->tv_sec) * 1e9);
+    }
+    if (left_s == 0)
+        return 0;
+    errno = EINTR;
+    return -1;
 }
 
 int usleep(useconds_t microseconds)
 {
-    pass_s(microseconds * 1e-6);
-    return 0;
+    if (__crs_pass(microseconds * 1e-6) == 0)
+        return 0;
+    errno = EINTR;
+    return -1;
 }
 
+/* Gives the seconds that are left when an alarm came before. */
 unsigned int sleep(unsigned int seconds)
 {
-    pass_s(seconds);
-    return 0;
+    return (unsigned int)(__crs_pass(seconds) + 0.5);
 }

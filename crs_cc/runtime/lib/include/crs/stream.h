@@ -6,17 +6,18 @@
 
 #define PUSHBACK 8   /* bytes kept free at the front of an input buffer for ungetc */
 
-enum { AT_END = 1, FAILED = 2, READS = 4, WRITES = 8 };
+enum { AT_END = 1, FAILED = 2, READS = 4, WRITES = 8, OUTPUT = 16, OWNED = 32 };
 
 struct __crs_file {
     int descriptor;
     int mode;                  /* _IOFBF, _IOLBF or _IONBF */
-    int flags;
+    int flags;                 /* OUTPUT: the buffer holds output; OWNED: made by malloc */
     unsigned char *buffer;
     int capacity;
     int begin, end;            /* input not yet read, or output not yet written, in the buffer */
     int line_end;              /* behind the last newline in the output, 0 when there is none */
     struct __crs_file *next;   /* in the list of all streams */
+    int orientation;           /* of wide characters; 0 when not yet known */
 };
 
 extern FILE *__crs_streams;
@@ -31,7 +32,23 @@ int __crs_settle(FILE *stream);
 int __crs_flush(FILE *stream);
 void __crs_flush_all(void);
 
+/* Empties the buffer: writes output, or forgets input and goes back to where reading stands. */
+int __crs_synchronise(FILE *stream);
+
 /* Gives the next byte of input, or EOF. */
 int __crs_next(FILE *stream);
+
+/* Reads bytes; gives how many, fewer than `size` at the end. */
+size_t __crs_take(FILE *stream, void *bytes, size_t size);
+
+/* Puts a stream around an open descriptor; gives null with errno on error. */
+FILE *__crs_make_stream(int descriptor, int flags);
+
+/* Prints to a string of `room` characters and a final null; gives how many there would be. */
+int __crs_print_to_string(char *text, unsigned int room, const char *format, va_list arguments);
+
+/* Formatted input, from a stream and from a string. */
+int __crs_scan_stream(FILE *stream, const char *format, va_list arguments);
+int __crs_scan_string(const char *text, const char *format, va_list arguments);
 
 #endif

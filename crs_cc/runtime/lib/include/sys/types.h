@@ -2,6 +2,8 @@
 #ifndef _SYS_TYPES_H
 #define _SYS_TYPES_H
 
+#include <stdint.h>
+
 #ifndef _SIZE_T
 #define _SIZE_T
 typedef unsigned int size_t;
@@ -33,10 +35,21 @@ typedef unsigned int mode_t;
 typedef unsigned long ino_t;
 typedef unsigned long dev_t;
 typedef unsigned int nlink_t;
+typedef unsigned int id_t;
+typedef int key_t;
+typedef long blksize_t;
+typedef long blkcnt_t;
+typedef long long quad_t;
+typedef unsigned long long u_quad_t;
+typedef long daddr_t;
 typedef unsigned int useconds_t;
 typedef long suseconds_t;
 typedef char *caddr_t;
 
+typedef uint8_t u_int8_t;
+typedef uint16_t u_int16_t;
+typedef uint32_t u_int32_t;
+typedef uint64_t u_int64_t;
 typedef unsigned char u_char;
 typedef unsigned short u_short;
 typedef unsigned int u_int;

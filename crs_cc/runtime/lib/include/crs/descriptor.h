@@ -1,0 +1,34 @@
+/* Descriptors: the standard streams and open files by small numbers, for the library itself. Each
+   function gives what its POSIX namesake gives, -1 with errno on error. */
+#ifndef CRS_DESCRIPTOR_H
+#define CRS_DESCRIPTOR_H
+
+#define CRS_DESCRIPTORS 64
+
+/* An open file, which several descriptors may share. */
+struct __crs_open_file {
+    int uses;       /* how many descriptors stand for it */
+    int flags;      /* as given to open */
+    int number;     /* the host's number of the file; -1 for a standard stream */
+    long offset;    /* where to read or write next; of a standard stream: its number */
+};
+
+/* Gives what a descriptor stands for; null with errno EBADF when it is not open. */
+struct __crs_open_file *__crs_find(int descriptor);
+
+int __crs_open(const char *name, int flags);
+int __crs_close(int descriptor);
+int __crs_duplicate(int descriptor, int wanted);   /* the lowest free one from `wanted` on */
+long __crs_seek(int descriptor, long offset, int whence);
+long __crs_resize(int descriptor, long size);      /* -1 changes nothing; gives the size */
+
+/* Reads what is there, at most what a message holds; gives 0 at the end. */
+int __crs_read(int descriptor, void *bytes, int size);
+
+/* Writes all bytes; gives 0. */
+int __crs_put(int descriptor, const void *bytes, int size);
+
+/* Posts a request about a name; gives the reply's result, -1 with errno on error. */
+int __crs_by_name(int code, const char *name, int argument);
+
+#endif

@@ -1,0 +1,14 @@
+/* Signals, for the library itself. */
+#ifndef CRS_SIGNALS_H
+#define CRS_SIGNALS_H
+
+/* Does what a program wants to be done on a signal, or ends it. */
+void __crs_signal(int signal);
+
+/* Waits for an alarm under a mask of blocked signals; gives when one was delivered. */
+void __crs_await_signal(unsigned long mask);
+
+/* Runs the handler of SIGABRT if a program has one; null when it cannot have any. */
+extern void (*__crs_on_abort)(void);
+
+#endif

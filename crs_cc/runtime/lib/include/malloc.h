@@ -1,0 +1,2 @@
+/* The old name of <stdlib.h>. */
+#include <stdlib.h>

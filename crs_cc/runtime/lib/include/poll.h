@@ -1,0 +1,21 @@
+/* POSIX poll.h: waiting for input, which here is waiting for time to pass. */
+#ifndef _POLL_H
+#define _POLL_H
+
+#define POLLIN 1
+#define POLLPRI 2
+#define POLLOUT 4
+#define POLLERR 8
+#define POLLHUP 16
+#define POLLNVAL 32
+
+typedef unsigned int nfds_t;
+
+struct pollfd {
+    int fd;
+    short events, revents;
+};
+
+int poll(struct pollfd *files, nfds_t count, int timeout);
+
+#endif

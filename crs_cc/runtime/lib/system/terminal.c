@@ -1,0 +1,81 @@
+/* Terminals and devices (POSIX termios.h, ioctl): no descriptor is one. */
+#include <errno.h>
+#include <sys/ioctl.h>
+#include <termios.h>
+
+#include <crs/descriptor.h>
+
+static int no_terminal(int descriptor)
+{
+    if (__crs_find(descriptor) != 0)
+        errno = ENOTTY;
+    return -1;
+}
+
+int tcgetattr(int descriptor, struct termios *settings)
+{
+    (void)settings;
+    return no_terminal(descriptor);
+}
+
+int tcsetattr(int descriptor, int when, const struct termios *settings)
+{
+    (void)when;
+    (void)settings;
+    return no_terminal(descriptor);
+}
+
+int tcflush(int descriptor, int which)
+{
+    (void)which;
+    return no_terminal(descriptor);
+}
+
+int tcdrain(int descriptor)
+{
+    return no_terminal(descriptor);
+}
+
+int tcsendbreak(int descriptor, int duration)
+{
+    (void)duration;
+    return no_terminal(descriptor);
+}
+
+int ioctl(int descriptor, unsigned long request, ...)
+{
+    (void)request;
+    return no_terminal(descriptor);
+}
+
+int cfsetispeed(struct termios *settings, speed_t speed)
+{
+    settings->c_ispeed = speed;
+    return 0;
+}
+
+int cfsetospeed(struct termios *settings, speed_t speed)
+{
+    settings->c_ospeed = speed;
+    return 0;
+}
+
+speed_t cfgetispeed(const struct termios *settings)
+{
+    return settings->c_ispeed;
+}
+
+speed_t cfgetospeed(const struct termios *settings)
+{
+    return settings->c_ospeed;
+}
+
+void cfmakeraw(struct termios *settings)
+{
+    settings->c_iflag &= ~(IGNBRK | BRKINT | PARMRK | ISTRIP | INLCR | IGNCR | ICRNL | IXON);
+    settings->c_oflag &= ~OPOST;
+    settings->c_lflag &= ~(ECHO | ECHONL | ICANON | ISIG | IEXTEN);
+    settings->c_cflag = (settings->c_cflag & ~(CSIZE | PARENB)) | CS8;
+    settings->c_cc[VMIN] = 1;
+    settings->c_cc[VTIME] = 0;
+}

@@ -1,0 +1,260 @@
+r"""A robot's files: what its program reads and writes, in memory, never on the host's disk.
+
+The program sees a disk of its own, with the user's inputs on it. Names are taken apart here: `..`
+ends at the disk's root, and folders exist because files are in them. Files have numbers, as inodes
+have, and live on without a name while they are open.
+
+>>> disk = Disk({"maps/room.txt": b"4 4"})
+>>> number = disk.open(b"/maps/../maps/room.txt", 0)
+>>> disk.read(number, 2, 100)
+b'4'
+>>> log = disk.open(b"log", CREATE)
+>>> disk.write(log, 0, b"bumped\n")
+7
+>>> disk.outputs()
+{b'log': b'bumped\n'}
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Final
+
+DISK_BYTES: Final = 16 * 2**20
+"""How much a robot's program can write; chosen by us: as much as it has memory."""
+
+DISK_FILES: Final = 1000
+"""How many files a robot can have, those of the user not counted."""
+
+LONGEST_PART: Final = 255  # of a name, between two slashes; Linux's NAME_MAX [bytes]
+
+CREATE, EXCLUSIVE, TRUNCATE, NAMELESS = 0o100, 0o200, 0o1000, 0o20000000
+"""Flags of `Disk.open`, with the values of Linux's O_CREAT, O_EXCL, O_TRUNC and O_TMPFILE."""
+
+ENOENT, EBADF, EACCES, EEXIST, ENOTDIR, EISDIR = 2, 9, 13, 17, 20, 21
+EINVAL, ENFILE, ENOSPC, ENAMETOOLONG = 22, 23, 28, 36
+"""Linux's error numbers, which the C library has, whatever the host's are."""
+
+_NULL_DEVICE: Final = 0
+
+
+@dataclass(slots=True)
+class File:
+    """One file.
+
+    Attributes:
+        content: its bytes; immutable as long as a snapshot, or another robot, may share them.
+        named: whether it has a name.
+        uses: how many descriptors are open.
+        changed: whether the program made or changed it.
+    """
+
+    content: bytes | bytearray
+    named: bool = True
+    uses: int = 0
+    changed: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class DiskSnapshot:
+    """A disk as it was; see `Disk.snapshot`."""
+
+    names: dict[bytes, int]
+    files: dict[int, File]
+
+
+class Disk:
+    """The files of one robot. What cannot be done gives a negative error number, as in Linux."""
+
+    def __init__(self, inputs: Mapping[str, bytes]) -> None:
+        """Puts the user's files on the disk, by their names."""
+        self._names: dict[bytes, int] = {}
+        self._files: dict[int, File] = {_NULL_DEVICE: File(b"")}
+        for name, content in inputs.items():
+            number = len(self._files)
+            self._names[normal(name.encode("utf-8", "surrogateescape"))] = number
+            self._files[number] = File(content)
+        self._room = DISK_FILES + len(self._files)
+
+    def open(self, name: bytes, flags: int) -> int:
+        """Gives a file's number; makes it, or empties it, when the flags say so."""
+        if flags & NAMELESS:
+            return self._make(None)
+        path = normal(name)
+        if path == b"dev/null":
+            return _NULL_DEVICE
+        number = self._names.get(path)
+        if number is None:
+            failed = self._refusal(name, path)
+            if failed or not flags & CREATE:
+                return failed or -ENOENT
+            return self._make(path)
+        if flags & CREATE and flags & EXCLUSIVE:
+            return -EEXIST
+        file = self._files[number]
+        if flags & TRUNCATE:
+            file.content, file.changed = bytearray(), True
+        file.uses += 1
+        return number
+
+    def close(self, number: int) -> int:
+        """Hears that a file is open once less; forgets it when it has no name either."""
+        file = self._files.get(number)
+        if file is None:
+            return -EBADF
+        file.uses -= 1
+        self._forget(number)
+        return 0
+
+    def read(self, number: int, offset: int, wanted: int) -> bytes | int:
+        """Gives bytes from a place in a file; fewer than wanted at its end."""
+        file = self._files.get(number)
+        if file is None or offset < 0 or wanted < 0:
+            return -EBADF if file is None else -EINVAL
+        return bytes(file.content[offset : offset + wanted])
+
+    def write(self, number: int, offset: int, content: bytes) -> int:
+        """Writes to a place in a file, -1 for its end; gives the place behind what was written."""
+        file = self._files.get(number)
+        if file is None or offset < -1:
+            return -EBADF if file is None else -EINVAL
+        if number == _NULL_DEVICE:
+            return max(offset, 0) + len(content)
+        offset = len(file.content) if offset < 0 else offset
+        end = offset + len(content)
+        failed = self.resize(number, max(len(file.content), end))
+        if failed < 0:
+            return failed
+        mutable = _mutable(file)
+        mutable[offset:end] = content
+        return end
+
+    def resize(self, number: int, size: int) -> int:
+        """Cuts a file off or fills it up with zeros; -1 changes nothing. Gives its size."""
+        file = self._files.get(number)
+        if file is None or size < -1:
+            return -EBADF if file is None else -EINVAL
+        now = len(file.content)
+        if number == _NULL_DEVICE or size in (-1, now):
+            return now
+        if size > now and self._written() - (now if file.changed else 0) + size > DISK_BYTES:
+            return -ENOSPC
+        mutable = _mutable(file)
+        if size < now:
+            del mutable[size:]
+        else:
+            mutable.extend(bytes(size - now))
+        return size
+
+    def remove(self, name: bytes) -> int:
+        """Takes a file's name away."""
+        path = normal(name)
+        number = self._names.pop(path, None)
+        if number is None:
+            return self._refusal(name, path) or -ENOENT
+        self._files[number].named = False
+        self._forget(number)
+        return 0
+
+    def rename(self, old: bytes, new: bytes) -> int:
+        """Gives a file another name; a file that had it loses it."""
+        number, path = self._names.get(normal(old)), normal(new)
+        if number is None:
+            return self._refusal(old, normal(old)) or -ENOENT
+        if path == normal(old):
+            return 0
+        del self._names[normal(old)]
+        failed = 0 if path in self._names else self._refusal(new, path)
+        if not failed and path in self._names:
+            failed = self.remove(new)
+        self._names[normal(old) if failed else path] = number
+        if not failed:
+            self._files[number].changed = True
+        return failed
+
+    def outputs(self) -> dict[bytes, bytes]:
+        """Gives the files that the program made or changed, by name, in the order of the names."""
+        return {
+            name: bytes(self._files[number].content)
+            for name, number in sorted(self._names.items())
+            if self._files[number].changed
+        }
+
+    def snapshot(self) -> DiskSnapshot:
+        """Gives the disk as it is; contents are shared until somebody changes them."""
+        for file in self._files.values():
+            file.content = bytes(file.content)
+        return DiskSnapshot(dict(self._names), _copies(self._files))
+
+    def restore(self, snapshot: DiskSnapshot) -> None:
+        """Makes the disk what it was."""
+        self._names = dict(snapshot.names)
+        self._files = _copies(snapshot.files)
+
+    def state(self) -> Iterator[bytes]:
+        """Gives everything that the program has done to the disk, for a hash."""
+        for name, number in sorted(self._names.items()):
+            yield b"%d:%s;" % (number, name)
+        for number, file in sorted(self._files.items()):
+            if file.changed:
+                yield b"%d:%d;" % (number, len(file.content)) + file.content
+
+    def _make(self, path: bytes | None) -> int:
+        if len(self._files) >= self._room:
+            return -ENFILE
+        number = next(number for number in range(self._room) if number not in self._files)
+        self._files[number] = File(b"", path is not None, 1, changed=True)
+        if path is not None:
+            self._names[path] = number
+        return number
+
+    def _forget(self, number: int) -> None:
+        file = self._files[number]
+        if not file.named and file.uses <= 0:
+            del self._files[number]
+
+    def _refusal(self, name: bytes, path: bytes) -> int:
+        """Gives why there can be no file of a name, 0 when there can."""
+        parts = path.split(b"/")
+        if not name:
+            return -ENOENT
+        if not path or any(each.startswith(path + b"/") for each in self._names):
+            return -EISDIR
+        if any(b"/".join(parts[:count]) in self._names for count in range(1, len(parts))):
+            return -ENOTDIR
+        if any(len(part) > LONGEST_PART for part in parts):
+            return -ENAMETOOLONG
+        if min(path) < 32 or 127 in path:
+            return -EINVAL
+        return -EACCES if parts[0] == b"dev" else 0
+
+    def _written(self) -> int:
+        return sum(len(file.content) for file in self._files.values() if file.changed)
+
+
+def normal(name: bytes) -> bytes:
+    """Gives the one form of a name: without a slash at its ends, `.`, or `..`.
+
+    >>> normal(b"/logs//./today/../run.txt"), normal(b"../../etc/passwd")
+    (b'logs/run.txt', b'etc/passwd')
+    """
+    parts: list[bytes] = []
+    for part in name.split(b"/"):
+        if part == b"..":
+            del parts[-1:]
+        elif part not in (b"", b"."):
+            parts.append(part)
+    return b"/".join(parts)
+
+
+def _mutable(file: File) -> bytearray:
+    """Gives a file's content for changing; from now on it belongs to this file alone."""
+    if isinstance(file.content, bytes):
+        file.content = bytearray(file.content)
+    file.changed = True
+    return file.content
+
+
+def _copies(files: Mapping[int, File]) -> dict[int, File]:
+    return {number: replace(file) for number, file in files.items()}

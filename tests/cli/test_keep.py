@@ -1,0 +1,96 @@
+"""Files that programs write go below the folder that the user names, and nowhere else."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from crs_cc.cli.keep import keep
+from crs_cc.cli.main import main
+
+COPY = r"""
+#include <stdio.h>
+int main(void)
+{
+    FILE *from = fopen("map", "r"), *to = fopen("/logs/../logs/copy.txt", "w");
+    int c;
+    if (from == NULL || to == NULL)
+        return 9;
+    while ((c = getc(from)) != EOF)
+        putc(c, to);
+    return 0;
+}
+"""
+PAIR = """<world version="1"><area length="9m" width="9m"/>
+<robot id="left" x="1m" y="2m"/><robot id="right" x="7m" y="2m"/></world>"""
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    Path("copy.c").write_text(COPY)
+    Path("map.txt").write_text("a map\n")
+    return tmp_path
+
+
+def test_a_named_file_is_read_and_a_written_one_kept(capfd: pytest.CaptureFixture[str]) -> None:
+    arguments = ["run", "copy.c", "--file", "map=map.txt", "--files", "new/out"]
+    assert main(arguments) == 0
+    assert Path("new/out/logs/copy.txt").read_text() == "a map\n"
+    assert [path.name for path in Path("new/out").rglob("*")] == ["logs", "copy.txt"]
+    assert main(arguments) == 0  # over those of the run before
+    assert capfd.readouterr().err == ""
+
+
+def test_several_robots_have_folders_of_their_own() -> None:
+    Path("pair.xml").write_text(PAIR)
+    assert main(["run", "copy.c", "pair.xml", "--file", "map=map.txt", "--files", "out"]) == 0
+    assert Path("out/left/logs/copy.txt").read_text() == "a map\n"
+    assert Path("out/right/logs/copy.txt").read_text() == "a map\n"
+
+
+def test_without_a_folder_a_warning_says_what_is_lost(capfd: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "copy.c", "--file", "map=map.txt"]) == 0
+    assert "'robot0' wrote logs/copy.txt, which is not kept" in capfd.readouterr().err
+    assert main(["run", "copy.c", "--file", "map=map.txt", "--quiet"]) == 0
+    assert capfd.readouterr().err == ""
+    assert sorted(path.name for path in Path().iterdir()) == ["copy.c", "map.txt"]
+
+
+def test_no_other_file_can_be_read() -> None:
+    assert main(["run", "copy.c", "--files", "out"]) == 9
+
+
+def test_what_a_program_wrote_before_it_failed_is_kept() -> None:
+    Path("fails.c").write_text(
+        "#include <stdio.h>\n#include <stdlib.h>\nint main(void) {\n"
+        'FILE *f = fopen("log", "w"); fputs("last words", f); fflush(f); abort(); }\n'
+    )
+    assert main(["run", "fails.c", "--files", "out"]) == 123
+    assert Path("out/log").read_text() == "last words"
+
+
+@pytest.mark.parametrize(
+    "arguments", [["--file", "none"], ["--file", "."], ["--files", "copy.c/x"]]
+)
+def test_impossible_files_are_said_before_the_run(
+    arguments: list[str], capfd: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["run", "copy.c", *arguments]) == 2
+    assert arguments[1] in capfd.readouterr().err
+
+
+@pytest.mark.parametrize("name", [b"link", b"inner/file", b"pipe"])
+def test_links_and_devices_are_not_followed(name: bytes, folder: Path) -> None:
+    import os
+
+    out, outside = folder / "out", folder / "outside"
+    out.mkdir()
+    outside.mkdir()
+    (out / "link").symlink_to(outside / "file")
+    (out / "inner").symlink_to(outside)
+    os.mkfifo(out / "pipe")
+    with pytest.raises(OSError, match=name.decode()):
+        keep(out, {name: b"content"})
+    assert list(outside.iterdir()) == []
