@@ -15,7 +15,7 @@ import click
 from crs_cc.cli.interrupt import Interrupt
 from crs_cc.cli.keep import dropped, keep
 from crs_cc.cli.load import Loaded, load
-from crs_cc.cli.messages import as_data, is_terminal, say, show_before_run
+from crs_cc.cli.messages import as_data, is_terminal, say, show, show_before_run
 from crs_cc.cli.output import ProgramOutput, ProgressLine, read_line
 from crs_cc.cli.plot import Picture, Trip
 from crs_cc.cli.report import show_reports

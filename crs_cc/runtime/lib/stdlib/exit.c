@@ -27,7 +27,6 @@ static struct handlers *last_block = &first_block;
 extern void (*__crs_ends[])(void);
 static void (**next_end)(void) = __crs_ends;
 
-
 static int add(struct handler handler)
 {
     if (last_block->count == 32) {
