@@ -352,6 +352,7 @@ EXPLAIN: Final[dict[str, Callable[[Case], Explanation]]] = {
     "stack overflow": _stack,
     "damaged stack": _says("the program has written over the stack of its calls"),
     "abort called": _says("", shows_callee=False),
+    "unhandled signal": _says("", shows_callee=False),
     "assertion failed": _assertion,
     "internal trap": _says("a mistake of crs, please report it"),
 }

@@ -61,6 +61,8 @@ MEANING = {
     "longjmp to a function that has returned": "The function that called `setjmp` is no longer "
     "active.",
     "abort called": "The program gives up by itself.",
+    "unhandled signal": "`raise`, `kill` or an alarm sends a signal for which the program has set "
+    "no handler.",
     "assertion failed": "An `assert` does not hold. It says so on stderr, too, as C wants.",
 }
 

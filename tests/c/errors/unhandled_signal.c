@@ -1,0 +1,16 @@
+/* Example: a signal for which the program has made no arrangement. */
+#include <signal.h>
+#include <stdio.h>
+
+static void watchdog(int signal)
+{
+    printf("signal %d\n", signal);
+}
+
+int main(void)
+{
+    signal(SIGUSR1, watchdog);
+    raise(SIGUSR1);
+    raise(SIGTERM); // error: unhandled signal
+    return 0;
+}
