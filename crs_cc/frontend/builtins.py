@@ -1,7 +1,9 @@
 """Calls that become instructions in place: what the C library in C cannot say in C.
 
 __crs_request(code, message)       posts a request and stops, see `crs_cc.requests`
-__crs_stop("null pointer")         ends the program with an error, see `requests.ERROR_KINDS`
+__crs_stop("null pointer", at)     ends the program with an error, see `requests.ERROR_KINDS`; the
+                                   address may be left out
+__crs_mark, callers, state         the allocator's, see `ir.instruction.Mark` and those behind it
 __crs_setjmp(buffer)               comes back when somebody jumps there, see `ir.SetJump`
 __crs_longjmp(activation, place, value)
 __builtin_sqrt, floor, clz, ...    one WebAssembly instruction each
@@ -66,6 +68,9 @@ class Builtin:
 def _table() -> dict[str, Builtin]:
     table = {
         "__crs_request": Builtin(INT, (INT, _ADDRESS)),
+        "__crs_mark": Builtin(VOID, (_ADDRESS, UINT, INT)),
+        "__crs_callers": Builtin(VOID, (_ADDRESS, INT)),
+        "__crs_state": Builtin(INT, (_CONST_ADDRESS,)),
         "__crs_setjmp": Builtin(INT, (_ADDRESS,)),
         "__builtin_alloca": Builtin(_ADDRESS, (UINT,)),
         "__crs_longjmp": Builtin(VOID, (UINT, UINT, INT)),
@@ -86,6 +91,7 @@ def _table() -> dict[str, Builtin]:
 
 
 BUILTINS: Final = _table()
+_TRUSTED: Final = frozenset({"__crs_mark", "__crs_callers", "__crs_state"})
 
 _CONSTANTS: Final = {
     f"__builtin_{name}{suffix}": (ctype, value)
@@ -105,7 +111,7 @@ def call_builtin(unit: Unit, name: str, node: Node) -> Expression | None:
         ctype, value = _CONSTANTS[name]
         return tree.Literal(ctype, location, value)
     builtin = BUILTINS.get(name)
-    if builtin is None:
+    if builtin is None or (name in _TRUSTED and not unit.trusted):
         return None
     _count(nodes, len(builtin.parameters), location)
     arguments = [
@@ -170,12 +176,13 @@ def _object_size(unit: Unit, nodes: list[Node], location: Location) -> Expressio
 
 
 def _stop(unit: Unit, nodes: list[Node], location: Location) -> Expression:
-    _count(nodes, 1, location)
+    _count(nodes[:1], 1, location)
     kind = expression(unit, nodes[0])
     text = kind.content[:-1].decode() if isinstance(kind, tree.StringLiteral) else ""
     if text not in ERROR_KINDS[1:]:
         raise CheckError(location, "'__crs_stop' needs the name of an error kind")
-    return tree.Intrinsic(VOID, location, "__crs_stop", [], text)
+    addresses = [assigned(unit, rvalue(unit, each), _CONST_ADDRESS, "pass") for each in nodes[1:2]]
+    return tree.Intrinsic(VOID, location, "__crs_stop", addresses, text)
 
 
 def _list(unit: Unit, node: Node) -> Expression:

@@ -131,6 +131,7 @@ class Unit:
         prototypes: how many lists of parameters, whose lengths are not computed, are open.
         unknown: unknown names that were reported, with the function that used them.
         suggestions: how many more unknown names get a hint.
+        trusted: whether its functions may tell the shadow memory what C may do.
     """
 
     name: str
@@ -146,6 +147,7 @@ class Unit:
     prototypes: int = 0
     unknown: set[tuple[str, str]] = field(default_factory=set)
     suggestions: int = 20
+    trusted: bool = False
 
     def at(self, node: Node) -> Location:
         """Gives a node's place, the last known one if it has none."""

@@ -30,16 +30,19 @@ from crs_cc.ir.program import (
     Binary,
     Branch,
     Call,
+    Callers,
     Constant,
     Copy,
     Fill,
     Load,
     LongJump,
+    Mark,
     Move,
     Operand,
     Register,
     Request,
     SetJump,
+    State,
     Stop,
     Store,
     Unary,
@@ -259,8 +262,32 @@ def _stop(low: Lowering, expression: tree.Intrinsic) -> Operand:
         "__builtin_trap": "abort called",
         "__crs_stop": expression.kind,
     }
-    low.end(Stop(expression.location, kinds[expression.name]))
+    values = [value(low, each) for each in expression.arguments]
+    low.end(Stop(expression.location, kinds[expression.name], *values))
     return Constant("i32", 0)
+
+
+def _mark(low: Lowering, expression: tree.Intrinsic) -> Operand:
+    address, size = (value(low, each) for each in expression.arguments[:2])
+    low.emit(Mark(expression.location, address, size, _constant(expression.arguments[2])))
+    return Constant("i32", 0)
+
+
+def _callers(low: Lowering, expression: tree.Intrinsic) -> Operand:
+    address, count = expression.arguments
+    low.emit(Callers(expression.location, value(low, address), _constant(count)))
+    return Constant("i32", 0)
+
+
+def _state(low: Lowering, expression: tree.Intrinsic) -> Operand:
+    result = low.register("i32")
+    low.emit(State(expression.location, result, value(low, expression.arguments[0])))
+    return result
+
+
+def _constant(expression: Expression) -> int:
+    assert isinstance(expression, tree.Literal)
+    return int(expression.value)
 
 
 def _va_start(low: Lowering, expression: tree.Intrinsic) -> Operand:
@@ -280,6 +307,9 @@ _SPECIAL: Final[dict[str, Callable[[Lowering, tree.Intrinsic], Operand]]] = {
     "__crs_request": _request,
     "__crs_array_size": _array_size,
     "__crs_stop": _stop,
+    "__crs_mark": _mark,
+    "__crs_callers": _callers,
+    "__crs_state": _state,
     "__crs_setjmp": _set_jump,
     "__crs_longjmp": _long_jump,
     "__builtin_memcpy": _copy,

@@ -100,6 +100,7 @@ def lower_unit(unit: Unit) -> Program:
         lowering.define(definition)
     for function in unit.functions:
         made = lower_function(lowering, function)
+        made.trusted = unit.trusted
         lowering.program.functions[made.name] = made
         _note(lowering.program, function.symbol)
     program = lowering.program

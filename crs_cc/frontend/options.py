@@ -19,9 +19,11 @@ class Options:
         system_paths: folders of the headers that come with crs_cc, searched last.
         defines: macros to define, as `NAME`, `NAME=value` or `NAME(a)=value` (`-D`).
         undefines: names to undefine after that (`-U`).
+        trusted: whether the file is the allocator, see `ir.program.Function`.
     """
 
     include_paths: tuple[Path, ...] = ()
     system_paths: tuple[Path, ...] = ()
     defines: tuple[str, ...] = ()
     undefines: tuple[str, ...] = ()
+    trusted: bool = False

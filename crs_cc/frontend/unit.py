@@ -53,7 +53,8 @@ def compile_file(path: Path, options: Options, diagnostics: Diagnostics) -> Prog
     Raises:
         CompileError: when there are errors in the file.
     """
-    return _compile(lambda: preprocess(path, options, diagnostics), str(path), diagnostics)
+    unit = Unit(str(path), diagnostics, Location(str(path)))
+    return _compile(lambda: preprocess(path, options, diagnostics), unit)
 
 
 def compile_text(text: str, name: str, options: Options, diagnostics: Diagnostics) -> Program:
@@ -62,13 +63,12 @@ def compile_text(text: str, name: str, options: Options, diagnostics: Diagnostic
     Raises:
         CompileError: when there are errors in it.
     """
-    return _compile(lambda: preprocess_text(text, name, options, diagnostics), name, diagnostics)
+    unit = Unit(name, diagnostics, Location(name), trusted=options.trusted)
+    return _compile(lambda: preprocess_text(text, name, options, diagnostics), unit)
 
 
-def _compile(
-    preprocessed: Callable[[], Preprocessed], name: str, diagnostics: Diagnostics
-) -> Program:
-    unit = Unit(name, diagnostics, Location(name))
+def _compile(preprocessed: Callable[[], Preprocessed], unit: Unit) -> Program:
+    diagnostics = unit.diagnostics
     programs: list[Program] = []
     diagnostics.stage = "preprocessing"
 

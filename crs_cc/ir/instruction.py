@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import IntEnum
 from typing import TYPE_CHECKING, Any, Final, Literal, SupportsIndex, TypeAlias
 
 if TYPE_CHECKING:
@@ -72,6 +73,14 @@ Base: TypeAlias = Register | Slot | str
 """Where an address starts: a pointer value, a frame slot, or a global object or function."""
 
 
+class ByteState(IntEnum):
+    """What C may do with a byte of memory, as checked builds note it in the shadow memory."""
+
+    INACCESSIBLE = 0
+    WITHOUT_VALUE = 1
+    WITH_VALUE = 0xFF
+
+
 @dataclass(slots=True, eq=False)
 class Instruction:
     """What all instructions have: the place in the C source to blame."""
@@ -117,12 +126,15 @@ class Load(Instruction):
 
     With a slot or a name as base the access must lie inside that object; an access that is not
     known to do so goes through a register made by `Address`, and is checked while running.
+
+    An `unjudged` load may find bytes that were never given a value: they are put back as they are.
     """
 
     result: Register
     base: Base
     offset: int
     memory: MemoryType
+    unjudged: bool = False
 
 
 @dataclass(slots=True, eq=False)
@@ -160,6 +172,46 @@ class Fill(Instruction):
     target: Operand
     value: Operand
     size: Operand
+
+
+@dataclass(slots=True, eq=False)
+class Lifetime(Instruction):
+    """The object in a slot begins to exist, without a value, or ends. Other slots always exist."""
+
+    slot: Slot
+    begins: bool
+
+
+@dataclass(slots=True, eq=False)
+class Mark(Instruction):
+    """Says what C may do with `size` bytes at `target`: `state` is one of `ByteState`.
+
+    It is for the allocator; nothing happens in unchecked builds.
+    """
+
+    target: Operand
+    size: Operand
+    state: int
+
+
+@dataclass(slots=True, eq=False)
+class Callers(Instruction):
+    """Writes the numbers of the innermost `count` call sites to `target`, an i32 each.
+
+    It is for the allocator; the first is the call of this function, behind the outermost come
+    zeros. Nothing happens in unchecked builds.
+    """
+
+    target: Operand
+    count: int
+
+
+@dataclass(slots=True, eq=False)
+class State(Instruction):
+    """`result` is the state of the byte at `address`; in unchecked builds it is inaccessible."""
+
+    result: Register
+    address: Operand
 
 
 @dataclass(slots=True, eq=False)
@@ -241,10 +293,12 @@ class Request(Instruction):
 class Stop(Instruction):
     """Ends the program with an error that the C source asked for or cannot get past.
 
-    `kind` is one of `crs_cc.requests.ERROR_KINDS`, for example "unreachable".
+    `kind` is one of `crs_cc.requests.ERROR_KINDS`, for example "unreachable"; `value` is the
+    address to blame, if there is one.
     """
 
     kind: str
+    value: Operand = Constant("i32", 0)
 
 
 @dataclass(slots=True, eq=False)

@@ -46,14 +46,18 @@ from crs_cc.ir.instruction import (
     Base,
     Binary,
     Branch,
+    ByteState,
     Call,
+    Callers,
     Constant,
     Copy,
     Fill,
     Instruction,
     Jump,
+    Lifetime,
     Load,
     LongJump,
+    Mark,
     MemoryType,
     Move,
     Operand,
@@ -62,6 +66,7 @@ from crs_cc.ir.instruction import (
     Return,
     SetJump,
     Slot,
+    State,
     Statement,
     Stop,
     Store,
@@ -86,7 +91,9 @@ __all__ = [
     "Binary",
     "Block",
     "Branch",
+    "ByteState",
     "Call",
+    "Callers",
     "Constant",
     "Copy",
     "Data",
@@ -94,8 +101,10 @@ __all__ = [
     "Function",
     "Instruction",
     "Jump",
+    "Lifetime",
     "Load",
     "LongJump",
+    "Mark",
     "MemoryType",
     "Move",
     "Operand",
@@ -107,6 +116,7 @@ __all__ = [
     "Return",
     "SetJump",
     "Slot",
+    "State",
     "Statement",
     "Stop",
     "Store",
@@ -129,7 +139,7 @@ class Block:
     @property
     def fuel(self) -> int:
         """Gives what running the block costs: one unit for each instruction that does something."""
-        return 1 + sum(not isinstance(each, Statement) for each in self.instructions)
+        return 1 + sum(not isinstance(each, Statement | Lifetime) for each in self.instructions)
 
     def successors(self) -> list[Block]:
         """Gives the blocks that may come next, in a fixed order, each once."""
@@ -168,6 +178,7 @@ class Function:
         name: the linker's name; a static function has its file in front (`wander.c:turn`).
         result: the type of the returned value; None for void and struct results.
         slots: frame slots apart from those of parameters.
+        trusted: whether it works on memory that C may not touch, as the allocator does.
     """
 
     name: str
@@ -179,6 +190,7 @@ class Function:
     slots: list[Slot] = field(default_factory=list)
     blocks: list[Block] = field(default_factory=list)
     ctype: CType | None = None
+    trusted: bool = False
 
     def __getstate__(self) -> dict[str, Any]:
         """Gives the function with blocks by number, so that pickling does not follow jumps."""

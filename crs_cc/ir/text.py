@@ -33,15 +33,20 @@ from crs_cc.ir.program import (
     Binary,
     Block,
     Branch,
+    ByteState,
     Call,
+    Callers,
+    Constant,
     Copy,
     Data,
     Fill,
     Function,
     Instruction,
     Jump,
+    Lifetime,
     Load,
     LongJump,
+    Mark,
     Move,
     Operand,
     Program,
@@ -50,6 +55,7 @@ from crs_cc.ir.program import (
     Return,
     SetJump,
     Slot,
+    State,
     Statement,
     Stop,
     Store,
@@ -202,7 +208,8 @@ class FunctionText:
 
     def _load(self, load: Load) -> str:
         place = self._address(load.base, load.offset)
-        return f"{self._operand(load.result)} = load {load.memory} [{place}]"
+        note = " unjudged" if load.unjudged else ""
+        return f"{self._operand(load.result)} = load {load.memory} [{place}]{note}"
 
     def _store(self, store: Store) -> str:
         place = self._address(store.base, store.offset)
@@ -219,6 +226,19 @@ class FunctionText:
     def _fill(self, fill: Fill) -> str:
         operands = (fill.target, fill.value, fill.size)
         return "fill [{}], {}, size {}".format(*map(self._operand, operands))
+
+    def _lifetime(self, lifetime: Lifetime) -> str:
+        return f"{'begin' if lifetime.begins else 'end'} {self._slot(lifetime.slot)}"
+
+    def _mark(self, mark: Mark) -> str:
+        operands = (self._operand(mark.target), self._operand(mark.size))
+        return "mark [{}], size {}, ".format(*operands) + ByteState(mark.state).name.lower()
+
+    def _callers(self, callers: Callers) -> str:
+        return f"callers [{self._operand(callers.target)}], {callers.count}"
+
+    def _state(self, state: State) -> str:
+        return f"{self._operand(state.result)} = state [{self._operand(state.address)}]"
 
     # Terminators
 
@@ -251,7 +271,8 @@ class FunctionText:
         return f"{result} = request {code} [{message}] then {request.then.label}"
 
     def _stop(self, stop: Stop) -> str:
-        return f"stop '{stop.kind}'"
+        blamed = "" if isinstance(stop.value, Constant) else f", {self._operand(stop.value)}"
+        return f"stop '{stop.kind}'{blamed}"
 
     def _set_jump(self, jump: SetJump) -> str:
         place, activation = self._operand(jump.buffer), self._operand(jump.activation)
@@ -273,6 +294,10 @@ _RENDER: Final[dict[type[Instruction], Callable[..., str]]] = {
     Address: FunctionText._take_address,
     Copy: FunctionText._copy,
     Fill: FunctionText._fill,
+    Lifetime: FunctionText._lifetime,
+    Mark: FunctionText._mark,
+    Callers: FunctionText._callers,
+    State: FunctionText._state,
     Jump: FunctionText._jump,
     Branch: FunctionText._branch,
     Switch: FunctionText._switch,

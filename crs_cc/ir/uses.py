@@ -18,17 +18,21 @@ from crs_cc.ir.program import (
     Block,
     Branch,
     Call,
+    Callers,
     Copy,
     Fill,
     Function,
     Instruction,
     Load,
     LongJump,
+    Mark,
     Move,
     Register,
     Request,
     Return,
     SetJump,
+    State,
+    Stop,
     Store,
     Switch,
     Unary,
@@ -43,6 +47,10 @@ _OPERANDS: Final[dict[type[Instruction], tuple[str, ...]]] = {
     Store: ("base", "source"),
     Copy: ("target", "source", "size"),
     Fill: ("target", "value", "size"),
+    Mark: ("target", "size"),
+    Callers: ("target",),
+    State: ("address",),
+    Stop: ("value",),
     Branch: ("condition",),
     Switch: ("value",),
     Return: ("value",),
@@ -66,7 +74,9 @@ def reads(instruction: Instruction) -> list[Register]:
 def writes(instruction: Instruction) -> Register | None:
     """Gives the register that the instruction assigns."""
     match instruction:
-        case Move() | Unary() | Binary() | Load() | Address() | Call() | Request() | SetJump():
+        case Move() | Unary() | Binary() | Load() | Address() | State():
+            return instruction.result
+        case Call() | Request() | SetJump():
             return instruction.result
     return None
 

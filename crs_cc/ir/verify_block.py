@@ -21,15 +21,19 @@ from crs_cc.ir.program import (
     Binary,
     Block,
     Branch,
+    ByteState,
     Call,
+    Callers,
     Constant,
     Copy,
     Fill,
     Function,
     Instruction,
     Jump,
+    Lifetime,
     Load,
     LongJump,
+    Mark,
     MemoryType,
     Move,
     Operand,
@@ -39,6 +43,7 @@ from crs_cc.ir.program import (
     Return,
     SetJump,
     Slot,
+    State,
     Statement,
     Stop,
     Store,
@@ -200,6 +205,29 @@ class BlockVerifier:
         yield from self._operand("value", fill.value, "i32")
         yield from self._operand("size", fill.size, "i32")
 
+    def _lifetime(self, lifetime: Lifetime) -> Faults:
+        yield from self._base(lifetime.slot)
+
+    def _mark(self, mark: Mark) -> Faults:
+        yield from self._trusted()
+        yield from self._operand("target", mark.target, "i32")
+        yield from self._operand("size", mark.size, "i32")
+        if mark.state not in set(ByteState):
+            yield f"{mark.state} is not a state of bytes"
+
+    def _callers(self, callers: Callers) -> Faults:
+        yield from self._trusted()
+        yield from self._operand("target", callers.target, "i32")
+
+    def _state(self, state: State) -> Faults:
+        yield from self._trusted()
+        yield from self._operand("address", state.address, "i32")
+        yield from self._register("result", state.result, "i32")
+
+    def _trusted(self) -> Faults:
+        if not self.function.trusted:
+            yield "touches the shadow memory in a function that is not trusted"
+
     # Terminators
 
     def _branch(self, branch: Branch) -> Faults:
@@ -254,6 +282,7 @@ class BlockVerifier:
     def _stop(self, stop: Stop) -> Faults:
         if stop.kind not in ERROR_KINDS[1:]:
             yield f"'{stop.kind}' is not a kind of error"
+        yield from self._operand("value", stop.value, "i32")
 
     def _set_jump(self, jump: SetJump) -> Faults:
         yield from self._register("buffer", jump.buffer, "i32")
@@ -276,6 +305,10 @@ _RULES: Final[dict[type[Instruction], Callable[..., Faults]]] = {
     Address: BlockVerifier._address,
     Copy: BlockVerifier._copy,
     Fill: BlockVerifier._fill,
+    Lifetime: BlockVerifier._lifetime,
+    Mark: BlockVerifier._mark,
+    Callers: BlockVerifier._callers,
+    State: BlockVerifier._state,
     Jump: BlockVerifier._nothing,
     Branch: BlockVerifier._branch,
     Switch: BlockVerifier._switch,

@@ -12,18 +12,29 @@ from dataclasses import dataclass
 from typing import Final
 
 from crs_cc.errors import CompileError
-from crs_cc.ir.program import Data, Program
+from crs_cc.ir.program import ByteState, Data, Program
 from crs_cc.requests import FAILED, slot_offset
-from crs_cc.runtime import jumps
+from crs_cc.runtime import jumps, shadow
 from crs_cc.runtime.function_code import FunctionInfo, generate
-from crs_cc.runtime.layout import HEADER_SIZE, MEMORY_BYTES, NULL_SIZE, STACK_TOP, round_up
+from crs_cc.runtime.indices import MAILBOX, MEMORY, SHADOW, SLOT_GLOBAL
+from crs_cc.runtime.layout import (
+    HEADER_SIZE,
+    MEMORY_BYTES,
+    NULL_SIZE,
+    STACK_TOP,
+    argument_offsets,
+    red_zone,
+    round_up,
+)
 from crs_cc.runtime.link import HEAP_SYMBOLS, ROOT, pointed_functions
-from crs_cc.runtime.selection import MAILBOX, SLOT_GLOBAL, Names
+from crs_cc.runtime.selection import Names
 from crs_cc.runtime.sites import CallSite, Site
-from crs_cc.runtime.wasm import PAGE, TYPE_I32_I32, Code, FuncType, Module
+from crs_cc.runtime.wasm import PAGE, TYPE_I32_I32, Code, FuncType, Instr, Module
 
-HELPERS: Final = 2  # `fault` and `outside` come first in every module
 _TWO_I32: Final[FuncType] = (("i32", "i32"), ("i32",))
+
+SMALL: Final = 1024
+"""The states of smaller objects come from a data segment of the module, those of others by code."""
 
 
 @dataclass(slots=True)
@@ -36,17 +47,19 @@ class Compiled:
         call_sites: every place that calls, by its number less 1; see `sites`.
         functions: the functions in the order of the numbers in their frames.
         addresses: address of each global object and function pointer of each function.
+        first_function: index in the module of the first function of the program.
     """
 
     module: Module
+    first_function: int
     sites: list[Site]
     call_sites: list[CallSite]
     functions: list[FunctionInfo]
     addresses: dict[str, int]
 
     def info(self, function: str) -> FunctionInfo:
-        """Gives how the frames of a function look."""
-        return next(each for each in self.functions if each.function.name == function)
+        """Gives what is known of a function."""
+        return next(info for info in self.functions if info.function.name == function)
 
 
 def compile_program(program: Program, *, checked: bool = True, debug: bool = False) -> Compiled:
@@ -60,16 +73,26 @@ def compile_program(program: Program, *, checked: bool = True, debug: bool = Fal
     Raises:
         CompileError: the program's objects do not fit into a robot's memory.
     """
-    addresses = _place(program)
+    addresses = _place(program, checked=checked)
     pointers = pointed_functions(program)
     addresses.update((name, number) for number, name in enumerate(pointers, start=1))
-    numbers = {name: number for number, name in enumerate(program.functions, start=HELPERS)}
-    sizes = {data.name: data.size for data in program.data.values()}
-    names = Names(addresses, numbers, sizes, len(pointers))
+    checks = [shadow.inaccessible(), shadow.callers()]
+    helpers = [_fault(), *(checks if checked else [_outside()])]
+    numbers = {name: number for number, name in enumerate(program.functions, start=len(helpers))}
+    names = Names(
+        addresses,
+        numbers,
+        {data.name: data.size for data in program.data.values()},
+        {
+            function.name: argument_offsets([each.size for each in function.parameters])[-1]
+            for function in program.functions.values()
+        },
+        len(pointers),
+    )
     module = Module(
-        functions=[_fault(), _outside()],
+        functions=list(helpers),
         memory_imports=[("crs", "mailbox")],
-        memory_pages=MEMORY_BYTES // PAGE,
+        memories=[MEMORY_BYTES // PAGE, *([shadow.PAGES] if checked else [])],
         tables=[len(pointers) + 1],
         globals=[("i32", 0), *jumps.GLOBALS],
         elements=[(0, 1, [numbers[name] for name in pointers])] if pointers else [],
@@ -80,26 +103,29 @@ def compile_program(program: Program, *, checked: bool = True, debug: bool = Fal
         module.functions.append(code)
         infos.append(info)
     module.functions.append(_resume(numbers[ROOT]))
+    module.exports = [
+        ("memory", "memory", MEMORY),
+        ("resume", "func", len(module.functions) - 1),
+    ]
     module.data = [
-        (1, addresses[data.name], _content(data, addresses))
+        (MEMORY, addresses[data.name], _content(data, addresses))
         for data in program.data.values()
         if (data.content and any(data.content)) or data.relocations
     ]
-    module.exports = [
-        ("memory", "memory", 1),
-        ("resume", "func", len(module.functions) - 1),
-    ]
-    return Compiled(module, names.sites, names.call_sites, infos, addresses)
+    if checked:
+        module.exports.append(("shadow", "memory", SHADOW))
+        _add_start(module, program, addresses)
+    return Compiled(module, len(helpers), names.sites, names.call_sites, infos, addresses)
 
 
-def _place(program: Program) -> dict[str, int]:
+def _place(program: Program, *, checked: bool) -> dict[str, int]:
     """Gives every object its address, behind the stack; the heap takes the rest."""
     addresses: dict[str, int] = {}
-    end = STACK_TOP
+    end = STACK_TOP + (red_zone(0) if checked else 0)
     for data in program.data.values():
         end = round_up(end, max(1, data.align))
         addresses[data.name] = end
-        end += max(1, data.size)
+        end += max(1, data.size) + (red_zone(data.size) if checked else 0)
         if end > MEMORY_BYTES:
             raise CompileError.at(
                 data.location,
@@ -120,6 +146,37 @@ def _content(data: Data, addresses: dict[str, int]) -> bytes:
         at = relocation.offset
         content[at : at + 4] = (value % 2**32).to_bytes(4, "little")
     return bytes(content)
+
+
+def _add_start(module: Module, program: Program, addresses: dict[str, int]) -> None:
+    """Makes a function that marks all objects in the shadow memory when a robot is made."""
+    body: list[Instr] = []
+    run: list[Data] = []
+    for data in [*program.data.values(), None]:
+        if data is not None and data.size < SMALL:
+            run.append(data)
+            continue
+        if run:
+            body += _marks(module, run, addresses)
+            run = []
+        if data is not None:
+            body += [("i32.const", addresses[data.name]), ("i32.const", ByteState.WITH_VALUE)]
+            body += [("i32.const", data.size), ("memory.fill", SHADOW)]
+    module.start = len(module.functions)
+    module.functions.append(Code("start", ((), ()), [], body))
+
+
+def _marks(module: Module, run: list[Data], addresses: dict[str, int]) -> list[Instr]:
+    """Adds the states of some objects, and what lies between them, to the module's data."""
+    start = addresses[run[0].name]
+    states = bytearray()
+    for data in run:
+        states = states.ljust(addresses[data.name] - start, bytes([ByteState.INACCESSIBLE]))
+        states += bytes([ByteState.WITH_VALUE]) * data.size
+    segment = len(module.data)
+    module.data.append((-1, 0, bytes(states)))
+    code: list[Instr] = [("i32.const", start), ("i32.const", 0), ("i32.const", len(states))]
+    return [*code, ("memory.init", segment, SHADOW)]
 
 
 def _fault() -> Code:

@@ -37,6 +37,7 @@ def engine() -> wasmtime.Engine:
     _bindings.wasmtime_config_async_stack_size_set(config.ptr(), _host_stack())
     config.max_wasm_stack = _host_stack()
     config.cranelift_opt_level = "speed"
+    _bindings.wasmtime_config_wasm_branch_hinting_set(config.ptr(), True)
     return wasmtime.Engine(config)
 
 

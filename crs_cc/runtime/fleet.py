@@ -28,7 +28,7 @@ import wasmtime
 from crs_cc.requests import ERROR_KINDS, FAILED, SLOT
 from crs_cc.runtime.driver import HEADER, SLOTS, driver
 from crs_cc.runtime.executable import Executable, engine
-from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE
+from crs_cc.runtime.layout import MEMORY_BYTES
 from crs_cc.runtime.sites import Access
 from crs_cc.runtime.wasm import PAGE
 from crs_cc.source import Location
@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from crs_cc.runtime.objects import Object
     from crs_cc.runtime.report import ErrorReport
 
+MEMORY_END: Final = 0xFFFFFFFF  # the last address there could be
 CHUNK: Final = 4096  # a snapshot keeps the chunks of memory that are not all zero [bytes]
 
 
@@ -49,11 +50,15 @@ class Snapshot:
         slot: its slot, one element of dtype `SLOT`.
         chunks: numbers of the chunks of memory that are not all zero.
         content: those chunks, shape (len(chunks), CHUNK).
+        shadow_chunks: the same of the shadow memory; none in unchecked builds.
+        shadow_content: those chunks.
     """
 
     slot: npt.NDArray[np.void]
     chunks: npt.NDArray[np.intp]
     content: npt.NDArray[np.uint8]
+    shadow_chunks: npt.NDArray[np.intp]
+    shadow_content: npt.NDArray[np.uint8]
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,7 +98,7 @@ class Fleet:
         self._executables = tuple(executables)
         self._store = wasmtime.Store(engine())
         count = len(executables)
-        self._store.set_limits(instances=count + 1, memories=count + 1, tables=count + 1)
+        self._store.set_limits(instances=count + 1, memories=2 * count + 1, tables=count + 1)
         pages = -(-(SLOTS + count * SLOT.itemsize) // PAGE)
         limits = wasmtime.Limits(pages, pages)
         self._mailbox = wasmtime.Memory(self._store, wasmtime.MemoryType(limits))
@@ -103,6 +108,7 @@ class Fleet:
         self.slots = mailbox[SLOTS : SLOTS + count * SLOT.itemsize].view(SLOT)
         self.slots["stop_at"] = -1
         self._memories: list[npt.NDArray[np.uint8]] = []
+        self._shadows: list[npt.NDArray[np.uint8]] = []
         self._start_driver()
 
     def __len__(self) -> int:
@@ -121,6 +127,8 @@ class Fleet:
             own = instance.exports(self._store)
             table.set(self._store, number, own["resume"])
             self._memories.append(_view(self._store, own["memory"]))
+            shadow = _view(self._store, own["shadow"]) if "shadow" in own else _NO_SHADOW
+            self._shadows.append(shadow[:MEMORY_BYTES])
 
     def memory(self, robot: int) -> npt.NDArray[np.uint8]:
         """Gives a robot's memory as an array of bytes that shows every change."""
@@ -143,16 +151,24 @@ class Fleet:
     def _trapped(self, robot: int, trap: Exception) -> None:
         """Notes a trap as the robot's own failure, so that the others go on."""
         slot = self.slots[robot]
-        deep = "call stack exhausted" in str(trap)
         slot["status"] = FAILED
-        slot["error_kind"] = ERROR_KINDS.index("stack overflow" if deep else "internal trap")
         slot["fuel"] = min(int(slot["fuel"]), 0)
+        if len(self._shadows[robot]) and isinstance(trap, wasmtime.Trap):
+            from crs_cc.runtime.trapped import blamed_site  # needs the code generator
+
+            compiled = self._executables[robot].detail().compiled
+            site = blamed_site(trap, self._memories[robot], compiled)
+            if site is not None and trap.trap_code is wasmtime.TrapCode.MEMORY_OUT_OF_BOUNDS:
+                slot["error_site"], slot["error_address"] = site, MEMORY_END
+                return
+        deep = "call stack exhausted" in str(trap)
+        slot["error_kind"] = ERROR_KINDS.index("stack overflow" if deep else "internal trap")
 
     def failure(self, robot: int) -> Failure:
         """Gives why a robot with status FAILED was stopped."""
         slot = self.slots[robot]
-        from crs_cc.runtime.inspect import Stopped, call_stack  # these need the code generator
-        from crs_cc.runtime.objects import find_object
+        from crs_cc.runtime.diagnosis import diagnose  # these need the code generator
+        from crs_cc.runtime.inspect import Stopped, call_stack
 
         detail = self._executables[robot].detail()
         value = int(slot["error_address"])
@@ -162,12 +178,12 @@ class Fleet:
         site = detail.compiled.sites[slot["error_site"]]
         kind, memory = site.kind, self._memories[robot]
         stack = tuple(call_stack(memory, detail.compiled, site.location))
-        stopped = Stopped(memory, detail.program, detail.compiled, detail.lines, stack)
-        found = None
+        parts = detail.program, detail.compiled, detail.lines, stack
+        stopped = Stopped(memory, self._shadows[robot], *parts)
+        size, found = site.size, None
         if kind == "memory":
-            kind = "null pointer" if value < NULL_SIZE else "pointer outside memory"
-            found = find_object(stopped, value)
-        size = site.size or int(slot["error_size"])
+            kind, value, found = diagnose(stopped, value, size, site.access)
+        size = size or int(slot["error_size"])
         return Failure(kind, site.location, value, stack, site.access, size, found, stopped)
 
     def report(self, robot: int) -> ErrorReport:
@@ -178,17 +194,34 @@ class Fleet:
 
     def snapshot(self, robot: int) -> Snapshot:
         """Gives the whole state of one robot's program."""
-        chunks = self._memories[robot].reshape(-1, CHUNK)
-        used = np.flatnonzero(chunks.view(np.uint64).any(axis=1))
-        return Snapshot(self.slots[robot : robot + 1].copy(), used, chunks[used])
+        slot = self.slots[robot : robot + 1].copy()
+        return Snapshot(slot, *_save(self._memories[robot]), *_save(self._shadows[robot]))
 
     def restore(self, robot: int, snapshot: Snapshot) -> None:
         """Puts a state that `snapshot` gave into one robot's program."""
-        chunks = self._memories[robot].reshape(-1, CHUNK)
-        stale = np.flatnonzero(chunks.view(np.uint64).any(axis=1))
-        chunks[np.setdiff1d(stale, snapshot.chunks)] = 0
-        chunks[snapshot.chunks] = snapshot.content
+        _load(self._memories[robot], snapshot.chunks, snapshot.content)
+        _load(self._shadows[robot], snapshot.shadow_chunks, snapshot.shadow_content)
         self.slots[robot : robot + 1] = snapshot.slot
+
+
+def _save(memory: npt.NDArray[np.uint8]) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.uint8]]:
+    """Gives the numbers of the chunks that are not all zero, and their content."""
+    chunks = memory.reshape(-1, CHUNK)
+    used = np.flatnonzero(chunks.view(np.uint64).any(axis=1))
+    return used, chunks[used]
+
+
+def _load(
+    memory: npt.NDArray[np.uint8], used: npt.NDArray[np.intp], content: npt.NDArray[np.uint8]
+) -> None:
+    """Puts back what `_save` gave."""
+    chunks = memory.reshape(-1, CHUNK)
+    stale = np.flatnonzero(chunks.view(np.uint64).any(axis=1))
+    chunks[np.setdiff1d(stale, used)] = 0
+    chunks[used] = content
+
+
+_NO_SHADOW: Final = np.zeros(0, np.uint8)
 
 
 def _view(store: wasmtime.Store, memory: object) -> npt.NDArray[np.uint8]:

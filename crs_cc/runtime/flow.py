@@ -15,6 +15,8 @@ from crs_cc.runtime.wasm import Instr
 
 UNWIND: Final = "br_unwind"
 """Pseudo-instruction: leaves to the code behind the function's outermost block."""
+FAULTED: Final = "br_faulted"
+"""Pseudo-instruction: leaves to the code that notes the failure in locals `SITE` and `ADDRESS`."""
 LANDING: Final = "i32.const_landing"
 """Pseudo-instruction `(LANDING, landing)`: pushes the landing's number."""
 

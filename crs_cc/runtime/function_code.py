@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from crs_cc.ir.program import (
     Block,
     Branch,
+    ByteState,
     Call,
     Constant,
     Function,
@@ -27,14 +28,31 @@ from crs_cc.ir.program import (
     SetJump,
     Statement,
     Stop,
+    Store,
     Switch,
     ValueType,
 )
 from crs_cc.ir.uses import Liveness, alive_before, all_instructions, reads, writes
 from crs_cc.requests import MESSAGE, SUSPENDED, slot_offset
-from crs_cc.runtime import jumps
+from crs_cc.runtime import frame_states, jumps
+from crs_cc.runtime.carried import Carried
+from crs_cc.runtime.checked_memory import CheckedMemory
 from crs_cc.runtime.dispatch import add_dispatchers
 from crs_cc.runtime.flow import LANDING, UNWIND, Landing, Node
+from crs_cc.runtime.indices import (
+    ADDRESS,
+    CALL_TYPE,
+    FAULT,
+    FP,
+    FUEL,
+    LABEL,
+    MAILBOX,
+    MEMORY,
+    SITE,
+    SLOT_GLOBAL,
+    SP,
+    STATUS,
+)
 from crs_cc.runtime.layout import (
     FUNCTION,
     HEADER_SIZE,
@@ -47,22 +65,11 @@ from crs_cc.runtime.layout import (
     lay_out,
 )
 from crs_cc.runtime.nesting import emit
-from crs_cc.runtime.selection import (
-    CALL_TYPE,
-    FP,
-    FUEL,
-    LABEL,
-    MAILBOX,
-    MEMORY,
-    SLOT_GLOBAL,
-    SP,
-    STATUS,
-    Names,
-    Selector,
-)
-from crs_cc.runtime.sites import Site
+from crs_cc.runtime.plain_memory import PlainMemory
+from crs_cc.runtime.selection import Names, Selector
+from crs_cc.runtime.sites import CallSite, Site, call_word
 from crs_cc.runtime.switches import lower_switch
-from crs_cc.runtime.wasm import TYPE_CALL, Code, Instr
+from crs_cc.runtime.wasm import TYPE_CALL, UNLIKELY, Code, Instr
 from crs_cc.source import Location
 
 MESSAGE_OFFSET = slot_offset("message")
@@ -80,12 +87,14 @@ class FunctionInfo:
         landings: where in the source each landing is, by its number; the entry for 0.
         callees: for landings at calls, by the landing's number, the callee: its name, or the
             register that holds the function pointer.
+        calls: the landing of each call, by the number of its call site (checked builds only).
     """
 
     function: Function
     frame: Frame
     landings: dict[int, Location]
     callees: dict[int, str | Register]
+    calls: dict[int, int]
 
 
 def generate(
@@ -98,18 +107,25 @@ def generate(
 class _FunctionCode:
     def __init__(self, function: Function, names: Names, *, checked: bool, debug: bool) -> None:
         self.function = function
+        self.checked = checked
         self.debug = debug
         self.number = names.functions[function.name]
         self.names = names
         self.liveness = Liveness(function)
         self.headers = _loop_headers(function)
-        saved = self._saved()
-        self.frame = lay_out(function, saved)
-        self.saved = saved
-        self.selector = Selector(names, self.frame, checked=checked)
+        carried = Carried(function, self.liveness, keep=debug)
+        self.saved = [*self._saved(), *(carried.registers if debug and checked else [])]
+        self.frame = lay_out(function, self.saved, self._arguments_size(), checked=checked)
+        self.selector = selector = Selector(names, self.frame)
+        if checked:
+            trusted = function.trusted
+            plain = PlainMemory(selector, shadowed=True)
+            selector.memory = plain if trusted else CheckedMemory(selector, carried)
         self.lasting = self._lasting()
+        self.shadowed = checked and not function.trusted
         self.nodes = {block: Node() for block in function.blocks}
         self.landings: list[tuple[Landing, Location, str | Register | None]] = []
+        self.calls: dict[int, Landing] = {}
 
     # -- which registers need a home, which a local of their own ------------------------------
 
@@ -129,6 +145,20 @@ class _FunctionCode:
                     alive |= bits if isinstance(instruction, Statement) else 0
         return [r for r in self.function.registers if alive >> r.index & 1 or r.variable]
 
+    def _arguments_size(self) -> int:
+        """Gives the size of the arguments of all calls, the most; -1 when there are no calls.
+
+        A callee may believe in more arguments than it is passed.
+        """
+        most = -1
+        for block in self.function.blocks:
+            call = block.terminator
+            if isinstance(call, Call):
+                passed = argument_offsets([argument.size for argument in call.arguments])[-1]
+                wanted = self.names.parameters.get(call.callee, 0)  # type: ignore[arg-type]
+                most = max(most, passed, wanted)
+        return most
+
     def _lasting(self) -> set[Register]:
         """Gives the registers that keep their local through the whole function."""
         lasting = set(self.saved)
@@ -144,8 +174,8 @@ class _FunctionCode:
         if self.frame.size > STACK_SIZE:  # its offsets might not even fit an instruction
             body = self.overflow()
             return Code(self.function.name, TYPE_CALL, [], body), self.info()
-        for register in self.function.registers:
-            if register in self.lasting:
+        for register in (*self.function.registers, *self.saved):
+            if register in self.lasting and register not in self.selector.locals:
                 self.selector.take_local(register)
         for block in self.function.blocks:
             self.block(block)
@@ -158,7 +188,8 @@ class _FunctionCode:
             entry.exit, entry.targets = "branch", [again, start]
         else:
             entry.jump(start)
-        body = emit(entry) + self.epilogue()
+        fault: list[Instr] = [("local.get", SITE), ("local.get", ADDRESS), ("call", FAULT)]
+        body = emit(entry, [*fault, ("local.set", STATUS)]) + self.epilogue()
         code = Code(self.function.name, TYPE_CALL, self.selector.local_types, body)
         return code, self.info()
 
@@ -169,28 +200,31 @@ class _FunctionCode:
             places[landing.number] = location
             if callee is not None:
                 callees[landing.number] = callee
-        return FunctionInfo(self.function, self.frame, places, callees)
+        calls = {site: landing.number for site, landing in self.calls.items()}
+        return FunctionInfo(self.function, self.frame, places, callees, calls)
 
     def entry(self) -> Node:
         """Sets up the frame."""
         node = Node()
         code = self.selector.code = node.code
         size = self.frame.size
-        code += [("local.get", FP), ("i32.const", NULL_SIZE + size), ("i32.lt_u",), ("if",)]
+        code += [("local.get", FP), ("i32.const", NULL_SIZE + size), ("i32.lt_u",), UNLIKELY]
         code += [*self.overflow(), ("end",)]
         code += [("local.get", FP), ("i32.const", size), ("i32.sub",), ("local.set", SP)]
         return node
 
     def overflow(self) -> list[Instr]:
         """Leaves without the epilogue, which would write to the frame there is no room for."""
-        note = self.selector.note("stack overflow", self.function.location, [("local.get", FP)])
+        number = self.names.number(Site("stack overflow", self.function.location))
+        note = [("i32.const", number), ("local.get", FP), ("call", FAULT)]
         return [*note, ("local.get", FUEL), ("return",)]
 
     def again(self, start: Node) -> Node:
         """Loads the registers back when the function was suspended, and goes to its landing."""
         node, damaged = Node(), Node()
         self.selector.code = damaged.code
-        self.selector.fail("damaged stack", self.function.location, [("local.get", LABEL)])
+        site = Site("damaged stack", self.function.location)
+        self.selector.fail(site, [("local.get", LABEL)])
         self.selector.code = node.code
         for register in self.saved:
             self.selector.load_at(SP, self.frame.offsets[register], register.type)
@@ -203,11 +237,13 @@ class _FunctionCode:
         """Begins a fresh call: stops if there is no fuel, loads the parameters."""
         node = Node()
         code = self.selector.code = node.code
-        code += [("local.get", FUEL), ("i64.const", 0), ("i64.lt_s",), ("if",)]
+        code += [("local.get", FUEL), ("i64.const", 0), ("i64.lt_s",), UNLIKELY]
         self.selector.store_at(FP, FUNCTION, Constant("i32", self.number), "i32")
         code += [("i32.const", SUSPENDED), ("local.get", FUEL), ("return",), ("end",)]
         for parameter, offset in zip(self.function.parameters, self.frame.parameters, strict=True):
             self._load_parameter(parameter, offset)
+        if self.shadowed:
+            code += frame_states.enter(self.function, self.frame)
         node.jump(self.nodes[self.function.blocks[0]])
         return node
 
@@ -224,7 +260,9 @@ class _FunctionCode:
         ends = [block.terminator for block in self.function.blocks]
         if any(isinstance(end, Call | LongJump) for end in ends):
             activations = [end.activation for end in ends if isinstance(end, SetJump)]
-            code += jumps.leave([self.selector.value(each) for each in activations[:1]])
+            activation = [self.selector.value(each) for each in activations[:1]]
+            left = frame_states.leave(self.function, self.frame) if self.shadowed else []
+            code += jumps.leave(activation, self.frame.jump_value, left)
         for register in self.saved:
             self.selector.store_at(SP, self.frame.offsets[register], register, register.type)
         code += [("local.get", FP), ("local.get", LABEL), ("i32.store", MEMORY, RESUME)]
@@ -253,7 +291,7 @@ class _FunctionCode:
         code = selector.code = node.code
         if block in self.headers:
             landing = self.land(node, all_instructions(block)[0].location)
-            code += [("local.get", FUEL), ("i64.const", 0), ("i64.lt_s",), ("if",)]
+            code += [("local.get", FUEL), ("i64.const", 0), ("i64.lt_s",), UNLIKELY]
             code += [*self.suspend(landing), ("end",)]
         code += [("local.get", FUEL), ("i64.const", block.fuel), ("i64.sub",), ("local.set", FUEL)]
         last = self._last_uses(block)
@@ -317,14 +355,16 @@ class _FunctionCode:
                 self.call(node, call)
             case Request() as request:
                 self.request(node, request)
-            case Stop(kind=kind, location=location):
-                self.selector.fail(kind, location, [("i32.const", 0)])
+            case Stop(kind=kind, location=location, value=value):
+                self.selector.fail(Site(kind, location), [self.selector.value(value)])
             case SetJump() as jump:
                 self.set_jump(node, jump)
             case LongJump() as jump:
                 self.long_jump(node, jump)
 
     def leave(self, node: Node, value: Operand | None) -> None:
+        if self.shadowed:
+            node.code += frame_states.leave(self.function, self.frame)
         if value is not None:
             kind: ValueType = value.type
             self.selector.store_at(FP, RESULT, value, kind)
@@ -339,14 +379,14 @@ class _FunctionCode:
                 selector.store_at(SP, at, argument.value, argument.memory)
                 continue
             size = Constant("i32", argument.size)
-            if selector.checked:
-                selector.check_range(argument.value, size, call.location)
-            selector.charge(size)
-            selector.code += [("local.get", SP), ("i32.const", at), ("i32.add",)]
-            selector.push(argument.value)
-            selector.push(size)
-            selector.code.append(("memory.copy", MEMORY, MEMORY))
-        selector.store_at(SP, RESUME, Constant("i32", 0), "i32")
+            selector.memory.argument(argument.value, at, size, call.location)
+        if self.checked:
+            number = self.names.call_number(CallSite(self.function.name, call.location))
+            word = call_word(number, self.frame.size, offsets[-1])
+            selector.store_at(SP, RESULT, Constant("i64", word), "i64")
+            selector.store_at(SP, FUNCTION, Constant("i64", 0), "i64")
+        else:
+            selector.store_at(SP, RESUME, Constant("i32", 0), "i32")
         after = Node()
         node.jump(after)
         selector.forget()
@@ -357,19 +397,20 @@ class _FunctionCode:
         """Enters the callee, fresh or again: this is where a suspended caller goes on."""
         selector = self.selector
         landing = self.land(after, call.location, call.callee)
+        self.calls[len(self.names.call_sites)] = landing
         if isinstance(call.callee, Register):
             selector.push(call.callee)
             after.code += [("i32.const", 1), ("i32.sub",)]
             after.code += [("i32.const", self.names.pointers), ("i32.ge_u",)]
-            blamed = ("local.get", selector.locals[call.callee])
-            selector.fail_if("bad function pointer", call.location, [blamed])
+            site = Site("bad function pointer", call.location)
+            selector.fail_if(site, [selector.value(call.callee)])
         after.code += [("local.get", SP), ("local.get", FUEL)]
         if isinstance(call.callee, Register):
             selector.push(call.callee)
             after.code.append(("call_indirect", CALL_TYPE, 0))
         else:
             after.code.append(("call", self.names.functions[call.callee]))
-        after.code += [("local.set", FUEL), ("local.tee", STATUS), ("if",)]
+        after.code += [("local.set", FUEL), ("local.tee", STATUS), UNLIKELY]
         after.code += [(LANDING, landing), ("local.set", LABEL), (UNWIND,), ("end",)]
         if call.result is not None:
             selector.load_at(SP, RESULT, call.result.type)
@@ -381,7 +422,7 @@ class _FunctionCode:
         selector = self.selector
         after = Node()
         landing = self.land(after, request.location)
-        selector.check_range(request.message, MESSAGE_SIZE, request.location)
+        selector.memory.check_message(request.message, MESSAGE_SIZE, request.location)
         to_slot = [("global.get", SLOT_GLOBAL), ("i32.const", MESSAGE_OFFSET), ("i32.add",)]
         node.code += to_slot
         selector.push(request.message)
@@ -392,10 +433,12 @@ class _FunctionCode:
         node.code += self.suspend(landing)
         selector.forget()
         selector.code = after.code
-        selector.check_range(request.message, MESSAGE_SIZE, request.location)
+        if not self.checked:  # the program may have damaged the register that it saved
+            selector.memory.check_message(request.message, MESSAGE_SIZE, request.location)
         selector.push(request.message)
         after.code += [*to_slot, ("i32.const", MESSAGE.itemsize)]
         after.code += [("memory.copy", MEMORY, MAILBOX)]
+        selector.memory.set_states(request.message, MESSAGE_SIZE, ByteState.WITH_VALUE)
         after.code += [("global.get", SLOT_GLOBAL), ("i32.load", MAILBOX, RESULT_OFFSET)]
         selector.pop(request.result)
         after.jump(self.nodes[request.then])
@@ -405,23 +448,22 @@ class _FunctionCode:
         selector = self.selector
         landed, after = Node(), self.nodes[jump.then]
         landing = self.land(landed, jump.location)
-        offset = selector.access(jump.buffer, 0, 4, jump.location)
-        node.code += [(LANDING, landing), ("i32.store", MEMORY, offset)]
-        selector.push(Constant("i32", 0))
+        zero = Constant("i32", 0)
+        selector.memory.store(Store(jump.location, jump.buffer, 0, zero, "i32"))
+        node.code += [selector.value(jump.buffer), (LANDING, landing), ("i32.store", MEMORY, 0)]
+        selector.push(zero)
         selector.pop(jump.result)
         node.jump(after)
         selector.forget()
         selector.code = landed.code
-        selector.load_at(FP, RESULT, "i32")
+        selector.load_at(SP, self.frame.jump_value, "i32")
         selector.pop(jump.result)
         landed.jump(after)
 
     def long_jump(self, node: Node, jump: LongJump) -> None:
         """Says where to go, and lets `leave` and `resume` do the rest."""
         selector = self.selector
-        site = len(selector.names.sites)
-        kind = "longjmp to a function that has returned"
-        selector.names.sites.append(Site(kind, jump.location))
+        site = self.names.number(Site("longjmp to a function that has returned", jump.location))
         operands = [jump.activation, jump.place, jump.value, Constant("i32", site)]
         node.code += jumps.start([selector.value(each) for each in operands])
         node.code.append((UNWIND,))

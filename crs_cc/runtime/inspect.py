@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.ir.program import Program
-from crs_cc.runtime.codegen import HELPERS, Compiled
+from crs_cc.runtime.codegen import Compiled
 from crs_cc.runtime.layout import FUNCTION, HEADER_SIZE, NULL_SIZE, RESUME, STACK_TOP
 from crs_cc.runtime.link import ROOT
 from crs_cc.source import Location
@@ -39,6 +39,7 @@ class Stopped:
 
     Attributes:
         memory: its memory.
+        shadow: the states of its bytes; empty in unchecked builds.
         program: what it runs.
         compiled: what was made of that.
         lines: the lines of the user's files, by their names.
@@ -46,10 +47,18 @@ class Stopped:
     """
 
     memory: npt.NDArray[np.uint8]
+    shadow: npt.NDArray[np.uint8]
     program: Program
     compiled: Compiled
     lines: Mapping[str, Sequence[str]]
     stack: tuple[StackFrame, ...]
+
+    def stack_pointer(self) -> int:
+        """Gives the lower end of the innermost frame; that of all the stack when none is known."""
+        if not self.stack:
+            return NULL_SIZE
+        innermost = self.stack[0]
+        return innermost.fp - self.compiled.info(innermost.function).frame.size
 
 
 def call_stack(
@@ -79,7 +88,7 @@ def call_stack(
             break
         callee = info.callees[landing]
         known = numbers.get(callee) if isinstance(callee, str) else None
-        number = _word(memory, fp + FUNCTION) - HELPERS if known is None else known
+        number = _word(memory, fp + FUNCTION) - compiled.first_function if known is None else known
         if not 0 <= number < len(compiled.functions):
             break
     if failed_at is not None:

@@ -12,8 +12,7 @@ from typing import Final
 
 from crs_cc.ir.instruction import ValueType
 from crs_cc.requests import SUSPENDED
-from crs_cc.runtime.layout import RESULT
-from crs_cc.runtime.selection import FAULT, FP, FUEL, LABEL, MEMORY, STATUS
+from crs_cc.runtime.indices import FAULT, FUEL, LABEL, MEMORY, SP, STATUS
 from crs_cc.runtime.wasm import Instr
 
 JUMPED: Final = 3
@@ -36,25 +35,29 @@ def start(operands: list[Instr]) -> list[Instr]:
     return [*code, ("i32.const", JUMPED), ("local.set", STATUS)]
 
 
-def leave(activation: list[Instr]) -> list[Instr]:
+def leave(activation: list[Instr], jump_value: int, left: list[Instr]) -> list[Instr]:
     """Gives what a function does on the way out when a jump leaves it, or leads to it.
 
     Args:
         activation: pushes the function's activation; empty when it has no `setjmp`.
+        jump_value: offset from SP of what takes the value.
+        left: what to do when the jump goes further out.
     """
     found: list[Instr] = []
     if activation:
         found = [
             *activation, ("global.get", ACTIVATION), ("i32.eq",), ("if",),
             ("global.get", PLACE), ("local.set", LABEL),
-            ("local.get", FP), ("global.get", VALUE), ("i32.store", MEMORY, RESULT),
+            ("local.get", SP), ("global.get", VALUE), ("i32.store", MEMORY, jump_value),
             ("i32.const", 0), ("global.set", ACTIVATION),
             ("end",),
         ]  # fmt: skip
     return [
         ("local.get", STATUS), ("i32.const", JUMPED), ("i32.eq",), ("if",),
         ("local.get", FUEL), ("i64.const", UNWINDING), ("i64.sub",), ("local.set", FUEL),
-        *found, ("end",),
+        *found,
+        *([("global.get", ACTIVATION), ("if",), *left, ("end",)] if left else []),
+        ("end",),
     ]  # fmt: skip
 
 

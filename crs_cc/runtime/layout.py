@@ -1,6 +1,6 @@
 """Where things lie in a robot's memory, and how a stack frame looks.
 
-    0           NULL_SIZE        STACK_TOP                          size of memory
+    0           NULL_SIZE        STACK_TOP                          MEMORY_BYTES
     | null page | stack  <------ | objects with addresses | heap ... |
 
 The null page is never accessible. The stack grows down. Every call gets the address `fp` of a
@@ -10,10 +10,12 @@ with the lower end `sp`, which is the `fp` of the functions that it calls in tur
     fp + 16   arguments, each rounded up to 4 bytes
     fp + 12   number of the landing at which to go on; 0 for a fresh start
     fp + 8    number of the function, written when it is suspended
-    fp + 0    returned value
+    fp + 0    returned value; before that, in checked builds, the call word, see `sites`
               --- the callee's own frame ---
     ...       homes of registers, slots
     sp        header and arguments of the functions that it calls
+
+In checked builds red zones, which C may not touch, lie around every slot and every object.
 """
 
 from __future__ import annotations
@@ -22,7 +24,7 @@ from dataclasses import dataclass, field
 from typing import Final
 
 from crs_cc.errors import CompileError
-from crs_cc.ir.program import Call, Function, Parameter, Register, Slot
+from crs_cc.ir.program import Function, Parameter, Register, SetJump, Slot
 
 NULL_SIZE: Final = 4096
 STACK_SIZE: Final = 2 * 2**20
@@ -51,12 +53,19 @@ class Frame:
         offsets: offset from sp of the home of each register that is saved, and of each slot.
         parameters: offset from sp of each parameter.
         varargs: offset from sp of what follows the parameters.
+        jump_value: offset from sp of the value that a `longjmp` brings.
     """
 
     size: int = 0
     offsets: dict[Register | Slot, int] = field(default_factory=dict)
     parameters: list[int] = field(default_factory=list)
     varargs: int = 0
+    jump_value: int = 0
+
+
+def red_zone(size: int) -> int:
+    """Gives how many bytes to leave behind an object: more for larger ones, as indices go wider."""
+    return min(256, max(16, round_up(size // 4, 16)))
 
 
 def argument_offsets(sizes: list[int]) -> list[int]:
@@ -67,38 +76,51 @@ def argument_offsets(sizes: list[int]) -> list[int]:
     return offsets
 
 
-def lay_out(function: Function, saved: list[Register]) -> Frame:
-    """Lays out a frame with homes for the registers in `saved`.
+def lay_out(
+    function: Function, saved: list[Register], arguments_size: int, *, checked: bool
+) -> Frame:
+    """Lays out a frame.
+
+    Args:
+        function: the function.
+        saved: its registers that need a home.
+        arguments_size: of the functions that it calls, the most [bytes].
+        checked: leave red zones.
 
     Raises:
         CompileError: a local variable wants to be aligned more strictly than frames are.
     """
     frame = Frame()
-    offset = max(
-        (HEADER_SIZE + argument_offsets([each.size for each in block.terminator.arguments])[-1]
-         for block in function.blocks if isinstance(block.terminator, Call)),
-        default=0,
-    )  # fmt: skip
+    offset = HEADER_SIZE + arguments_size if arguments_size >= 0 else 0
     for register in saved:
         size = 8 if register.type in ("i64", "f64") else 4
         offset = round_up(offset, size)
         frame.offsets[register] = offset
         offset += size
+    if any(isinstance(block.terminator, SetJump) for block in function.blocks):
+        offset = round_up(offset, 4)
+        frame.jump_value = offset
+        offset += 4
+    offset += red_zone(0) if checked and function.slots else 0
     for slot in function.slots:
-        if slot.align > ALIGN:
-            what = slot.variable.name if slot.variable else slot.name
-            raise CompileError.at(
-                function.location,
-                f"'{what}' in '{function.name}' is aligned to {slot.align} bytes",
-                f"local variables can be aligned to {ALIGN} bytes at most; make it static",
-                "linking",
-            )
+        _check_alignment(slot, function)
         offset = round_up(offset, max(1, slot.align))
         frame.offsets[slot] = offset
         offset += slot.size
+        offset += red_zone(slot.size) if checked else 0
     frame.size = max(MINIMUM_FRAME, round_up(offset, ALIGN))
     _place_parameters(frame, function.parameters)
     return frame
+
+
+def _check_alignment(slot: Slot, function: Function) -> None:
+    if slot.align > ALIGN:
+        what = slot.variable.name if slot.variable else slot.name
+        raise CompileError.at(
+            function.location,
+            f"'{what}' in '{function.name}' is aligned to {slot.align} bytes",
+            f"local variables can be aligned to {ALIGN} bytes at most; make it static",
+        )
 
 
 def _place_parameters(frame: Frame, parameters: list[Parameter]) -> None:

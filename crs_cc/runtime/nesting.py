@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from crs_cc.runtime.flow import LANDING, UNWIND, Node
+from crs_cc.runtime.flow import FAULTED, LANDING, UNWIND, Node
 from crs_cc.runtime.wasm import Instr
 
 
@@ -72,12 +72,15 @@ def _analyse(entry: Node) -> _Order:
     return _Order(rank, children, merges, headers)
 
 
-def emit(entry: Node) -> list[Instr]:
+def emit(entry: Node, fault: list[Instr]) -> list[Instr]:
     """Gives the code of a graph whose loops are entered at one node each.
 
-    The code is one block, left by `UNWIND`; what follows it is the caller's.
+    Args:
+        entry: where it begins.
+        fault: what is done where the code leaves by `FAULTED`. From there, and by `UNWIND`, it goes
+            on behind the code that is given, which is the caller's.
     """
-    return _Emitter(_analyse(entry)).run(entry)
+    return _Emitter(_analyse(entry)).run(entry, fault)
 
 
 class _Emitter:
@@ -91,9 +94,10 @@ class _Emitter:
         self.loop_depth: dict[Node, int] = {}
         self.work: list[Node | Instr] = []
 
-    def run(self, entry: Node) -> list[Instr]:
+    def run(self, entry: Node, fault: list[Instr]) -> list[Instr]:
         self.open("block")
-        self.work += [("end",), ("unreachable",), entry]
+        self.open("block")
+        self.work += [("end",), *reversed(fault), ("end",), ("unreachable",), entry]
         while self.work:
             each = self.work.pop()
             if isinstance(each, Node):
@@ -119,15 +123,7 @@ class _Emitter:
             self.block_depth[child] = self.open("block")
             self.work += [child, ("end",)]
         for instr in node.code:
-            if instr[0] is UNWIND:
-                self.out.append(("br", self.depth - 1))
-            elif instr[0] is LANDING:
-                self.out.append(("i32.const", instr[1].number))
-            elif instr[0] == "if":
-                self.open("if")
-            else:
-                self.out.append(instr)
-                self.depth -= instr[0] == "end"
+            self.instruction(instr)
         match node.exit:
             case "jump":
                 self._jump(node)
@@ -135,6 +131,18 @@ class _Emitter:
                 self._branch(node)
             case "table":
                 self._table(node)
+
+    def instruction(self, instr: Instr) -> None:
+        """Writes an instruction; a pseudo-instruction as what it stands for."""
+        if instr[0] is UNWIND:
+            self.out.append(("br", self.depth - 1))
+        elif instr[0] is FAULTED:
+            self.out.append(("br", self.depth - 2))
+        elif instr[0] is LANDING:
+            self.out.append(("i32.const", instr[1].number))
+        else:
+            self.out.append(instr)
+            self.depth += (instr[0] == "if") - (instr[0] == "end")
 
     def label(self, source: Node, target: Node) -> int | None:
         """Gives the relative depth of a jump; None when the target is written in place."""

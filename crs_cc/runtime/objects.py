@@ -8,19 +8,27 @@ the heap.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final, Literal
 
-from crs_cc.ir.program import Data, Program, Register, Slot, Variable
-from crs_cc.runtime.sites import CallSite
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.ir.program import Data, Program, Slot, Variable
+from crs_cc.runtime import heap
+from crs_cc.runtime.layout import HEADER_SIZE, STACK_TOP
+from crs_cc.runtime.link import HEAP_SYMBOLS
+from crs_cc.runtime.sites import CallSite, arguments_size
 from crs_cc.source import Location
 
 if TYPE_CHECKING:
     from crs_cc.runtime.codegen import Compiled
-    from crs_cc.runtime.inspect import StackFrame, Stopped
+    from crs_cc.runtime.inspect import Stopped
 
 NEAR: Final = 4096
 """An object further away than so many bytes has nothing to do with an address."""
+
+Bytes = npt.NDArray[np.uint8]
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,32 +72,41 @@ class Object:
 
 def find_object(stopped: Stopped, address: int) -> Object | None:
     """Gives the object at an address, or else the nearest one; None when there is none near."""
-    compiled = stopped.compiled
-    nearest = None
-    for each in (*_locals(compiled, stopped.stack), *_globals(stopped.program, compiled)):
-        if nearest is None or abs(each.distance(address)) < abs(nearest.distance(address)):
-            nearest = each
+    if address < STACK_TOP:
+        candidates = _locals(stopped)
+    elif address < stopped.compiled.addresses[HEAP_SYMBOLS[0]]:
+        candidates = _globals(stopped.program, stopped.compiled)
+    else:
+        candidates = _heap(stopped.memory, stopped.compiled)
+    nearest = min(candidates, key=lambda each: abs(each.distance(address)), default=None)
     if nearest is None or abs(nearest.distance(address)) > NEAR:
         return None
     return nearest
 
 
-def _locals(compiled: Compiled, stack: Sequence[StackFrame]) -> Iterator[Object]:
-    """Gives the slots in the frames of the active functions."""
-    infos = {info.function.name: info for info in compiled.functions}
-    for each in stack:
-        frame = infos[each.function].frame
-        for place, offset in frame.offsets.items():
-            if isinstance(place, Register):
-                continue
-            yield _local(place, each.fp - frame.size + offset, each.function)
+def _locals(stopped: Stopped) -> Iterator[Object]:
+    """Gives the slots in the frames of the active functions, and arguments behind `...`."""
+    for each in stopped.stack:
+        info = stopped.compiled.info(each.function)
+        start = each.fp - info.frame.size
+        for place, offset in info.frame.offsets.items():
+            if isinstance(place, Slot):
+                made = _local(place, start + offset, each.function)
+                ended = len(stopped.shadow) and place.size and not stopped.shadow[made.address]
+                yield replace(made, state="ended") if ended else made
+        if info.function.variadic and len(stopped.shadow):
+            word = int(stopped.memory[each.fp : each.fp + 8].view("<u8")[0])
+            passed = each.fp + HEADER_SIZE + arguments_size(word)
+            first = start + info.frame.varargs
+            yield Object("argument", first, max(0, passed - first), function=each.function)
 
 
 def _local(slot: Slot, address: int, function: str) -> Object:
     variable = slot.variable
     if variable is None:
         return Object("temporary", address, slot.size, function=function)
-    return Object("local", address, slot.size, variable.name, variable.location, variable, function)
+    name, location = variable.name, variable.location
+    return Object("local", address, slot.size, name, location, variable, function)
 
 
 def _globals(program: Program, compiled: Compiled) -> Iterator[Object]:
@@ -104,3 +121,21 @@ def _global(data: Data, address: int) -> Object:
         return Object(kind, address, data.size, location=data.location)
     name, location = variable.name, variable.location
     return Object("global", address, data.size, name, location, variable)
+
+
+def _heap(memory: Bytes, compiled: Compiled) -> Iterator[Object]:
+    """Gives the blocks of the heap; a freed one has its whole chunk, as nothing else is there."""
+    for block in heap.blocks(memory, compiled.addresses):
+        yield Object(
+            "heap block",
+            block.address,
+            block.size,
+            state="alive" if block.in_use else "freed",
+            allocated=_calls(block.allocated, compiled),
+            freed=_calls(block.freed, compiled),
+        )
+
+
+def _calls(numbers: Sequence[int], compiled: Compiled) -> tuple[CallSite, ...]:
+    sites = compiled.call_sites
+    return tuple(sites[number - 1] for number in numbers if 0 < number <= len(sites))

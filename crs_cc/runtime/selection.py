@@ -11,48 +11,37 @@ from dataclasses import dataclass, field
 from typing import Final
 
 from crs_cc.ir.program import (
-    MEMORY_SIZE,
     VARARGS,
     Address,
     Base,
     Binary,
+    Callers,
     Constant,
     Copy,
     Fill,
     Instruction,
+    Lifetime,
     Load,
+    Mark,
     MemoryType,
     Move,
     Operand,
     Register,
     Slot,
+    State,
     Store,
     Unary,
     ValueType,
 )
-from crs_cc.runtime.flow import UNWIND
-from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE, Frame
+from crs_cc.runtime.flow import FAULTED
+from crs_cc.runtime.indices import ADDRESS, FIXED_LOCALS, FUEL, MEMORY, SITE, SP
+from crs_cc.runtime.layout import Frame
+from crs_cc.runtime.plain_memory import LOADS, STORES, PlainMemory
 from crs_cc.runtime.sites import CallSite, Site
-from crs_cc.runtime.wasm import Instr
-from crs_cc.source import Location
-
-MAILBOX, MEMORY = 0, 1  # indices of the memories in a robot's module
-FAULT, OUTSIDE = 0, 1  # indices of the module's own helper functions
-SLOT_GLOBAL = 0
-CALL_TYPE = 1  # index of the type of C functions
-FP, FUEL, SP, LABEL, STATUS, ADDRESS = range(6)  # parameters and locals of every function
-FIXED_LOCALS: Final[tuple[ValueType, ...]] = ("i32", "i32", "i32", "i32")
+from crs_cc.runtime.wasm import UNLIKELY, Instr
 
 FREE_BYTES: Final = 256  # a copy costs one more unit of fuel for each so many bytes; 2**n
 
-_LOADS: Final[dict[MemoryType, str]] = {
-    "i8": "i32.load8_s", "u8": "i32.load8_u", "i16": "i32.load16_s", "u16": "i32.load16_u",
-    "i32": "i32.load", "i64": "i64.load", "f32": "f32.load", "f64": "f64.load",
-}  # fmt: skip
-_STORES: Final[dict[MemoryType, str]] = {
-    "i8": "i32.store8", "u8": "i32.store8", "i16": "i32.store16", "u16": "i32.store16",
-    "i32": "i32.store", "i64": "i64.store", "f32": "f32.store", "f64": "f64.store",
-}  # fmt: skip
 _LOWEST: Final = {"i32": -(2**31), "i64": -(2**63)}
 _POWER: Final = {"i32": 2.0**31, "i64": 2.0**63}
 
@@ -65,6 +54,7 @@ class Names:
         addresses: address of each global object; function pointer of each function that needs one.
         functions: index in the module of each function.
         sizes: size of each global object.
+        parameters: size of the parameters of each function, as `layout` places them.
         pointers: how many function pointers there are; they are numbered from 1.
         sites: every place that can fail.
         call_sites: every place that calls, by its number less 1.
@@ -73,23 +63,38 @@ class Names:
     addresses: dict[str, int]
     functions: dict[str, int]
     sizes: dict[str, int]
+    parameters: dict[str, int]
     pointers: int
     sites: list[Site] = field(default_factory=list)
     call_sites: list[CallSite] = field(default_factory=list)
 
+    def number(self, site: Site) -> int:
+        """Enters a place that can fail; gives its number."""
+        self.sites.append(site)
+        return len(self.sites) - 1
+
+    def call_number(self, site: CallSite) -> int:
+        """Enters a place that calls; gives its number."""
+        self.call_sites.append(site)
+        return len(self.call_sites)
+
 
 class Selector:
-    """Writes the instructions of one function; `code` is the list that it appends to."""
+    """Writes the instructions of one function.
 
-    def __init__(self, names: Names, frame: Frame, *, checked: bool) -> None:
+    Attributes:
+        code: the list that it appends to.
+        memory: how it writes accesses to memory.
+    """
+
+    def __init__(self, names: Names, frame: Frame) -> None:
         self.names = names
         self.frame = frame
-        self.checked = checked
+        self.memory: PlainMemory = PlainMemory(self, shadowed=False)
         self.code: list[Instr] = []
         self.local_types: list[ValueType] = list(FIXED_LOCALS)
         self.locals: dict[Register, int] = {}
         self._free: dict[ValueType, list[int]] = {"i32": [], "i64": [], "f32": [], "f64": []}
-        self._proved: dict[Register, tuple[int, int]] = {}
 
     # -- locals ------------------------------------------------------------------------------
 
@@ -107,8 +112,8 @@ class Selector:
         self._free[register.type].append(self.locals[register])
 
     def forget(self) -> None:
-        """Drops what is known of pointers, where code from elsewhere joins."""
-        self._proved.clear()
+        """Drops what is known, where code from elsewhere joins."""
+        self.memory.forget()
 
     def value(self, operand: Operand) -> Instr:
         """Gives the instruction that pushes an operand's value."""
@@ -124,36 +129,21 @@ class Selector:
         """Pops a value into a register."""
         if register not in self.locals:
             self.take_local(register)
-        self._proved.pop(register, None)
         self.code.append(("local.set", self.locals[register]))
 
     # -- errors ------------------------------------------------------------------------------
 
-    def note(self, kind: str, location: Location, value: list[Instr]) -> list[Instr]:
-        """Gives code that notes an error and leaves the status FAILED on the stack.
-
-        `value` pushes the address or number to blame.
-        """
-        site = len(self.names.sites)
-        self.names.sites.append(Site(kind, location))
-        return [("i32.const", site), *value, ("call", FAULT)]
-
-    def fail(self, kind: str, location: Location, value: list[Instr]) -> None:
+    def fail(self, site: Site, value: list[Instr]) -> None:
         """Stops the program; `value` pushes the address or number to blame."""
-        self.code += [*self.note(kind, location, value), ("local.set", STATUS), (UNWIND,)]
+        number = self.names.number(site)
+        self.code += [*value, ("local.set", ADDRESS)]
+        self.code += [("i32.const", number), ("local.set", SITE), (FAULTED,)]
 
-    def fail_if(self, kind: str, location: Location, value: list[Instr]) -> None:
+    def fail_if(self, site: Site, value: list[Instr]) -> None:
         """Stops the program if the i32 on the stack is not zero."""
-        self.code.append(("if",))
-        self.fail(kind, location, value)
+        self.code.append(UNLIKELY)
+        self.fail(site, value)
         self.code.append(("end",))
-
-    def check_range(self, address: Operand, size: Operand, location: Location) -> None:
-        """Stops the program unless `size` bytes at `address` lie in memory."""
-        self.push(address)
-        self.push(size)
-        self.code.append(("call", OUTSIDE))
-        self.fail_if("memory", location, [self.value(address)])
 
     # -- memory ------------------------------------------------------------------------------
 
@@ -171,46 +161,6 @@ class Selector:
         if offset:
             self.code += [("i32.const", offset), ("i32.add",)]
 
-    def access(self, base: Base, offset: int, size: int, location: Location) -> int:
-        """Pushes an address that is safe to access; gives the offset for the instruction."""
-        if isinstance(base, Register):
-            return self._through_pointer(base, offset, size, location)
-        if isinstance(base, Slot):
-            self.code.append(("local.get", SP))
-            return self.frame.offsets[base] + offset
-        self.code.append(("i32.const", self.names.addresses[base] + offset))
-        if self.checked and not 0 <= offset <= self.names.sizes.get(base, 0) - size:
-            # declared larger in this file than the object is: checked as through a pointer
-            self.code.append(("local.tee", ADDRESS))
-            self._check_local(ADDRESS, size, location)
-        return 0
-
-    def _check_local(self, local: int, size: int, location: Location) -> None:
-        """Stops the program unless the address on the stack, also in `local`, is accessible."""
-        self.code += [("i32.const", NULL_SIZE), ("i32.sub",)]
-        self.code += [("i32.const", MEMORY_BYTES - NULL_SIZE - size), ("i32.gt_u",)]
-        self.fail_if("memory", location, [("local.get", local)])
-        self.code.append(("local.get", local))
-
-    def _through_pointer(self, base: Register, offset: int, size: int, location: Location) -> int:
-        if 0 <= offset < NULL_SIZE and (not self.checked or self._known(base, offset, size)):
-            self.push(base)
-            return offset
-        self.push(base)
-        local = self.locals[base]
-        if offset:
-            local = ADDRESS
-            self.code += [("i32.const", offset), ("i32.add",), ("local.tee", ADDRESS)]
-        if self.checked:
-            self._check_local(local, size, location)
-            low, high = self._proved.get(base, (offset, offset))
-            self._proved[base] = (min(low, offset), max(high, offset + size))
-        return 0
-
-    def _known(self, base: Register, offset: int, size: int) -> bool:
-        low, high = self._proved.get(base, (0, 0))
-        return low <= offset and offset + size <= high
-
     def charge(self, size: Operand) -> None:
         """Takes fuel for moving `size` bytes, so that large copies cost the time they take."""
         if isinstance(size, Constant) and size.value < FREE_BYTES:
@@ -223,58 +173,32 @@ class Selector:
 
     def select(self, instruction: Instruction) -> None:
         """Writes the code of one instruction that is not a terminator."""
-        _SELECT[type(instruction)](self, instruction)
+        access = _ACCESS.get(type(instruction))
+        if access is not None:
+            getattr(self.memory, access)(instruction)
+        else:
+            _SELECT[type(instruction)](self, instruction)
+        self.memory.follow(instruction)
 
     def move(self, it: Move) -> None:
         """Writes `result = source`."""
         self.push(it.source)
         self.pop(it.result)
 
-    def load(self, it: Load) -> None:
-        """Writes `result = *(base + offset)`."""
-        offset = self.access(it.base, it.offset, MEMORY_SIZE[it.memory], it.location)
-        self.code.append((_LOADS[it.memory], MEMORY, offset))
-        self.pop(it.result)
-
-    def store(self, it: Store) -> None:
-        """Writes `*(base + offset) = source`."""
-        offset = self.access(it.base, it.offset, MEMORY_SIZE[it.memory], it.location)
-        self.push(it.source)
-        self.code.append((_STORES[it.memory], MEMORY, offset))
-
     def store_at(self, base: int, offset: int, value: Operand, memory: MemoryType) -> None:
         """Stores into the frame, relative to local `base`."""
         self.code.append(("local.get", base))
         self.push(value)
-        self.code.append((_STORES[memory], MEMORY, offset))
+        self.code.append((STORES[memory], MEMORY, offset))
 
     def load_at(self, base: int, offset: int, memory: MemoryType) -> None:
         """Pushes a value of the frame, relative to local `base`."""
-        self.code += [("local.get", base), (_LOADS[memory], MEMORY, offset)]
+        self.code += [("local.get", base), (LOADS[memory], MEMORY, offset)]
 
     def address_of(self, it: Address) -> None:
         """Writes `result = base + offset`."""
         self.address(it.base, it.offset)
         self.pop(it.result)
-
-    def copy(self, it: Copy) -> None:
-        """Writes a `memmove`."""
-        if self.checked:
-            self.check_range(it.target, it.size, it.location)
-            self.check_range(it.source, it.size, it.location)
-        self.charge(it.size)
-        for operand in (it.target, it.source, it.size):
-            self.push(operand)
-        self.code.append(("memory.copy", MEMORY, MEMORY))
-
-    def fill(self, it: Fill) -> None:
-        """Writes a `memset`."""
-        if self.checked:
-            self.check_range(it.target, it.size, it.location)
-        self.charge(it.size)
-        for operand in (it.target, it.value, it.size):
-            self.push(operand)
-        self.code.append(("memory.fill", MEMORY))
 
     def binary(self, it: Binary) -> None:
         """Writes `result = left op right`."""
@@ -297,11 +221,11 @@ class Selector:
             self.code += [(f"{kind}.lt_u",), ("if",)]
             self.push(divisor)
         self.code.append((f"{kind}.eqz",))
-        self.fail_if("division by zero", it.location, [("i32.const", 0)])
+        self.fail_if(Site("division by zero", it.location), [("i32.const", 0)])
         if signed:
             self.push(it.left)
             self.code += [(f"{kind}.const", low), (f"{kind}.eq",)]
-            self.fail_if("division overflow", it.location, [("i32.const", 0)])
+            self.fail_if(Site("division overflow", it.location), [("i32.const", 0)])
             self.code.append(("end",))
 
     def unary(self, it: Unary) -> None:
@@ -339,9 +263,16 @@ _SELECT: Final[dict[type[Instruction], Callable[..., None]]] = {
     Move: Selector.move,
     Unary: Selector.unary,
     Binary: Selector.binary,
-    Load: Selector.load,
-    Store: Selector.store,
     Address: Selector.address_of,
-    Copy: Selector.copy,
-    Fill: Selector.fill,
 }
+_ACCESS: Final[dict[type[Instruction], str]] = {
+    Load: "load",
+    Store: "store",
+    Copy: "copy",
+    Fill: "fill",
+    Mark: "mark",
+    Callers: "callers",
+    Lifetime: "lifetime",
+    State: "state",
+}
+"""What a `PlainMemory` writes."""

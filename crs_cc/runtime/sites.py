@@ -69,3 +69,13 @@ def call_word(site: int, frame_size: int, arguments_size: int) -> int:
     """
     arguments = arguments_size // ARGUMENT_UNIT
     return site | frame_size // FRAME_UNIT << SITE_BITS | arguments << SITE_BITS + FRAME_BITS
+
+
+def call_site(word: int) -> int:
+    """Gives the number of the call site that a call word tells of."""
+    return word & ((1 << SITE_BITS) - 1)
+
+
+def arguments_size(word: int) -> int:
+    """Gives the size of the arguments that a call word tells of [bytes]."""
+    return (word >> SITE_BITS + FRAME_BITS) * ARGUMENT_UNIT

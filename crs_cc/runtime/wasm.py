@@ -2,7 +2,8 @@
 
 An instruction is a tuple of its name and its immediates, for example `("local.get", 0)` or
 `("i32.load", memory, offset)`. Only the part of WebAssembly that the code generator uses is here
-(core specification 3.0, chapters 5 "Binary format" and 6 "Text format").
+(core specification 3.0, chapters 5 "Binary format" and 6 "Text format"). An `UNLIKELY` test is an
+`if` with a branch hint (7.4.2 "Custom Sections"): what it guards is put out of the way.
 
 >>> body = [("local.get", 0), ("i32.const", 1), ("i32.add",)]
 >>> plus_one = Code("plus_one", TYPE_I32_I32, [], body)
@@ -27,6 +28,8 @@ TYPE_I32_I32: Final[FuncType] = (("i32",), ("i32",))
 TYPE_CALL: Final[FuncType] = (("i32", "i64"), ("i32", "i64"))
 """A C function: its frame pointer and fuel come in, its status and what fuel is left go out."""
 PAGE: Final = 65536
+
+UNLIKELY: Final[Instr] = ("if", "unlikely")
 
 _VALUE: Final[dict[str, int]] = {"i32": 0x7F, "i64": 0x7E, "f32": 0x7D, "f64": 0x7C}
 
@@ -117,6 +120,8 @@ def _encode_rare(instr: Instr) -> bytes:
             return b"\xfc\x0a" + unsigned(target) + unsigned(source)
         case ("memory.fill", memory):
             return b"\xfc\x0b" + unsigned(memory)
+        case ("memory.init", segment, memory):
+            return b"\xfc\x08" + unsigned(segment) + unsigned(memory)
     raise AssertionError(f"no encoding for {instr}")
 
 
@@ -129,36 +134,50 @@ class Code:
     locals: Sequence[ValueType]
     body: list[Instr]
 
-    def to_binary(self) -> bytes:
-        """Gives the function's entry in the code section."""
+    def to_binary(self) -> tuple[bytes, list[int]]:
+        """Gives the entry in the code section, and where in its content `UNLIKELY` tests stand."""
+        content, hints = bytearray(self._head()), []
+        for instr in self.body:
+            if instr is UNLIKELY:
+                hints.append(len(content))
+            content += encode(instr)
+        content += b"\x0b"
+        return unsigned(len(content)) + content, hints
+
+    def start(self) -> int:
+        """Gives where in the entry's content the instructions begin [bytes]."""
+        return len(self._head())
+
+    def _head(self) -> bytes:
+        """Gives the part of the entry that tells of the locals."""
         runs: list[tuple[int, str]] = []
         for kind in self.locals:
             if runs and runs[-1][1] == kind:
                 runs[-1] = (runs[-1][0] + 1, kind)
             else:
                 runs.append((1, kind))
-        head = _vector(unsigned(count) + bytes((_VALUE[kind],)) for count, kind in runs)
-        content = head + b"".join(map(encode, self.body)) + b"\x0b"
-        return unsigned(len(content)) + content
+        return _vector(unsigned(count) + bytes((_VALUE[kind],)) for count, kind in runs)
 
 
 @dataclass(slots=True)
 class Module:
-    """A module that may import memories and define one more, behind the imported ones.
+    """A module that may import memories and define more, behind the imported ones.
 
     Attributes:
         memory_imports: (module, name) of each imported memory, of one page or more.
-        memory_pages: size of the module's own memory; 0 for none.
+        memories: sizes of the module's own memories, in pages.
         tables: sizes of its tables of functions.
         globals: (type, initial value) of its mutable globals.
         elements: (table, first index, functions) written into tables when it is made.
-        data: (memory, address, bytes) written into memory when it is made.
+        data: (memory, address, bytes) written into memory when it is made; what has a memory
+            below 0 is there for `memory.init`.
+        start: index of a function to call when it is made.
         exports: (name, "func" | "memory" | "table" | "global", index).
     """
 
     functions: list[Code] = field(default_factory=list)
     memory_imports: list[tuple[str, str]] = field(default_factory=list)
-    memory_pages: int = 0
+    memories: list[int] = field(default_factory=list)
     tables: list[int] = field(default_factory=list)
     globals: list[tuple[ValueType, int]] = field(default_factory=list)
     elements: list[tuple[int, int, list[int]]] = field(default_factory=list)
@@ -166,6 +185,7 @@ class Module:
     exports: list[tuple[str, Literal["func", "memory", "table", "global"], int]] = field(
         default_factory=list
     )
+    start: int | None = None
 
     def types(self) -> list[FuncType]:
         """Gives the function types in the order of the type section."""
@@ -177,22 +197,26 @@ class Module:
         """Gives the module in the binary format."""
         kinds = {"func": 0, "table": 1, "memory": 2, "global": 3}
         types = self.types()
-        memories = [self.memory_pages] if self.memory_pages else []
+        code = [each.to_binary() for each in self.functions]
         sections = [
             (1, [_func_type(each) for each in types]),
             (2, [_name(m) + _name(n) + b"\x02\x00\x01" for m, n in self.memory_imports]),
             (3, [unsigned(types.index(code.type)) for code in self.functions]),
             (4, [b"\x70" + _limits(size) for size in self.tables]),
-            (5, [_limits(size) for size in memories]),
+            (5, [_limits(size) for size in self.memories]),
             (6, [_global(kind, value) for kind, value in self.globals]),
             (7, [_name(n) + bytes((kinds[k],)) + unsigned(i) for n, k, i in self.exports]),
             (9, [_element(*each) for each in self.elements]),
-            (10, [code.to_binary() for code in self.functions]),
+            (10, [content for content, _ in code]),
             (11, [_data(*each) for each in self.data]),
         ]  # fmt: skip
-        return b"\x00asm\x01\x00\x00\x00" + b"".join(
-            _section(number, _vector(items)) for number, items in sections if items
-        )
+        parts = {number: _section(number, _vector(items)) for number, items in sections if items}
+        if self.start is not None:
+            parts[8] = _section(8, unsigned(self.start))
+        parts[12] = _section(12, unsigned(len(self.data)))
+        parts[0] = _branch_hints([hints for _, hints in code])
+        order = (1, 2, 3, 4, 5, 6, 7, 8, 9, 12, 0, 10, 11)
+        return b"\x00asm\x01\x00\x00\x00" + b"".join(parts.get(each, b"") for each in order)
 
     def to_text(self) -> str:
         """Gives the functions in the text format, for people to read."""
@@ -218,7 +242,19 @@ def _element(table: int, first: int, functions: list[int]) -> bytes:
     return b"\x02" + unsigned(table) + offset + b"\x00" + _vector(map(unsigned, functions))
 
 
+def _branch_hints(hints: Sequence[list[int]]) -> bytes:
+    """Gives the custom section that calls the tests at these places of each function unlikely."""
+    rows = []
+    for function, places in enumerate(hints):
+        if places:
+            each = _vector(unsigned(place) + b"\x01\x00" for place in places)
+            rows.append(unsigned(function) + each)
+    return _section(0, _name("metadata.code.branch_hint") + _vector(rows))
+
+
 def _data(memory: int, address: int, content: bytes) -> bytes:
+    if memory < 0:
+        return b"\x01" + unsigned(len(content)) + content
     offset = encode(("i32.const", address)) + b"\x0b"
     return b"\x02" + unsigned(memory) + offset + unsigned(len(content)) + content
 
@@ -247,6 +283,8 @@ def _identifier(name: str) -> str:
 
 def _instruction_text(instr: Instr) -> str:
     match instr:
+        case ("if", _):
+            return "if  ;; unlikely"
         case ("br_table", targets, default):
             return "br_table " + " ".join(map(str, [*targets, default]))
         case ("call_indirect", type_index, table):

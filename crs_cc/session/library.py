@@ -12,6 +12,7 @@ from crs_cc.frontend.unit import compile_text
 from crs_cc.ir.program import Data, Function, Program
 from crs_cc.ir.verify import verify
 from crs_cc.runtime import link
+from crs_cc.runtime.heap import ALLOCATOR
 from crs_cc.session import cache
 from crs_cc.source import Diagnostics, Location
 
@@ -75,7 +76,8 @@ def _compile(path: Path) -> Program:
     diagnostics = Diagnostics()
     try:
         name = link.LIBRARY + path.relative_to(SOURCES).as_posix()
-        options = Options(system_paths=(HEADERS, path.parent))
+        trusted = name == ALLOCATOR
+        options = Options(system_paths=(HEADERS, path.parent), trusted=trusted)
         program = compile_text(path.read_text(), name, options, diagnostics)
     except CompileError as error:
         raise InternalError(error.diagnostics) from error

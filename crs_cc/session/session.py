@@ -244,7 +244,7 @@ class Session:
         digest = hashlib.sha256(self.environment.hash().encode())
         for robot in range(len(self.fleet)):
             program = self.fleet.snapshot(robot)
-            for part in (program.slot, program.chunks, program.content):
+            for part in (program.slot, program.chunks, program.content, program.shadow_content):
                 digest.update(part.tobytes())
         for disk in self._host.disks:
             for piece in disk.state():

@@ -5,6 +5,6 @@ static char buffer[16];
 
 int main(void)
 {
-    memset(buffer, 1, 2000000000u); // error: pointer outside memory
+    memset(buffer, 1, 2000000000u); // error: out of bounds
     return 0;
 }

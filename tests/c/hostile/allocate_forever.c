@@ -1,5 +1,5 @@
 /* Allocates and writes without asking whether it got anything. */
-// ends: null pointer
+// ends: wild pointer
 #include <stdlib.h>
 
 int main(void)

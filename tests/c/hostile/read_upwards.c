@@ -1,5 +1,5 @@
 /* Reads upwards from its own data until memory ends. */
-// ends: pointer outside memory
+// ends: out of bounds
 static char here;
 static volatile unsigned sum;
 

@@ -1,5 +1,5 @@
 /* Writes over its own stack, downwards. */
-// ends: null pointer
+// ends: out of bounds
 int main(void)
 {
     int here;

@@ -1,5 +1,5 @@
 /* Writes over everything above its own data, the heap and the end of memory. */
-// ends: pointer outside memory
+// ends: out of bounds
 static char here;
 
 int main(void)

@@ -51,7 +51,8 @@ struct __crs_message {
 /* Posts the message and gives the reply's result. */
 int __crs_request(int code, struct __crs_message *message);
 
-/* Ends the program with an error of requests.ERROR_KINDS, named by a string literal. */
-void __crs_stop(const char *kind);
+/* Ends the program with an error of requests.ERROR_KINDS, named by a string literal; behind it may
+   stand the address to blame. */
+void __crs_stop(const char *kind, ...);
 
 #endif

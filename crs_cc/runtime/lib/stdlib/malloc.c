@@ -1,31 +1,49 @@
 /* Memory management (C17 7.22.3): boundary tags and segregated bins (Knuth, TAOCP 2.5; Wilson et
-   al., "Dynamic Storage Allocation", 1995).
+   al., "Dynamic Storage Allocation", 1995), with a quarantine for what was freed.
 
-   The heap is a row of chunks. A chunk is a header of 8 bytes and the block given to the program;
-   its size is a multiple of 16 and every block lies at a multiple of 16. A header holds the chunk's
-   own size, whose lowest bit says that it is in use, and the size of the chunk before it, so that
-   both neighbours can be found. Two free chunks never touch: freeing joins them.
+   The heap is a row of chunks. A chunk is a header of 32 bytes and the block given to the program;
+   its size is a multiple of 16 and every block lies at a multiple of 16. Its header holds its own
+   size and that of the chunk before it, so that both neighbours can be found. Two free chunks never
+   touch: freeing joins them.
 
    Free chunks lie in bins by size: one bin for each size below 512, then four for each power of
    two; a bitmap tells which bins have something. An allocation takes the first chunk that is big
    enough from the smallest bin that can have one. Beyond the last chunk lies memory that was never
-   used; it is taken from when no bin can serve, and given back when its neighbour is freed. */
+   used; it is taken from when no bin can serve, and given back when its neighbour is freed.
+
+   A freed block first waits in the quarantine, so that who still uses it is found out; the longer
+   it waits the better. The oldest leave when there is more than QUARANTINE, all when there is no
+   other memory.
+
+   In checked builds C may touch nothing of all this but the blocks in use: the functions of this
+   file say so to the shadow memory, and are not themselves checked. crs_cc/runtime/heap.py reads
+   the same headers for messages. Everything happens in unchecked builds too, so that a program has
+   the same addresses and takes the same time in both. */
 #include <crs_request.h>
 #include <errno.h>
 #include <stdlib.h>
 
+#include <crs/shadow.h>
 #include <crs/write.h>
 
-#define HEADER 8
-#define IN_USE 1u
+#define HEADER 32
+#define SITES 5                 /* calls that led to the allocation, in the header */
+#define IN_USE 1u               /* flags in the size of a chunk: a block was given from it, */
+#define WAITING 2u              /* and is in the quarantine */
+#define FLAGS 15u
+#define SMALLEST (HEADER + 16)
 #define SMALL 512u
 #define BINS 128
+#define QUARANTINE 0x40000u
 
 struct chunk {
-    unsigned int size;          /* of this chunk; lowest bit: in use */
+    unsigned int size;          /* of this chunk, and its flags */
     unsigned int size_before;   /* of the chunk before it, 0 for the first */
-    struct chunk *next;         /* these two only while it is free */
+    unsigned int asked;         /* bytes asked for */
+    int allocated[SITES];
+    struct chunk *next;         /* these only while it is not in use */
     struct chunk *previous;
+    int freed[SITES];           /* as many as there is room for */
 };
 
 extern char __heap_start[], __heap_end[];
@@ -34,8 +52,10 @@ static struct chunk *bins[BINS];
 static unsigned int occupied[BINS / 32];
 static char *unused;                 /* end of the last chunk; null before the first call */
 static unsigned int last_size;       /* size of the last chunk, 0 when there is none */
+static struct chunk *oldest, *youngest;  /* of the quarantine, which is chained by `next` */
+static unsigned int waiting;         /* bytes in the quarantine */
 
-#define SIZE(chunk) ((chunk)->size & ~IN_USE)
+#define SIZE(chunk) ((chunk)->size & ~FLAGS)
 #define AFTER(chunk) ((struct chunk *)((char *)(chunk) + SIZE(chunk)))
 #define BEFORE(chunk) ((struct chunk *)((char *)(chunk) - (chunk)->size_before))
 #define BLOCK(chunk) ((void *)((char *)(chunk) + HEADER))
@@ -155,7 +175,7 @@ static void cut(struct chunk *chunk, unsigned int size)
     unsigned int rest = SIZE(chunk) - size;
     struct chunk *tail;
 
-    if (rest < 16)
+    if (rest < SMALLEST)
         return;
     tail = (struct chunk *)((char *)chunk + size);
     tail->size_before = size;
@@ -167,66 +187,149 @@ static void cut(struct chunk *chunk, unsigned int size)
 /* Gives the chunk size for a block, 0 when there is none so large. */
 static unsigned int chunk_size(size_t size)
 {
-    return size > 0x7fffffe0u ? 0 : (size + HEADER + 15) & ~15u;
+    if (size > 0x7fffff00u)
+        return 0;
+    return size < 16 ? SMALLEST : (size + HEADER + 15) & ~15u;
 }
 
-void *malloc(size_t size)
+/* Lets the oldest chunks out of the quarantine until it holds no more than `most` bytes. */
+static void let_out(unsigned int most)
+{
+    struct chunk *chunk;
+
+    while (waiting > most) {
+        chunk = oldest;
+        oldest = chunk->next;
+        waiting -= SIZE(chunk);
+        release(chunk);
+    }
+}
+
+/* Finds a chunk, in the bins or beyond them. */
+static struct chunk *obtain(unsigned int size)
+{
+    struct chunk *chunk = find(size);
+
+    if (chunk == NULL) {
+        chunk = extend(size);
+        if (chunk != NULL)
+            set_size(chunk, size, IN_USE);
+        return chunk;
+    }
+    take_out(chunk);
+    set_size(chunk, chunk->size, IN_USE);
+    cut(chunk, size);
+    return chunk;
+}
+
+/* Gives a block; its bytes may be used, but have no value yet. */
+static struct chunk *allocate(size_t size)
 {
     unsigned int wanted = chunk_size(size);
-    struct chunk *chunk = wanted == 0 ? NULL : find(wanted);
+    struct chunk *chunk = NULL;
 
-    if (chunk != NULL) {
-        take_out(chunk);
-        set_size(chunk, chunk->size, IN_USE);
-        cut(chunk, wanted);
-        return BLOCK(chunk);
+    if (wanted != 0) {
+        chunk = obtain(wanted);
+        if (chunk == NULL && oldest != NULL) {
+            let_out(0);
+            chunk = obtain(wanted);
+        }
     }
-    chunk = wanted == 0 ? NULL : extend(wanted);
     if (chunk == NULL) {
         errno = ENOMEM;
         return NULL;
     }
-    set_size(chunk, wanted, IN_USE);
+    chunk->asked = size;
+    __crs_mark(BLOCK(chunk), size, CRS_WITHOUT_VALUE);
+    return chunk;
+}
+
+void *malloc(size_t size)
+{
+    struct chunk *chunk = allocate(size);
+
+    if (chunk == NULL)
+        return NULL;
+    __crs_callers(chunk->allocated, SITES);
     return BLOCK(chunk);
-}
-
-/* Stops the program when a pointer was not given by malloc, or was freed before, or when its
-   neighbour's header was written over. */
-static void check(struct chunk *chunk, const char *function)
-{
-    char *start = (char *)chunk;
-    unsigned int size;
-
-    if (((unsigned int)start + HEADER) % 16 == 0 && start >= __heap_start && start < unused) {
-        size = SIZE(chunk);
-        if ((chunk->size & IN_USE) && size >= 16 && size <= (unsigned int)(unused - start) &&
-            (start + size == unused ? last_size : AFTER(chunk)->size_before) == size)
-            return;
-    }
-    __crs_complain(function, ": invalid pointer or damaged heap\n");
-    __crs_stop("abort called");
-}
-
-void free(void *block)
-{
-    if (block == NULL)
-        return;
-    check(CHUNK(block), "free()");
-    release(CHUNK(block));
 }
 
 void *calloc(size_t count, size_t size)
 {
-    void *block;
+    struct chunk *chunk;
 
     if (size != 0 && count > 0xffffffffu / size) {
         errno = ENOMEM;
         return NULL;
     }
-    block = malloc(count * size);
-    if (block != NULL)
-        __builtin_memset(block, 0, count * size);
-    return block;
+    chunk = allocate(count * size);
+    if (chunk == NULL)
+        return NULL;
+    __crs_callers(chunk->allocated, SITES);
+    return __builtin_memset(BLOCK(chunk), 0, count * size);
+}
+
+/* Tells whether a pointer was given by malloc: a header lies before it that fits its neighbours. */
+static int is_block(void *block)
+{
+    struct chunk *chunk = CHUNK(block);
+    char *start = (char *)chunk;
+    unsigned int size;
+
+    if ((unsigned int)start % 16 != 0 || start < __heap_start || start >= unused)
+        return 0;
+    size = SIZE(chunk);
+    if (__crs_state(start) != CRS_INACCESSIBLE || !(chunk->size & IN_USE) || size < SMALLEST ||
+        size > (unsigned int)(unused - start) || chunk->asked > size - HEADER)
+        return 0;
+    if (chunk->size_before > (unsigned int)(start - __heap_start) ||
+        (chunk->size_before != 0 && SIZE(BEFORE(chunk)) != chunk->size_before))
+        return 0;
+    return (start + size == unused ? last_size : AFTER(chunk)->size_before) == size;
+}
+
+/* Stops the program when a pointer is not that of a block in use. */
+static void check(void *block)
+{
+    if (!is_block(block))
+        __crs_stop("invalid free", block);
+    if (CHUNK(block)->size & WAITING)
+        __crs_stop("double free", block);
+}
+
+/* Puts a chunk in use into the quarantine. */
+static void retire(struct chunk *chunk)
+{
+    unsigned int size = SIZE(chunk);
+
+    __crs_mark(BLOCK(chunk), size - HEADER, CRS_INACCESSIBLE);
+    chunk->size |= WAITING;
+    chunk->next = NULL;
+    if (oldest == NULL)
+        oldest = chunk;
+    else
+        youngest->next = chunk;
+    youngest = chunk;
+    waiting += size;
+    if (waiting > QUARANTINE)
+        let_out(QUARANTINE);
+}
+
+/* How many calls that led to its release a chunk has room for. */
+#define ROOM(chunk) (SIZE(chunk) >= sizeof(struct chunk))
+
+void free(void *block)
+{
+    struct chunk *chunk = CHUNK(block);
+
+    if (block == NULL)
+        return;
+    check(block);
+    if (ROOM(chunk))
+        __crs_callers(chunk->freed, SITES);
+    else
+        __crs_callers(chunk->freed, 2);
+    retire(chunk);
 }
 
 /* Grows a chunk in use over a free neighbour or unused memory; gives 1 when it has the size. */
@@ -249,27 +352,40 @@ static int grow(struct chunk *chunk, unsigned int wanted)
     return 1;
 }
 
+/* Changes how many bytes of a chunk may be used. */
+static void ask(struct chunk *chunk, unsigned int size)
+{
+    char *block = BLOCK(chunk);
+
+    if (size < chunk->asked)
+        __crs_mark(block + size, chunk->asked - size, CRS_INACCESSIBLE);
+    else
+        __crs_mark(block + chunk->asked, size - chunk->asked, CRS_WITHOUT_VALUE);
+    chunk->asked = size;
+}
+
 void *realloc(void *block, size_t size)
 {
     unsigned int wanted = chunk_size(size);
-    struct chunk *chunk = CHUNK(block);
-    void *copy;
+    struct chunk *chunk = CHUNK(block), *copy;
 
     if (block == NULL)
         return malloc(size);
-    check(chunk, "realloc()");
+    check(block);
     if (size == 0) {
-        release(chunk);
+        free(block);
         return NULL;
     }
     if (wanted != 0 && (SIZE(chunk) >= wanted || grow(chunk, wanted))) {
+        ask(chunk, size);
         cut(chunk, wanted);
         return block;
     }
-    copy = malloc(size);
-    if (copy != NULL) {
-        __builtin_memcpy(copy, block, SIZE(chunk) - HEADER);
-        release(chunk);
-    }
-    return copy;
+    copy = allocate(size);
+    if (copy == NULL)
+        return NULL;
+    __crs_callers(copy->allocated, SITES);
+    __builtin_memcpy(BLOCK(copy), block, chunk->asked);
+    free(block);
+    return BLOCK(copy);
 }

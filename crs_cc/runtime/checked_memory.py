@@ -1,0 +1,251 @@
+"""Access to memory with a test by the shadow memory before each access that is not surely right.
+
+What is known needs no test: a constant place in an object that the function knows by name, and
+whatever was tested before in the same block and cannot have changed since. Only allocation, calls
+and the ends of scopes take bytes away, and only copies of bytes without a value take values away.
+
+A value that is loaded only to be stored elsewhere is not judged: it takes its state along. So
+`t = a[i]; a[i] = a[j]; a[j] = t` works on bytes that have no value yet, as it does in C.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, TypeAlias
+
+from crs_cc.ir.program import (
+    MEMORY_SIZE,
+    VARARGS,
+    Base,
+    ByteState,
+    Constant,
+    Copy,
+    Fill,
+    Instruction,
+    Lifetime,
+    Load,
+    Operand,
+    Register,
+    Slot,
+    Store,
+)
+from crs_cc.requests import slot_offset
+from crs_cc.runtime import indices, shadow
+from crs_cc.runtime.carried import Carried
+from crs_cc.runtime.indices import (
+    ADDRESS,
+    MAILBOX,
+    MEMORY,
+    SLOT_GLOBAL,
+    SP,
+    STATES,
+    WIDE_STATES,
+)
+from crs_cc.runtime.layout import NULL_SIZE
+from crs_cc.runtime.places import Places, Proved
+from crs_cc.runtime.plain_memory import LOADS, STORES, PlainMemory
+from crs_cc.runtime.sites import Access, Site
+from crs_cc.runtime.wasm import UNLIKELY, Instr
+from crs_cc.source import Location
+
+if TYPE_CHECKING:
+    from crs_cc.runtime.selection import Selector
+
+_At: TypeAlias = tuple[Instr, int]
+"""An instruction that pushes an address, and the offset to use with it."""
+
+
+class CheckedMemory(PlainMemory):
+    """Writes accesses with their tests.
+
+    Attributes:
+        carried: which loads take states along, and where to.
+    """
+
+    def __init__(self, selector: Selector, carried: Carried) -> None:
+        super().__init__(selector, shadowed=True)
+        self.carried = carried
+        self.places = Places()
+        self.proved = Proved()
+        self._taken: set[Load] = set()
+
+    def forget(self) -> None:
+        """Drops what is known, where code from elsewhere joins."""
+        self.places.forget()
+        self.proved.forget()
+
+    def follow(self, it: Instruction) -> None:
+        """Takes note of what an instruction has written."""
+        self.places.follow(it)
+
+    # -- what is known -----------------------------------------------------------------------
+
+    def _inside(self, base: Base, offset: int, size: int) -> bool:
+        """Tells whether an access surely lies in an object that is known by name."""
+        match base:
+            case Slot() if base is not VARARGS:
+                return offset >= 0 and offset + size <= base.size
+            case str():
+                known = self.selector.names.sizes.get(base, 0)
+                return offset >= 0 and offset + size <= known
+        return False
+
+    def _accessible(self, base: Base, offset: int, size: int) -> bool:
+        root, distance = self.places.of(base, offset)
+        if isinstance(root, Slot | str) and self._inside(root, distance, size):
+            return True
+        return self.proved.has((root, distance), size, valued=False)
+
+    def _valued(self, base: Base, offset: int, size: int) -> bool:
+        root, distance = self.places.of(base, offset)
+        if isinstance(root, str) and self._inside(root, distance, size):
+            return True
+        return self.proved.has((root, distance), size, valued=True)
+
+    # -- tests -------------------------------------------------------------------------------
+
+    def place(self, base: Base, offset: int) -> tuple[Instr, int]:
+        """Gives an instruction that pushes an address, and the offset to use with it.
+
+        A pointer that was never tested may wrap around when the offset is added.
+        """
+        selector = self.selector
+        if not isinstance(base, Register) or offset == 0:
+            return super().place(base, offset)
+        if 0 < offset < NULL_SIZE and self._accessible(base, 0, 1):
+            return selector.value(base), offset
+        selector.code += [selector.value(base), ("i32.const", offset), ("i32.add",)]
+        selector.code.append(("local.set", ADDRESS))
+        return ("local.get", ADDRESS), 0
+
+    def _test(self, states: list[Instr], test: list[Instr], site: Site, at: _At) -> None:
+        """Stops the program if `test` finds fault with the states that are pushed."""
+        push, offset = at
+        blamed = [push, ("i32.const", offset), ("i32.add",)] if offset else [push]
+        self.selector.code += [*states, *test]
+        self.selector.fail_if(site, blamed)
+
+    def load(self, it: Load) -> None:
+        """Writes `result = *(base + offset)`."""
+        if not self._valued(it.base, it.offset, MEMORY_SIZE[it.memory]):
+            self._test_load(it)
+        else:
+            self._load(it, self.place(it.base, it.offset))
+
+    def _load(self, it: Load, at: _At) -> None:
+        push, offset = at
+        self.selector.code += [push, (LOADS[it.memory], MEMORY, offset)]
+        self.selector.pop(it.result)
+
+    def _test_load(self, it: Load) -> None:
+        size = MEMORY_SIZE[it.memory]
+        where = self.places.of(it.base, it.offset)
+        accessible = self._accessible(it.base, it.offset, size)
+        at = push, offset = self.place(it.base, it.offset)
+        site = Site("memory", it.location, "read", size)
+        found = [push, shadow.load(size, offset)]
+        carried = self.carried.states_of(it)
+        if carried is not None:
+            self.selector.code += found
+            self.selector.pop(carried)
+            found = [self.selector.value(carried)]
+            self._taken.add(it)
+        if carried is None and not it.unjudged and not self.carried.is_unused(it):
+            self._test(found, shadow.not_readable(size), site, at)
+            self.proved.add(where, size, valued=True)
+        elif not accessible:
+            self._test(found, shadow.not_accessible(size), site, at)
+            self.proved.add(where, size, valued=False)
+        self._load(it, at)
+
+    def store(self, it: Store) -> None:
+        """Writes `*(base + offset) = source`."""
+        size = MEMORY_SIZE[it.memory]
+        where = self.places.of(it.base, it.offset)
+        valued = self._valued(it.base, it.offset, size)
+        accessible = self._accessible(it.base, it.offset, size)
+        at = push, offset = self.place(it.base, it.offset)
+        carried = self._carried_to(it)
+        if carried is not None or not valued:
+            value = shadow.repeated(ByteState.WITH_VALUE, size)
+            states = value if carried is None else self.selector.value(carried)
+            if accessible:
+                self.selector.code += [push, states, shadow.store(size, offset)]
+            else:
+                self._test_store(it, at, states)
+        if carried is not None:
+            self.proved.forget_values()
+        self.proved.add(where, size, valued=carried is None)
+        self.selector.code += [push, self.selector.value(it.source)]
+        self.selector.code.append((STORES[it.memory], MEMORY, offset))
+
+    def _carried_to(self, it: Store) -> Register | None:
+        """Gives the register with the states of what is stored; None when it surely has a value."""
+        source = self.carried.source(it)
+        if source is None or source not in self._taken:
+            return None
+        states = self.carried.states_of(source)
+        if states is not None and self.carried.is_last(it):
+            self._taken.discard(source)
+            self.selector.release(states)
+        return states
+
+    def _test_store(self, it: Store, at: _At, states: Instr) -> None:
+        """Tests an address and sets the states of what is stored there.
+
+        Where bytes had values and get values, as nearly always, there is but one test.
+        """
+        size, code = MEMORY_SIZE[it.memory], self.selector.code
+        push, offset = at
+        local = WIDE_STATES if size == 8 else STATES
+        code += [push, shadow.load(size, offset), ("local.tee", local)]
+        if states[0] == "local.get":
+            code += [states, (f"{shadow.kind(size)}.and",)]
+        code += [*shadow.not_readable(size), UNLIKELY]
+        site = Site("memory", it.location, "write", size)
+        self._test([("local.get", local)], shadow.not_accessible(size), site, at)
+        code += [push, states, shadow.store(size, offset), ("end",)]
+
+    def check_range(
+        self, address: Operand, size: Operand, location: Location, access: Access
+    ) -> None:
+        """Stops the program unless `size` bytes at `address` are accessible."""
+        if isinstance(size, Constant) and isinstance(address, Register):
+            where, length = self.places.of(address, 0), int(size.value)
+            if length == 0 or self._accessible(address, 0, length):
+                return
+            self.proved.add(where, length, valued=False)
+        selector = self.selector
+        selector.code += [selector.value(address), selector.value(size)]
+        selector.code += [("call", indices.INACCESSIBLE), ("local.tee", WIDE_STATES)]
+        selector.code += [("i64.const", shadow.FINE), ("i64.ne",), UNLIKELY]
+        selector.code += [("global.get", SLOT_GLOBAL), selector.value(size)]
+        selector.code.append(("i32.store", MAILBOX, slot_offset("error_size")))
+        first = [("local.get", WIDE_STATES), ("i32.wrap_i64",)]
+        selector.fail(Site("memory", location, access), first)
+        selector.code.append(("end",))
+
+    def copy(self, it: Copy) -> None:
+        """Writes a `memmove`; values and their absence go along."""
+        self.check_range(it.target, it.size, it.location, "write")
+        self.check_range(it.source, it.size, it.location, "read")
+        super().copy(it)
+        self.proved.forget_values()
+
+    def fill(self, it: Fill) -> None:
+        """Writes a `memset`."""
+        self.check_range(it.target, it.size, it.location, "write")
+        super().fill(it)
+        if isinstance(it.size, Constant) and isinstance(it.target, Register):
+            where = self.places.of(it.target, 0)
+            self.proved.add(where, int(it.size.value), valued=True)
+
+    def check_message(self, address: Operand, size: Operand, location: Location) -> None:
+        """Stops the program unless a message to the world outside is accessible."""
+        self.check_range(address, size, location, "read")
+
+    def lifetime(self, it: Lifetime) -> None:
+        """Begins or ends an object in a slot."""
+        state = ByteState.WITHOUT_VALUE if it.begins else ByteState.INACCESSIBLE
+        offset = self.selector.frame.offsets[it.slot]
+        self.selector.code += shadow.fill(("local.get", SP), offset, it.slot.size, state)
+        self.proved.forget()

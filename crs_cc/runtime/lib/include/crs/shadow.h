@@ -1,0 +1,18 @@
+/* What the allocator tells the shadow memory, see crs_cc/ir/instruction.py. For the library itself:
+   all are intrinsics of the compiler, and do nothing in unchecked builds. */
+#ifndef CRS_SHADOW_H
+#define CRS_SHADOW_H
+
+#define CRS_INACCESSIBLE 0
+#define CRS_WITHOUT_VALUE 1
+
+/* Says what C may do with some bytes; the state is a constant. */
+void __crs_mark(void *address, unsigned int size, int state);
+
+/* Writes the numbers of the calls that led here, the innermost first; the count is a constant. */
+void __crs_callers(int *sites, int count);
+
+/* Gives the state of a byte; in unchecked builds every byte is inaccessible. */
+int __crs_state(const void *address);
+
+#endif

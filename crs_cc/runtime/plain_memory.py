@@ -1,0 +1,158 @@
+"""Access to memory without tests: for unchecked builds, and for the allocator in all builds.
+
+`CheckedMemory` does the same with tests. Which of the two a `Selector` has decides how `Load`,
+`Store` and all that works on whole ranges are written.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.ir.program import (
+    Base,
+    ByteState,
+    Callers,
+    Constant,
+    Copy,
+    Fill,
+    Instruction,
+    Lifetime,
+    Load,
+    Mark,
+    MemoryType,
+    Operand,
+    Slot,
+    State,
+    Store,
+)
+from crs_cc.runtime import indices
+from crs_cc.runtime.indices import ADDRESS, FP, MEMORY, OUTSIDE, SHADOW, SP
+from crs_cc.runtime.layout import NULL_SIZE
+from crs_cc.runtime.sites import Access, Site
+from crs_cc.runtime.wasm import Instr
+from crs_cc.source import Location
+
+if TYPE_CHECKING:
+    from crs_cc.runtime.selection import Selector
+
+LOADS: Final[dict[MemoryType, str]] = {
+    "i8": "i32.load8_s", "u8": "i32.load8_u", "i16": "i32.load16_s", "u16": "i32.load16_u",
+    "i32": "i32.load", "i64": "i64.load", "f32": "f32.load", "f64": "f64.load",
+}  # fmt: skip
+STORES: Final[dict[MemoryType, str]] = {
+    "i8": "i32.store8", "u8": "i32.store8", "i16": "i32.store16", "u16": "i32.store16",
+    "i32": "i32.store", "i64": "i64.store", "f32": "f32.store", "f64": "f64.store",
+}  # fmt: skip
+
+
+class PlainMemory:
+    """Writes accesses that are not tested.
+
+    Attributes:
+        shadowed: whether there is a shadow memory, to be kept up to date all the same.
+    """
+
+    def __init__(self, selector: Selector, *, shadowed: bool) -> None:
+        self.selector = selector
+        self.shadowed = shadowed
+
+    def forget(self) -> None:
+        """Drops what is known, where code from elsewhere joins."""
+
+    def follow(self, it: Instruction) -> None:
+        """Takes note of what an instruction has written."""
+
+    def place(self, base: Base, offset: int) -> tuple[Instr, int]:
+        """Gives an instruction that pushes an address, and the offset to use with it.
+
+        The code that comes before may change local `ADDRESS`.
+        """
+        selector = self.selector
+        if isinstance(base, Slot):
+            return ("local.get", SP), selector.frame.offsets[base] + offset
+        if isinstance(base, str):
+            return ("i32.const", selector.names.addresses[base] + offset), 0
+        push = selector.value(base)
+        if 0 <= offset < NULL_SIZE:
+            return push, offset
+        selector.code += [push, ("i32.const", offset), ("i32.add",), ("local.set", ADDRESS)]
+        return ("local.get", ADDRESS), 0
+
+    def load(self, it: Load) -> None:
+        """Writes `result = *(base + offset)`."""
+        push, offset = self.place(it.base, it.offset)
+        self.selector.code += [push, (LOADS[it.memory], MEMORY, offset)]
+        self.selector.pop(it.result)
+
+    def store(self, it: Store) -> None:
+        """Writes `*(base + offset) = source`."""
+        push, offset = self.place(it.base, it.offset)
+        self.selector.code += [push, self.selector.value(it.source)]
+        self.selector.code.append((STORES[it.memory], MEMORY, offset))
+
+    def copy(self, it: Copy) -> None:
+        """Writes a `memmove`."""
+        selector = self.selector
+        selector.charge(it.size)
+        for memory in (MEMORY, SHADOW) if self.shadowed else (MEMORY,):
+            selector.code += [selector.value(each) for each in (it.target, it.source, it.size)]
+            selector.code.append(("memory.copy", memory, memory))
+
+    def fill(self, it: Fill) -> None:
+        """Writes a `memset`."""
+        selector = self.selector
+        selector.charge(it.size)
+        selector.code += [selector.value(each) for each in (it.target, it.value, it.size)]
+        selector.code.append(("memory.fill", MEMORY))
+        self.set_states(it.target, it.size, ByteState.WITH_VALUE)
+
+    def argument(self, value: Operand, offset: int, size: Operand, location: Location) -> None:
+        """Copies a struct to the arguments of a call, at SP + `offset`."""
+        selector = self.selector
+        self.check_range(value, size, location, "read")
+        selector.charge(size)
+        selector.code += [("local.get", SP), ("i32.const", offset), ("i32.add",)]
+        selector.code += [selector.value(value), selector.value(size)]
+        selector.code.append(("memory.copy", MEMORY, MEMORY))
+
+    def check_range(
+        self, address: Operand, size: Operand, location: Location, access: Access
+    ) -> None:
+        """Stops the program unless `size` bytes at `address` are accessible."""
+
+    def check_message(self, address: Operand, size: Operand, location: Location) -> None:
+        """Stops the program unless a message to the world outside lies in memory."""
+        selector = self.selector
+        selector.code += [selector.value(address), selector.value(size), ("call", OUTSIDE)]
+        selector.fail_if(Site("memory", location, "read"), [selector.value(address)])
+
+    def set_states(self, address: Operand, size: Operand, state: int) -> None:
+        """Sets the states of bytes, where there are any."""
+        if self.shadowed:
+            selector = self.selector
+            selector.code += [selector.value(address), ("i32.const", state), selector.value(size)]
+            selector.code.append(("memory.fill", SHADOW))
+
+    def mark(self, it: Mark) -> None:
+        """Says what C may do with a block of the heap."""
+        self.selector.charge(it.size)
+        self.set_states(it.target, it.size, it.state)
+
+    def callers(self, it: Callers) -> None:
+        """Writes down who called."""
+        if self.shadowed:
+            selector = self.selector
+            selector.code += [("local.get", FP), selector.value(it.target)]
+            selector.code += [("i32.const", it.count), ("call", indices.CALLERS)]
+
+    def state(self, it: State) -> None:
+        """Gives what C may do with a byte."""
+        selector = self.selector
+        if self.shadowed:
+            selector.code += [selector.value(it.address), ("i32.load8_u", SHADOW, 0)]
+        else:
+            selector.push(Constant("i32", ByteState.INACCESSIBLE))
+        selector.pop(it.result)
+
+    def lifetime(self, it: Lifetime) -> None:
+        """Begins or ends an object in a slot."""
