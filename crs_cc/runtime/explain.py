@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from crs_cc.runtime.variables import Variables
 
 SHOWN_SITES: Final = 3
+LARGEST_SCALAR: Final = 8  # bytes; a larger access begins inside the object that it leaves
 FORMATTED: Final = ("printf", "scanf")
 FORMAT_HINT: Final = "hint: does the format fit the arguments?"
 
@@ -129,14 +130,14 @@ def object_name(found: Object | None) -> str:
     return f"'{found.name}'" if found.name else "an unnamed object"
 
 
-def object_notes(found: Object | None, address: int) -> tuple[str, ...]:
-    """Says what an object is, where it was declared, or allocated and freed."""
+def object_notes(found: Object | None, address: int | None = None) -> tuple[str, ...]:
+    """Says what an object is, which part of it lies at an address, and where it came from."""
     if found is None:
         return ()
     notes = []
     if found.variable is not None:
         ctype, name = found.variable.ctype, found.name
-        part = place_name(name, ctype, address - found.address)
+        part = name if address is None else place_name(name, ctype, address - found.address)
         this = f"; this is {part}" if part != name else ""
         size = count(found.size, "byte")
         notes.append(f"'{name}' is {spell(ctype)}, {size}, declared at {found.location}{this}")
@@ -203,17 +204,16 @@ def _out_of_bounds(case: Case) -> Explanation:
     failure, found = case.failure, case.failure.object
     if found is None:
         return _wild(case)
-    offset = failure.value - found.address
-    behind = offset - found.size
-    if behind >= 0:
+    behind = failure.value - (found.address + found.size)
+    before = found.address - failure.value
+    if behind == 0 and failure.size > LARGEST_SCALAR:
+        where = "over the end of"
+    elif behind >= 0:
         where = f"{count(behind, 'byte')} behind" if behind else "right behind"
         where += " the end of"
-    elif offset < 0:
-        gap = -offset - failure.size
-        where = f"{count(-offset, 'byte')} before" if gap > 0 else "right before"
-        where += " the start of"
     else:
-        where = f"from byte {offset} on, over the end of"
+        where = f"{count(before, 'byte')} before" if before > failure.size else "right before"
+        where += " the start of"
     text = f"{case.access} {where} {object_name(found)}"
     return Explanation(text, object_notes(found, failure.value))
 
@@ -241,15 +241,18 @@ def _returned(case: Case) -> Explanation:
 
 def _uninitialised(case: Case) -> Explanation:
     failure, found = case.failure, case.failure.object
-    notes = object_notes(found, failure.value or (found.address if found else 0))
+    notes = object_notes(found)
     if found is not None and found.variable is not None:
         offset = max(0, failure.value - found.address) if failure.value else 0
         part = place_name(found.name, found.variable.ctype, offset)
-        return Explanation(f"'{part}' has no value yet", notes, told=found.name)
+        if case.callee is None:
+            return Explanation(f"'{part}' has no value yet", notes, told=found.name)
+        return Explanation(f"{case.access} of '{part}', which has no value yet", notes)
     if found is not None and found.kind == "heap block":
-        offset = failure.value - found.address
-        text = f"{case.access} at byte {offset} of {object_name(found)} that have no value yet"
-        return Explanation(text, notes)
+        where = f"byte {failure.value - found.address} of {object_name(found)}"
+        if case.callee is None and case.expression:
+            return Explanation(f"'{case.expression}' has no value yet", (f"it is {where}", *notes))
+        return Explanation(f"{case.access} from {where}, which has no value yet", notes)
     what = f"'{case.expression}'" if case.expression else "what is used here"
     return Explanation(f"{what} has no value yet", notes)
 
@@ -282,7 +285,7 @@ def _missing_argument(case: Case) -> Explanation:
         name = case.callee.function
         text = f"{name} is asked for more arguments than were passed"
         return Explanation(text, (FORMAT_HINT,) if name.endswith(FORMATTED) else ())
-    return Explanation("va_arg asks for an argument that was not passed")
+    return Explanation("va_arg asks for an argument that was not passed", shows_values=False)
 
 
 def _bad_function(case: Case) -> Explanation:

@@ -112,7 +112,9 @@ class _Reporter:
             rows = rows[1:]
         values: tuple[tuple[str, str], ...] = ()
         if frame is not None and callee is None and explained.shows_values:
-            values = self.values(frame, expression, explained.told)
+            found = failure.object
+            told = {explained.told, found.name if found else ""}
+            values = self.values(frame, expression, told)
         return ErrorReport(
             failure.kind,
             place,
@@ -141,12 +143,14 @@ class _Reporter:
         place = None if _is_library(frame) else frame.location
         return ActiveCall(plain_name(frame.function), tuple(arguments), place)
 
-    def values(self, frame: StackFrame, expression: str, told: str) -> tuple[tuple[str, str], ...]:
+    def values(
+        self, frame: StackFrame, expression: str, told: set[str]
+    ) -> tuple[tuple[str, str], ...]:
         """Gives the values of the variables in an expression, and of the structs they point to."""
         write, values = self.variables.values, []
         for name in names_in(expression):
             known = self.variables.find(name, frame)
-            if known is None or name == told:
+            if known is None or name in told:
                 continue
             variable, content = known
             values.append((name, write.show(variable.ctype, content)))

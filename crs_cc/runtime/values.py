@@ -200,7 +200,7 @@ def _enumerator(ctype: EnumType, value: int) -> str:
 def _text(content: bytes) -> str | None:
     """Gives a string in quotes as far as it goes; None when it is no text."""
     characters, end, _ = content.partition(b"\0")
-    if not content or any(code < 32 and code not in _ESCAPES for code in characters):
+    if not content or any(code < 32 and code not in b"\t\n\r" for code in characters):
         return None
     if not end and len(content) <= LONGEST_TEXT:
         return None  # nothing ends it
