@@ -10,11 +10,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any, Final, TypeAlias, TypeVar
 
 from pycparser import c_ast
 
 from crs_cc.frontend import tree
+from crs_cc.frontend.declared_in import header_hint
 from crs_cc.frontend.lex import Span
 from crs_cc.frontend.parse import Node, report
 from crs_cc.frontend.parse_gnu import GnuNode
@@ -132,6 +134,7 @@ class Unit:
         unknown: unknown names that were reported, with the function that used them.
         suggestions: how many more unknown names get a hint.
         trusted: whether its functions may tell the shadow memory what C may do.
+        headers: the folders of the headers that come with crs.
     """
 
     name: str
@@ -148,6 +151,7 @@ class Unit:
     unknown: set[tuple[str, str]] = field(default_factory=set)
     suggestions: int = 20
     trusted: bool = False
+    headers: tuple[Path, ...] = ()
 
     def at(self, node: Node) -> Location:
         """Gives a node's place, the last known one if it has none."""
@@ -190,7 +194,12 @@ class Unit:
     def suggest(self, name: str, kind: type[Symbol] | None = None) -> str:
         """Gives a hint for an unknown name; after some of them none, as they take time."""
         self.suggestions -= 1
-        similar = self.scope.closest(name, kind) if self.suggestions >= 0 else None
+        if self.suggestions < 0:
+            return ""
+        hint = header_hint(name, self.headers)
+        if hint:
+            return hint
+        similar = self.scope.closest(name, kind)
         return f"did you mean '{similar}'?" if similar is not None else ""
 
     @contextmanager

@@ -8,6 +8,7 @@ from crs_cc.frontend import tree
 from crs_cc.frontend.builtins import call_builtin
 from crs_cc.frontend.check import CheckError, Unit, checks
 from crs_cc.frontend.check_expr import offset_of, rvalue
+from crs_cc.frontend.check_format import check_format
 from crs_cc.frontend.convert import assigned, decay, promote_argument
 from crs_cc.frontend.known import library_functions, undeclared
 from crs_cc.frontend.parse import Node
@@ -80,6 +81,7 @@ def _call(unit: Unit, node: Node, callee: Expression) -> Expression:
     arguments = _arguments(unit, callee, function, nodes)
     if isinstance(callee, tree.AddressOf) and isinstance(callee.operand, tree.FunctionName):
         callee = callee.operand
+        check_format(unit, callee.symbol, nodes, arguments)
     return tree.Call(unqualified(function.result), location, callee, arguments)
 
 

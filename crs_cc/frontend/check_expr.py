@@ -10,6 +10,7 @@ from crs_cc.frontend.check import CheckError, Unit, checks, expression
 from crs_cc.frontend.check_init import initialise
 from crs_cc.frontend.compatible import compatible
 from crs_cc.frontend.declare import type_name
+from crs_cc.frontend.doubt_operands import doubt_size
 from crs_cc.frontend.parse import Node
 from crs_cc.frontend.scope import (
     BrokenName,
@@ -202,6 +203,7 @@ def size_of(unit: Unit, node: Node) -> Expression:
     else:
         operand = expression(unit, node.expr)
         ctype = operand.type
+        doubt_size(unit, operand, location)
         if vla.is_variable(ctype):
             effects = [convert.convert(operand, VOID)]
         if isinstance(operand, tree.MemberAccess) and operand.member.bit_width is not None:

@@ -22,6 +22,7 @@ from crs_cc.frontend.convert import (
     promote,
     usual,
 )
+from crs_cc.frontend.doubt_operands import doubt_signs, doubt_string
 from crs_cc.frontend.parse import Node
 from crs_cc.frontend.scope import ObjectSymbol
 from crs_cc.frontend.tree import Expression
@@ -119,8 +120,11 @@ def _comparison(
     unit: Unit, op: str, left: Expression, right: Expression, place: Location
 ) -> Expression:
     if is_arithmetic(left.type) and is_arithmetic(right.type):
+        if op not in {"==", "!="}:
+            doubt_signs(unit, left, right, place)
         left, right = usual(left, right)
         return _folded(unit, op, INT, (left, right), place)
+    doubt_string(unit, left, right, place)
     if not is_scalar(left.type) or not is_scalar(right.type):
         raise _invalid(left, right, place)
     _compare_pointers(unit, left, right, place)

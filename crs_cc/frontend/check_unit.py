@@ -102,7 +102,9 @@ def _function_definition(unit: Unit, node: Node) -> None:
                 statement(unit, each, body)
     check_labels(unit)
     vla.finish(state, body)
-    made = tree.FunctionDefinition(location, symbol, parameters, passed, body, implicit)
+    made = tree.FunctionDefinition(
+        location, symbol, unit.at(node.body), parameters, passed, body, implicit
+    )
     unit.functions.append(made)
 
 
@@ -142,6 +144,7 @@ def _declare_parameter(unit: Unit, node: Node, name: str | None, ctype: CType) -
     if not is_complete(ctype):
         raise CheckError(location, f"parameter '{name or ''}' has incomplete type '{ctype}'")
     symbol = ObjectSymbol(name or "", ctype, location, in_memory=not is_scalar(ctype))
+    symbol.is_array_parameter = isinstance(getattr(node, "type", None), c_ast.ArrayDecl)
     if name is not None:
         if name in unit.scope.names:
             raise CheckError(location, f"redefinition of parameter '{name}'")

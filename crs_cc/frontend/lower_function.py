@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from crs_cc.frontend import lower_expr, lower_init, lower_stmt, tree
 from crs_cc.frontend.lower import Lowering, memory_type, statements, value_type
@@ -30,9 +30,6 @@ if TYPE_CHECKING:
 _ = lower_expr, lower_init, lower_stmt  # enter their functions into the tables
 
 
-_NEVER_RETURN: Final = frozenset({"exit", "_exit", "_Exit", "abort", "longjmp", "siglongjmp"})
-
-
 def lower_function(unit: UnitLowering, definition: tree.FunctionDefinition) -> Function:
     """Makes the IR of a function."""
     symbol, location = definition.symbol, definition.location
@@ -55,22 +52,10 @@ def lower_function(unit: UnitLowering, definition: tree.FunctionDefinition) -> F
     fall_off = Return(location, Constant("i32", 0) if is_main else None)
     low.end(fall_off)
     kept = tidy(function)
-    if function.result is not None and not is_main and not definition.returns_implicit_int:
-        _check_end(low, definition, fall_off)
     for block, name, place in low.references:
         if block in kept:
             unit.use(name, place)
     return function
-
-
-def _check_end(low: Lowering, definition: tree.FunctionDefinition, fall_off: Return) -> None:
-    """Warns when the end of a function that gives a value can be reached."""
-    if any(name in _NEVER_RETURN for _, name, _ in low.references):
-        return
-    if any(block.terminator is fall_off for block in low.function.blocks):
-        name = definition.symbol.name
-        text = f"the end of '{name}' can be reached without returning a value"
-        low.unit.unit.warning(definition.location, text)
 
 
 def _parameter(low: Lowering, symbol: ObjectSymbol, passed: CType) -> None:

@@ -143,6 +143,7 @@ class _Parser(AttributeParser):
         self._diagnostics = diagnostics
         self._last_patch = -1
         self._blamed = ""
+        self._said_int = False
         self._typedef_checked_token: Token | None = None
         self._type_names: dict[int, tuple[Any, int]] = {}
         self._scope_stack = [dict.fromkeys(PREDECLARED_TYPES, True)]
@@ -318,6 +319,8 @@ class _Parser(AttributeParser):
             )
             raise ParseError
         found: list[Node] = super()._parse_external_declaration()
+        if found and isinstance(found[0], c_ast.FuncDef):
+            found[0].body.coord = self._buffer[self._index - 1]  # where it can fall off its end
         return found
 
     def _starts_external(self, token: Token) -> bool:
@@ -325,15 +328,21 @@ class _Parser(AttributeParser):
         return token.type in others or self._starts_declaration(token)
 
     def _put_in_int(self, token: Token) -> None:
-        self._diagnostics.warning(token.location, _IMPLICIT_INT)
+        self._warn_of_int(token)
         self._buffer.insert(self._index, token.copy("INT", "int"))
         self._typedef_checked_token = None
+
+    def _warn_of_int(self, token: Token) -> None:
+        """Says that an `int` is left out, once in a file: where it is habit, it is everywhere."""
+        if not self._said_int:
+            self._diagnostics.warning(token.location, _IMPLICIT_INT)
+        self._said_int = True
 
     def _parse_declaration_specifiers(self, allow_no_type: bool = False) -> Any:
         self._declare_unknown_type()
         spec, saw_type, place = super()._parse_declaration_specifiers(allow_no_type)
         if not spec["type"]:
-            self._diagnostics.warning(place.location, _IMPLICIT_INT)
+            self._warn_of_int(place)
             spec["type"].append(c_ast.IdentifierType(["int"], coord=place))
         return spec, saw_type, place
 

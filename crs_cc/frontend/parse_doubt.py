@@ -36,7 +36,7 @@ class DoubtingParser(ExpressionParser):
         value = self._parse_assignment_expression()
         if token.value == "=":
             self._doubt_turned(token, first)
-            self._doubt_condition(token, start)
+            self._doubt_condition(token, start, value)
         return c_ast.Assignment(token.value, target, value, self._span(start))
 
     def _doubt_turned(self, token: Token, first: int) -> None:
@@ -51,11 +51,17 @@ class DoubtingParser(ExpressionParser):
                 hint = "write '!=', or put a space between '=' and '!'"
             self._diagnostics.warning(token.location, f"'={what}' means '= {what}' here", hint)
 
-    def _doubt_condition(self, token: Token, start: int) -> None:
-        """Warns of `if (a = b)`, but not of `if ((a = b))`."""
+    def _doubt_condition(self, token: Token, start: int, value: Node) -> None:
+        """Warns of `if (a = b)` and `while (a = 1)`, but not of `if ((a = b))`.
+
+        `while (*to++ = *from++)` is how C of 1978 was written.
+        """
         before = self._buffer[start - 2 : start] if start >= 2 else []
         following = self._buffer[self._index]
         if [each.type for each in before[1:]] != ["LPAREN"] or before[0].type not in _CONDITIONS:
+            return
+        is_plain = isinstance(value, c_ast.Constant | c_ast.ID)
+        if before[0].type == "WHILE" and not is_plain:
             return
         if following is not None and following.type == "RPAREN":
             text = "the result of an assignment is the condition"

@@ -29,6 +29,7 @@ class ObjectSymbol:
         is_defined: has an initialiser, or is static.
         is_tentative: declared at file scope without `extern` and initialiser (C17 6.9.2).
         is_weak: another file may define it, too, and prevails.
+        is_array_parameter: a pointer, but declared as an array.
         in_memory: its address is taken, or it is no scalar, so that no register can hold it.
         is_indirect: the name means what this variable, a pointer, points to; so it is with an array
             whose length is not constant.
@@ -43,6 +44,7 @@ class ObjectSymbol:
     is_defined: bool = False
     is_tentative: bool = False
     is_weak: bool = False
+    is_array_parameter: bool = False
     in_memory: bool = False
     is_indirect: bool = False
     align: int = 0

@@ -386,10 +386,12 @@ class FunctionDefinition:
         parameters: in order; a parameter without a name has the name "".
         passed: the types in which callers pass them (a K&R `float` comes as `double`).
         returns_implicit_int: no result type was written, so that no value need be returned.
+        end: where its closing brace is.
     """
 
     location: Location
     symbol: FunctionSymbol
+    end: Location
     parameters: list[ObjectSymbol]
     passed: list[CType]
     body: list[Statement]

@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Final
 from crs_cc.errors import CompileError
 from crs_cc.frontend.check import Unit
 from crs_cc.frontend.check_unit import check_unit
+from crs_cc.frontend.doubt import doubt_unit
 from crs_cc.frontend.lower_unit import lower_unit
 from crs_cc.frontend.options import Options
 from crs_cc.frontend.parse import GiveUp, parse
@@ -53,7 +54,7 @@ def compile_file(path: Path, options: Options, diagnostics: Diagnostics) -> Prog
     Raises:
         CompileError: when there are errors in the file.
     """
-    unit = Unit(str(path), diagnostics, Location(str(path)))
+    unit = _unit(str(path), options, diagnostics)
     return _compile(lambda: preprocess(path, options, diagnostics), unit)
 
 
@@ -63,8 +64,13 @@ def compile_text(text: str, name: str, options: Options, diagnostics: Diagnostic
     Raises:
         CompileError: when there are errors in it.
     """
-    unit = Unit(name, diagnostics, Location(name), trusted=options.trusted)
+    unit = _unit(name, options, diagnostics)
     return _compile(lambda: preprocess_text(text, name, options, diagnostics), unit)
+
+
+def _unit(name: str, options: Options, diagnostics: Diagnostics) -> Unit:
+    place = Location(name)
+    return Unit(name, diagnostics, place, trusted=options.trusted, headers=options.system_paths)
 
 
 def _compile(preprocessed: Callable[[], Preprocessed], unit: Unit) -> Program:
@@ -95,6 +101,7 @@ def _stages(unit: Unit, source: Preprocessed) -> Program:
     unit.diagnostics.stage = "types"
     check_unit(unit, nodes)
     _stop_on_errors(unit)
+    doubt_unit(unit)
     program = lower_unit(unit)
     _stop_on_errors(unit)
     return program

@@ -223,6 +223,10 @@ def _undefined(name: str, user: Program, library: Library, diagnostics: Diagnost
     known = [each for each in user.functions if ":" not in each] + list(library.names())
     close = difflib.get_close_matches(name, known, 1)
     hint = f"did you mean '{close[0]}'?" if close else ""
+    told = [each for each in diagnostics.messages if each.location == location]
+    for each in told:
+        if each.severity == "warning" and f"'{name}'" in each.text:
+            diagnostics.messages.remove(each)  # that it is not declared: this says more
     diagnostics.error(location, f"'{name}' is used, but defined nowhere", hint)
 
 

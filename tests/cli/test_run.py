@@ -425,7 +425,7 @@ def test_a_picture_never_overwrites_a_source(
 def test_a_run_shows_a_few_of_many_warnings_and_check_all(
     tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    lines = [f"f{number}() {{ return {number}; }}" for number in range(9)]
+    lines = [f"void f{number}(int a) {{ a == {number}; }}" for number in range(9)]
     (tmp_path / "old.c").write_text("\n".join([*lines, "main() { return 0; }"]))
     assert main(["run", "old.c"]) == 0
     shown = capfd.readouterr().err

@@ -1,7 +1,7 @@
 """What to tell a user whose header is missing.
 
 >>> hint_for_missing("fstream", [])
-"it belongs to C++, and crs compiles C"
+'it belongs to C++, and crs compiles C'
 """
 
 from __future__ import annotations

@@ -37,8 +37,8 @@ _FLOATING: Final = (
 _FLOATING_NUMBER: Final = re.compile(_FLOATING)
 _INTEGER: Final = rf"(?:0[xX][0-9a-fA-F]+|0[bB][01]+|0[0-7]*|[1-9][0-9]*){SUFFIX}"
 
-_ESCAPED: Final = r"[0-9a-zA-Z._~!=&\^\-\\?'\"]"
-"""What the parser takes after a backslash (pycparser 3.12, c_lexer.py)."""
+_ESCAPED: Final = r"[0-7abefnrtvxuUE\\?'\"]"
+"""What has a meaning after a backslash (C17 6.4.4.4), and gcc's `\\e`."""
 _IN_STRING: Final = rf"[^\"\\\udc80-\udcff]|\\{_ESCAPED}"
 _IN_CHARACTER: Final = rf"[^'\\\udc80-\udcff]|\\(?:[0-7]{{1,3}}|x[0-9a-fA-F]+|{_ESCAPED})"
 

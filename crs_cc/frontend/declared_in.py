@@ -1,0 +1,33 @@
+"""Which header declares a name that a program uses without including it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from functools import lru_cache
+from pathlib import Path
+
+
+def header_hint(name: str, folders: Sequence[Path]) -> str:
+    """Gives a hint to the header that declares a name; nothing if none of ours does.
+
+    Args:
+        name: a function, macro or type.
+        folders: the folders of the headers that come with crs.
+    """
+    pattern = re.compile(
+        rf"^#define {re.escape(name)}\b|^[^#\n/]*[ *]{re.escape(name)}(?:\(|;$)", re.MULTILINE
+    )
+    for folder in folders:
+        for header, text in _headers(folder):
+            if name in text and pattern.search(text):
+                return f"include <{header}>"
+    return ""
+
+
+@lru_cache(maxsize=4)
+def _headers(folder: Path) -> tuple[tuple[str, str], ...]:
+    """Gives the headers for programs in a folder, each by its name with its text."""
+    paths = [*sorted(folder.glob("*.h")), *sorted(folder.glob("sys/*.h"))]
+    own = [path for path in paths if not path.name.startswith("crs")]
+    return tuple((path.relative_to(folder).as_posix(), path.read_text()) for path in own)

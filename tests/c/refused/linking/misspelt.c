@@ -1,0 +1,7 @@
+#include <stdio.h>
+int main(void)
+{
+    prinft("hello\n");  // error: did you mean 'printf'?
+//  ^
+    return 0;
+}

@@ -1,0 +1,19 @@
+#include <stdio.h>
+
+int main(void)
+{
+    int i = 0;
+    float f = 0;
+    double d = 0;
+    char name[20] = "";
+
+    if (scanf("%d", i) != 1)  // warning: '%d' expects 'int *', but the argument is 'int'
+//             ^
+        return 1;
+    sscanf("1", "%f", &d);  // warning: '%f' expects 'float *', but the argument is 'double *'
+    sscanf("1", "%lf", &f);  // warning: '%lf' expects 'double *', but the argument is 'float *'
+    sscanf("1", "%d %d", &i);  // warning: '%d' has no argument
+    sscanf("1", "%hd", &i);  // warning: '%hd' expects 'short *', but the argument is 'int *'
+    sscanf("1 2", "%d %*d %lf %19s %[^,]%n %c", &i, &d, name, name, &i, &name);
+    return 0;
+}

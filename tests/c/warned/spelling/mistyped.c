@@ -1,0 +1,31 @@
+#include <stdio.h>
+
+int main(void)
+{
+    int a = 1, b = 2;
+    const char *from = "text";
+    char buffer[8], *to = buffer;
+
+    if (a = b)  // warning: the result of an assignment is the condition
+//        ^
+        a = 3;
+    while (b = 0)  // warning: write '==' to compare
+        ;
+    if ((a = b))
+        a = 1;
+    while (*to++ = *from++)
+        ;
+    a =+ 2;  // warning: '=+' means '= +' here
+//    ^
+    a =- 1;  // warning: write '-=', or put a space between '=' and '-'
+    b =-1;
+    if (a);  // warning: the body of this 'if' is empty
+//        ^
+    for (a = 0; a < 3; a++);  // warning: the body of this 'for' is empty
+    {
+        b++;
+    }
+    while (getchar() > 0);
+    printf("\%d\n", b);  // warning: unknown escape sequence '\%'
+    return 0;
+}
