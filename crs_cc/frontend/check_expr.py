@@ -181,12 +181,24 @@ def compound_literal(unit: Unit, node: Node) -> Expression:
 def generic(unit: Unit, node: Node) -> Expression:
     """Chooses an association of `_Generic` (C17 6.5.1.1)."""
     controlling = unqualified(rvalue(unit, node.expr).type)
-    default = None
+    default = chosen = None
+    types: list[CType] = []
     for association in node.associations:
         if association.type is None:
+            if default is not None:
+                raise CheckError(unit.at(association), "'_Generic' has two 'default'")
             default = association.expr
-        elif compatible(type_name(unit, association.type), controlling):
-            return expression(unit, association.expr)
+            continue
+        ctype = type_name(unit, association.type)
+        twin = next((each for each in types if compatible(each, ctype)), None)
+        if twin is not None:
+            text = f"'_Generic' has two types that are compatible, '{twin}' and '{ctype}'"
+            raise CheckError(unit.at(association), text)
+        types.append(ctype)
+        if compatible(ctype, controlling):
+            chosen = association.expr
+    if chosen is not None:
+        return expression(unit, chosen)
     if default is None:
         text = f"controlling expression type '{controlling}' not compatible with any association"
         raise CheckError(unit.at(node), text)

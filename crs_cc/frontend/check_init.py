@@ -124,7 +124,7 @@ def initialise(unit: Unit, ctype: CType, node: Node, is_static: bool) -> tuple[I
     filler = _Filler(unit, is_static)
     if isinstance(node, c_ast.InitList):
         filler.braced(_Part(ctype, 0), node)
-        result = Initialiser(filler.values, is_braced=True)
+        result = Initialiser(filler.values, True, filler.reached)
     else:
         value = expression(unit, node)
         if not filler.whole(_Part(ctype, 0), value):
@@ -292,8 +292,10 @@ class _Filler:
     def _limit(self, part: _Part, node: Node) -> None:
         if part.offset + part.type.size > LARGEST_OBJECT:
             raise CheckError(self.unit.at(node), "initialized object is too large")
-        if isinstance(part.type, ArrayType) and part.type.length is None:
-            raise CheckError(self.unit.at(node), "initializing a flexible array is not supported")
+        is_flexible = isinstance(part.type, ArrayType) and part.type.length is None
+        if is_flexible and not self.is_static:
+            text = "the flexible array in a local variable cannot be initialized"
+            raise CheckError(self.unit.at(node), text)
 
     def whole(self, part: _Part, value: tree.Expression) -> bool:
         """Takes a string for a whole array, or a struct for a whole struct, if it is one."""

@@ -385,7 +385,10 @@ def conditional(unit: Unit, node: Node) -> Expression:
     if ctype != VOID:
         then, otherwise = convert(then, ctype), convert(otherwise, ctype)
     if isinstance(condition, tree.Literal):
-        return then if condition.value else otherwise
+        chosen = then if condition.value else otherwise
+        if is_lvalue(chosen) and is_scalar(ctype):
+            return tree.Convert(ctype, chosen.location, chosen)  # no object any more
+        return chosen
     return tree.Conditional(ctype, unit.at(node), condition, then, otherwise)
 
 

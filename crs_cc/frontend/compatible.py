@@ -24,7 +24,7 @@ from crs_cc.ir.types import (
 
 
 def compatible(left: CType, right: CType) -> bool:
-    """Tells whether two types are compatible (C17 6.2.7), an enum with `int` among them."""
+    """Tells whether two types are compatible (C17 6.2.7), as an enum and its integer type are."""
     if left is right or left == right:
         return True
     if (left.const, left.volatile) != (right.const, right.volatile):
@@ -38,7 +38,7 @@ def compatible(left: CType, right: CType) -> bool:
         return compatible(left.result, right.result) and _compatible_parameters(left, right)
     enums = [each for each in (left, right) if isinstance(each, EnumType)]
     others = [each for each in (left, right) if isinstance(each, IntegerType)]
-    return len(enums) == 1 and len(others) == 1 and others[0].name in {"int", "unsigned int"}
+    return len(enums) == 1 and len(others) == 1 and others[0].name == enums[0].name
 
 
 def _compatible_parameters(left: FunctionType, right: FunctionType) -> bool:

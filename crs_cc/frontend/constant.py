@@ -57,7 +57,7 @@ def integer_value(expression: Expression) -> int | None:
     if address is None or address.base is not None:
         return None
     assert isinstance(expression.type, IntegerType | EnumType)
-    return wrap(address.offset, 8 * expression.type.size, expression.type.signed)
+    return wrap(address.offset, expression.type.bits, expression.type.signed)
 
 
 def constant_address(expression: Expression) -> ConstantAddress | None:

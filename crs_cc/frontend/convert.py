@@ -15,6 +15,7 @@ from typing import Final, NoReturn
 from crs_cc.frontend import fold, tree
 from crs_cc.frontend.check import CheckError, Unit
 from crs_cc.frontend.compatible import compatible
+from crs_cc.frontend.scope import ObjectSymbol
 from crs_cc.frontend.tree import Expression
 from crs_cc.ir.types import (
     BOOL,
@@ -33,6 +34,7 @@ from crs_cc.ir.types import (
     PointerType,
     RecordType,
     VoidType,
+    bit_field,
     unqualified,
 )
 
@@ -114,12 +116,16 @@ def promote(expression: Expression) -> Expression:
     ctype = expression.type
     if ctype is INT or not isinstance(ctype, IntegerType | EnumType):
         return expression
-    if ctype.rank < INT.rank or isinstance(ctype, EnumType):
+    if ctype.rank < INT.rank:
         return convert(expression, INT)
     width = _field_width(expression)
-    if width is None or width > 8 * INT.size:
-        return expression
-    return convert(expression, INT if width < 8 * INT.size or ctype.signed else UINT)
+    if width is not None and width <= 8 * INT.size:
+        return convert(expression, INT if width < 8 * INT.size or ctype.signed else UINT)
+    if width is not None and width < 8 * ctype.size:
+        return convert(expression, bit_field(ctype, width))
+    if isinstance(ctype, EnumType):
+        return convert(expression, ctype.definition.integer)
+    return expression
 
 
 def _field_width(expression: Expression) -> int | None:
@@ -163,7 +169,7 @@ def _common(left: CType, right: CType) -> CType:
         return high
     if high.rank == low.rank:
         return low
-    return high if high.size > low.size else _UNSIGNED[high.name]
+    return high if high.bits > low.bits else _UNSIGNED[high.name]
 
 
 def cast(unit: Unit, expression: Expression, target: CType) -> Expression:
@@ -173,8 +179,8 @@ def cast(unit: Unit, expression: Expression, target: CType) -> Expression:
     if isinstance(target, VoidType):
         return tree.Convert(VOID, value.location, value)
     target = unqualified(target)
-    if isinstance(target, RecordType) and source == target:
-        return value
+    if isinstance(target, RecordType):
+        return value if source == target else _union_of(value, target)
     if not is_scalar(target):
         _fail(value, f"used type '{target}' where arithmetic or pointer type is required")
     if not is_scalar(source):
@@ -189,6 +195,22 @@ def cast(unit: Unit, expression: Expression, target: CType) -> Expression:
     if source == target and _field_width(value) is not None:
         return tree.Convert(target, value.location, value)  # no bit-field any more
     return convert(value, target)
+
+
+def _union_of(value: Expression, target: RecordType) -> Expression:
+    """Makes a union whose member of the value's type has the value, as GNU C's cast does."""
+    location, source = value.location, unqualified(value.type)
+    for member in target.record.members or [] if target.record.kind == "union" else []:
+        if compatible(unqualified(member.type), source):
+            symbol = ObjectSymbol("", target, location, in_memory=True)
+            is_field = member.bit_width is not None
+            part = tree.InitialValue(0, member.type, value, member if is_field else None)
+            filled = tree.Initialiser([part], is_braced=True)
+            return tree.CompoundLiteral(target, location, symbol, filled)
+    text = f"used type '{target}' where arithmetic or pointer type is required"
+    if target.record.kind == "union":
+        text = f"no member of '{target}' has the type '{source}'"
+    raise CheckError(location, text)
 
 
 def _fail(expression: Expression, text: str) -> NoReturn:

@@ -25,6 +25,7 @@ from crs_cc.ir.types import (
     INT,
     LLONG,
     UINT,
+    ULLONG,
     ArrayType,
     CType,
     Enumeration,
@@ -112,11 +113,6 @@ def _member(unit: Unit, node: Node, is_last: bool, in_packed: bool) -> Member:
     member = Member(node.name, ctype, align=alignment(unit, node), natural=natural, packed=packed)
     if node.bitsize is not None:
         member.bit_width = _width(unit, node, ctype, location)
-        if (
-            isinstance(ctype, EnumType)
-            and min((ctype.definition.constants or {"": 0}).values()) >= 0
-        ):
-            member.type = qualify(UINT, ctype.const, ctype.volatile)
     return member
 
 
@@ -166,12 +162,13 @@ def enum_type(unit: Unit, node: Node) -> CType:
             text = f"redefinition of 'enum {node.name}'"
             raise CheckError(location, text, f"first defined at {tag.location}")
         ctype.definition.constants = {}
-        _declare_constants(unit, ctype.definition.constants, node.values.enumerators)
+        _declare_constants(unit, ctype.definition, node.values.enumerators)
     return ctype
 
 
-def _declare_constants(unit: Unit, constants: dict[str, int], nodes: list[Node]) -> None:
-    value = 0
+def _declare_constants(unit: Unit, definition: Enumeration, nodes: list[Node]) -> None:
+    """Declares the constants; one that fits is an `int`, another has the type of the whole."""
+    value, constants, large = 0, {}, []
     for each in nodes:
         if not isinstance(each, c_ast.Enumerator):
             continue
@@ -182,12 +179,17 @@ def _declare_constants(unit: Unit, constants: dict[str, int], nodes: list[Node])
         constants[each.name] = value
         ctype = INT if INT.smallest <= value <= INT.largest else UINT
         if not 0 <= value <= UINT.largest and ctype is UINT:
-            ctype = LLONG
+            ctype = LLONG if value <= LLONG.largest else ULLONG
         known = unit.scope.names.get(each.name)
         if known is not None:
             unit.error(location, f"redefinition of '{each.name}'", f"first at {known.location}")
-        unit.scope.names[each.name] = EnumConstant(each.name, ctype, location, value)
+        unit.scope.names[each.name] = made = EnumConstant(each.name, ctype, location, value)
+        if ctype is not INT:
+            large.append(made)
         value += 1
+    definition.complete(constants)
+    for made in large:
+        made.type = definition.integer
 
 
 def static_assert(unit: Unit, node: Node) -> None:

@@ -39,7 +39,8 @@ def convert(value: Number, source: CType, target: CType) -> Number | None:
         if not -(1 << 63) <= value < 1 << 64:
             return None
     signed = not isinstance(target, PointerType) and target.signed
-    return wrap(int(value), 8 * target.size, signed)
+    bits = 8 * target.size if isinstance(target, PointerType) else target.bits
+    return wrap(int(value), bits, signed)
 
 
 def _float(value: Number) -> float:
@@ -54,7 +55,7 @@ def unary(op: str, ctype: CType, value: Number) -> Number | None:
     if isinstance(ctype, FloatType):
         return -value if op == "-" else None
     if isinstance(ctype, IntegerType):
-        return wrap(-int(value) if op == "-" else ~int(value), 8 * ctype.size, ctype.signed)
+        return wrap(-int(value) if op == "-" else ~int(value), ctype.bits, ctype.signed)
     return None
 
 
@@ -84,7 +85,7 @@ def binary(op: str, ctype: CType, left: Number, right: Number) -> Number | None:
         return single(result) if result is not None and ctype.size == 4 else result
     if isinstance(ctype, IntegerType):
         exact = _integer_binary(op, ctype, int(left), int(right))
-        return None if exact is None else wrap(exact, 8 * ctype.size, ctype.signed)
+        return None if exact is None else wrap(exact, ctype.bits, ctype.signed)
     return None
 
 
@@ -121,7 +122,7 @@ def _integer_binary(op: str, ctype: IntegerType, left: int, right: int) -> int |
         case "^":
             return left ^ right
         case "<<" | ">>":
-            if not 0 <= right < 8 * ctype.size:
+            if not 0 <= right < ctype.bits:
                 return None
             return left << right if op == "<<" else left >> right
         case "/" | "%":

@@ -113,7 +113,8 @@ def _between_integers(
     if operand.type == "i32" and wanted == "i64":
         signed = isinstance(source, PointerType) or _signed(source)
         op = f"i64.extend_i32_{'s' if signed else 'u'}"
-        return _unary(low, op, operand, location, into)
+        operand = _unary(low, op, operand, location, into)
+        return operand if _fits(source, target) else narrow(low, operand, target, location)
     if operand.type == "i64" and wanted == "i32":
         is_last = target.size == 4
         operand = _unary(low, "i32.wrap_i64", operand, location, into if is_last else None)
@@ -128,9 +129,12 @@ def _fits(source: CType, target: CType) -> bool:
         return True
     if _signed(source) and not _signed(target):
         return False
-    return source.size < target.size or (
-        source.size == target.size and _signed(source) == _signed(target)
-    )
+    of, to = _bits(source), _bits(target)
+    return of < to or (of == to and _signed(source) == _signed(target))
+
+
+def _bits(ctype: CType) -> int:
+    return ctype.bits if isinstance(ctype, IntegerType | EnumType) else 8 * ctype.size
 
 
 def narrow(
@@ -141,13 +145,30 @@ def narrow(
     *,
     into: Register | None = None,
 ) -> Operand:
-    """Brings an i32 into the range of a `char` or `short`; leaves it for a wider type."""
+    """Brings a value into the range of a `char`, `short` or wide bit-field; leaves others."""
+    if isinstance(target, IntegerType) and target.width is not None:
+        return _narrow_wide(low, operand, target, location, into)
     if target.size >= 4 or not isinstance(target, IntegerType):
         return operand
     if target.memory in _NARROW:
         return _unary(low, _NARROW[target.memory], operand, location, into)
     mask = Constant("i32", _MASK[target.memory])
     return low.binary(location, "i32.and", operand, mask, into)
+
+
+def _narrow_wide(
+    low: Lowering,
+    operand: Operand,
+    target: IntegerType,
+    location: Location,
+    into: Register | None,
+) -> Operand:
+    if not target.signed:
+        mask = Constant("i64", (1 << target.bits) - 1)
+        return low.binary(location, "i64.and", operand, mask, into)
+    by = Constant("i64", 64 - target.bits)
+    raised = low.binary(location, "i64.shl", operand, by)
+    return low.binary(location, "i64.shr_s", raised, by, into)
 
 
 def unnarrowed(expression: tree.Expression) -> tree.Expression:

@@ -23,7 +23,7 @@ from crs_cc.frontend.lower import (
     value_into,
     value_type,
 )
-from crs_cc.frontend.lower_convert import convert_operand
+from crs_cc.frontend.lower_convert import convert_operand, narrow
 from crs_cc.frontend.lower_place import copy
 from crs_cc.frontend.tree import Expression
 from crs_cc.ir.program import Binary, Block, Branch, Constant, Jump, Move, Operand, Register, Unary
@@ -58,6 +58,7 @@ def _operator_names() -> dict[tuple[str, str], str]:
 
 
 _NAMES: Final = _operator_names()
+_EXCHANGEABLE: Final = COMPARISONS | {"+", "*", "&", "|", "^"}
 
 
 def operator_name(op: str, ctype: CType) -> str:
@@ -76,16 +77,49 @@ def _literal(_low: Lowering, expression: tree.Literal, _into: Register | None) -
 
 
 def _binary(low: Lowering, expression: tree.Binary, into: Register | None) -> Operand:
-    left = value(low, expression.left)
-    right = value(low, expression.right)
-    op = expression.op
+    if _goes_last(expression):
+        right = value(low, expression.right)
+        left = value(low, expression.left)
+    else:
+        left = value(low, expression.left)
+        right = value(low, expression.right)
+    op, location = expression.op, expression.location
     if op in {"<<", ">>"}:
-        right = shift_count(low, right, expression.left.type, expression.location)
+        right = shift_count(low, right, expression.left.type, location)
     if into is None:
         into = low.register("i32" if op in COMPARISONS else left.type)
     name = operator_name(op, expression.left.type)
-    low.emit(Binary(expression.location, into, name, left, right))
-    return into
+    low.emit(Binary(location, into, name, left, right))
+    return into if op in COMPARISONS else _kept_small(low, into, expression.type, location)
+
+
+def _kept_small(low: Lowering, result: Register, ctype: CType, location: Location) -> Operand:
+    """Cuts a result to the bits that a wide bit-field's type has."""
+    if isinstance(ctype, IntegerType) and ctype.width is not None:
+        return narrow(low, result, ctype, location, into=result)
+    return result
+
+
+def _goes_last(expression: tree.Binary) -> bool:
+    """Tells whether gcc takes the left operand behind the right one, as programs may rely on.
+
+    It brings a variable on the left of an operator whose sides may be exchanged to the right.
+    """
+    if expression.op not in _EXCHANGEABLE or isinstance(expression.right, tree.Literal):
+        return False
+    return _is_variable(expression.left) and not _is_variable(expression.right)
+
+
+def _is_variable(operand: Expression) -> bool:
+    """Tells whether an operand is just a variable, converted to a type of its size perhaps."""
+    while isinstance(operand, tree.Convert) and _is_same_size(operand.type, operand.operand.type):
+        operand = operand.operand
+    return isinstance(operand, tree.ObjectName)
+
+
+def _is_same_size(left: CType, right: CType) -> bool:
+    is_float = isinstance(left, FloatType) or isinstance(right, FloatType)
+    return left.size == right.size and not is_float
 
 
 def shift_count(low: Lowering, count: Operand, shifted: CType, location: Location) -> Operand:
@@ -114,7 +148,7 @@ def _unary(low: Lowering, expression: tree.Unary, into: Register | None) -> Oper
     else:
         ones = Constant(operand.type, -1)
         low.emit(Binary(location, into, f"{operand.type}.xor", operand, ones))
-    return into
+    return _kept_small(low, into, expression.type, location)
 
 
 def _not(low: Lowering, operand: Operand, location: Location, into: Register | None) -> Operand:

@@ -59,9 +59,10 @@ class UnitLowering:
         symbol = definition.symbol
         assert symbol.link_name is not None
         variable = Variable(symbol.name, symbol.type, symbol.location)
+        extent = 0 if definition.initialiser is None else definition.initialiser.extent
         data = Data(
             symbol.link_name,
-            symbol.type.size,
+            max(symbol.type.size, extent),
             max(symbol.align, symbol.type.align),
             symbol.location,
             tentative=symbol.is_tentative and symbol.is_external and not symbol.is_defined,

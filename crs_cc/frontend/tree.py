@@ -239,10 +239,12 @@ class Initialiser:
 
     Attributes:
         is_braced: whether the parts that are not named become zero.
+        extent: where the last value ends [bytes], behind the object if it fills a flexible array.
     """
 
     values: list[InitialValue] = field(default_factory=list)
     is_braced: bool = False
+    extent: int = 0
 
 
 @dataclass(slots=True, eq=False)

@@ -18,14 +18,23 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Iterable
 from dataclasses import dataclass, field, replace
-from typing import ClassVar, Final, Literal, TypeAlias, TypeVar
+from typing import Final, Literal, TypeAlias, TypeVar
 
 from crs_cc.ir.program import MemoryType
 from crs_cc.ir.record_layout import lay_out
 
 
+class _Type:
+    """What all types share: they are written as C writes them."""
+
+    __slots__ = ()
+
+    def __str__(self) -> str:
+        return spell(self)  # type: ignore[arg-type]
+
+
 @dataclass(frozen=True, slots=True)
-class VoidType:
+class VoidType(_Type):
     """`void`. Its size is 1, so that pointers to it can be moved (as gcc allows)."""
 
     const: bool = False
@@ -41,12 +50,9 @@ class VoidType:
         """Gives 1 [byte]."""
         return 1
 
-    def __str__(self) -> str:
-        return spell(self)
-
 
 @dataclass(frozen=True, slots=True)
-class IntegerType:
+class IntegerType(_Type):
     """An integer type, `_Bool` and `char` among them.
 
     Attributes:
@@ -54,6 +60,7 @@ class IntegerType:
         size: [bytes], also its alignment.
         rank: the higher wins in a usual arithmetic conversion (C17 6.3.1.1).
         memory: how it lies in memory.
+        width: how many bits the values have, when fewer than the size allows (see `bit_field`).
     """
 
     name: str
@@ -63,6 +70,7 @@ class IntegerType:
     memory: MemoryType
     const: bool = False
     volatile: bool = False
+    width: int | None = None
 
     @property
     def align(self) -> int:
@@ -70,23 +78,25 @@ class IntegerType:
         return self.size
 
     @property
+    def bits(self) -> int:
+        """Gives how many bits a value has."""
+        return 8 * self.size if self.width is None else self.width
+
+    @property
     def smallest(self) -> int:
         """Gives the smallest value."""
-        return -(1 << self.size * 8 - 1) if self.signed else 0
+        return -(1 << self.bits - 1) if self.signed else 0
 
     @property
     def largest(self) -> int:
         """Gives the largest value."""
         if self.name == "_Bool":
             return 1
-        return (1 << self.size * 8 - self.signed) - 1
-
-    def __str__(self) -> str:
-        return spell(self)
+        return (1 << self.bits - self.signed) - 1
 
 
 @dataclass(frozen=True, slots=True)
-class FloatType:
+class FloatType(_Type):
     """A floating type; attributes as for `IntegerType`."""
 
     name: str
@@ -101,39 +111,74 @@ class FloatType:
         """Gives the alignment [bytes]."""
         return self.size
 
-    def __str__(self) -> str:
-        return spell(self)
-
 
 @dataclass(slots=True, eq=False)
 class Enumeration:
-    """The definition of an enum: its tag and its constants; None until they are known."""
+    """The definition of an enum: its tag and its constants; None until they are known.
+
+    Attributes:
+        integer: the integer type that it behaves as: `unsigned int` unless constants are negative
+            or do not fit, as gcc has it.
+    """
 
     tag: str | None
     constants: dict[str, int] | None = None
+    integer: IntegerType = field(default_factory=lambda: UINT)
+
+    def complete(self, constants: dict[str, int]) -> None:
+        """Gives the enum its constants, and the integer type that can hold them."""
+        self.constants = constants
+        types = (INT, LLONG) if min(constants.values(), default=0) < 0 else (UINT, ULLONG)
+        is_small = all(types[0].smallest <= each <= types[0].largest for each in constants.values())
+        self.integer = types[0] if is_small else types[1]
 
 
 @dataclass(frozen=True, slots=True)
-class EnumType:
-    """An enum: a type of its own that behaves as `int` does."""
+class EnumType(_Type):
+    """An enum: a type of its own that behaves as an integer type does."""
 
     definition: Enumeration
     const: bool = False
     volatile: bool = False
 
-    name: ClassVar[str] = "int"
-    size: ClassVar[int] = 4
-    align: ClassVar[int] = 4
-    signed: ClassVar[bool] = True
-    rank: ClassVar[int] = 3
-    memory: ClassVar[MemoryType] = "i32"
+    @property
+    def name(self) -> str:
+        """Gives the name of the integer type."""
+        return self.definition.integer.name
 
-    def __str__(self) -> str:
-        return spell(self)
+    @property
+    def size(self) -> int:
+        """Gives the size [bytes]."""
+        return self.definition.integer.size
+
+    @property
+    def align(self) -> int:
+        """Gives the alignment [bytes]."""
+        return self.definition.integer.size
+
+    @property
+    def bits(self) -> int:
+        """Gives how many bits a value has."""
+        return self.definition.integer.bits
+
+    @property
+    def signed(self) -> bool:
+        """Tells whether there are negative values."""
+        return self.definition.integer.signed
+
+    @property
+    def rank(self) -> int:
+        """Gives the rank of the integer type."""
+        return self.definition.integer.rank
+
+    @property
+    def memory(self) -> MemoryType:
+        """Gives how it lies in memory."""
+        return self.definition.integer.memory
 
 
 @dataclass(frozen=True, slots=True)
-class PointerType:
+class PointerType(_Type):
     """A pointer to `target`."""
 
     target: CType
@@ -155,12 +200,9 @@ class PointerType:
         """Gives how it lies in memory."""
         return "i32"
 
-    def __str__(self) -> str:
-        return spell(self)
-
 
 @dataclass(frozen=True, slots=True)
-class ArrayType:
+class ArrayType(_Type):
     """`length` elements in a row; the length is None while unknown (`int a[]`).
 
     Attributes:
@@ -192,12 +234,9 @@ class ArrayType:
         """Tells whether the elements are volatile."""
         return self.element.volatile
 
-    def __str__(self) -> str:
-        return spell(self)
-
 
 @dataclass(frozen=True, slots=True)
-class FunctionType:
+class FunctionType(_Type):
     """A function; `parameters` is None when it was declared without a prototype."""
 
     result: CType
@@ -223,9 +262,6 @@ class FunctionType:
     def volatile(self) -> bool:
         """Gives False: functions have no qualifiers."""
         return False
-
-    def __str__(self) -> str:
-        return spell(self)
 
 
 @dataclass(slots=True)
@@ -299,7 +335,7 @@ class Record:
 
 
 @dataclass(frozen=True, slots=True)
-class RecordType:
+class RecordType(_Type):
     """A struct or union."""
 
     record: Record
@@ -315,9 +351,6 @@ class RecordType:
     def align(self) -> int:
         """Gives the alignment [bytes]."""
         return self.record.align
-
-    def __str__(self) -> str:
-        return spell(self)
 
 
 CType: TypeAlias = (
@@ -340,14 +373,14 @@ UCHAR: Final = IntegerType("unsigned char", 1, False, 1, "u8")
 SHORT: Final = IntegerType("short", 2, True, 2, "i16")
 USHORT: Final = IntegerType("unsigned short", 2, False, 2, "u16")
 INT: Final = IntegerType("int", 4, True, 3, "i32")
-UINT: Final = IntegerType("unsigned int", 4, False, 3, "i32")
+UINT: Final[IntegerType] = IntegerType("unsigned int", 4, False, 3, "i32")
 LONG: Final = IntegerType("long", 4, True, 4, "i32")
 ULONG: Final = IntegerType("unsigned long", 4, False, 4, "i32")
-LLONG: Final = IntegerType("long long", 8, True, 5, "i64")
-ULLONG: Final = IntegerType("unsigned long long", 8, False, 5, "i64")
-FLOAT: Final = FloatType("float", 4, 6, "f32")
-DOUBLE: Final = FloatType("double", 8, 7, "f64")
-LDOUBLE: Final = FloatType("long double", 8, 8, "f64")
+LLONG: Final = IntegerType("long long", 8, True, 64, "i64")
+ULLONG: Final = IntegerType("unsigned long long", 8, False, 64, "i64")
+FLOAT: Final = FloatType("float", 4, 65, "f32")
+DOUBLE: Final = FloatType("double", 8, 66, "f64")
+LDOUBLE: Final = FloatType("long double", 8, 67, "f64")
 
 BASIC_TYPES: Final[dict[str, IntegerType | FloatType]] = {
     each.name: each
@@ -357,6 +390,13 @@ BASIC_TYPES: Final[dict[str, IntegerType | FloatType]] = {
     )
 }  # fmt: skip
 """Every arithmetic type by its name; what `unqualified` gives back."""
+
+
+def bit_field(ctype: IntegerType | EnumType, width: int) -> IntegerType:
+    """Gives the type of the value of a bit-field of 33 to 63 bits, in which gcc calculates."""
+    name = f"{'long long' if ctype.signed else 'unsigned long long'}:{width}"
+    return IntegerType(name, 8, ctype.signed, width, "i64", width=width)
+
 
 AnyType = TypeVar("AnyType", bound=CType)
 
@@ -376,7 +416,7 @@ def unqualified(ctype: CType) -> CType:
         return ctype
     if isinstance(ctype, ArrayType):
         return replace(ctype, element=unqualified(ctype.element))
-    if isinstance(ctype, IntegerType | FloatType):
+    if isinstance(ctype, IntegerType | FloatType) and ctype.name in BASIC_TYPES:
         return BASIC_TYPES[ctype.name]
     return replace(ctype, const=False, volatile=False)
 

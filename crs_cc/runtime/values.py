@@ -89,7 +89,7 @@ class Values:
     def _show(self, ctype: CType, content: bytes, depth: int) -> str:
         match ctype:
             case EnumType():
-                return _enumerator(ctype, _integer(content, signed=True))
+                return _enumerator(ctype, _integer(content, signed=ctype.signed))
             case IntegerType():
                 return _number(ctype, content)
             case FloatType():

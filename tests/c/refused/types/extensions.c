@@ -1,0 +1,17 @@
+/* What GNU C allows has its limits, and some of C is left out. */
+struct flexible { int n; short v[]; };
+union number { int i; double d; };
+
+_Complex double z; // error: type '_Complex' is not supported
+__int128 large; // error: type '__int128' is not supported
+
+int main(void)
+{
+    struct flexible f = {1, {2}}; // error: the flexible array in a local variable cannot be initialized
+    union number n = (union number)"text"; // error: no member of 'union number' has the type 'char *'
+    struct flexible g = (struct flexible)5; // error: used type 'struct flexible'
+    int k = _Generic(n.i, int: 1, signed: 2, default: 3); // error: two types that are compatible
+    k = _Generic(n.i, default: 1, default: 2); // error: '_Generic' has two 'default'
+    (1 ? k : 2) = 3; // error: expression is not assignable
+    return k;
+}
