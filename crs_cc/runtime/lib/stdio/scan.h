@@ -14,6 +14,7 @@ struct __crs_source {
 struct __crs_input {
     int suppressed;      /* 1 when the value is not stored */
     int width;           /* 0 when absent */
+    int allocates;       /* 1 when the text goes to a new block (POSIX's %ms) */
     int length;          /* 'H' for hh, 'q' for ll, j and L, else the letter itself, or 0 */
 };
 

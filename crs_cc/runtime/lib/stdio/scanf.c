@@ -1,5 +1,6 @@
 /* Formatted input (C17 7.21.6.2): the format, white space and characters. */
 #include <ctype.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <crs/stream.h>
@@ -16,21 +17,50 @@ static int skip_space(struct __crs_source *source)
     return c;
 }
 
-/* Reads characters of a set; a set is what lies between [ and ], already taken apart. */
-static int scan_characters(struct __crs_source *source, int most, const char *member, char *to)
-{
-    int size = 0, c;
+/* Where characters go: to the caller's array, to a block that grows, or nowhere. Of characters that
+   shall be wide the UTF-8 is gathered in such a block first. */
+struct text {
+    char *bytes;
+    int size, room;      /* room 0: as much as there is */
+    int counts;          /* characters, of which one may have several bytes */
+};
 
-    while (size < most && (c = __crs_next_input(source)) != EOF) {
-        if (!member[c]) {
+/* Gives 0 when there is no memory. */
+static int append(struct text *text, int c, int is_wide)
+{
+    char *larger;
+
+    if (text->size + 1 == text->room) {
+        larger = realloc(text->bytes, 2 * text->room);
+        if (larger == NULL)
+            return 0;
+        text->bytes = larger;
+        text->room *= 2;
+    }
+    if (text->bytes != NULL)
+        text->bytes[text->size] = c;
+    text->size++;
+    text->counts += !is_wide || (c & 0xc0) != 0x80;
+    return 1;
+}
+
+/* Reads up to `most` characters of a set; a set is what lies between [ and ], taken apart. */
+static void scan_characters(struct __crs_source *source, int most, const char *member,
+                            struct text *text, int is_wide)
+{
+    int missing = 0, c;    /* bytes that the last character lacks */
+
+    while (text->counts < most || missing > 0) {
+        c = __crs_next_input(source);
+        if (c == EOF)
+            break;
+        if (!member[c] || !append(text, c, is_wide)) {
             __crs_put_back(source, c);
             break;
         }
-        if (to != NULL)
-            to[size] = c;
-        size++;
+        if (is_wide)
+            missing = c < 0x80 ? 0 : c < 0xc0 ? missing - 1 : c < 0xe0 ? 1 : c < 0xf0 ? 2 : 3;
     }
-    return size;
 }
 
 /* Takes a scan set apart; gives what follows its bracket. */
@@ -54,14 +84,40 @@ static const char *read_set(const char *at, char *member)
     return at + 1;
 }
 
-/* Does %s, %[, and %c, whose input may end early, as on Linux. Gives the number of characters, and
+/* Hands a gathered text over: as it is in a new block, or as wide characters. Gives 0 when that
+   fails. */
+static int hand_over(const struct __crs_input *conversion, struct text *text, int is_wide, int ends,
+                     void *to)
+{
+    wchar_t *wide = to;
+    int count;
+
+    if (!is_wide) {
+        *(char **)to = text->bytes;
+        return 1;
+    }
+    text->bytes[text->size] = 0;
+    if (conversion->allocates)
+        wide = malloc((text->counts + 1) * sizeof *wide);
+    count = wide == NULL ? -1 : (int)mbstowcs(wide, text->bytes, text->counts);
+    if (count >= 0 && ends)
+        wide[count] = 0;
+    if (conversion->allocates)
+        *(wchar_t **)to = wide;
+    free(text->bytes);
+    return count >= 0;
+}
+
+/* Does %s, %[, and %c, whose input may end early, as on Linux. Gives 1 when something matched, and
    advances *format over a set. */
 static int scan_string(struct __crs_source *source, const struct __crs_input *conversion,
-                       int letter, const char **format, char *to)
+                       int letter, const char **format, void *to)
 {
     char member[256];
+    struct text text = {to, 0, 0, 0};
     int most = conversion->width > 0 ? conversion->width : letter == 'c' ? 1 : 0x7fffffff;
-    int size, c;
+    int is_wide = conversion->length == 'l', ends = letter != 'c', c;
+    int gathers = to != NULL && (is_wide || conversion->allocates);
 
     if (letter == '[') {
         *format = read_set(*format, member);
@@ -69,12 +125,21 @@ static int scan_string(struct __crs_source *source, const struct __crs_input *co
         for (c = 0; c < 256; c++)
             member[c] = letter == 'c' || !isspace(c);
     }
-    size = scan_characters(source, most, member, to);
-    if (letter == 'c')
-        return size;
-    if (to != NULL && size > 0)
-        to[size] = 0;
-    return size;
+    if (gathers) {
+        text.room = 32;
+        text.bytes = malloc(text.room);
+        if (text.bytes == NULL)
+            return 0;
+    }
+    scan_characters(source, most, member, &text, is_wide);
+    if (text.size == 0) {
+        if (gathers)
+            free(text.bytes);
+        return 0;
+    }
+    if (to != NULL && ends && !is_wide)
+        text.bytes[text.size] = 0;
+    return gathers ? hand_over(conversion, &text, is_wide, ends, to) : 1;
 }
 
 /* Reads star, width and length of a conversion; gives the place of its letter. */
@@ -86,6 +151,8 @@ static const char *read_conversion(const char *at, struct __crs_input *conversio
     for (; isdigit(*at); at++)
         if (conversion->width < 100000000)
             conversion->width = conversion->width * 10 + *at - '0';
+    conversion->allocates = *at == 'm';
+    at += conversion->allocates;
     if (*at && strchr("hlqLjzt", *at) != NULL) {
         conversion->length = *at++;
         if (conversion->length == *at && (*at == 'h' || *at == 'l'))
@@ -121,7 +188,7 @@ static int scan_one(struct __crs_source *source, const struct __crs_input *conve
     case 'a': case 'A': case 'e': case 'E': case 'f': case 'F': case 'g': case 'G':
         return __crs_scan_float(source, conversion, to);
     case 'c': case 's': case '[':
-        return scan_string(source, conversion, letter, format, to) > 0;
+        return scan_string(source, conversion, letter, format, to);
     }
     return 0;
 }
@@ -155,6 +222,10 @@ static int scan(struct __crs_source *source, const char *format, va_list argumen
             int letter;
             format = read_conversion(format + 1, &conversion);
             letter = *format;
+            if (letter == 'S' || letter == 'C') {
+                conversion.length = 'l';
+                letter |= 32;
+            }
             format += letter != 0;
             if (!conversion.suppressed && letter != 0)
                 to = va_arg(rest, void *);

@@ -65,11 +65,11 @@ static void deliver_pending(void)
 {
     int signal;
 
-    for (signal = 1; signal < NSIG; signal++)
-        if (pending & ~blocked & BIT(signal)) {
-            pending &= ~BIT(signal);
-            deliver(signal);
-        }
+    while (pending & ~blocked) {
+        signal = __builtin_ctzl(pending & ~blocked) + 1;
+        pending &= ~BIT(signal);
+        deliver(signal);
+    }
 }
 
 void __crs_signal(int signal)
@@ -78,8 +78,11 @@ void __crs_signal(int signal)
     deliver_pending();
 }
 
+/* Number 0 only asks whether a signal could be sent. */
 static int send(int signal)
 {
+    if (signal == 0)
+        return 0;
     if (!is_signal(signal))
         return -1;
     __crs_signal(signal);
@@ -98,7 +101,7 @@ int kill(pid_t process, int signal)
         errno = ESRCH;
         return -1;
     }
-    return signal == 0 ? 0 : send(signal);
+    return send(signal);
 }
 
 int killpg(pid_t group, int signal)
@@ -107,7 +110,7 @@ int killpg(pid_t group, int signal)
         errno = ESRCH;
         return -1;
     }
-    return signal == 0 ? 0 : send(signal);
+    return send(signal);
 }
 
 static void run_abort_handler(void)

@@ -1,0 +1,44 @@
+/* The generators of BSD and System V give the numbers that they always gave. */
+#define _GNU_SOURCE
+#include <stdio.h>
+#include <stdlib.h>
+
+int main(void)
+{
+    unsigned int seed = 5;
+    unsigned short x[3] = {1, 2, 3}, parameters[7] = {1, 2, 3, 4, 5, 6, 7};
+    static char state[256];
+    static const int sizes[] = {8, 32, 64, 128, 256};
+    char *first = NULL;
+    double fraction;
+    int i, k;
+
+    for (i = 0; i < 5; i++)
+        printf("%d ", rand_r(&seed));
+    printf("%f ", drand48());
+    srand48(77);
+    for (i = 0; i < 3; i++) {
+        fraction = drand48();
+        printf("%.15f %ld ", fraction, lrand48());
+        printf("%ld %.12f ", mrand48(), erand48(x));
+        printf("%ld %ld\n", nrand48(x), jrand48(x));
+    }
+    seed48(x);
+    printf("%ld\n", lrand48());
+    lcong48(parameters);
+    printf("%ld %f\n", mrand48(), drand48());
+    printf("%ld %d\n", random(), rand());
+    for (i = 0; i < 5; i++) {
+        char *before = initstate(42 + i, state, sizes[i]);
+        if (i == 0)
+            first = before;
+        for (k = 0; k < 70; k++)
+            random();
+        printf("%ld %ld\n", random(), random());
+    }
+    setstate(first);
+    printf("%ld\n", random());
+    srandom(0);
+    printf("%ld\n", random());
+    return 0;
+}
