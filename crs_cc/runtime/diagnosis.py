@@ -12,6 +12,7 @@ import numpy as np
 
 from crs_cc.ir.program import ByteState
 from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE, STACK_TOP
+from crs_cc.runtime.link import LIBRARY
 from crs_cc.runtime.objects import Object, find_object
 
 if TYPE_CHECKING:
@@ -55,12 +56,18 @@ def _kind(stopped: Stopped, address: int, found: Object | None) -> str:
         return "use after scope" if found.state == "ended" else "use after free"
     if address < stopped.stack_pointer():
         return "use after return" if address >= _deepest(stopped) else "wild pointer"
+    if address < STACK_TOP and (found is None or _is_in_library(found)):
+        return "use after return"  # and then other functions were called
     if found is None:
         return "wild pointer"
     if found.kind == "argument":
         return "missing argument"
     near = abs(found.distance(address)) <= max(NEAREST, found.size)
     return "out of bounds" if near else "wild pointer"
+
+
+def _is_in_library(found: Object) -> bool:
+    return found.location is not None and found.location.file.startswith(LIBRARY)
 
 
 def _deepest(stopped: Stopped) -> int:

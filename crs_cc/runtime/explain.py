@@ -65,7 +65,7 @@ class Case:
         if self.variables is None or self.frame is None:
             return None
         known = self.variables.find(name, self.frame)
-        return None if known is None else (known[0].ctype, known[1])
+        return None if known is None else (known.variable.ctype, known.content)
 
     def pointer(self) -> tuple[str, int | None] | None:
         """Gives the pointer that the expression goes through last, and its value if known."""
@@ -263,12 +263,14 @@ def _uninitialised(case: Case) -> Explanation:
 def _invalid_free(case: Case) -> Explanation:
     failure, found = case.failure, case.failure.object
     who = case.callee.function if case.callee else "free"
-    text = f"{who} is given a pointer that malloc never gave"
-    if found is not None and found.distance(failure.value) == 0:
-        offset = failure.value - found.address
-        where = f"byte {offset} of {object_name(found)}" if offset else object_name(found)
-        text += f": it points to {where}"
-    return Explanation(text, object_notes(found, failure.value))
+    if found is None or found.distance(failure.value):
+        return Explanation(f"{who} is given {failure.value:#x}, which malloc never gave")
+    offset = failure.value - found.address
+    if found.kind == "heap block":
+        text = f"{who} is given a pointer to byte {offset} of {object_name(found)}"
+        return Explanation(f"{text}, not to its start", object_notes(found))
+    text = f"{who} is given a pointer to {object_name(found)}, which malloc never gave"
+    return Explanation(text, object_notes(found, failure.value if offset else None))
 
 
 def _double_free(case: Case) -> Explanation:
@@ -314,8 +316,7 @@ def _assertion(case: Case) -> Explanation:
     variables = case.variables
     for frame in case.failure.stack if variables else ():
         if frame.function == "__crs_assert_failed" and variables:
-            _, content = variables.arguments(frame)[0]
-            address = int.from_bytes(content, "little")
+            address = int.from_bytes(variables.arguments(frame)[0].content, "little")
             text = variables.read(address, 200).partition(b"\0")[0].decode("utf-8", "replace")
             return Explanation(text, shows_callee=False)
     return Explanation("", shows_callee=False)

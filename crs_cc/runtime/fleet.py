@@ -169,6 +169,7 @@ class Fleet:
         slot = self.slots[robot]
         from crs_cc.runtime.diagnosis import diagnose  # these need the code generator
         from crs_cc.runtime.inspect import Stopped, call_stack
+        from crs_cc.runtime.objects import find_object
 
         detail = self._executables[robot].detail()
         value = int(slot["error_address"])
@@ -183,6 +184,8 @@ class Fleet:
         size, found = site.size, None
         if kind == "memory":
             kind, value, found = diagnose(stopped, value, size, site.access)
+        elif kind in {"invalid free", "double free"}:
+            found = find_object(stopped, value)
         size = size or int(slot["error_size"])
         return Failure(kind, site.location, value, stack, site.access, size, found, stopped)
 

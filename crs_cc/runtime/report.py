@@ -133,10 +133,9 @@ class _Reporter:
 
     def call(self, frame: StackFrame) -> ActiveCall:
         """Gives an active function with its arguments."""
-        show = self.variables.values.show
         arguments = [
-            (variable.name, show(variable.ctype, content))
-            for variable, content in self.variables.arguments(frame)
+            (each.variable.name, self.variables.show(each))
+            for each in self.variables.arguments(frame)
         ]
         if self.stopped.compiled.info(frame.function).function.variadic:
             arguments.append(("...", ""))
@@ -147,14 +146,13 @@ class _Reporter:
         self, frame: StackFrame, expression: str, told: set[str]
     ) -> tuple[tuple[str, str], ...]:
         """Gives the values of the variables in an expression, and of the structs they point to."""
-        write, values = self.variables.values, []
+        values = []
         for name in names_in(expression):
             known = self.variables.find(name, frame)
             if known is None or name in told:
                 continue
-            variable, content = known
-            values.append((name, write.show(variable.ctype, content)))
-            target = write.show_target(variable.ctype, content)
+            values.append((name, self.variables.show(known)))
+            target = self.variables.values.show_target(known.variable.ctype, known.content)
             if target:
                 values.append((f"*{name}", target))
         return tuple(values[:MOST_VALUES])

@@ -22,6 +22,7 @@ from typing import Final
 
 import numpy as np
 
+from crs_cc.ir.program import ByteState
 from crs_cc.ir.types import (
     ArrayType,
     CType,
@@ -46,6 +47,9 @@ DEEPEST: Final = 3
 _ESCAPES: Final = {7: "\\a", 8: "\\b", 9: "\\t", 10: "\\n", 11: "\\v", 12: "\\f", 13: "\\r"}
 
 
+_KNOWN: Final = bytes([ByteState.WITH_VALUE])
+
+
 def _nothing(_address: int, _size: int) -> bytes:
     return b""
 
@@ -62,31 +66,44 @@ def _no_function(_number: int) -> str:
 class Values:
     """Writes values; knows the memory that pointers point into as far as it is told.
 
+    A value that nobody has set is written as `?`.
+
     Attributes:
         read: gives up to so many bytes at an address, as many as can be read.
+        states: gives the `ByteState`s of these bytes; nothing when all have values.
         object_at: names what of a type lies at an address (`sonar`, `&head.next`); empty when
             unknown.
         function_at: names the function that a function pointer stands for; empty when unknown.
     """
 
     read: Callable[[int, int], bytes] = _nothing
+    states: Callable[[int, int], bytes] = _nothing
     object_at: Callable[[int, CType], str] = _no_object
     function_at: Callable[[int], str] = _no_function
 
-    def show(self, ctype: CType, content: bytes) -> str:
-        """Gives the value of an object of a type with this content, at most `LONGEST` long."""
-        text = self._show(ctype, content, 0)
+    def show(self, ctype: CType, content: bytes, states: bytes = b"") -> str:
+        """Gives the value of an object of a type, at most `LONGEST` long.
+
+        Args:
+            ctype: the type.
+            content: its bytes.
+            states: their states; none when all have values.
+        """
+        text = self._show(ctype, content, states, 0)
         return text if len(text) <= LONGEST else text[: LONGEST - 3] + "..."
 
     def show_target(self, ctype: CType, content: bytes) -> str:
         """Gives the struct that a pointer points to; empty for all other values."""
         if isinstance(ctype, PointerType) and isinstance(ctype.target, RecordType):
-            target = self.read(_integer(content, signed=False), ctype.target.size)
-            if target and len(target) == ctype.target.size:
-                return self.show(ctype.target, target)
+            address, size = _integer(content, signed=False), ctype.target.size
+            target, states = self.read(address, size), self.states(address, size)
+            if target and len(target) == size and ByteState.INACCESSIBLE not in states:
+                return self.show(ctype.target, target, states)
         return ""
 
-    def _show(self, ctype: CType, content: bytes, depth: int) -> str:
+    def _show(self, ctype: CType, content: bytes, states: bytes, depth: int) -> str:
+        if states.strip(_KNOWN) and not isinstance(ctype, ArrayType | RecordType):
+            return "?"
         match ctype:
             case EnumType():
                 return _enumerator(ctype, _integer(content, signed=ctype.signed))
@@ -97,9 +114,9 @@ class Values:
             case PointerType():
                 return self._pointer(ctype, _integer(content, signed=False))
             case ArrayType():
-                return self._array(ctype, content, depth)
+                return self._array(ctype, content, states, depth)
             case RecordType():
-                return self._record(ctype, content, depth)
+                return self._record(ctype, content, states, depth)
             case VoidType() | FunctionType():
                 return ""
 
@@ -110,36 +127,40 @@ class Values:
         if isinstance(target, FunctionType):
             return self.function_at(address) or f"{address:#x}"
         if isinstance(target, IntegerType) and target.name.endswith("char"):
-            text = _text(self.read(address, LONGEST_TEXT + 1))
+            size = LONGEST_TEXT + 1
+            text = _text(self.read(address, size), self.states(address, size))
             if text is not None:
                 return text
         return self.object_at(address, target) or f"{address:#x}"
 
-    def _array(self, ctype: ArrayType, content: bytes, depth: int) -> str:
+    def _array(self, ctype: ArrayType, content: bytes, states: bytes, depth: int) -> str:
         element, size = ctype.element, ctype.element.size
         if isinstance(element, IntegerType) and element.name.endswith("char"):
-            text = _text(content)
+            text = _text(content, states)
             if text is not None:
                 return text
         if depth >= DEEPEST or size == 0:
             return "{...}"
         parts = [
-            self._show(element, content[start : start + size], depth + 1)
+            self._show(
+                element, content[start : start + size], states[start : start + size], depth + 1
+            )
             for start in range(0, min(len(content), MOST_ELEMENTS * size), size)
         ]
         if len(content) > MOST_ELEMENTS * size:
             parts.append("...")
         return "{" + ", ".join(parts) + "}"
 
-    def _record(self, ctype: RecordType, content: bytes, depth: int) -> str:
+    def _record(self, ctype: RecordType, content: bytes, states: bytes, depth: int) -> str:
         if depth >= DEEPEST:
             return "{...}"
         parts = []
         for member in ctype.record.members or []:
             if member.name is None and not isinstance(member.type, RecordType):
                 continue
-            inner = content[member.offset : member.offset + member.type.size]
-            shown = self._show(member.type, _bits(member, inner), depth + 1)
+            part = slice(member.offset, member.offset + member.type.size)
+            inner = _bits(member, content[part])
+            shown = self._show(member.type, inner, states[part], depth + 1)
             parts.append(shown if member.name is None else f"{member.name} = {shown}")
         return "{" + ", ".join(parts) + "}"
 
@@ -197,9 +218,11 @@ def _enumerator(ctype: EnumType, value: int) -> str:
     return str(value)
 
 
-def _text(content: bytes) -> str | None:
+def _text(content: bytes, states: bytes) -> str | None:
     """Gives a string in quotes as far as it goes; None when it is no text."""
     characters, end, _ = content.partition(b"\0")
+    if states[: len(characters + end)].strip(_KNOWN):
+        return None
     if not content or any(code < 32 and code not in b"\t\n\r" for code in characters):
         return None
     if not end and len(content) <= LONGEST_TEXT:

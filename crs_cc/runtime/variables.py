@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
+from crs_cc.ir.program import Slot
 from crs_cc.ir.types import ArrayType, CType, VoidType
 from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE
 from crs_cc.runtime.objects import find_object
@@ -13,6 +14,20 @@ from crs_cc.runtime.values import Values, place_name
 if TYPE_CHECKING:
     from crs_cc.ir.program import Variable
     from crs_cc.runtime.inspect import StackFrame, Stopped
+
+
+class Content(NamedTuple):
+    """What a variable holds.
+
+    Attributes:
+        variable: the variable.
+        content: its bytes.
+        states: their states; none when all have values, as those in registers seem to.
+    """
+
+    variable: Variable
+    content: bytes
+    states: bytes = b""
 
 
 class Variables:
@@ -27,13 +42,21 @@ class Variables:
         addresses = stopped.compiled.addresses
         functions = stopped.program.functions
         self._pointers = {addresses[name]: name for name in functions if name in addresses}
-        self.values = Values(self.read, self._object_name, self._function_name)
+        self.values = Values(self.read, self.states, self._object_name, self._function_name)
 
     def read(self, address: int, size: int) -> bytes:
         """Gives the bytes at an address, as many as are accessible."""
         if address < NULL_SIZE:
             return b""
         return self._stopped.memory[address : min(address + size, MEMORY_BYTES)].tobytes()
+
+    def states(self, address: int, size: int) -> bytes:
+        """Gives the states of these bytes; nothing in unchecked builds."""
+        return self._stopped.shadow[address : address + size].tobytes()
+
+    def show(self, found: Content) -> str:
+        """Gives a variable's value as text."""
+        return self.values.show(found.variable.ctype, found.content, found.states)
 
     def _function_name(self, pointer: int) -> str:
         return plain_name(self._pointers[pointer]) if pointer in self._pointers else ""
@@ -51,7 +74,7 @@ class Variables:
             return f"&{found.name}"
         return "&" + place_name(found.name, ctype, offset, target)
 
-    def arguments(self, frame: StackFrame) -> list[tuple[Variable, bytes]]:
+    def arguments(self, frame: StackFrame) -> list[Content]:
         """Gives the parameters of an active function with the values that were passed."""
         info = self._stopped.compiled.info(frame.function)
         found = []
@@ -59,10 +82,10 @@ class Variables:
             variable = parameter.variable or parameter.place.variable
             if variable is not None:
                 address = frame.fp - info.frame.size + offset
-                found.append((variable, self.read(address, variable.ctype.size)))
+                found.append(Content(variable, self.read(address, variable.ctype.size)))
         return found
 
-    def of(self, frame: StackFrame) -> Iterator[tuple[Variable, bytes]]:
+    def of(self, frame: StackFrame) -> Iterator[Content]:
         """Gives the variables of an active function with their present values."""
         info = self._stopped.compiled.info(frame.function)
         sp = frame.fp - info.frame.size
@@ -71,15 +94,17 @@ class Variables:
             return
         for place, offset in info.frame.offsets.items():
             if place.variable is not None:
-                yield place.variable, self.read(sp + offset, place.variable.ctype.size)
+                size = place.variable.ctype.size
+                states = self.states(sp + offset, size) if isinstance(place, Slot) else b""
+                yield Content(place.variable, self.read(sp + offset, size), states)
 
-    def find(self, name: str, frame: StackFrame) -> tuple[Variable, bytes] | None:
+    def find(self, name: str, frame: StackFrame) -> Content | None:
         """Gives the variable that a name means where an active function is, and its value."""
         place = frame.location
         seen = [
-            (variable.location, number, (variable, content))
-            for number, (variable, content) in enumerate(self.of(frame))
-            if variable.name == name and variable.location <= place
+            (each.variable.location, number, each)
+            for number, each in enumerate(self.of(frame))
+            if each.variable.name == name and each.variable.location <= place
         ]
         if seen:
             return max(seen)[2]
@@ -88,7 +113,7 @@ class Variables:
             data = self._stopped.program.data.get(wanted)
             if data is not None and data.variable is not None:
                 content = self.read(self._stopped.compiled.addresses[wanted], data.size)
-                return data.variable, content
+                return Content(data.variable, content)
         return None
 
 

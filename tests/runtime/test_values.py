@@ -92,6 +92,7 @@ SHOWN: list[tuple[CType, bytes, str]] = [
 def test_values_are_written_as_c_means_them(ctype: CType, content: bytes, wanted: str) -> None:
     values = Values(
         read,
+        lambda _address, _size: b"",
         lambda address, _target: "&here" if address == 0x44 else "",
         lambda number: "turn" if number == 2 else "",
     )
@@ -111,6 +112,21 @@ def test_a_list_that_bites_its_tail_is_written_once() -> None:
     values = Values(lambda _address, _size: b"\x07\0\0\0\x10\0\0\0")
     assert values.show_target(pointer, b"\x10\0\0\0") == "{value = 7, next = 0x10}"
     assert Values().show_target(pointer, b"\x10\0\0\0") == ""
+
+
+@pytest.mark.parametrize(
+    ("ctype", "states", "wanted"),
+    [
+        (INT, b"\xff\xff\xff\xff", "0"),
+        (INT, b"\xff\xff\x01\xff", "?"),
+        (POINT, b"\xff" * 8 + b"\x01" * 8, "{x = 0, y = ?}"),
+        (ArrayType(SHORT, 2), b"\x01\x01\xff\xff", "{?, 0}"),
+        (ArrayType(CHAR, 3), b"\xff\x01\x01", '""'),
+        (ArrayType(CHAR, 3), b"\x01\xff\xff", "{?, 0, 0}"),
+    ],
+)
+def test_what_has_no_value_is_not_shown(ctype: CType, states: bytes, wanted: str) -> None:
+    assert Values().show(ctype, bytes(ctype.size), states) == wanted
 
 
 @pytest.mark.parametrize(
