@@ -5,15 +5,18 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import click
 
 from crs_cc.cli.compiler_options import CompilerOptions, compiler_options, merged
 from crs_cc.cli.inputs import demand_readable, is_world
 from crs_cc.cli.messages import as_data, say, show
-from crs_cc.errors import CrsError, InternalError
+from crs_cc.errors import CompileError, CrsError, InternalError
 from crs_cc.source import Diagnostic, Diagnostics
+
+if TYPE_CHECKING:
+    from crs_cc.ir.program import Program
 
 _EXAMPLES: Final = """
 \b
@@ -32,16 +35,21 @@ Examples:
 def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOptions) -> int:
     """Says what is wrong with C files and world files; runs nothing.
 
-    Each C file is looked at on its own, so that a part of a program can be checked too. Ends with
-    0 when there are no errors (warnings may be), else with the status of the first one: 121 for
-    C, 122 for a world.
+    Each C file is looked at on its own, so that a part of a program can be checked too. If one of
+    them has a function main, they are also linked, as crs run does. Ends with 0 when there are no
+    errors (warnings may be), else with the status of the first one: 121 for C, 122 for a world.
     """
     status = 0
     messages: list[Diagnostic] = []
+    programs: list[Program] = []
+    sources = Diagnostics()
     for name in files:
-        found, error_status = _messages(Path(name), compiler)
+        found, error_status = _messages(Path(name), compiler, programs, sources)
         messages += [each for each in found if each.severity == "error" or not quiet]
         status = status or error_status
+    if not status and sum("main" in program.functions for program in programs) == 1:
+        sources.messages += messages
+        messages, status = _linked(programs, sources)
     if as_json:
         click.echo(json.dumps([as_data(message) for message in messages], indent=2))
         return status
@@ -51,8 +59,17 @@ def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOp
     return status
 
 
-def _messages(path: Path, compiler: CompilerOptions) -> tuple[Sequence[Diagnostic], int]:
-    """Gives the messages about a file, and the exit status of its errors."""
+def _messages(
+    path: Path, compiler: CompilerOptions, programs: list[Program], sources: Diagnostics
+) -> tuple[Sequence[Diagnostic], int]:
+    """Gives the messages about a file, and the exit status of its errors.
+
+    Args:
+        path: the file.
+        compiler: how to compile it.
+        programs: gets what it becomes.
+        sources: gets its lines.
+    """
     diagnostics = Diagnostics()
     try:
         demand_readable(path)
@@ -63,10 +80,23 @@ def _messages(path: Path, compiler: CompilerOptions) -> tuple[Sequence[Diagnosti
         else:
             from crs_cc.cli.compile import compile_source
 
-            compile_source(path, compiler, diagnostics)
+            programs.append(compile_source(path, compiler, diagnostics))
+            sources.lines.update(diagnostics.lines)
     except InternalError:
         raise
     except CrsError as error:
+        return merged(diagnostics.messages, error.diagnostics), error.exit_status
+    return diagnostics.messages, 0
+
+
+def _linked(programs: Sequence[Program], diagnostics: Diagnostics) -> tuple[list[Diagnostic], int]:
+    """Gives all messages, those about the files as one program too, and its exit status."""
+    from crs_cc.runtime.link import link
+    from crs_cc.session.library import library
+
+    try:
+        link(programs, library(), diagnostics)
+    except CompileError as error:
         return merged(diagnostics.messages, error.diagnostics), error.exit_status
     return diagnostics.messages, 0
 

@@ -115,6 +115,10 @@ def lower_unit(unit: Unit) -> Program:
         for name, location in lowering.uses.items()
         if name not in program.functions and name not in program.data
     }
+    for name in program.undefined:
+        symbol = unit.externals.get(name)
+        if symbol is not None:
+            program.declared[name] = symbol.type, symbol.location
     return program
 
 

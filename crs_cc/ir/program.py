@@ -249,6 +249,7 @@ class Program:
         functions: by name.
         data: by name.
         undefined: where names that are used but not defined were first used.
+        declared: of names that are used but not defined, as what and where they are declared.
         weak: names whose definition gives way to another one.
         starts: functions to be called before `main`, with their priority, the lowest first.
         ends: functions to be called after the program's end, the highest priority first.
@@ -257,6 +258,7 @@ class Program:
     functions: dict[str, Function] = field(default_factory=dict)
     data: dict[str, Data] = field(default_factory=dict)
     undefined: dict[str, Location] = field(default_factory=dict)
+    declared: dict[str, tuple[CType, Location]] = field(default_factory=dict)
     weak: set[str] = field(default_factory=set)
     starts: list[tuple[int, str]] = field(default_factory=list)
     ends: list[tuple[int, str]] = field(default_factory=list)

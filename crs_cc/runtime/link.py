@@ -14,6 +14,7 @@ from dataclasses import replace
 from typing import Final, Protocol
 
 from crs_cc.errors import CompileError
+from crs_cc.ir.agreement import agree
 from crs_cc.ir.program import (
     Address,
     Call,
@@ -25,6 +26,7 @@ from crs_cc.ir.program import (
     Relocation,
     Store,
 )
+from crs_cc.ir.types import CType
 from crs_cc.ir.uses import all_instructions
 from crs_cc.source import Diagnostics, Location
 
@@ -92,27 +94,53 @@ def join(units: Sequence[Program], diagnostics: Diagnostics) -> Program:
     """Gives one program with the definitions of all units; reports what is defined twice."""
     whole = Program()
     for unit in units:
-        for name, function in unit.functions.items():
-            if _gives_way(name, unit, whole):
-                continue
-            if name in whole.functions or name in whole.data:
-                _defined_twice(name, function.location, whole, diagnostics)
-            else:
-                whole.functions[name] = function
-        for name, data in unit.data.items():
-            if _gives_way(name, unit, whole):
-                continue
-            if name in whole.functions:
-                _defined_twice(name, data.location, whole, diagnostics)
-            elif name in whole.data:
-                whole.data[name] = _common(whole.data[name], data, whole, diagnostics)
-            else:
-                whole.data[name] = data
+        _add_functions(unit, whole, diagnostics)
+        _add_data(unit, whole, diagnostics)
         for name, location in unit.undefined.items():
             whole.undefined.setdefault(name, location)
         whole.starts += unit.starts
         whole.ends += unit.ends
+    for unit in units:
+        for name, (ctype, location) in unit.declared.items():
+            _compare(name, ctype, location, whole, diagnostics)
     return whole
+
+
+def _add_functions(unit: Program, whole: Program, diagnostics: Diagnostics) -> None:
+    for name, function in unit.functions.items():
+        if _gives_way(name, unit, whole):
+            continue
+        if name in whole.functions or name in whole.data:
+            _defined_twice(name, function.location, whole, diagnostics)
+        else:
+            whole.functions[name] = function
+
+
+def _add_data(unit: Program, whole: Program, diagnostics: Diagnostics) -> None:
+    for name, data in unit.data.items():
+        if _gives_way(name, unit, whole):
+            continue
+        if name in whole.functions:
+            _defined_twice(name, data.location, whole, diagnostics)
+        elif name in whole.data:
+            whole.data[name] = _common(whole.data[name], data, whole, diagnostics)
+        else:
+            whole.data[name] = data
+
+
+def _compare(
+    name: str, ctype: CType, location: Location, whole: Program, diagnostics: Diagnostics
+) -> None:
+    """Warns of a declaration that does not agree with the definition in another file."""
+    function, data = whole.functions.get(name), whole.data.get(name)
+    defined, place = None, location
+    if function is not None:
+        defined, place = function.ctype, function.location
+    elif data is not None and data.variable is not None:
+        defined, place = data.variable.ctype, data.location
+    if defined is not None and not agree(ctype, defined):
+        text = f"'{name}' is '{ctype}' here, but '{defined}' where it is defined"
+        diagnostics.warning(location, text, f"defined at {place}")
 
 
 def _gives_way(name: str, unit: Program, whole: Program) -> bool:
@@ -204,6 +232,8 @@ def _common(first: Data, second: Data, whole: Program, diagnostics: Diagnostics)
     if not first.tentative and not second.tentative:
         _defined_twice(first.name, second.location, whole, diagnostics)
         return first
+    if second.variable is not None:
+        _compare(first.name, second.variable.ctype, second.location, whole, diagnostics)
     return _larger(first, second)
 
 

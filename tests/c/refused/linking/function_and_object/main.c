@@ -1,0 +1,2 @@
+int turn(void) { return 1; }
+int main(void) { return turn(); }

@@ -1,0 +1,1 @@
+int turn = 3;  // error: it is also defined at

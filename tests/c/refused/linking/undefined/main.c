@@ -1,0 +1,7 @@
+extern int turn(int);
+extern int speed;
+int main(void)
+{
+    return turn(1) + speed;  // error: 'speed' is used, but defined nowhere
+//                   ^
+}

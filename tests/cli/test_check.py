@@ -1,0 +1,53 @@
+"""`crs check`: what it says of one file, of a program in several, and as data."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from crs_cc.cli.main import main
+
+
+@pytest.fixture(autouse=True)
+def in_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+def test_a_program_is_linked_as_run_would(capfd: pytest.CaptureFixture[str]) -> None:
+    Path("main.c").write_text("int turn(int);\nint main(void)\n{\n    return turn(1);\n}\n")
+    assert main(["check", "main.c"]) == 121
+    assert "main.c:4:12: error: 'turn' is used, but defined nowhere" in capfd.readouterr().err
+    Path("turn.c").write_text("int turn(int n) { return n; }\n")
+    assert main(["check", "main.c", "turn.c"]) == 0
+    Path("again.c").write_text("\nint turn(int n) { return -n; }\n")
+    assert main(["check", "main.c", "turn.c", "again.c"]) == 121
+    shown = capfd.readouterr().err
+    assert "again.c:2:5: error: multiple definition of 'turn'" in shown
+    assert "it is also defined at turn.c:1:5" in shown
+
+
+def test_a_part_of_a_program_is_checked_alone(capfd: pytest.CaptureFixture[str]) -> None:
+    Path("turn.c").write_text("int other(int);\nint turn(int n) { return other(n); }\n")
+    assert main(["check", "turn.c"]) == 0
+    assert capfd.readouterr().err == "1 file checked: 0 errors, 0 warnings\n"
+
+
+def test_a_misspelt_function_is_told_once(capfd: pytest.CaptureFixture[str]) -> None:
+    Path("main.c").write_text('int main(void)\n{\n    return prinft("x");\n}\n')
+    assert main(["check", "main.c"]) == 121
+    shown = capfd.readouterr().err
+    assert shown.count("prinft'") == 1
+    assert "did you mean 'printf'?" in shown
+
+
+def test_messages_as_data_tell_stage_place_and_hint(capfd: pytest.CaptureFixture[str]) -> None:
+    Path("main.c").write_text("int speed;\nint main(void)\n{\n    return sped\n}\n")
+    assert main(["check", "--json", "main.c"]) == 121
+    first, second = json.loads(capfd.readouterr().out)
+    assert first == {
+        "severity": "error", "stage": "types", "file": "main.c", "line": 4, "column": 12,
+        "text": "use of undeclared identifier 'sped'", "hint": "did you mean 'speed'?",
+    }  # fmt: skip
+    assert (second["stage"], second["line"], second["column"]) == ("parsing", 4, 16)
