@@ -89,8 +89,8 @@ HARD = {
 SOURCE = r"""
 #include <math.h>
 #include <stdio.h>
-static double (*const one[])(double) = {%s};
-static double (*const two[])(double, double) = {%s};
+static TYPE (*const one[])(TYPE) = {%s};
+static TYPE (*const two[])(TYPE, TYPE) = {%s};
 int main(void)
 {
     struct { int function, unused; double x, y; } point;
@@ -103,6 +103,9 @@ int main(void)
 }
 """
 
+FLOATS = [name for name in FUNCTIONS if name != "exp10"]
+"""The functions that have a version for float; it rounds the double's result once more."""
+
 
 def exact(name: str, x: float, y: float) -> Any:
     if name == "cbrt":
@@ -111,36 +114,52 @@ def exact(name: str, x: float, y: float) -> Any:
     return function(mpmath.mpf(x), mpmath.mpf(y)) if name in TWO else function(mpmath.mpf(x))
 
 
-def error_in_ulp(result: float, wanted: Any) -> float:
+def error_in_ulp(result: float, wanted: Any, *, single: bool) -> float:
     """Gives how far a result is off, in units of the last place of the exact value."""
-    exponent = max(mpmath.frexp(wanted)[1] - 53, -1074)
-    if math.isinf(result) or abs(wanted) >= mpmath.ldexp(1, 1024):
-        return (
-            0.0 if math.isinf(result) and abs(wanted) > mpmath.mpf("1.797693134862315e308") else 1e9
-        )
+    digits, least, largest = (24, -149, 128) if single else (53, -1074, 1024)
+    exponent = max(mpmath.frexp(wanted)[1] - digits, least)
+    limit = mpmath.ldexp(1, largest) - mpmath.ldexp(1, largest - digits - 1)
+    if math.isinf(result) or abs(wanted) >= limit:
+        return 0.0 if math.isinf(result) and abs(wanted) >= limit else 1e9
     return float(abs(mpmath.mpf(result) - wanted) / mpmath.ldexp(1, exponent))
 
 
-def worst_errors(count: int) -> dict[str, tuple[float, float, float]]:
+def as_float(x: float) -> float:
+    """Gives the nearest number that a float can hold and that is neither infinite nor zero."""
+    limit = math.ldexp(2 - 2.0**-23, 127)
+    nearest = struct.unpack("<f", struct.pack("<f", max(-limit, min(limit, x))))[0]
+    return float(nearest or math.copysign(2.0**-149, x))
+
+
+def worst_errors(count: int, *, single: bool = False) -> dict[str, tuple[float, float, float]]:
     """Gives for each function its largest error [ulp] over `count` points, and where it is."""
     choose = random.Random(4)
-    names = [name for name in FUNCTIONS if name not in TWO] + list(TWO)
+    known = FLOATS if single else list(FUNCTIONS)
+    names = [name for name in known if name not in TWO] + list(TWO)
     points = []
     for number, name in enumerate(names):
         points += [(number, 0, x, 0.0) for x in HARD.get(name, [])]
         places = FUNCTIONS[name][2]
         points += [(number, 0, *places[k % len(places)](choose)) for k in range(count)]
+    if single:
+        points = [(number, 0, as_float(x), as_float(y)) for number, _, x, y in points]
     ones = len(names) - len(TWO)
-    source = SOURCE % (", ".join(names[:ones]), ", ".join(TWO), ones, ones)
+    called = [name + "f" * single for name in names]
+    source = SOURCE % (", ".join(called[:ones]), ", ".join(called[ones:]), ones, ones)
+    source = source.replace("TYPE", "float" if single else "double")
     data = b"".join(struct.pack("<iidd", *point) for point in points)
     results = [value for (value,) in struct.iter_unpack("<d", run(source, stdin=data).out)]
     worst = dict.fromkeys(names, (0.0, 0.0, 0.0))
-    with mpmath.workprec(200):
-        for (number, _, x, y), result in zip(points, results, strict=True):
-            name = names[number]
-            with mpmath.workprec(1300 if name in ("sin", "cos", "tan") else 200):
-                error = error_in_ulp(result, exact(name, x, y))
-            worst[name] = max(worst[name], (error, x, y))
+    for (number, _, x, y), result in zip(points, results, strict=True):
+        name = names[number]
+        with mpmath.workprec(1300 if name in ("sin", "cos", "tan") else 200):
+            try:
+                wanted = exact(name, x, y)
+            except ValueError:  # a pole
+                continue
+            if mpmath.isfinite(wanted):
+                error = error_in_ulp(result, wanted, single=single)
+                worst[name] = max(worst[name], (error, x, y))
     return worst
 
 
@@ -149,10 +168,24 @@ def check(count: int) -> None:
     assert {n: found for n, found in worst.items() if found[0] > FUNCTIONS[n][0]} == {}
 
 
+def check_floats(count: int) -> None:
+    worst = worst_errors(count, single=True)
+    assert {n: found for n, found in worst.items() if found[0] > 0.5000001} == {}
+
+
 def test_functions_are_as_exact_as_promised() -> None:
     check(100)
+
+
+def test_functions_for_float_are_rounded_correctly_or_nearly() -> None:
+    check_floats(60)
 
 
 @pytest.mark.slow
 def test_functions_are_as_exact_as_promised_at_many_points() -> None:
     check(3000)
+
+
+@pytest.mark.slow
+def test_functions_for_float_are_rounded_correctly_or_nearly_at_many_points() -> None:
+    check_floats(2000)

@@ -10,7 +10,7 @@ struct wide {
     unsigned long long high, low;
 };
 
-static unsigned long long significand(double x, int *exponent)
+static unsigned long long mantissa_of(double x, int *exponent)
 {
     union __crs_bits number;
 
@@ -38,7 +38,7 @@ static struct wide multiply(double x, double y)
 {
     struct wide result;
     int ex, ey;
-    unsigned long long a = significand(x, &ex), b = significand(y, &ey);
+    unsigned long long a = mantissa_of(x, &ex), b = mantissa_of(y, &ey);
     unsigned long long a_low = a & 0xffffffff, b_low = b & 0xffffffff;
     unsigned long long low = a_low * b_low;
     unsigned long long middle = (a >> 32) * b_low + a_low * (b >> 32) + (low >> 32);
@@ -58,7 +58,7 @@ static struct wide widen(double x)
 
     result.negative = x < 0;
     result.high = 0;
-    result.low = significand(x, &result.exponent);
+    result.low = mantissa_of(x, &result.exponent);
     result.inexact = 0;
     normalize(&result);
     return result;

@@ -162,7 +162,7 @@ static double huge_lgamma(double x)
 }
 
 /* log |gamma(x)| by recurrence or reflection. */
-static double general_lgamma(double x)
+static double general_lgamma(double x, int *sign)
 {
     struct __crs_pair shifted, part, product;
     double one, low, sum, error;
@@ -182,7 +182,7 @@ static double general_lgamma(double x)
         low = part.lo;
     }
     if (product.hi < 0) {
-        signgam = -1;
+        *sign = -1;
         product.hi = -product.hi;
         product.lo = -product.lo;
     }
@@ -191,17 +191,17 @@ static double general_lgamma(double x)
     return sum + (error + low - part.lo);
 }
 
-double lgamma(double x)
+double __crs_log_gamma(double x, int *sign)
 {
     double t;
 
-    signgam = 1;
+    *sign = 1;
     if (x - x != 0)
         return x * x;
     if (x <= 0 && x == __builtin_floor(x))
         return __crs_pole_error(1);
     if (__builtin_fabs(x) < 0x1p-60) {
-        signgam = x < 0 ? -1 : 1;
+        *sign = x < 0 ? -1 : 1;
         return -__crs_log_pair(__builtin_fabs(x), 0).hi;
     }
     if (x > 0x1p60)
@@ -212,5 +212,21 @@ double lgamma(double x)
     t = x - 2;
     if (__builtin_fabs(t) < 0.25)
         return t * __crs_polynomial(at_two, sizeof at_two / sizeof *at_two, t);
-    return general_lgamma(x);
+    return general_lgamma(x, sign);
+}
+
+double lgamma(double x)
+{
+    return __crs_log_gamma(x, &signgam);
+}
+
+/* The sign of gamma(x) goes where the caller wants it (BSD). */
+double lgamma_r(double x, int *sign)
+{
+    return __crs_log_gamma(x, sign);
+}
+
+float lgammaf_r(float x, int *sign)
+{
+    return (float)__crs_log_gamma(x, sign);
 }

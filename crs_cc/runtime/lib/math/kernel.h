@@ -85,4 +85,7 @@ double __crs_angle(double y, double x);
 /* c[0] + c[1] x + ... + c[count - 1] x^(count - 1). */
 double __crs_polynomial(const double *c, int count, double x);
 
+/* log |gamma(x)|, and the sign of gamma(x). */
+double __crs_log_gamma(double x, int *sign);
+
 #endif
