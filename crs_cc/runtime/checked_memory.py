@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, TypeAlias
 
+from crs_cc.ir.assigned import Assignments
 from crs_cc.ir.program import (
     MEMORY_SIZE,
     VARARGS,
@@ -59,11 +60,13 @@ class CheckedMemory(PlainMemory):
 
     Attributes:
         carried: which loads take states along, and where to.
+        assignments: which variables in registers may have no value.
     """
 
-    def __init__(self, selector: Selector, carried: Carried) -> None:
+    def __init__(self, selector: Selector, carried: Carried, assignments: Assignments) -> None:
         super().__init__(selector, shadowed=True)
         self.carried = carried
+        self.assignments = assignments
         self.places = Places()
         self.proved = Proved()
         self._taken: set[Load] = set()
@@ -76,6 +79,19 @@ class CheckedMemory(PlainMemory):
     def follow(self, it: Instruction) -> None:
         """Takes note of what an instruction has written."""
         self.places.follow(it)
+
+    def before(self, it: Instruction) -> None:
+        """Tests whether the registers that an instruction reads have values, and notes changes."""
+        selector, found = self.selector, self.assignments
+        for register in found.tests.get(it, ()):
+            selector.code += [selector.value(found.flags[register]), ("i32.eqz",)]
+            site = Site("uninitialised read", it.location, "", 0, found.variables[register])
+            selector.fail_if(site, [("i32.const", 0)])
+        change = found.changes.get(it)
+        if change is not None:
+            one = ("i32.const", 1)
+            selector.code.append(one if change.source is None else selector.value(change.source))
+            selector.pop(change.flag)
 
     # -- what is known -----------------------------------------------------------------------
 
@@ -164,7 +180,7 @@ class CheckedMemory(PlainMemory):
         valued = self._valued(it.base, it.offset, size)
         accessible = self._accessible(it.base, it.offset, size)
         at = push, offset = self.place(it.base, it.offset)
-        carried = self._carried_to(it)
+        carried = self._carried_to(it) or self._flagged(it, size)
         if carried is not None or not valued:
             value = shadow.repeated(ByteState.WITH_VALUE, size)
             states = value if carried is None else self.selector.value(carried)
@@ -187,6 +203,20 @@ class CheckedMemory(PlainMemory):
         if states is not None and self.carried.is_last(it):
             self._taken.discard(source)
             self.selector.release(states)
+        return states
+
+    def _flagged(self, it: Store, size: int) -> Register | None:
+        """Makes states of the flag of a variable that is stored, if it may have no value."""
+        flag = self.assignments.stored.get(it)
+        if flag is None:
+            return None
+        selector = self.selector
+        states = Register(-1, shadow.kind(size))
+        selector.code.append(shadow.repeated(ByteState.WITH_VALUE, size))
+        selector.code.append(shadow.repeated(ByteState.WITHOUT_VALUE, size))
+        selector.code += [selector.value(flag), ("select",)]
+        selector.pop(states)
+        selector.release(states)
         return states
 
     def _test_store(self, it: Store, at: _At, states: Instr) -> None:

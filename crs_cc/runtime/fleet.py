@@ -169,7 +169,7 @@ class Fleet:
         slot = self.slots[robot]
         from crs_cc.runtime.diagnosis import diagnose  # these need the code generator
         from crs_cc.runtime.inspect import Stopped, call_stack
-        from crs_cc.runtime.objects import find_object
+        from crs_cc.runtime.objects import find_object, of_variable
 
         detail = self._executables[robot].detail()
         value = int(slot["error_address"])
@@ -186,6 +186,8 @@ class Fleet:
             kind, value, found = diagnose(stopped, value, size, site.access)
         elif kind in {"invalid free", "double free"}:
             found = find_object(stopped, value)
+        elif site.variable is not None:
+            found = of_variable(stopped, site.variable)
         size = size or int(slot["error_size"])
         return Failure(kind, site.location, value, stack, site.access, size, found, stopped)
 

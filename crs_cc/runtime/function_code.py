@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from crs_cc.ir.assigned import Assignments
 from crs_cc.ir.program import (
     Block,
     Branch,
@@ -32,7 +33,7 @@ from crs_cc.ir.program import (
     Switch,
     ValueType,
 )
-from crs_cc.ir.uses import Liveness, alive_before, all_instructions, reads, writes
+from crs_cc.ir.uses import Liveness, all_instructions
 from crs_cc.requests import MESSAGE, SUSPENDED, slot_offset
 from crs_cc.runtime import frame_states, jumps
 from crs_cc.runtime.carried import Carried
@@ -66,6 +67,7 @@ from crs_cc.runtime.layout import (
 )
 from crs_cc.runtime.nesting import emit
 from crs_cc.runtime.plain_memory import PlainMemory
+from crs_cc.runtime.registers import Registers
 from crs_cc.runtime.selection import Names, Selector
 from crs_cc.runtime.sites import CallSite, Site, call_word
 from crs_cc.runtime.switches import lower_switch
@@ -111,39 +113,24 @@ class _FunctionCode:
         self.debug = debug
         self.number = names.functions[function.name]
         self.names = names
-        self.liveness = Liveness(function)
-        self.headers = _loop_headers(function)
-        carried = Carried(function, self.liveness, keep=debug)
-        self.saved = [*self._saved(), *(carried.registers if debug and checked else [])]
+        self.shadowed = checked and not function.trusted
+        liveness = Liveness(function)
+        more: list[Register] = []
+        if self.shadowed:
+            self.assignments = Assignments(function)
+            carried = Carried(function, liveness, keep=debug)
+            more = [*self.assignments.flags.values(), *(carried.registers if debug else [])]
+        self.registers = Registers(function, liveness, more, debug=debug)
+        self.saved = self.registers.saved
         self.frame = lay_out(function, self.saved, self._arguments_size(), checked=checked)
         self.selector = selector = Selector(names, self.frame)
         if checked:
-            trusted = function.trusted
-            plain = PlainMemory(selector, shadowed=True)
-            selector.memory = plain if trusted else CheckedMemory(selector, carried)
-        self.lasting = self._lasting()
-        self.shadowed = checked and not function.trusted
+            selector.memory = PlainMemory(selector, shadowed=True)
+        if self.shadowed:
+            selector.memory = CheckedMemory(selector, carried, self.assignments)
         self.nodes = {block: Node() for block in function.blocks}
         self.landings: list[tuple[Landing, Location, str | Register | None]] = []
         self.calls: dict[int, Landing] = {}
-
-    # -- which registers need a home, which a local of their own ------------------------------
-
-    def _saved(self) -> list[Register]:
-        """Gives the registers that must survive a suspension, and all that hold variables."""
-        alive = 0
-        for block in self.function.blocks:
-            if block in self.headers:
-                alive |= self.liveness.at_start(block)
-            if isinstance(block.terminator, Call | Request | SetJump):
-                alive |= self.liveness.at_end(block)
-                for register in reads(block.terminator):
-                    alive |= 1 << register.index
-            if self.debug:
-                before = alive_before(block, self.liveness)
-                for instruction, bits in zip(block.instructions, before, strict=False):
-                    alive |= bits if isinstance(instruction, Statement) else 0
-        return [r for r in self.function.registers if alive >> r.index & 1 or r.variable]
 
     def _arguments_size(self) -> int:
         """Gives the size of the arguments of all calls, the most; -1 when there are no calls.
@@ -159,14 +146,6 @@ class _FunctionCode:
                 most = max(most, passed, wanted)
         return most
 
-    def _lasting(self) -> set[Register]:
-        """Gives the registers that keep their local through the whole function."""
-        lasting = set(self.saved)
-        for register in self.function.registers:
-            if self.liveness.shared >> register.index & 1:
-                lasting.add(register)
-        return lasting
-
     # -- the whole ----------------------------------------------------------------------------
 
     def run(self) -> tuple[Code, FunctionInfo]:
@@ -174,9 +153,8 @@ class _FunctionCode:
         if self.frame.size > STACK_SIZE:  # its offsets might not even fit an instruction
             body = self.overflow()
             return Code(self.function.name, TYPE_CALL, [], body), self.info()
-        for register in (*self.function.registers, *self.saved):
-            if register in self.lasting and register not in self.selector.locals:
-                self.selector.take_local(register)
+        for register in self.registers.lasting:
+            self.selector.take_local(register)
         for block in self.function.blocks:
             self.block(block)
         entry, start = self.entry(), self.start()
@@ -249,7 +227,7 @@ class _FunctionCode:
 
     def _load_parameter(self, parameter: Parameter, offset: int) -> None:
         place = parameter.place
-        if isinstance(place, Register) and place in self.lasting and parameter.memory:
+        if isinstance(place, Register) and place in self.registers.lasting and parameter.memory:
             self.selector.load_at(SP, offset, parameter.memory)
             self.selector.pop(place)
 
@@ -289,35 +267,25 @@ class _FunctionCode:
         selector = self.selector
         selector.forget()
         code = selector.code = node.code
-        if block in self.headers:
+        if block in self.registers.headers:
             landing = self.land(node, all_instructions(block)[0].location)
             code += [("local.get", FUEL), ("i64.const", 0), ("i64.lt_s",), UNLIKELY]
             code += [*self.suspend(landing), ("end",)]
         code += [("local.get", FUEL), ("i64.const", block.fuel), ("i64.sub",), ("local.set", FUEL)]
-        last = self._last_uses(block)
+        last = self.registers.last_uses(block)
         for number, instruction in enumerate(block.instructions):
             if not isinstance(instruction, Statement):
+                selector.memory.before(instruction)
                 selector.select(instruction)
             elif self.debug:
                 node = self.statement(node, instruction)
             for register in last[number]:
                 selector.release(register)
+        if block.terminator is not None:
+            selector.memory.before(block.terminator)
         self.terminator(node, block)
         for register in last[-1]:
             selector.release(register)
-
-    def _last_uses(self, block: Block) -> list[list[Register]]:
-        """Gives for each instruction the short-lived registers that are not needed behind it."""
-        instructions = all_instructions(block)
-        last: list[list[Register]] = [[] for _ in instructions]
-        seen: set[Register] = set()
-        for number in range(len(instructions) - 1, -1, -1):
-            target = writes(instructions[number])
-            for register in [*reads(instructions[number]), *([target] if target else [])]:
-                if register not in seen and register not in self.lasting:
-                    seen.add(register)
-                    last[number].append(register)
-        return last
 
     def statement(self, node: Node, statement: Statement) -> Node:
         """Debug density: stops before the statement whose number the debugger waits for."""
@@ -467,28 +435,3 @@ class _FunctionCode:
         operands = [jump.activation, jump.place, jump.value, Constant("i32", site)]
         node.code += jumps.start([selector.value(each) for each in operands])
         node.code.append((UNWIND,))
-
-
-def _loop_headers(function: Function) -> set[Block]:
-    """Gives the blocks where fuel is tested: on every cycle there is at least one.
-
-    They are the targets of edges that go back in the order of a depth-first walk.
-    """
-    headers: set[Block] = set()
-    entry = function.blocks[0]
-    open_blocks, seen = {entry}, {entry}
-    work = [(entry, iter(entry.successors()))]
-    while work:
-        block, rest = work[-1]
-        for target in rest:
-            if target in open_blocks:
-                headers.add(target)
-            elif target not in seen:
-                seen.add(target)
-                open_blocks.add(target)
-                work.append((target, iter(target.successors())))
-                break
-        else:
-            open_blocks.discard(block)
-            work.pop()
-    return headers

@@ -84,6 +84,18 @@ def find_object(stopped: Stopped, address: int) -> Object | None:
     return nearest
 
 
+def of_variable(stopped: Stopped, variable: Variable) -> Object:
+    """Gives a variable of the innermost function as an object; its address is where it is saved."""
+    address, function = 0, ""
+    if stopped.stack:
+        innermost = stopped.stack[0]
+        frame, function = stopped.compiled.info(innermost.function).frame, innermost.function
+        homes = [at for place, at in frame.offsets.items() if place.variable is variable]
+        address = innermost.fp - frame.size + homes[0] if homes else 0
+    size, name, location = variable.ctype.size, variable.name, variable.location
+    return Object("local", address, size, name, location, variable, function)
+
+
 def _locals(stopped: Stopped) -> Iterator[Object]:
     """Gives the slots in the frames of the active functions, and arguments behind `...`."""
     for each in stopped.stack:

@@ -59,6 +59,9 @@ class PlainMemory:
     def forget(self) -> None:
         """Drops what is known, where code from elsewhere joins."""
 
+    def before(self, it: Instruction) -> None:
+        """Tests what an instruction reads of registers."""
+
     def follow(self, it: Instruction) -> None:
         """Takes note of what an instruction has written."""
 

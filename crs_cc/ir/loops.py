@@ -1,0 +1,30 @@
+"""Finds the blocks at which the loops of a function are counted."""
+
+from __future__ import annotations
+
+from crs_cc.ir.program import Block, Function
+
+
+def loop_headers(function: Function) -> set[Block]:
+    """Gives some blocks of which at least one lies on every cycle.
+
+    They are the targets of edges that go back in the order of a depth-first walk.
+    """
+    headers: set[Block] = set()
+    entry = function.blocks[0]
+    open_blocks, seen = {entry}, {entry}
+    work = [(entry, iter(entry.successors()))]
+    while work:
+        block, rest = work[-1]
+        for target in rest:
+            if target in open_blocks:
+                headers.add(target)
+            elif target not in seen:
+                seen.add(target)
+                open_blocks.add(target)
+                work.append((target, iter(target.successors())))
+                break
+        else:
+            open_blocks.discard(block)
+            work.pop()
+    return headers

@@ -1,0 +1,53 @@
+"""Which registers of a function need a home in its frame, and which a local of their own."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from crs_cc.ir.loops import loop_headers
+from crs_cc.ir.program import Block, Call, Function, Register, Request, SetJump, Statement
+from crs_cc.ir.uses import Liveness, alive_before, all_instructions, reads, writes
+
+
+class Registers:
+    """The registers of a function, by how long they live.
+
+    Attributes:
+        headers: the blocks where the function may be suspended for lack of fuel.
+        saved: the registers that must survive a suspension, and all that hold variables.
+        lasting: the registers that keep their local through the whole function.
+    """
+
+    def __init__(
+        self, function: Function, liveness: Liveness, more: Sequence[Register], *, debug: bool
+    ) -> None:
+        self.headers = loop_headers(function)
+        alive = 0
+        for block in function.blocks:
+            if block in self.headers:
+                alive |= liveness.at_start(block)
+            if isinstance(block.terminator, Call | Request | SetJump):
+                alive |= liveness.at_end(block)
+                for register in reads(block.terminator):
+                    alive |= 1 << register.index
+            if debug:
+                before = alive_before(block, liveness)
+                for instruction, bits in zip(block.instructions, before, strict=False):
+                    alive |= bits if isinstance(instruction, Statement) else 0
+        saved = [each for each in function.registers if alive >> each.index & 1 or each.variable]
+        self.saved = [*saved, *more]
+        shared = [each for each in function.registers if liveness.shared >> each.index & 1]
+        self.lasting = dict.fromkeys([*self.saved, *shared])
+
+    def last_uses(self, block: Block) -> list[list[Register]]:
+        """Gives for each instruction the short-lived registers that are not needed behind it."""
+        instructions = all_instructions(block)
+        last: list[list[Register]] = [[] for _ in instructions]
+        seen: set[Register] = set()
+        for number in range(len(instructions) - 1, -1, -1):
+            target = writes(instructions[number])
+            for register in [*reads(instructions[number]), *([target] if target else [])]:
+                if register not in seen and register not in self.lasting:
+                    seen.add(register)
+                    last[number].append(register)
+        return last
