@@ -6,6 +6,8 @@ call of an unknown function and its later definition are one function.
 
 from __future__ import annotations
 
+from typing import Final
+
 from pycparser import c_ast
 
 from crs_cc.frontend import tree, vla
@@ -52,6 +54,8 @@ from crs_cc.ir.types import (
 )
 from crs_cc.source import Location
 
+_STORAGE_CLASSES: Final = {"static", "extern", "auto", "register"}
+
 
 def declare(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> None:
     """Checks a declaration; what it does at run time is added to `out`.
@@ -67,6 +71,8 @@ def declare(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> 
         ctype = declared_anyhow(unit, node)
     _do(effects, out)
     location = unit.at_name(node)
+    if len(_STORAGE_CLASSES & set(storage)) > 1:  # C17 6.7.1p2
+        raise CheckError(location, f"'{node.name}' has several storage classes")
     if isinstance(ctype, FunctionType):
         _declare_function(unit, node, ctype, location)
     elif unit.function is None or "extern" in storage:

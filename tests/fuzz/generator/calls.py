@@ -127,7 +127,7 @@ def long_jumps(source: Source, functions: list[Function], name: str) -> None:
         source.add("volatile int turns = 0, last = 0;")
         expressions.readable += [("turns", INT), ("last", INT)]
         source.add(f"switch (setjmp({place}))", "{")
-        source.add("case 0: last += 1; break;", f"case {chance.randint(0, 9)}: last += 2; break;")
+        source.add("case 0: last += 1; break;", f"case {chance.randint(1, 9)}: last += 2; break;")
         source.add(f"default: last += {chance.randint(3, 99)};", "}")
         source.add("turns++;")
         statements.show(*expressions.integer(2))

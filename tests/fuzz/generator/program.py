@@ -30,9 +30,11 @@ TOPICS: dict[str, Topic] = {
     "varargs": calls.varargs,
     "function_pointers": calls.function_pointers,
     "recursion": calls.recursion,
+    "long_jumps": calls.long_jumps,
     "pointers": memory.pointers,
     "sorting": memory.sorting,
     "lists": memory.lists,
+    "variable_arrays": memory.variable_arrays,
 }
 
 

@@ -1,0 +1,11 @@
+/* Functions and objects that are declared, used through pointers, and nowhere defined. */
+extern int missing_function(int);
+extern int missing_object[];
+
+static int (*const table[])(int) = { missing_function }; // error: 'missing_function' is used, but defined nowhere
+static int *const pointer = missing_object; // error: 'missing_object' is used, but defined nowhere
+
+int main(void)
+{
+    return table[0](1) + *pointer;
+}

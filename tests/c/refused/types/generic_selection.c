@@ -1,0 +1,9 @@
+/* _Generic takes the association that fits; there must be one, and only one. */
+int main(void)
+{
+    double d = 1;
+    int a = _Generic(d, int: 1, char *: 2); // error: controlling expression type 'double' not compatible with any association
+    int b = _Generic(d, double: 1, double: 2); // error: '_Generic' has two types that are compatible, 'double' and 'double'
+    int c = _Generic(d, default: 1, default: 2); // error: '_Generic' has two 'default'
+    return a + b + c;
+}

@@ -1,0 +1,20 @@
+/* A name keeps its type and its linkage. */
+extern int a;
+static int a; // error: static declaration of 'a' follows non-static declaration
+int b;
+double b; // error: redefinition of 'b' with a different type: 'double' and 'int'
+int f(int);
+int f(double); // error: conflicting types for 'f': 'int (double)' and before 'int (int)'
+static int g(void);
+int g(int n) { return n; } // error: conflicting types for 'g': 'int (int)' and before 'int (void)'
+typedef int number;
+typedef long number; // error: redefinition of 'number', which is a type already
+int twice = 1;
+int twice = 2; // error: redefinition of 'twice'
+
+int main(void)
+{
+    int c;
+    int c; // error: redefinition of 'c'
+    return 0;
+}
