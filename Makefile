@@ -2,6 +2,7 @@
 # make test    runs the whole test suite
 # make check   checks style, types and layers, and runs the quick tests; under a minute
 # make fuzz    compares random programs with gcc -m32 (COUNT=500 SEED=1), with csmith's if installed
+# make fuzz-frontend  damages programs and nests all constructs: refused or compiled, nothing else
 # make bench   measures, prints ratios
 
 PYTHON ?= python3
@@ -24,7 +25,7 @@ define install
 		&& for extras in '' '$(1)'; do cp pyproject.toml "$(VENV)/installed$$extras"; done; }
 endef
 
-.PHONY: demo test check fuzz bench install install-dev clean
+.PHONY: demo test check fuzz fuzz-frontend bench install install-dev clean
 
 demo: install
 	$(BIN)/crs run samples/scout_c/wander.c worlds/room.xml --max-time 60 --plot demo.svg --summary
@@ -41,6 +42,9 @@ check: install-dev
 
 fuzz: install-dev
 	$(BIN)/python -m tests.fuzz --count $(COUNT) --seed $(SEED)
+
+fuzz-frontend: install-dev
+	$(BIN)/python -m tests.frontend.fuzzing $(COUNT) $(SEED)
 
 bench: install
 	@set -e; for script in bench/c_speed.py bench/fleet.py bench/start.py; do \

@@ -14,7 +14,7 @@ from typing import Any, Final
 from crs_cc.frontend import tree
 from crs_cc.frontend.check import Unit
 from crs_cc.frontend.scope import ObjectSymbol
-from crs_cc.frontend.tree_parts import everything, parts
+from crs_cc.frontend.tree_parts import parts
 from crs_cc.ir.types import VoidType
 
 _NEVER_RETURN: Final = frozenset({"exit", "_exit", "_Exit", "quick_exit", "abort", "longjmp"})
@@ -24,7 +24,7 @@ Unassigned = set[ObjectSymbol]
 
 def doubt_paths(unit: Unit, function: tree.FunctionDefinition) -> None:
     """Warns of variables that are read before they have a value, and of a missing `return`."""
-    paths = _Paths(unit)
+    paths = _Paths(unit, _assigned_in_loops(function.body))
     ends = paths.block(function.body)
     symbol = function.symbol
     is_main = symbol.name == "main" and symbol.is_external
@@ -42,12 +42,13 @@ class _Breakable:
         is_loop: whether it is a loop.
         assigned: the variables that a loop assigns somewhere.
         is_left: whether a `break` leaves it.
-        at_breaks: variables that are unassigned on all paths that leave it.
+        is_continued: whether its next round may begin before the end of its body.
     """
 
     is_loop: bool
     assigned: Unassigned
     is_left: bool = False
+    is_continued: bool = False
 
 
 @dataclass(slots=True)
@@ -55,13 +56,17 @@ class _Paths:
     """The walk through one function.
 
     Attributes:
+        assigned: the variables that each loop and switch assigns somewhere.
         unassigned: the variables that no path to this point assigns.
         open: the loops and switches around it.
+        log: every variable that was assigned on the walk.
     """
 
     unit: Unit
+    assigned: dict[Any, Unassigned]
     unassigned: Unassigned = field(default_factory=set)
     open: list[_Breakable] = field(default_factory=list)
+    log: list[ObjectSymbol] = field(default_factory=list)
 
     def block(self, statements: list[tree.Statement]) -> bool:
         """Walks through statements; tells whether their end can be reached."""
@@ -86,6 +91,8 @@ class _Paths:
                 return self._switch(node)
             case tree.Label():
                 self.unassigned.clear()
+                for each in self.open:
+                    each.is_continued = True
                 return True
             case tree.CaseLabel():
                 return True
@@ -105,31 +112,37 @@ class _Paths:
     def _if(self, node: tree.If, reached: bool) -> bool:
         self.value(node.condition)
         constant = _constant(node.condition)
-        before = set(self.unassigned)
-        self._hesitate()
+        mark, before = len(self.log), set(self.unassigned)
+        forgotten = self._hesitate()
+        hesitant = set(self.unassigned)
         then_ends = self.block(node.then)
-        after_then, self.unassigned = self.unassigned, set(before)
-        self._hesitate()
+        after_then, self.unassigned = self.unassigned, hesitant
         otherwise_ends = self.block(node.otherwise)
         if then_ends and otherwise_ends:
             self.unassigned &= after_then
+            self.unassigned |= forgotten.difference(self.log[mark:])
         elif then_ends:
-            self.unassigned = after_then
-        if not (then_ends and otherwise_ends):
-            self._hesitate()  # which way it went tells which round it is
+            self.unassigned = after_then  # which way it went tells which round it is
+        self.unassigned &= before
         if constant is not None:
             return reached and (then_ends if constant else otherwise_ends)
         return reached and (then_ends or otherwise_ends)
 
-    def _hesitate(self) -> None:
-        """Forgets what an earlier round of a loop around this point may have assigned."""
+    def _hesitate(self) -> Unassigned:
+        """Forgets what an earlier round of a loop around this point may have assigned.
+
+        Returns:
+            the variables that are forgotten.
+        """
+        forgotten: Unassigned = set()
         for each in self.open:
-            self.unassigned -= each.assigned
+            forgotten |= self.unassigned & each.assigned
+        self.unassigned -= forgotten
+        return forgotten
 
     def _loop(self, node: tree.Loop, reached: bool) -> bool:
         self.block(node.start)
-        again = [*node.body, *filter(None, (node.condition, node.step))]
-        loop = _Breakable(True, _assigned(again))
+        loop = _Breakable(True, self.assigned[node])
         constant = True if node.condition is None else _constant(node.condition)
         if node.tests_first and node.condition is not None:
             self.value(node.condition)
@@ -145,7 +158,7 @@ class _Paths:
         if loop.is_left:
             self.unassigned -= loop.assigned
         is_endless = bool(constant) and not loop.is_left
-        runs_once = not node.tests_first and not loop.is_left and not _continues(node.body)
+        runs_once = not node.tests_first and not loop.is_left and not loop.is_continued
         if runs_once and not ends:
             return False
         return reached and not is_endless
@@ -163,7 +176,7 @@ class _Paths:
             reached = self.statement(each, reached)
         self.open.pop()
         self.unassigned &= before
-        self.unassigned -= _assigned(node.body)
+        self.unassigned -= self.assigned[node]
         has_default = any(each.first is None for each in node.labels)
         return reached or switch.is_left or not has_default or _is_tangled(node)
 
@@ -172,6 +185,8 @@ class _Paths:
             self.value(each)
         if isinstance(node, tree.Break) and self.open:
             self.open[-1].is_left = True
+        if isinstance(node, tree.Continue):
+            next(each for each in reversed(self.open) if each.is_loop).is_continued = True
         return False
 
     # Expressions
@@ -184,6 +199,7 @@ class _Paths:
             case tree.Assign(target=tree.ObjectName(symbol=symbol)):
                 self.value(node.value)
                 self.unassigned.discard(symbol)
+                self.log.append(symbol)
             case tree.Intrinsic(name="__builtin_va_start", arguments=[tree.ObjectName() as first]):
                 self.unassigned.discard(first.symbol)
             case tree.Logical():
@@ -200,13 +216,15 @@ class _Paths:
             case _:
                 for each in parts(node):
                     self.value(each)
+                if (target := _target(node)) is not None:
+                    self.log.append(target)
 
     def _maybe(self, node: Any) -> None:
         """Walks through an expression that is not always evaluated."""
-        before = set(self.unassigned)
-        self._hesitate()
+        mark, forgotten = len(self.log), self._hesitate()
         self.value(node)
-        self.unassigned |= before - _assigned([node])
+        if forgotten:
+            self.unassigned |= forgotten.difference(self.log[mark:])
 
     def _read(self, node: tree.ObjectName) -> None:
         if node.symbol in self.unassigned:
@@ -216,28 +234,43 @@ class _Paths:
             self.unit.warning(node.location, text, hint)
 
 
-def _assigned(nodes: list[Any]) -> Unassigned:
-    """Gives all variables that are assigned somewhere in nodes."""
-    found: Unassigned = set()
-    for node in everything(nodes):
-        match node:
-            case (
-                tree.Assign(target=tree.ObjectName(symbol=symbol))
-                | tree.CompoundAssign(target=tree.ObjectName(symbol=symbol))
-                | tree.Increment(target=tree.ObjectName(symbol=symbol))
-            ):
-                found.add(symbol)
+def _assigned_in_loops(body: list[tree.Statement]) -> dict[Any, Unassigned]:
+    """Gives for each loop and switch the variables that are assigned somewhere in it."""
+    found: dict[Any, Unassigned] = {}
+    open_: list[Unassigned] = [set()]
+    stack: list[Any] = list(reversed(body))
+    while stack:
+        node = stack.pop()
+        if node is _CLOSE:
+            inner = open_.pop()
+            open_[-1] |= inner
+            continue
+        symbol = _target(node)
+        if symbol is not None:
+            open_[-1].add(symbol)
+        if isinstance(node, tree.Loop | tree.Switch):
+            found[node] = set()
+            open_.append(found[node])
+            stack.append(_CLOSE)
+        stack.extend(reversed(list(parts(node))))
     return found
+
+
+_CLOSE: Final = object()
+"""Stands behind the parts of a loop or switch."""
+
+
+def _target(node: Any) -> ObjectSymbol | None:
+    """Gives the variable that an expression assigns, if it assigns one."""
+    if isinstance(node, tree.Assign | tree.CompoundAssign | tree.Increment):
+        target = node.target
+        return target.symbol if isinstance(target, tree.ObjectName) else None
+    return None
 
 
 def _constant(condition: tree.Expression) -> bool | None:
     """Gives the value of a constant condition, None for any other."""
     return bool(condition.value) if isinstance(condition, tree.Literal) else None
-
-
-def _continues(body: list[tree.Statement]) -> bool:
-    """Tells whether the next round of a loop may begin before the end of its body."""
-    return any(isinstance(each, tree.Continue | tree.Label) for each in everything(body))
 
 
 def _ends(value: tree.Expression) -> bool:

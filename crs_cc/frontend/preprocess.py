@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Final
 
 from crs_cc.frontend.cpp import conditionals
-from crs_cc.frontend.cpp.budget import MAX_EXPANSION, ExhaustedError
+from crs_cc.frontend.cpp.budget import ExhaustedError
 from crs_cc.frontend.cpp.directives import obey_pragma, run_directive
 from crs_cc.frontend.cpp.dynamic import dynamic_macros
 from crs_cc.frontend.cpp.gnu import GnuSyntax
@@ -84,8 +84,9 @@ def _preprocess(
     try:
         run.read(content, path)
     except ExhaustedError as error:
-        text = f"macros expand to too much: more than {MAX_EXPANSION:,} tokens in all"
-        diagnostics.error(run.state.report.places.location(error.place), text)
+        hint = "a macro that uses another one twice doubles with every step"
+        place = run.state.report.places.location(error.place)
+        diagnostics.error(place, "macros expand to far more than was written", hint)
     except StopError:
         pass  # the reason is among the diagnostics
     return run.writer.finish(run.state.report.places)

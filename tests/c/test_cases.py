@@ -150,15 +150,7 @@ def test_a_run_time_error_is_named_at_its_line(
         check_golden(path.with_suffix(".report"), shown(failure, path.parent))
 
 
-def refused_cases() -> list[object]:
-    """Gives each case that must be refused; a macro bomb takes its time to burst."""
-    return [
-        pytest.param(path, id=name(path), marks=pytest.mark.slow if "bomb" in path.name else ())
-        for path in cases("refused")
-    ]
-
-
-@pytest.mark.parametrize("path", refused_cases())
+@pytest.mark.parametrize("path", cases("refused"), ids=name)
 def test_a_wrong_program_is_refused_at_its_line(path: Path) -> None:
     with pytest.raises(CompileError) as caught:
         build(path)

@@ -16,8 +16,10 @@ from typing import Final
 from crs_cc.frontend.cpp.source_text import Place
 from crs_cc.frontend.cpp.tokens import Token
 
-MAX_EXPANSION: Final = 4_000_000
-"""How many tokens all expansions of a run may move."""
+LEAST: Final = 200_000
+"""How many tokens the expansions of a run may move, however little source there is."""
+PER_CHARACTER: Final = 10
+"""How many more for each character of source: what is long may be so in its macros, too."""
 
 
 class ExhaustedError(Exception):
@@ -37,10 +39,14 @@ class Budget:
     """What is left of the work that macros may cause.
 
     Attributes:
-        left: tokens; 16 characters of a long token count as one.
+        left: tokens; 4 characters of a long token count as one.
     """
 
-    left: int = MAX_EXPANSION
+    left: int = LEAST
+
+    def grow(self, characters: int) -> None:
+        """Adds what so much source may cause."""
+        self.left += PER_CHARACTER * characters
 
     def spend(self, tokens: Sequence[Token], place: Place) -> None:
         """Pays for moving tokens, and a token's price for the move itself.
@@ -48,6 +54,6 @@ class Budget:
         Raises:
             ExhaustedError: there is not enough left.
         """
-        self.left -= 1 + sum([1 + (len(token.text) >> 4) for token in tokens])
+        self.left -= 1 + sum([1 + (len(token.text) >> 2) for token in tokens])
         if self.left < 0:
             raise ExhaustedError(place)

@@ -134,6 +134,7 @@ class State:
             StopError: there is too much source.
         """
         self.characters_left -= text.size + OPENING
+        self.budget.grow(text.size)
         if self.characters_left < 0:
             self.report.fatal(
                 place, f"more than {MAX_CHARACTERS >> 20} million characters of source"
