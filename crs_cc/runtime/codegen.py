@@ -8,7 +8,7 @@ is written back.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Final
 
 from crs_cc.errors import CompileError
@@ -56,10 +56,13 @@ class Compiled:
     call_sites: list[CallSite]
     functions: list[FunctionInfo]
     addresses: dict[str, int]
+    _infos: dict[str, FunctionInfo] = field(default_factory=dict, repr=False)
 
     def info(self, function: str) -> FunctionInfo:
         """Gives what is known of a function."""
-        return next(info for info in self.functions if info.function.name == function)
+        if not self._infos:
+            self._infos.update((info.function.name, info) for info in self.functions)
+        return self._infos[function]
 
 
 def compile_program(program: Program, *, checked: bool = True, debug: bool = False) -> Compiled:

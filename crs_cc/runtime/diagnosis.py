@@ -14,6 +14,7 @@ from crs_cc.ir.program import ByteState
 from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE, STACK_TOP
 from crs_cc.runtime.link import LIBRARY
 from crs_cc.runtime.objects import Object, find_object
+from crs_cc.runtime.returned import returned_local
 
 if TYPE_CHECKING:
     from crs_cc.runtime.inspect import Stopped
@@ -41,7 +42,10 @@ def diagnose(
     if len(bad):
         first = address + int(bad[0])
         found = find_object(stopped, first)
-        return _kind(stopped, first, found), first, found
+        kind = _kind(stopped, first, found)
+        if kind == "use after return":
+            found = returned_local(stopped, first)
+        return kind, first, found
     if len(states) < max(1, size):
         return "pointer outside memory", max(address, MEMORY_BYTES), None
     without = np.flatnonzero(states != ByteState.WITH_VALUE)

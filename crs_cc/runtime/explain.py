@@ -137,7 +137,8 @@ def object_notes(found: Object | None, address: int | None = None) -> tuple[str,
     notes = []
     if found.variable is not None:
         ctype, name = found.variable.ctype, found.name
-        part = name if address is None else place_name(name, ctype, address - found.address)
+        offset = 0 if address is None else address - found.address
+        part = place_name(name, ctype, offset) if offset else name
         this = f"; this is {part}" if part != name else ""
         size = count(found.size, "byte")
         notes.append(f"'{name}' is {spell(ctype)}, {size}, declared at {found.location}{this}")
@@ -233,10 +234,11 @@ def _scope(case: Case) -> Explanation:
 
 def _returned(case: Case) -> Explanation:
     failure, found = case.failure, case.failure.object
-    owner = f"'{plain_name(found.function)}'" if found and found.function else "a function"
-    name = object_name(found) if found and found.name else "a local variable"
-    text = f"{case.access} of {name} of {owner}, which has returned"
-    return Explanation(text, object_notes(found, failure.value))
+    if found is None:
+        return Explanation(f"{case.access} of a local variable of a function that has returned")
+    owner = f"'{plain_name(found.function)}', which has returned"
+    notes = object_notes(found, failure.value)
+    return Explanation(f"{case.access} of {object_name(found)} of {owner}", notes)
 
 
 def _uninitialised(case: Case) -> Explanation:

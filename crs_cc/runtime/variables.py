@@ -72,7 +72,8 @@ class Variables:
             return found.name
         if isinstance(target, VoidType) and offset == 0:
             return f"&{found.name}"
-        return "&" + place_name(found.name, ctype, offset, target)
+        name = place_name(found.name, ctype, offset, target)
+        return name.removesuffix("[0]") if name.endswith("[0]") else f"&{name}"
 
     def arguments(self, frame: StackFrame) -> list[Content]:
         """Gives the parameters of an active function with the values that were passed."""

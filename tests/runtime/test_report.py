@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from crs_cc.runtime.fleet import Failure
 from crs_cc.runtime.report import ErrorReport, report
 from crs_cc.source import underline
 from tests.c.execution import Run, build
@@ -38,12 +39,16 @@ int main(void)
 """
 
 
-def report_of(folder: Path, statement: str) -> ErrorReport:
+def failure_of(folder: Path, source: str) -> Failure:
     path = folder / "program.c"
-    path.write_text(SOURCE % statement)
+    path.write_text(source)
     failure = Run(build(path)).to_end().failure
     assert failure is not None
-    return report(failure)
+    return failure
+
+
+def report_of(folder: Path, statement: str) -> ErrorReport:
+    return report(failure_of(folder, SOURCE % statement))
 
 
 def stack(error: ErrorReport) -> list[str]:

@@ -1,0 +1,14 @@
+/* Example: the pointer that malloc gave has moved on. */
+#include <stdlib.h>
+#include <string.h>
+
+int main(void)
+{
+    char *words = malloc(20);
+
+    strcpy(words, "turn left");
+    while (*words != ' ')
+        words++;
+    free(words); // error: invalid free
+    return 0;
+}
