@@ -40,7 +40,8 @@ _INTEGER: Final = rf"(?:0[xX][0-9a-fA-F]+|0[bB][01]+|0[0-7]*|[1-9][0-9]*){SUFFIX
 _ESCAPED: Final = r"[0-7abefnrtvxuUE\\?'\"]"
 """What has a meaning after a backslash (C17 6.4.4.4), and gcc's `\\e`."""
 _IN_STRING: Final = rf"[^\"\\\udc80-\udcff]|\\{_ESCAPED}"
-_IN_CHARACTER: Final = rf"[^'\\\udc80-\udcff]|\\(?:[0-7]{{1,3}}|x[0-9a-fA-F]+|{_ESCAPED})"
+_NUMBERED: Final = r"[0-7]{1,3}|x[0-9a-fA-F]+|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8}"
+_IN_CHARACTER: Final = rf"[^'\\\udc80-\udcff]|\\(?:{_NUMBERED}|{_ESCAPED})"
 
 _PLAIN: Final = re.compile(
     r"(?:[ \t\v\f]++"

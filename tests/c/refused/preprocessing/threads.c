@@ -1,0 +1,7 @@
+/* There is one thread. */
+#include <threads.h> // error: header 'threads.h' is not found
+
+int main(void)
+{
+    return 0;
+}
