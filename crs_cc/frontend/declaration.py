@@ -6,6 +6,7 @@ call of an unknown function and its later definition are one function.
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Final
 
 from pycparser import c_ast
@@ -208,6 +209,10 @@ def _visible_function(unit: Unit, name: str) -> FunctionSymbol | None:
 def _merge_function(
     unit: Unit, known: FunctionSymbol, ctype: FunctionType, location: Location, is_static: bool
 ) -> None:
+    differs = (is_static and known.is_external) or not compatible(known.type, ctype)
+    if differs and _is_librarys(unit, known) and not _in_headers(unit, location):
+        _take_librarys_place(unit, known, ctype, location, is_static)
+        return
     if is_static and known.is_external:
         text = f"static declaration of '{known.name}' follows non-static declaration"
         if not known.is_implicit:
@@ -230,6 +235,27 @@ def _merge_function(
     if known.is_implicit or not known.is_defined:
         known.location = location
     known.is_implicit = False
+
+
+def _in_headers(unit: Unit, location: Location) -> bool:
+    return any(Path(location.file).is_relative_to(folder) for folder in unit.headers)
+
+
+def _is_librarys(unit: Unit, known: FunctionSymbol) -> bool:
+    """Tells whether a function is known from the library's headers only."""
+    return not known.is_implicit and not known.is_defined and _in_headers(unit, known.location)
+
+
+def _take_librarys_place(
+    unit: Unit, known: FunctionSymbol, ctype: FunctionType, location: Location, is_static: bool
+) -> None:
+    """Makes a program's own `getline`, older than POSIX's, the one that is meant from here on."""
+    text = f"'{known.name}' is not declared as the library's function of that name"
+    unit.warning(location, text, f"the library's is '{known.type}', see {known.location}")
+    if is_static:
+        unit.externals.pop(known.name, None)
+        known.is_external, known.link_name = False, unit.static_name(known.name)
+    known.type, known.location = ctype, location
 
 
 def _differs_in_promotion(left: FunctionType, right: FunctionType) -> bool:

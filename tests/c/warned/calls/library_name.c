@@ -1,0 +1,16 @@
+/* A function of the program that has a name of the library's. */
+#include <stdio.h>
+
+int getline(char line[], int most); // warning: 'getline' is not declared as the library's function
+
+int getline(char line[], int most)
+{
+    return sprintf(line, "%d", most);
+}
+
+int main(void)
+{
+    char line[20];
+
+    return getline(line, 20) != 2;
+}
