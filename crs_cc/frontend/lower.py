@@ -13,9 +13,10 @@ The `lower_*.py` files enter their functions into them.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Final, TypeAlias
+from typing import TYPE_CHECKING, Any, Final, TypeAlias, TypeVar
 
 from crs_cc.frontend import tree
 from crs_cc.frontend.convert import is_scalar
@@ -54,8 +55,17 @@ if TYPE_CHECKING:
 ACTIVATIONS: Final = "__crs_activations"
 """The library's counter of calls of functions that use `setjmp`."""
 
+MOST_REGISTERS: Final = 10_000
+"""A function with so many registers keeps further variables in memory: WebAssembly has 50,000."""
+
+Made = TypeVar("Made")
+
 Place: TypeAlias = tuple[Base, int]
 """Where an object lies: `base + offset`."""
+
+
+def _for_each(make: Callable[[], Made]) -> dict[ValueType, Made]:
+    return {"i32": make(), "i64": make(), "f32": make(), "f64": make()}
 
 
 @dataclass(slots=True, eq=False)
@@ -89,6 +99,9 @@ class Lowering:
     references: list[tuple[Block, str, Location]] = field(default_factory=list)
     block_count: int = 0
     _activation: Register | None = None
+    _temporaries: dict[ValueType, list[Register]] = field(default_factory=lambda: _for_each(list))
+    _used: dict[ValueType, int] = field(default_factory=lambda: _for_each(int))
+    _first: dict[ValueType, int] = field(default_factory=lambda: _for_each(int))
 
     # Blocks
 
@@ -117,15 +130,41 @@ class Lowering:
     def mark(self, location: Location) -> None:
         """Marks the start of a statement."""
         self.block.instructions.append(Statement(location))
+        self._used = dict(self._first)
 
     # Registers and slots
 
-    def register(self, value_type: ValueType, variable: Variable | None = None) -> Register:
-        """Makes a register."""
+    def register(self, value_type: ValueType) -> Register:
+        """Gives a register for a value that the present statement alone needs."""
+        pool, used = self._temporaries[value_type], self._used[value_type]
+        self._used[value_type] = used + 1
+        if used == len(pool):
+            pool.append(self.lasting_register(value_type))
+        return pool[used]
+
+    def lasting_register(self, value_type: ValueType, variable: Variable | None = None) -> Register:
+        """Makes a register of its own."""
         registers = self.function.registers
         made = Register(len(registers), value_type, variable)
         registers.append(made)
         return made
+
+    def used_registers(self) -> dict[ValueType, int]:
+        """Tells which registers the present statement uses so far."""
+        return dict(self._used)
+
+    @contextmanager
+    def inner_statements(self) -> Iterator[None]:
+        """Keeps the registers that the present statement uses while others run inside it."""
+        outer, self._first = self._first, dict(self._used)
+        try:
+            yield
+        finally:
+            self._first = outer
+
+    def reuse_registers(self, used: dict[ValueType, int]) -> None:
+        """Says that all values that came after `used_registers` are not needed any more."""
+        self._used = dict(used)
 
     def slot(
         self, name: str, ctype: CType, align: int = 0, variable: Variable | None = None
@@ -142,10 +181,10 @@ class Lowering:
             variable = None
             if symbol.name:
                 variable = Variable(symbol.name, symbol.type, symbol.location)
-            if symbol.in_memory:
+            if symbol.in_memory or len(self.function.registers) > MOST_REGISTERS:
                 found = self.slot(symbol.name, symbol.type, symbol.align, variable)
             else:
-                found = self.register(value_type(symbol.type), variable)
+                found = self.lasting_register(value_type(symbol.type), variable)
             self.places[symbol] = found
         return found
 
@@ -170,7 +209,7 @@ class Lowering:
     def activation(self) -> Register:
         """Gives what tells this call of the function from all others, for `setjmp`."""
         if self._activation is None:
-            made, entry = self.register("i32"), self.function.blocks[0]
+            made, entry = self.lasting_register("i32"), self.function.blocks[0]
             location = self.function.location
             self._activation = made
             self.references.append((entry, ACTIVATIONS, location))

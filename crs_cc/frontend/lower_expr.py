@@ -268,19 +268,22 @@ def _comma_place(low: Lowering, expression: tree.Comma) -> Place:
 def _statements_value(
     low: Lowering, expression: tree.StatementExpression, into: Register | None
 ) -> Operand:
-    statements(low, expression.body)
+    with low.inner_statements():
+        statements(low, expression.body)
     assert expression.value is not None
     return value(low, expression.value, into)
 
 
 def _statements_effect(low: Lowering, expression: tree.StatementExpression) -> None:
-    statements(low, expression.body)
+    with low.inner_statements():
+        statements(low, expression.body)
     if expression.value is not None:
         effect(low, expression.value)
 
 
 def _statements_place(low: Lowering, expression: tree.StatementExpression) -> Place:
-    statements(low, expression.body)
+    with low.inner_statements():
+        statements(low, expression.body)
     assert expression.value is not None
     made = low.slot("value", expression.type)
     location = expression.location

@@ -57,8 +57,10 @@ def initialise(
         start = low.address((slot, 0), location)
         size = Constant("i32", ctype.size)
         low.emit(Fill(location, start, Constant("i32", 0), size))
+    used = low.used_registers()
     for each in initialiser.values:
         _set(low, (slot, each.offset), each)
+        low.reuse_registers(used)
 
 
 def _is_constant(each: InitialValue) -> bool:

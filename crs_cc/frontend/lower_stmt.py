@@ -140,7 +140,11 @@ def _computed_goto(low: Lowering, statement: tree.ComputedGoto) -> None:
     low.mark(location)
     operand = value(low, statement.target)
     if low.chooser is None:
-        number, block, wrong = low.register("i32"), low.new_block("goto"), low.new_block("wrong")
+        number, block, wrong = (
+            low.lasting_register("i32"),
+            low.new_block("goto"),
+            low.new_block("wrong"),
+        )
         low.chooser = number, block
         cases = [(n, _label_block(low, name)) for name, (n, _) in statement.numbers.items()]
         block.terminator = Switch(location, number, cases, wrong)

@@ -27,7 +27,11 @@ class Registers:
             if block in self.headers:
                 alive |= liveness.at_start(block)
             if isinstance(block.terminator, Call | Request | SetJump):
-                alive |= liveness.at_end(block)
+                behind = liveness.at_end(block)
+                result = writes(block.terminator)  # known only when the function goes on
+                if result is not None:
+                    behind &= ~(1 << result.index)
+                alive |= behind
                 for register in reads(block.terminator):
                     alive |= 1 << register.index
             if debug:

@@ -94,6 +94,7 @@ class Selector:
         self.code: list[Instr] = []
         self.local_types: list[ValueType] = list(FIXED_LOCALS)
         self.locals: dict[Register, int] = {}
+        self._released: set[Register] = set()
         self._free: dict[ValueType, list[int]] = {"i32": [], "i64": [], "f32": [], "f64": []}
 
     # -- locals ------------------------------------------------------------------------------
@@ -108,8 +109,9 @@ class Selector:
         self.locals[register] = len(self.local_types) + 1
 
     def release(self, register: Register) -> None:
-        """Makes the register's local free for another one."""
+        """Makes the register's local free for another one; assigned again it takes a new one."""
         self._free[register.type].append(self.locals[register])
+        self._released.add(register)
 
     def forget(self) -> None:
         """Drops what is known, where code from elsewhere joins."""
@@ -127,7 +129,8 @@ class Selector:
 
     def pop(self, register: Register) -> None:
         """Pops a value into a register."""
-        if register not in self.locals:
+        if register not in self.locals or register in self._released:
+            self._released.discard(register)
             self.take_local(register)
         self.code.append(("local.set", self.locals[register]))
 

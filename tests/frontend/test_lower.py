@@ -89,8 +89,8 @@ SHAPES = {
     ],
     "struct { unsigned a : 3, b : 5; int c : 9; } v; int f(void) { v.b = 7; return v.c; }": [
         "entry:", "%0 = load i32 [@v]", "%1 = i32.and %0, -249", "%2 = i32.or %1, 56",
-        "store i32 [@v], %2", "%3 = load i32 [@v]", "%4 = i32.shl %3, 15",
-        "%5 = i32.shr_s %4, 23", "return %5",
+        "store i32 [@v], %2", "%0 = load i32 [@v]", "%1 = i32.shl %0, 15",
+        "%2 = i32.shr_s %1, 23", "return %2",
     ],
     "int f(void) { return 1; for (;;) ; }": ["entry:", "return 1"],
 }  # fmt: skip
@@ -220,3 +220,16 @@ char *s = "x", *t = "y", *u = "x";"""
 def test_main_gives_zero_when_it_falls_off_its_end() -> None:
     assert body("int main(void) { }", "main") == ["entry:", "return 0"]
     assert body("int f(void) { }") == ["entry:", "return"]
+
+
+def test_statements_share_the_registers_of_what_they_compute() -> None:
+    lines = "".join(f"i += g({number}) * a[i & 7];" for number in range(200))
+    source = f"int g(int n); int a[8]; int f(int i) {{ {lines} return i; }}"
+    assert len(compiled(source).functions["f"].registers) < 20
+
+
+def test_variables_without_end_are_kept_in_memory() -> None:
+    lines = "".join(f"int v{number} = {number};" for number in range(12_000))
+    function = compiled(f"int f(void) {{ {lines} return v7 + v11999; }}").functions["f"]
+    assert len(function.registers) < 10_100
+    assert len(function.slots) > 1_900
