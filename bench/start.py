@@ -1,7 +1,8 @@
 """Measures how long `crs run` takes before and after a program that does nothing.
 
-Three states of the cache: empty (the C library is compiled too), with the library but not the
-program, and with both; against a bare start of Python. Wall time, medians, taken in turns.
+Three states of the cache: empty (what it uses of the C library is compiled too), with the library
+but not the program, and with both; against a bare start of Python. Wall time, medians, taken in
+turns.
 
     python bench/start.py [--repeat N]
 """

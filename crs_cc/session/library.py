@@ -1,4 +1,8 @@
-"""The C library as the linker sees it: compiled once, kept in the cache, loaded by need."""
+"""The C library as the linker sees it: each unit is compiled when it is first needed, and kept.
+
+`runtime/lib/index.txt` says which unit defines a name, so that a program costs the units that it
+uses and no others. A test holds it to the sources, and rewrites it with `--update-goldens`.
+"""
 
 from __future__ import annotations
 
@@ -24,42 +28,31 @@ class CachedLibrary:
     """The library's units, each loaded when one of its names is looked for.
 
     Raises:
-        InternalError: the library itself does not compile, or defines a name twice.
+        InternalError: the library itself does not compile.
     """
 
     def __init__(self) -> None:
         self._units: dict[str, Program] = {}
-        self._index: dict[str, str] = cache.load(_entry("index"), dict) or self._compile_all()
+        self._index: dict[str, str] = {}  # which unit defines a name
+        for line in (SOURCES / "index.txt").read_text().splitlines():
+            unit, _, names = line.partition(":")
+            self._index |= dict.fromkeys(names.split(), unit)
+        self._known = frozenset(self._index.values())
 
     def find(self, name: str) -> Function | Data | None:
-        """Gives the library's definition of a name."""
-        unit = self._index.get(name)
-        if unit is None:
+        """Gives the library's definition of a name; a unit's own names begin with the unit."""
+        own, colon, _ = name.removeprefix(link.LIBRARY).partition(":")
+        unit = own if colon and name.startswith(link.LIBRARY) else self._index.get(name)
+        if unit is None or unit not in self._known:
             return None
         if unit not in self._units:
-            known = cache.load(_entry(unit), Program)
-            self._units[unit] = _compile(SOURCES / unit) if known is None else known
+            self._units[unit] = _load(unit)
         found = self._units[unit]
         return found.functions.get(name) or found.data.get(name)
 
     def names(self) -> Sequence[str]:
         """Gives the names that programs can use."""
-        return [name for name in self._index if ":" not in name and not name.startswith("__")]
-
-    def _compile_all(self) -> dict[str, str]:
-        index: dict[str, str] = {}
-        for path in sorted(SOURCES.rglob("*.c")):
-            unit = path.relative_to(SOURCES).as_posix()
-            program = _compile(path)
-            self._units[unit] = program
-            cache.store(_entry(unit), program)
-            for name in (*program.functions, *program.data):
-                if name in index:
-                    text = f"the library defines '{name}' in {index[name]} and {unit}"
-                    raise InternalError.at(Location(unit), text)
-                index[name] = unit
-        cache.store(_entry("index"), index)
-        return index
+        return [name for name in self._index if not name.startswith("__")]
 
 
 @functools.cache
@@ -68,16 +61,41 @@ def library() -> CachedLibrary:
     return CachedLibrary()
 
 
-def _entry(unit: str) -> str:
-    return cache.key("library", unit)
+def index_of_sources() -> str:
+    """Gives what `index.txt` must say: a line for each unit, with the names that it defines.
+
+    Raises:
+        InternalError: the library does not compile, or defines a name twice.
+    """
+    lines, known = [], dict[str, str]()
+    for path in sorted(SOURCES.rglob("*.c")):
+        unit = path.relative_to(SOURCES).as_posix()
+        program = _compile(unit)
+        names = [name for name in (*program.functions, *program.data) if ":" not in name]
+        for name in names:
+            if name in known:
+                text = f"the library defines '{name}' in {known[name]} and {unit}"
+                raise InternalError.at(Location(unit), text)
+            known[name] = unit
+        lines.append(f"{unit}: {' '.join(names)}\n")
+    return "".join(lines)
 
 
-def _compile(path: Path) -> Program:
+def _load(unit: str) -> Program:
+    """Gives a unit from the cache, or compiles and keeps it."""
+    entry = cache.key("library", unit)
+    program = cache.load(entry, Program)
+    if program is None:
+        program = _compile(unit)
+        cache.store(entry, program)
+    return program
+
+
+def _compile(unit: str) -> Program:
+    path, name = SOURCES / unit, link.LIBRARY + unit
     diagnostics = Diagnostics()
     try:
-        name = link.LIBRARY + path.relative_to(SOURCES).as_posix()
-        trusted = name == ALLOCATOR
-        options = Options(system_paths=(HEADERS, path.parent), trusted=trusted)
+        options = Options(system_paths=(HEADERS, path.parent), trusted=name == ALLOCATOR)
         program = compile_text(path.read_text(), name, options, diagnostics)
     except CompileError as error:
         raise InternalError(error.diagnostics) from error

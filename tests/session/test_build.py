@@ -185,6 +185,7 @@ def test_a_damaged_library_is_made_again(
     monkeypatch.setenv("CRS_CACHE", str(tmp_path / "cache"))
     monkeypatch.setattr(library_module, "SOURCES", tmp_path)
     (tmp_path / "twice.c").write_text("int twice(int n) { return 2 * n; }\n")
+    (tmp_path / "index.txt").write_text("twice.c: twice\n")
     assert library_module.CachedLibrary().find("twice")
     for entry in (tmp_path / "cache").iterdir():
         entry.write_bytes(damaged(entry.read_bytes()))

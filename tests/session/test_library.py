@@ -1,0 +1,45 @@
+"""The C library is compiled by need, and its index is that of its sources."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from crs_cc.errors import InternalError
+from crs_cc.session import library as library_module
+from crs_cc.session.library import SOURCES, CachedLibrary, index_of_sources
+
+
+@pytest.mark.slow
+def test_the_index_is_that_of_the_sources(check_golden: Callable[[Path, bytes], None]) -> None:
+    check_golden(SOURCES / "index.txt", index_of_sources().encode())
+
+
+def test_every_unit_is_in_the_index() -> None:
+    lines = (SOURCES / "index.txt").read_text().splitlines()
+    units = [path.relative_to(SOURCES).as_posix() for path in sorted(SOURCES.rglob("*.c"))]
+    assert [line.partition(":")[0] for line in lines] == units
+
+
+def test_only_the_units_that_are_needed_are_compiled(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("CRS_CACHE", str(tmp_path))
+    library = CachedLibrary()
+    assert library.find("abs") is not None
+    assert library.find("labs") is not None
+    assert library.find("<library>/stdlib/none.c:x") is None
+    assert library.find("nothing") is None
+    assert len(list(tmp_path.iterdir())) == 1
+
+
+def test_a_name_defined_twice_is_our_mistake(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(library_module, "SOURCES", tmp_path)
+    for unit in ("a.c", "b.c"):
+        (tmp_path / unit).write_text("int twice;\n" if unit == "a.c" else "int twice = 2;\n")
+    with pytest.raises(InternalError, match=r"'twice' in a\.c and b\.c"):
+        index_of_sources()
