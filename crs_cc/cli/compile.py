@@ -68,7 +68,13 @@ def compile_source(path: Path, compiler: CompilerOptions, diagnostics: Diagnosti
     from crs_cc.ir.verify import verify
     from crs_cc.session.library import HEADERS
 
-    options = Options(compiler.include_paths, (HEADERS,), compiler.defines, compiler.undefines)
+    options = Options(
+        compiler.include_paths,
+        (HEADERS,),
+        compiler.defines,
+        compiler.undefines,
+        compiler.standard,
+    )
     program = compile_file(path, options, diagnostics)
     verify(program)
     return program
@@ -91,6 +97,7 @@ def _wat(
         include_paths=compiler.include_paths,
         defines=compiler.defines,
         undefines=compiler.undefines,
+        standard=compiler.standard,
         checked=checked,
     )
     return executable.wat()

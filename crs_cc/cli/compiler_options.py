@@ -12,6 +12,7 @@ from typing import Any
 import click
 
 from crs_cc.errors import CrsError
+from crs_cc.frontend.options import STANDARDS
 from crs_cc.source import Diagnostic, Diagnostics
 
 
@@ -23,11 +24,13 @@ class CompilerOptions:
         include_paths: folders in which `#include` looks, in this order.
         defines: macros, each `NAME` or `NAME=VALUE`.
         undefines: macros that are not to be defined.
+        standard: the C that the program is written in.
     """
 
     include_paths: tuple[Path, ...] = ()
     defines: tuple[str, ...] = ()
     undefines: tuple[str, ...] = ()
+    standard: str = "gnu17"
 
 
 _OPTIONS = (
@@ -44,6 +47,12 @@ _OPTIONS = (
         "-U", "--undefine", "undefines", metavar="NAME", multiple=True,
         help="Do not define a macro; may be repeated.",
     ),
+    click.option(
+        "-std", "standard", metavar="NAME", default="gnu17", show_default=True,
+        type=click.Choice(list(STANDARDS)),
+        help="Predefine the macros of c89, gnu89, c99, gnu99, c11, gnu11, c17 or gnu17; "
+        "those without 'gnu' also have trigraphs. The language is the same.",
+    ),
 )  # fmt: skip
 
 
@@ -55,9 +64,12 @@ def compiler_options(command: Callable[..., int]) -> Callable[..., int]:
         include_paths: tuple[Path, ...],
         defines: tuple[str, ...],
         undefines: tuple[str, ...],
+        standard: str,
         **others: Any,
     ) -> int:
-        return command(compiler=CompilerOptions(include_paths, defines, undefines), **others)
+        return command(
+            compiler=CompilerOptions(include_paths, defines, undefines, standard), **others
+        )
 
     for option in reversed(_OPTIONS):
         with_options = option(with_options)

@@ -97,6 +97,7 @@ def _build(sources: tuple[Path, ...], options: RunOptions, diagnostics: Diagnost
             include_paths=options.compiler.include_paths,
             defines=options.compiler.defines,
             undefines=options.compiler.undefines,
+            standard=options.compiler.standard,
             checked=options.checked,
         )
     finally:

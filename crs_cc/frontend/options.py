@@ -8,6 +8,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Final
+
+STANDARDS: Final = {
+    "c89": "", "c90": "", "ansi": "", "gnu89": "", "gnu90": "",
+    "iso9899:199409": "199409L",
+    "c99": "199901L", "gnu99": "199901L", "c9x": "199901L", "gnu9x": "199901L",
+    "c11": "201112L", "gnu11": "201112L", "c1x": "201112L", "gnu1x": "201112L",
+    "c17": "201710L", "gnu17": "201710L", "c18": "201710L", "gnu18": "201710L",
+}  # fmt: skip
+"""The names of `-std=`, each with its `__STDC_VERSION__`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,6 +29,8 @@ class Options:
         system_paths: folders of the headers that come with crs_cc, searched last.
         defines: macros to define, as `NAME`, `NAME=value` or `NAME(a)=value` (`-D`).
         undefines: names to undefine after that (`-U`).
+        standard: the C that the program is written in, a key of `STANDARDS` (`-std=`). It decides
+            about predefined macros and trigraphs; the language is the same in all.
         trusted: whether the file is the allocator, see `ir.program.Function`.
     """
 
@@ -26,4 +38,10 @@ class Options:
     system_paths: tuple[Path, ...] = ()
     defines: tuple[str, ...] = ()
     undefines: tuple[str, ...] = ()
+    standard: str = "gnu17"
     trusted: bool = False
+
+    @property
+    def is_strict(self) -> bool:
+        """Tells whether the standard is one of ISO's, without GNU's additions."""
+        return not self.standard.startswith("gnu")

@@ -99,6 +99,7 @@ class _Run:
         report = Report(diagnostics, Places())
         report.places.add(ORIGIN, "")
         self.state = State(report, Headers(folder, options, diagnostics.digests))
+        self.state.strict = options.is_strict
         self.options = options
         self.writer = Writer()
         self.gnu = GnuSyntax(report, lambda tokens: obey_pragma(self.state, tokens))
@@ -106,7 +107,7 @@ class _Run:
     def read(self, content: str, path: Path) -> None:
         """Reads everything."""
         state = self.state
-        for macro in (*predefined_macros(), *dynamic_macros(state)):
+        for macro in (*predefined_macros(self.options.standard), *dynamic_macros(state)):
             state.define(macro)
         main = state.add_text(str(path), content)
         state.open(main, path.parent, None, main.start)

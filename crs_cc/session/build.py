@@ -41,6 +41,7 @@ def build_executable(
     include_paths: Sequence[Path] = (),
     defines: Sequence[str] = (),
     undefines: Sequence[str] = (),
+    standard: str = "gnu17",
     checked: bool = True,
     debug: bool = False,
 ) -> Executable:
@@ -52,6 +53,7 @@ def build_executable(
         include_paths: folders for `#include`, in order.
         defines: macros as `NAME`, `NAME=value` or `NAME(x)=value`.
         undefines: predefined macros to leave out.
+        standard: the C that it is written in, see `frontend.options.STANDARDS`.
         checked: test every access through a pointer.
         debug: make every statement a place to stop at.
 
@@ -66,6 +68,7 @@ def build_executable(
         map(str, include_paths),
         defines,
         undefines,
+        standard,
         f"checked={checked} debug={debug}",
     )
     entry = cache.load(key, _Entry)
@@ -78,7 +81,7 @@ def build_executable(
 
     from crs_cc.session.library import HEADERS
 
-    options = Options(tuple(include_paths), (HEADERS,), tuple(defines), tuple(undefines))
+    options = Options(tuple(include_paths), (HEADERS,), tuple(defines), tuple(undefines), standard)
     own = Diagnostics(digests={str(path): digest(path) for path in paths})
     try:
         executable = _compile(paths, options, own, name, checked=checked, debug=debug)

@@ -24,6 +24,7 @@ from crs_cc.frontend.cpp.tokens import NAME, STRING, Token, shown, spell, tokeni
 _DIRECTIVE: Final = re.compile(r"[ \t\v\f]*(?:#|%:)[ \t\v\f]*(\w*)")
 _HEADER: Final = re.compile(r"[ \t\v\f]*(?:\"([^\"]*)\"|<([^>]*)>)")
 _PRAGMAS_WITH_MEANING: Final = frozenset({"weak", "redefine_extname"})
+_ASSERTIONS: Final = frozenset({"assert", "unassert"})
 MAX_LINE: Final = (1 << 31) - 1
 """The largest line number that `#line` can set (C17 6.10.4)."""
 
@@ -79,6 +80,8 @@ def run_directive(state: State, text: str, place: Place) -> bool:
         name = line.name or line.rest.split()[0]
         close = difflib.get_close_matches(name, _DIRECTIVES, n=1)
         hint = f"did you mean '#{close[0]}'?" if close else ""
+        if name in _ASSERTIONS:
+            hint = "gcc itself gave assertions up; define a macro instead"
         state.report.error(hash_place, f"there is no directive '#{shown(name)}'", hint)
     return True
 

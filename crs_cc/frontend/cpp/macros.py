@@ -15,7 +15,7 @@ put there when the macro is called.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final, Literal
 
 from crs_cc.frontend.cpp.report import Report
@@ -42,6 +42,7 @@ class Part:
         argument: number of the argument.
         pasted: whether `##` stands before it.
         inside: the parts inside `__VA_OPT__`.
+        quoted: whether `#` stands before `__VA_OPT__`.
     """
 
     kind: PartKind
@@ -49,6 +50,7 @@ class Part:
     argument: int = -1
     pasted: bool = False
     inside: tuple[Part, ...] = ()
+    quoted: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -221,6 +223,9 @@ class _BodyReader:
         token = self.body[index]
         if token.text in HASH and token.kind == PUNCTUATOR and self.function_like:
             follower = self.body[index + 1] if index + 1 < end else token
+            if follower.text == OPTIONAL and self.variadic:
+                option = self._read_option(index + 1, end, pasted)
+                return None if option is None else (replace(option[0], quoted=True), option[1])
             if follower.text not in self.numbers:
                 self.report.error(token.place, "'#' is not followed by a parameter of the macro")
                 return None

@@ -4,7 +4,7 @@
 headers and programs choose what every compiler understands. Date and time are fixed: the same
 source must give the same program every day (C17 6.10.8.1 allows it where none is available).
 
->>> {macro.name: macro.body[0].text for macro in predefined_macros()}["__LONG_MAX__"]
+>>> {macro.name: macro.body for macro in predefined_macros()}["__LONG_MAX__"][0].text
 '0x7fffffffL'
 """
 
@@ -18,6 +18,7 @@ from crs_cc.frontend.cpp.macros import Macro, read_definition
 from crs_cc.frontend.cpp.report import Report
 from crs_cc.frontend.cpp.source_text import Places
 from crs_cc.frontend.cpp.tokens import tokenise
+from crs_cc.frontend.options import STANDARDS
 from crs_cc.source import Diagnostics
 
 ORIGIN: Final = "<built-in>"
@@ -25,11 +26,13 @@ ORIGIN: Final = "<built-in>"
 
 _ONES: Final = (
     "__CRS__ __STDC__ __STDC_HOSTED__ __STDC_NO_ATOMICS__ __STDC_NO_COMPLEX__ __STDC_NO_THREADS__ "
-    "__STDC_IEC_559__ __STDC_UTF_16__ __STDC_UTF_32__ __i386__ __i386 i386 __linux__ __linux linux "
-    "__gnu_linux__ __unix__ __unix unix __ILP32__ _ILP32"
+    "__STDC_IEC_559__ __STDC_UTF_16__ __STDC_UTF_32__ __i386__ __i386 __linux__ __linux "
+    "__gnu_linux__ __unix__ __unix __ILP32__ _ILP32 __ELF__ "
+    "__NO_INLINE__ __GNUC_STDC_INLINE__ __DBL_HAS_DENORM__ __DBL_HAS_INFINITY__ "
+    "__DBL_HAS_QUIET_NAN__ __FLT_HAS_DENORM__ __FLT_HAS_INFINITY__ __FLT_HAS_QUIET_NAN__ "
+    "__LDBL_HAS_DENORM__ __LDBL_HAS_INFINITY__ __LDBL_HAS_QUIET_NAN__"
 )
 _VALUES: Final = """
-__STDC_VERSION__ 201710L
 __STDC_ISO_10646__ 201706L
 __DATE__ "Jan  1 1970"
 __TIME__ "00:00:00"
@@ -41,7 +44,10 @@ __ORDER_PDP_ENDIAN__ 3412
 __BYTE_ORDER__ __ORDER_LITTLE_ENDIAN__
 __FLOAT_WORD_ORDER__ __ORDER_LITTLE_ENDIAN__
 __CHAR_BIT__ 8
-__BIGGEST_ALIGNMENT__ 8
+__BIGGEST_ALIGNMENT__ 16
+__USER_LABEL_PREFIX__
+__REGISTER_PREFIX__
+__FINITE_MATH_ONLY__ 0
 __SCHAR_MAX__ 0x7f
 __SHRT_MAX__ 0x7fff
 __WCHAR_MIN__ (-__WCHAR_MAX__ - 1)
@@ -111,12 +117,27 @@ _DOUBLE: Final = {
 }  # fmt: skip
 
 
+_WIDTHS: Final = {
+    "SCHAR": 8, "SHRT": 16, "INT": 32, "LONG": 32, "LONG_LONG": 64, "SIZE": 32, "PTRDIFF": 32,
+    "WCHAR": 32, "WINT": 32, "INTMAX": 64, "INTPTR": 32, "SIG_ATOMIC": 32,
+}  # fmt: skip
+_FAST_BITS: Final = {8: 8, 16: 32, 32: 32, 64: 64}
+"""How many bits the `int_fast` types of gcc on i386 have."""
+
+_NOT_RESERVED: Final = ("linux", "unix", "i386")
+"""Names that are the program's own in strict C."""
+
+
 @cache
-def predefined_macros() -> tuple[Macro, ...]:
-    """Gives the macros whose value is always the same; all stand at place 0."""
+def predefined_macros(standard: str = "gnu17") -> tuple[Macro, ...]:
+    """Gives the macros whose value is always the same; all stand at place 0.
+
+    Args:
+        standard: a key of `STANDARDS`.
+    """
     report = Report(Diagnostics(), Places())
     macros = []
-    for line in _definitions():
+    for line in (*_definitions(), *_of_standard(standard)):
         tokens = [token.moved(0, token.spaced) for token in tokenise(line, 0)]
         macro = read_definition(tokens, report)
         assert macro is not None
@@ -124,11 +145,21 @@ def predefined_macros() -> tuple[Macro, ...]:
     return tuple(macros)
 
 
+def _of_standard(standard: str) -> Iterator[str]:
+    if STANDARDS[standard]:
+        yield f"__STDC_VERSION__ {STANDARDS[standard]}"
+    if standard.startswith("gnu"):
+        yield from (f"{name} 1" for name in _NOT_RESERVED)
+    else:
+        yield "__STRICT_ANSI__ 1"
+
+
 def _definitions() -> Iterator[str]:
     yield from (f"{name} 1" for name in _ONES.split())
     yield from _VALUES.strip().splitlines()
     yield from (f"__SIZEOF_{name}__ {size}" for name, size in _SIZES_BYTE.items())
-    for name, (spelling, largest) in _TYPES.items():
+    yield from (f"__{name}_WIDTH__ {width}" for name, width in _WIDTHS.items())
+    for name, (spelling, largest) in [*_TYPES.items(), *_sized_types()]:
         if spelling:
             yield f"__{name}_TYPE__ {spelling}"
         if largest:
@@ -136,3 +167,11 @@ def _definitions() -> Iterator[str]:
     for prefix, suffix in (("DBL", ""), ("LDBL", "L")):
         for name, value in _DOUBLE.items():
             yield f"__{prefix}_{name}__ {value}{suffix if 'e' in value else ''}"
+
+
+def _sized_types() -> Iterator[tuple[str, tuple[str, str]]]:
+    """Gives the rows of `_TYPES` for `int_least8_t`, `int_fast8_t` and the like."""
+    for prefix in ("INT", "UINT"):
+        for bits, fast_bits in _FAST_BITS.items():
+            yield f"{prefix}_LEAST{bits}", _TYPES[f"{prefix}{bits}"]
+            yield f"{prefix}_FAST{bits}", _TYPES[f"{prefix}{fast_bits}"]

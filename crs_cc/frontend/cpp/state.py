@@ -26,7 +26,14 @@ from crs_cc.frontend.cpp.includes import Header, Headers, Refusal, read_regular_
 from crs_cc.frontend.cpp.macros import DEFINED, Macro
 from crs_cc.frontend.cpp.reader import Reader
 from crs_cc.frontend.cpp.report import Report
-from crs_cc.frontend.cpp.source_text import Place, SourceText, decode, is_binary, printable
+from crs_cc.frontend.cpp.source_text import (
+    Place,
+    SourceText,
+    decode,
+    is_binary,
+    printable,
+    without_trigraphs,
+)
 from crs_cc.frontend.cpp.tokens import Token
 
 MAX_DEPTH: Final = 200
@@ -50,6 +57,7 @@ class State:
         once: files that said `#pragma once`.
         budget: what macros may still expand to.
         characters_left: how much more source is read.
+        strict: whether the program is written in ISO C, with trigraphs.
         pending: tokens that a directive puts into the program.
     """
 
@@ -61,6 +69,7 @@ class State:
     once: set[Path] = field(default_factory=set)
     budget: Budget = field(default_factory=Budget)
     characters_left: int = MAX_CHARACTERS
+    strict: bool = False
     pending: list[Token] = field(default_factory=list)
     _texts: dict[Path, SourceText] = field(default_factory=dict)
 
@@ -122,6 +131,8 @@ class State:
     def add_text(self, name: str, content: str) -> SourceText:
         """Takes in the text of a file, so that messages can show its lines."""
         self.report.diagnostics.lines[name] = printable(content).split("\n")
+        if self.strict:
+            content = without_trigraphs(content)
         text = self.report.places.add(name, content)
         if text.unclosed_comment is not None:
             self.report.error(text.unclosed_comment, "this comment has no '*/' at its end")

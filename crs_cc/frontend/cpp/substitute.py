@@ -119,6 +119,10 @@ class _Substitution:
             tokens = self.arguments[part.argument]
         elif part.kind == "optional":
             tokens = self.body(part.inside) if self.expanded[part.argument] else []
+            if part.quoted:
+                tokens = _without_placemarkers(tokens)
+                self.budget.spend(tokens, self.place)
+                return [Token(STRING, stringise(tokens), self.place, spaced)]
         else:
             tokens = self.expanded[part.argument]
         return _spaced(tokens, spaced) or [Token(PLACEMARKER, "", self.place, spaced)]
