@@ -91,7 +91,8 @@ class Explanation:
     Attributes:
         text: what happened; empty when the kind says all.
         notes: what else there is to say, a sentence each.
-        told: the variable whose value the text tells, or says to be missing.
+        told: the variable whose value the text tells.
+        blamed: the variable that alone is to blame of all the expression.
         shows_callee: whether the library's function belongs into the call stack.
         shows_values: whether the values of the variables in the expression help.
     """
@@ -99,6 +100,7 @@ class Explanation:
     text: str
     notes: tuple[str, ...] = ()
     told: str = ""
+    blamed: str = ""
     shows_callee: bool = True
     shows_values: bool = True
 
@@ -248,7 +250,8 @@ def _uninitialised(case: Case) -> Explanation:
         offset = max(0, failure.value - found.address) if failure.value else 0
         part = place_name(found.name, found.variable.ctype, offset)
         if case.callee is None:
-            return Explanation(f"'{part}' has no value yet", notes, told=found.name)
+            blamed = found.name if part == found.name else ""
+            return Explanation(f"'{part}' has no value yet", notes, found.name, blamed)
         return Explanation(f"{case.access} of '{part}', which has no value yet", notes)
     if found is not None and found.kind == "heap block":
         where = f"byte {failure.value - found.address} of {object_name(found)}"

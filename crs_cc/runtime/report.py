@@ -6,6 +6,7 @@ variables in the expression, and the call stack.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
@@ -99,21 +100,19 @@ class _Reporter:
         self.variables = Variables(stopped)
 
     def report(self) -> ErrorReport:
-        failure, rows = self.failure, _shown_frames(self.stopped)
-        frame = next((each for each in rows if not _is_library(each)), None)
+        failure, frames = self.failure, _shown_frames(self.stopped)
+        frame = next((each for each in frames if not _is_library(each)), None)
         place = failure.location if frame is None else frame.location
-        place = replace(place, last=place.last or place.column)  # one token at least
         line = self.line(place)
-        start = max(0, place.column - 1)
-        expression = line[start : start + len(underline(line, place))]
-        callee = self.call(rows[0]) if rows and _is_library(rows[0]) else None
+        place, expression = _expression(line, place)
+        callee = self.call(frames[0]) if frames and _is_library(frames[0]) else None
         explained = explain(Case(failure, expression, self.variables, frame, callee))
         if callee is not None and not explained.shows_callee:
-            rows = rows[1:]
+            frames = frames[1:]
+        place, expression = _narrowed(place, expression, explained.blamed)
         values: tuple[tuple[str, str], ...] = ()
         if frame is not None and callee is None and explained.shows_values:
-            found = failure.object
-            told = {explained.told, found.name if found else ""}
+            told = {explained.told, failure.object.name if failure.object else ""}
             values = self.values(frame, expression, told)
         return ErrorReport(
             failure.kind,
@@ -122,7 +121,7 @@ class _Reporter:
             line,
             values,
             explained.notes,
-            self.folded(rows),
+            self.folded(frames),
             failure.object,
         )
 
@@ -151,7 +150,10 @@ class _Reporter:
             known = self.variables.find(name, frame)
             if known is None or name in told:
                 continue
-            values.append((name, self.variables.show(known)))
+            shown = self.variables.show(known)
+            if shown.endswith("..."):  # too much to help
+                continue
+            values.append((name, shown))
             target = self.variables.values.show_target(known.variable.ctype, known.content)
             if target:
                 values.append((f"*{name}", target))
@@ -169,6 +171,22 @@ class _Reporter:
             ActiveCall(shown, count=len(hidden)),
             *map(self.call, rows[-LAST_CALLS:]),
         )
+
+
+def _expression(line: str, place: Location) -> tuple[Location, str]:
+    """Gives the place and the text of the expression there, of one token at least."""
+    place = replace(place, last=place.last or place.column)
+    start = max(0, place.column - 1)
+    return place, line[start : start + len(underline(line, place))]
+
+
+def _narrowed(place: Location, expression: str, blamed: str) -> tuple[Location, str]:
+    """Gives place and text of a variable alone, if it is to blame of an expression."""
+    found = re.search(rf"\b{re.escape(blamed)}\b", expression) if blamed else None
+    if found is None:
+        return place, expression
+    column = place.column + found.start()
+    return replace(place, column=column, last=column), blamed
 
 
 def _is_library(frame: StackFrame) -> bool:

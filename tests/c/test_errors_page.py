@@ -11,9 +11,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 from crs_cc.requests import ERROR_KINDS
-from tests.c.execution import cases, expected_errors
+from tests.c.execution import HERE, cases, expected_errors
 
-PAGE = Path(__file__).parents[2] / "docs" / "errors.md"
+ROOT = Path(__file__).parents[2]
+PAGE = ROOT / "docs" / "errors.md"
 
 INTRODUCTION = """\
 # Errors while running
@@ -87,9 +88,14 @@ def page() -> str:
     return "\n".join([INTRODUCTION, *sections])
 
 
+def shown_report(case: Path) -> str:
+    """Gives a case's report without the comment that says what is expected."""
+    return re.sub(r" *// error:.*", "", case.with_suffix(".report").read_text(encoding="utf-8"))
+
+
 def _section(kind: str, case: Path) -> str:
     source = re.sub(r" *// error:.*", "", case.read_text(encoding="utf-8"))
-    shown = re.sub(r" *// error:.*", "", case.with_suffix(".report").read_text(encoding="utf-8"))
+    shown = shown_report(case)
     title = kind[0].upper() + kind[1:]
     return f"## {title}\n\n{MEANING[kind]}\n\n```c\n{source}```\n\n```\n{shown}```\n"
 
@@ -100,3 +106,8 @@ def test_the_page_of_errors_is_up_to_date(check_golden: Callable[[Path, bytes], 
 
 def test_every_kind_of_error_is_explained() -> None:
     assert set(MEANING) | WITHOUT_EXAMPLE == set(ERROR_KINDS)
+
+
+def test_the_readme_shows_a_real_report() -> None:
+    case = HERE / "errors" / "students" / "one_sonar_too_many.c"
+    assert shown_report(case) in (ROOT / "README.md").read_text(encoding="utf-8")
