@@ -99,6 +99,7 @@ def _build(sources: tuple[Path, ...], options: RunOptions, diagnostics: Diagnost
             undefines=options.compiler.undefines,
             standard=options.compiler.standard,
             checked=options.checked,
+            trap_overflow=options.trap_overflow,
         )
     finally:
         diagnostics.messages[:] = merged(diagnostics.messages, own.messages)

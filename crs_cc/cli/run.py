@@ -25,6 +25,7 @@ class RunOptions:
         arguments: what `main` finds behind `argv[0]`.
         compiler: how to compile.
         checked: with checks of every memory access.
+        trap_overflow: stop a program at signed overflow.
         seed: start of all random numbers.
         max_time_s: stop at the first timestep that ends at or after it [s]; None for no end.
         plot: the picture to draw.
@@ -40,6 +41,7 @@ class RunOptions:
     arguments: tuple[str, ...] = ()
     compiler: CompilerOptions = field(default_factory=CompilerOptions)
     checked: bool = True
+    trap_overflow: bool = False
     seed: int = 0
     max_time_s: float | None = None
     plot: Path | None = None
@@ -142,6 +144,9 @@ def _time(_ctx: click.Context, _option: click.Parameter, time_s: float | None) -
     "-q", "--quiet", is_flag=True, help="Say nothing but errors; no warnings, no summary."
 )
 @click.option("--unchecked", is_flag=True, help="Leave out the checks of memory accesses: faster.")
+@click.option(
+    "--trap-overflow", is_flag=True, help="Stop a program whose signed arithmetic overflows."
+)
 @compiler_options
 @click.pass_context
 def run(

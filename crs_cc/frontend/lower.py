@@ -279,6 +279,11 @@ def constant(ctype: CType, value: float) -> Constant:
     return Constant(wanted, wrap(int(value), 32 if wanted == "i32" else 64, signed=True))
 
 
+def no_value(function: Function) -> Constant | None:
+    """Gives what a function returns that ends without a value: main's is 0 (C17 5.1.2.2.3)."""
+    return Constant("i32", 0) if function.name == "main" and function.result == "i32" else None
+
+
 LowerValue: TypeAlias = Callable[[Lowering, Any, "Register | None"], Operand]
 LowerEffect: TypeAlias = Callable[[Lowering, Any], None]
 LowerPlace: TypeAlias = Callable[[Lowering, Any], Place]

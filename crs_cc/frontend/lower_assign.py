@@ -19,7 +19,7 @@ from crs_cc.frontend.lower import (
 )
 from crs_cc.frontend.lower_call import call_into
 from crs_cc.frontend.lower_convert import convert_operand, unnarrowed
-from crs_cc.frontend.lower_expr import operator_name, shift_count
+from crs_cc.frontend.lower_expr import is_judged, operator_name, shift_count
 from crs_cc.frontend.lower_place import copy, fit_bits, load, read_bits, store, write_bits
 from crs_cc.frontend.tree import Expression
 from crs_cc.ir.program import Binary, Constant, Move, Operand, Register
@@ -142,7 +142,7 @@ def _compound(low: Lowering, expression: tree.CompoundAssign) -> Operand:
     name = operator_name(expression.op, computed)
     direct = target.register if computed == expression.type else None
     result = direct if direct is not None else low.register(old.type)
-    low.emit(Binary(location, result, name, old, right))
+    low.emit(Binary(location, result, name, old, right, is_judged(expression.op, computed)))
     return _write_back(low, target, result, computed, expression.type)
 
 
@@ -209,7 +209,8 @@ def _step(low: Lowering, expression: tree.Increment, target: _Target, old: Opera
         one, name = constant(ctype, abs(step)), "add" if step > 0 else "sub"
     direct = None if is_narrow else target.register
     result = low.register(old.type) if direct is None else direct
-    low.emit(Binary(location, result, f"{old.type}.{name}", old, one))
+    judged = is_judged("+", computed)
+    low.emit(Binary(location, result, f"{old.type}.{name}", old, one, judged))
     return _write_back(low, target, result, computed, ctype)
 
 

@@ -89,7 +89,7 @@ def _binary(low: Lowering, expression: tree.Binary, into: Register | None) -> Op
     if into is None:
         into = low.register("i32" if op in COMPARISONS else left.type)
     name = operator_name(op, expression.left.type)
-    low.emit(Binary(location, into, name, left, right))
+    low.emit(Binary(location, into, name, left, right, is_judged(op, expression.left.type)))
     return into if op in COMPARISONS else _kept_small(low, into, expression.type, location)
 
 
@@ -122,6 +122,12 @@ def _is_same_size(left: CType, right: CType) -> bool:
     return left.size == right.size and not is_float
 
 
+def is_judged(op: str, ctype: CType) -> bool:
+    """Tells whether an operation of C may have no result, see `ir.instruction.Binary`."""
+    signed = isinstance(ctype, IntegerType) and ctype.signed
+    return op in {"<<", ">>"} or (signed and op in {"+", "-", "*"})
+
+
 def shift_count(low: Lowering, count: Operand, shifted: CType, location: Location) -> Operand:
     """Gives a shift count the type of what is shifted, as WebAssembly wants it."""
     wanted = value_type(shifted)
@@ -144,7 +150,8 @@ def _unary(low: Lowering, expression: tree.Unary, into: Register | None) -> Oper
         low.emit(Unary(location, into, f"{operand.type}.neg", operand))
     elif op == "-":
         zero = Constant(operand.type, 0)
-        low.emit(Binary(location, into, f"{operand.type}.sub", zero, operand))
+        judged = is_judged(op, expression.type)
+        low.emit(Binary(location, into, f"{operand.type}.sub", zero, operand, judged))
     else:
         ones = Constant(operand.type, -1)
         low.emit(Binary(location, into, f"{operand.type}.xor", operand, ones))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from crs_cc.frontend import lower_expr, lower_init, lower_stmt, tree
-from crs_cc.frontend.lower import Lowering, memory_type, statements, value_type
+from crs_cc.frontend.lower import Lowering, memory_type, no_value, statements, value_type
 from crs_cc.frontend.lower_convert import convert_operand
 from crs_cc.frontend.lower_graph import tidy
 from crs_cc.frontend.lower_place import store
@@ -13,7 +13,6 @@ from crs_cc.frontend.scope import ObjectSymbol
 from crs_cc.ir.program import (
     MEMORY_SIZE,
     Block,
-    Constant,
     Function,
     Parameter,
     Register,
@@ -21,7 +20,7 @@ from crs_cc.ir.program import (
     Slot,
     Variable,
 )
-from crs_cc.ir.types import INT, CType, RecordType, VoidType
+from crs_cc.ir.types import CType, RecordType, VoidType
 from crs_cc.source import Location
 
 if TYPE_CHECKING:
@@ -43,13 +42,12 @@ def lower_function(unit: UnitLowering, definition: tree.FunctionDefinition) -> F
     if isinstance(result, RecordType):
         low.result_pointer = low.lasting_register("i32")
         function.parameters.append(Parameter(low.result_pointer, "i32", 4))
-    elif not isinstance(result, VoidType):
-        function.result = value_type(result)
+    elif not isinstance(result, VoidType) or symbol.name == "main":
+        function.result = "i32" if isinstance(result, VoidType) else value_type(result)
     for parameter, passed in zip(definition.parameters, definition.passed, strict=True):
         _parameter(low, parameter, passed)
     statements(low, definition.body)
-    is_main = symbol.name == "main" and result == INT
-    fall_off = Return(location, Constant("i32", 0) if is_main else None)
+    fall_off = Return(location, no_value(function))
     low.end(fall_off)
     kept = tidy(function)
     for block, name, place in low.references:

@@ -111,14 +111,15 @@ def write_bits(
     if width == 8 * ctype.size:
         store(low, where, ctype, source, location)
         return
-    where = low.access(where, ctype.size, location)
-    unit = load(low, where, ctype, location)
+    base, offset = low.access(where, ctype.size, location)
+    unit = low.register(value_type(ctype))
+    low.emit(Load(location, unit, base, offset, memory_type(ctype), unjudged=True))
     others = low.binary(
         location, _unit_op(member, "and"), unit, _mask(member, width, member.bit_offset, True)
     )
     bits = _shifted(low, member, source, location)
     merged = low.binary(location, _unit_op(member, "or"), others, bits)
-    store(low, where, ctype, merged, location)
+    store(low, (base, offset), ctype, merged, location)
 
 
 def _shifted(low: Lowering, member: Member, source: Operand, location: Location) -> Operand:

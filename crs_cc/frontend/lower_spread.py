@@ -69,7 +69,7 @@ def write_spread(
         if piece.mask != 0xFF:
             bits = low.binary(location, "i32.and", bits, Constant("i32", piece.mask))
             old = low.register("i32")
-            low.emit(Load(location, old, base, offset + piece.offset, "u8"))
+            low.emit(Load(location, old, base, offset + piece.offset, "u8", unjudged=True))
             others = low.binary(location, "i32.and", old, Constant("i32", 0xFF - piece.mask))
             bits = low.binary(location, "i32.or", others, bits)
         low.emit(Store(location, base, offset + piece.offset, bits, "u8"))

@@ -9,6 +9,7 @@ from crs_cc.frontend.lower import (
     Lowering,
     branch,
     effect,
+    no_value,
     place,
     statements,
     value,
@@ -170,7 +171,7 @@ def _return(low: Lowering, statement: tree.Return) -> None:
     low.mark(location)
     if result is None:
         _release(low, statement.release)
-        low.end(Return(location, None))
+        low.end(Return(location, no_value(low.function)))
     elif isinstance(result.type, RecordType):
         assert low.result_pointer is not None
         copy(low, (low.result_pointer, 0), place(low, result), result.type.size, location)

@@ -112,12 +112,17 @@ class Unary(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Binary(Instruction):
-    """`result = left op right`; comparisons give an i32, 0 or 1."""
+    """`result = left op right`; comparisons give an i32, 0 or 1.
+
+    A `judged` operation is one of C's that may have no result: a shift, whose count must be below
+    the width of its type, or arithmetic of a signed type, which may overflow.
+    """
 
     result: Register
     op: str
     left: Operand
     right: Operand
+    judged: bool = False
 
 
 @dataclass(slots=True, eq=False)

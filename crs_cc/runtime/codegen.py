@@ -15,7 +15,8 @@ from crs_cc.errors import CompileError
 from crs_cc.ir.program import ByteState, Data, Program
 from crs_cc.requests import FAILED, slot_offset
 from crs_cc.runtime import jumps, shadow
-from crs_cc.runtime.function_code import FunctionInfo, generate
+from crs_cc.runtime.checked_arithmetic import product_fits
+from crs_cc.runtime.function_code import Build, FunctionInfo, generate
 from crs_cc.runtime.indices import MAILBOX, MEMORY, SHADOW, SLOT_GLOBAL
 from crs_cc.runtime.layout import (
     HEADER_SIZE,
@@ -28,6 +29,7 @@ from crs_cc.runtime.layout import (
 )
 from crs_cc.runtime.link import HEAP_SYMBOLS, ROOT, pointed_functions
 from crs_cc.runtime.selection import Names
+from crs_cc.runtime.signatures import asked_for_values, pointer_tables
 from crs_cc.runtime.sites import CallSite, Site
 from crs_cc.runtime.wasm import PAGE, TYPE_I32_I32, Code, FuncType, Instr, Module
 
@@ -65,13 +67,16 @@ class Compiled:
         return self._infos[function]
 
 
-def compile_program(program: Program, *, checked: bool = True, debug: bool = False) -> Compiled:
+def compile_program(
+    program: Program, *, checked: bool = True, debug: bool = False, trap_overflow: bool = False
+) -> Compiled:
     """Generates the code of a linked and verified program.
 
     Args:
         program: the program; it must define `__crs_start`.
         checked: test every access through a pointer.
         debug: make every statement a place to stop at.
+        trap_overflow: stop at signed overflow; in checked builds only.
 
     Raises:
         CompileError: the program's objects do not fit into a robot's memory.
@@ -79,7 +84,7 @@ def compile_program(program: Program, *, checked: bool = True, debug: bool = Fal
     addresses = _place(program, checked=checked)
     pointers = pointed_functions(program)
     addresses.update((name, number) for number, name in enumerate(pointers, start=1))
-    checks = [shadow.inaccessible(), shadow.callers()]
+    checks = [shadow.inaccessible(), shadow.callers(), product_fits()]
     helpers = [_fault(), *(checks if checked else [_outside()])]
     numbers = {name: number for number, name in enumerate(program.functions, start=len(helpers))}
     names = Names(
@@ -91,7 +96,15 @@ def compile_program(program: Program, *, checked: bool = True, debug: bool = Fal
             for function in program.functions.values()
         },
         len(pointers),
+        {},
+        asked_for_values(program, pointers) if checked else set(),
     )
+    tables = pointer_tables(program, pointers) if checked else {}
+    heap, end = (addresses[name] for name in HEAP_SYMBOLS)
+    for shape, table in tables.items():
+        names.tables[shape] = heap
+        heap = min(round_up(heap + len(table), 16), end)
+    addresses[HEAP_SYMBOLS[0]] = heap
     module = Module(
         functions=list(helpers),
         memory_imports=[("crs", "mailbox")],
@@ -100,9 +113,10 @@ def compile_program(program: Program, *, checked: bool = True, debug: bool = Fal
         globals=[("i32", 0), *jumps.GLOBALS],
         elements=[(0, 1, [numbers[name] for name in pointers])] if pointers else [],
     )
+    build = Build(checked, debug, trap_overflow)
     infos = []
     for function in program.functions.values():
-        code, info = generate(function, names, checked=checked, debug=debug)
+        code, info = generate(function, names, build)
         module.functions.append(code)
         infos.append(info)
     module.functions.append(_resume(numbers[ROOT]))
@@ -115,6 +129,8 @@ def compile_program(program: Program, *, checked: bool = True, debug: bool = Fal
         for data in program.data.values()
         if (data.content and any(data.content)) or data.relocations
     ]
+    for shape, table in tables.items():
+        module.data.append((MEMORY, names.tables[shape], table))
     if checked:
         module.exports.append(("shadow", "memory", SHADOW))
         _add_start(module, program, addresses)

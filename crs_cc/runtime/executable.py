@@ -110,6 +110,7 @@ def make_executable(
     lines: Mapping[str, Sequence[str]] | None = None,
     checked: bool = True,
     debug: bool = False,
+    trap_overflow: bool = False,
 ) -> Executable:
     """Compiles a linked, verified program.
 
@@ -119,10 +120,12 @@ def make_executable(
         lines: the lines of the user's files, by their names; messages show them.
         checked: test every access through a pointer.
         debug: make every statement a place to stop at.
+        trap_overflow: stop at signed overflow, where accesses are tested.
     """
     from crs_cc.runtime.codegen import compile_program
 
-    compiled = compile_program(program, checked=checked, debug=debug)
+    flags = {"checked": checked, "debug": debug, "trap_overflow": trap_overflow}
+    compiled = compile_program(program, **flags)
     module = wasmtime.Module(engine(), compiled.module.to_binary())
     detail = Detail(program, compiled, lines or {})
     return Executable(name, bytes(module.serialize()), lambda: detail, module)

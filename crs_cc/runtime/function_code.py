@@ -10,6 +10,7 @@ homes in the frame. When it is called again it loads them back and goes to that 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
 from crs_cc.ir.assigned import Assignments
 from crs_cc.ir.program import (
@@ -37,6 +38,7 @@ from crs_cc.ir.uses import Liveness, all_instructions
 from crs_cc.requests import MESSAGE, SUSPENDED, slot_offset
 from crs_cc.runtime import frame_states, jumps
 from crs_cc.runtime.carried import Carried
+from crs_cc.runtime.checked_arithmetic import CheckedArithmetic
 from crs_cc.runtime.checked_memory import CheckedMemory
 from crs_cc.runtime.dispatch import add_dispatchers
 from crs_cc.runtime.flow import LANDING, UNWIND, Landing, Node
@@ -69,6 +71,7 @@ from crs_cc.runtime.nesting import emit
 from crs_cc.runtime.plain_memory import PlainMemory
 from crs_cc.runtime.registers import Registers
 from crs_cc.runtime.selection import Names, Selector
+from crs_cc.runtime.signatures import call_shape
 from crs_cc.runtime.sites import CallSite, Site, call_word
 from crs_cc.runtime.switches import lower_switch
 from crs_cc.runtime.wasm import TYPE_CALL, UNLIKELY, Code, Instr
@@ -77,6 +80,7 @@ from crs_cc.source import Location
 MESSAGE_OFFSET = slot_offset("message")
 RESULT_OFFSET = MESSAGE_OFFSET + int(MESSAGE.fields["result"][1])  # type: ignore[index]
 MESSAGE_SIZE = Constant("i32", MESSAGE.itemsize)
+NO_VALUE: Final = -1  # takes the place of the number of a function that ended without a value
 
 
 @dataclass(slots=True)
@@ -99,18 +103,25 @@ class FunctionInfo:
     calls: dict[int, int]
 
 
-def generate(
-    function: Function, names: Names, *, checked: bool, debug: bool
-) -> tuple[Code, FunctionInfo]:
+@dataclass(frozen=True, slots=True)
+class Build:
+    """How a program is compiled, see `codegen.compile_program`."""
+
+    checked: bool
+    debug: bool
+    trap_overflow: bool
+
+
+def generate(function: Function, names: Names, build: Build) -> tuple[Code, FunctionInfo]:
     """Gives the code of one verified function."""
-    return _FunctionCode(function, names, checked=checked, debug=debug).run()
+    return _FunctionCode(function, names, build).run()
 
 
 class _FunctionCode:
-    def __init__(self, function: Function, names: Names, *, checked: bool, debug: bool) -> None:
+    def __init__(self, function: Function, names: Names, build: Build) -> None:
         self.function = function
-        self.checked = checked
-        self.debug = debug
+        self.checked = checked = build.checked
+        self.debug = debug = build.debug
         self.number = names.functions[function.name]
         self.names = names
         self.shadowed = checked and not function.trusted
@@ -128,6 +139,8 @@ class _FunctionCode:
             selector.memory = PlainMemory(selector, shadowed=True)
         if self.shadowed:
             selector.memory = CheckedMemory(selector, carried, self.assignments)
+            traps = build.trap_overflow
+            selector.arithmetic = CheckedArithmetic(selector, traps_overflow=traps)
         self.nodes = {block: Node() for block in function.blocks}
         self.landings: list[tuple[Landing, Location, str | Register | None]] = []
         self.calls: dict[int, Landing] = {}
@@ -275,14 +288,14 @@ class _FunctionCode:
         last = self.registers.last_uses(block)
         for number, instruction in enumerate(block.instructions):
             if not isinstance(instruction, Statement):
-                selector.memory.before(instruction)
+                selector.before(instruction)
                 selector.select(instruction)
             elif self.debug:
                 node = self.statement(node, instruction)
             for register in last[number]:
                 selector.release(register)
         if block.terminator is not None:
-            selector.memory.before(block.terminator)
+            selector.before(block.terminator)
         self.terminator(node, block)
         for register in last[-1]:
             selector.release(register)
@@ -336,6 +349,8 @@ class _FunctionCode:
         if value is not None:
             kind: ValueType = value.type
             self.selector.store_at(FP, RESULT, value, kind)
+        elif self.function.name in self.names.without_value:
+            self.selector.store_at(FP, FUNCTION, Constant("i32", NO_VALUE), "i32")
         node.code += [("i32.const", 0), ("local.get", FUEL), ("return",)]
 
     def call(self, node: Node, call: Call) -> None:
@@ -367,11 +382,7 @@ class _FunctionCode:
         landing = self.land(after, call.location, call.callee)
         self.calls[len(self.names.call_sites)] = landing
         if isinstance(call.callee, Register):
-            selector.push(call.callee)
-            after.code += [("i32.const", 1), ("i32.sub",)]
-            after.code += [("i32.const", self.names.pointers), ("i32.ge_u",)]
-            site = Site("bad function pointer", call.location)
-            selector.fail_if(site, [selector.value(call.callee)])
+            self._check_pointer(call, call.callee)
         after.code += [("local.get", SP), ("local.get", FUEL)]
         if isinstance(call.callee, Register):
             selector.push(call.callee)
@@ -381,9 +392,32 @@ class _FunctionCode:
         after.code += [("local.set", FUEL), ("local.tee", STATUS), UNLIKELY]
         after.code += [(LANDING, landing), ("local.set", LABEL), (UNWIND,), ("end",)]
         if call.result is not None:
+            if self.shadowed:
+                self._check_value(call)
             selector.load_at(SP, RESULT, call.result.type)
             selector.pop(call.result)
         after.jump(self.nodes[call.then])
+
+    def _check_pointer(self, call: Call, pointer: Register) -> None:
+        """Stops the program unless a function pointer is one, and its function fits the call."""
+        selector, code = self.selector, self.selector.code
+        push = selector.value(pointer)
+        code += [push, ("i32.const", 1), ("i32.sub",)]
+        code += [("i32.const", self.names.pointers), ("i32.ge_u",)]
+        selector.fail_if(Site("bad function pointer", call.location), [push])
+        table = self.names.tables.get(call_shape(call))
+        if table is not None and self.shadowed:
+            code += [push, ("i32.load8_u", MEMORY, table), ("i32.eqz",)]
+            selector.fail_if(Site("mismatched call", call.location), [push])
+
+    def _check_value(self, call: Call) -> None:
+        """Stops the program when the callee has ended without a value, see `leave`."""
+        callee, without = call.callee, self.names.without_value
+        if callee in without or (isinstance(callee, Register) and without):
+            self.selector.load_at(SP, FUNCTION, "i32")
+            self.selector.code += [("i32.const", NO_VALUE), ("i32.eq",)]
+            site = Site("no value returned", call.location)
+            self.selector.fail_if(site, [("i32.const", 0)])
 
     def request(self, node: Node, request: Request) -> None:
         """Copies the message to the slot and stops; copies the reply back when resumed."""

@@ -15,7 +15,7 @@ SLOT_GLOBAL: Final = 0
 FAULT, OUTSIDE = range(2)
 """The module's own functions, which come before those of the program."""
 
-INACCESSIBLE, CALLERS = range(1, 3)
+INACCESSIBLE, CALLERS, PRODUCT_FITS = range(1, 4)
 """Those of checked builds, which have no `OUTSIDE`."""
 
 CALL_TYPE: Final = 1

@@ -33,10 +33,12 @@ from crs_cc.ir.program import (
     Unary,
     ValueType,
 )
+from crs_cc.runtime.checked_arithmetic import CheckedArithmetic
 from crs_cc.runtime.flow import FAULTED
 from crs_cc.runtime.indices import ADDRESS, FIXED_LOCALS, FUEL, MEMORY, SITE, SP
 from crs_cc.runtime.layout import Frame
 from crs_cc.runtime.plain_memory import LOADS, STORES, PlainMemory
+from crs_cc.runtime.signatures import Shape
 from crs_cc.runtime.sites import CallSite, Site
 from crs_cc.runtime.wasm import UNLIKELY, Instr
 
@@ -55,6 +57,8 @@ class Names:
         functions: index in the module of each function.
         sizes: size of each global object.
         parameters: size of the parameters of each function, as `layout` places them.
+        tables: addresses of the tables that `signatures` makes.
+        without_value: functions that may end without a value which somebody uses.
         pointers: how many function pointers there are; they are numbered from 1.
         sites: every place that can fail.
         call_sites: every place that calls, by its number less 1.
@@ -65,6 +69,8 @@ class Names:
     sizes: dict[str, int]
     parameters: dict[str, int]
     pointers: int
+    tables: dict[Shape, int]
+    without_value: set[str]
     sites: list[Site] = field(default_factory=list)
     call_sites: list[CallSite] = field(default_factory=list)
 
@@ -85,12 +91,14 @@ class Selector:
     Attributes:
         code: the list that it appends to.
         memory: how it writes accesses to memory.
+        arithmetic: what tests the operands of arithmetic; None where nothing does.
     """
 
     def __init__(self, names: Names, frame: Frame) -> None:
         self.names = names
         self.frame = frame
         self.memory: PlainMemory = PlainMemory(self, shadowed=False)
+        self.arithmetic: CheckedArithmetic | None = None
         self.code: list[Instr] = []
         self.local_types: list[ValueType] = list(FIXED_LOCALS)
         self.locals: dict[Register, int] = {}
@@ -116,6 +124,8 @@ class Selector:
     def forget(self) -> None:
         """Drops what is known, where code from elsewhere joins."""
         self.memory.forget()
+        if self.arithmetic is not None:
+            self.arithmetic.forget()
 
     def value(self, operand: Operand) -> Instr:
         """Gives the instruction that pushes an operand's value."""
@@ -174,6 +184,12 @@ class Selector:
 
     # -- instructions ------------------------------------------------------------------------
 
+    def before(self, instruction: Instruction) -> None:
+        """Writes the tests that come before an instruction, terminators too."""
+        self.memory.before(instruction)
+        if self.arithmetic is not None:
+            self.arithmetic.before(instruction)
+
     def select(self, instruction: Instruction) -> None:
         """Writes the code of one instruction that is not a terminator."""
         access = _ACCESS.get(type(instruction))
@@ -182,6 +198,8 @@ class Selector:
         else:
             _SELECT[type(instruction)](self, instruction)
         self.memory.follow(instruction)
+        if self.arithmetic is not None:
+            self.arithmetic.follow(instruction)
 
     def move(self, it: Move) -> None:
         """Writes `result = source`."""

@@ -44,6 +44,7 @@ def build_executable(
     standard: str = "gnu17",
     checked: bool = True,
     debug: bool = False,
+    trap_overflow: bool = False,
 ) -> Executable:
     """Gives the program made of some C files, from the cache if nothing has changed.
 
@@ -56,11 +57,13 @@ def build_executable(
         standard: the C that it is written in, see `frontend.options.STANDARDS`.
         checked: test every access through a pointer.
         debug: make every statement a place to stop at.
+        trap_overflow: stop at signed overflow, where accesses are tested.
 
     Raises:
         CompileError: the files do not make a program.
     """
     name = " ".join(map(str, paths))
+    flags = {"checked": checked, "debug": debug, "trap_overflow": trap_overflow}
     key = cache.key(
         map(str, (path.resolve() for path in paths)),
         map(str, paths),
@@ -69,11 +72,11 @@ def build_executable(
         defines,
         undefines,
         standard,
-        f"checked={checked} debug={debug}",
+        f"{flags}",
     )
     entry = cache.load(key, _Entry)
     if entry is not None and _unchanged(entry):
-        detail = _reload(entry, checked=checked, debug=debug)
+        detail = _reload(entry, flags)
         known = load_executable(name, entry.machine_code, detail)
         if known is not None:
             diagnostics.messages.extend(entry.warnings)
@@ -84,7 +87,7 @@ def build_executable(
     options = Options(tuple(include_paths), (HEADERS,), tuple(defines), tuple(undefines), standard)
     own = Diagnostics(digests={str(path): digest(path) for path in paths})
     try:
-        executable = _compile(paths, options, own, name, checked=checked, debug=debug)
+        executable = _compile(paths, options, own, name, flags)
     finally:
         diagnostics.messages.extend(own.messages)
         diagnostics.lines.update(own.lines)
@@ -99,9 +102,7 @@ def _compile(
     options: Options,
     diagnostics: Diagnostics,
     name: str,
-    *,
-    checked: bool,
-    debug: bool,
+    flags: dict[str, bool],
 ) -> Executable:
     from crs_cc.frontend.unit import compile_file
     from crs_cc.ir.verify import verify
@@ -124,14 +125,14 @@ def _compile(
     program = link(units, library(), diagnostics)
     files = {function.location.file for function in program.functions.values()}
     lines = {file: diagnostics.lines[file] for file in sorted(files & diagnostics.lines.keys())}
-    return make_executable(program, name, lines=lines, checked=checked, debug=debug)
+    return make_executable(program, name, lines=lines, **flags)
 
 
 def _unchanged(entry: _Entry) -> bool:
     return all(digest(Path(file)) == known for file, known in entry.digests.items())
 
 
-def _reload(entry: _Entry, *, checked: bool, debug: bool) -> Callable[[], Detail]:
+def _reload(entry: _Entry, flags: dict[str, bool]) -> Callable[[], Detail]:
     """Gives a function that makes a cached program's detail when it is first asked for."""
 
     @functools.cache
@@ -139,6 +140,6 @@ def _reload(entry: _Entry, *, checked: bool, debug: bool) -> Callable[[], Detail
         from crs_cc.runtime.codegen import compile_program
 
         program, lines = pickle.loads(entry.source)  # noqa: S301 - see `crs_cc.session.cache`
-        return Detail(program, compile_program(program, checked=checked, debug=debug), lines)
+        return Detail(program, compile_program(program, **flags), lines)
 
     return detail

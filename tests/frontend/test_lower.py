@@ -88,7 +88,7 @@ SHAPES = {
         "%3 = f64.ne %2, 0.0", "return %3",
     ],
     "struct { unsigned a : 3, b : 5; int c : 9; } v; int f(void) { v.b = 7; return v.c; }": [
-        "entry:", "%0 = load i32 [@v]", "%1 = i32.and %0, -249", "%2 = i32.or %1, 56",
+        "entry:", "%0 = load i32 [@v] unjudged", "%1 = i32.and %0, -249", "%2 = i32.or %1, 56",
         "store i32 [@v], %2", "%0 = load i32 [@v]", "%1 = i32.shl %0, 15",
         "%2 = i32.shr_s %1, 23", "return %2",
     ],
