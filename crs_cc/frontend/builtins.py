@@ -43,8 +43,10 @@ from crs_cc.ir.types import (
     ULONG,
     VOID,
     CType,
+    FloatType,
     PointerType,
     RecordType,
+    VoidType,
     is_complete,
     qualify,
     unqualified,
@@ -110,6 +112,7 @@ def call_builtin(unit: Unit, name: str, node: Node) -> Expression | None:
     if name in _CONSTANTS:
         ctype, value = _CONSTANTS[name]
         return tree.Literal(ctype, location, value)
+    name = _SYNONYMS.get(name, name)
     builtin = BUILTINS.get(name)
     if builtin is None or (name in _TRUSTED and not unit.trusted):
         return None
@@ -165,6 +168,17 @@ def _types_compatible(unit: Unit, nodes: list[Node], location: Location) -> Expr
     _count(nodes, 2, location)
     left, right = (unqualified(type_name(unit, each)) for each in nodes)
     return tree.integer(int(compatible(left, right)), INT, location)
+
+
+def _classify(unit: Unit, nodes: list[Node], location: Location) -> Expression:
+    """Gives gcc's number for the kind of a type."""
+    _count(nodes, 1, location)
+    ctype = rvalue(unit, nodes[0]).type
+    kinds = {VoidType: 0, PointerType: 5, FloatType: 8}
+    number = kinds.get(type(ctype), 1)
+    if isinstance(ctype, RecordType):
+        number = 12 if ctype.record.kind == "struct" else 13
+    return tree.integer(number, INT, location)
 
 
 def _object_size(unit: Unit, nodes: list[Node], location: Location) -> Expression:
@@ -223,9 +237,12 @@ def _va_arg(unit: Unit, nodes: list[Node], location: Location) -> Expression:
     return convert(tree.VarArg(promoted, location, arguments), ctype)
 
 
+_SYNONYMS: Final = {"__builtin_setjmp": "__crs_setjmp"}
+
 _SPECIAL: Final = {
     "__builtin_assume_aligned": _first,
     "__builtin_choose_expr": _choose,
+    "__builtin_classify_type": _classify,
     "__builtin_constant_p": _constant_p,
     "__builtin_expect": _expect,
     "__builtin_expect_with_probability": _expect,

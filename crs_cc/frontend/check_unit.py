@@ -81,8 +81,10 @@ def _function_definition(unit: Unit, node: Node) -> None:
             location, f"incomplete result type '{ctype.result}' in function definition"
         )
     storage = [*(declaration.storage or []), *(declaration.funcspec or [])]
-    is_static = "static" in storage or ("inline" in storage and "extern" in storage)
+    is_static = "static" in storage
     symbol = declare_function(unit, declaration.name, ctype, location, is_static)
+    # An inline definition may stand in a header that several files read (C17 6.7.4p7).
+    symbol.is_weak = symbol.is_weak or ("inline" in storage and not is_static)
     apply_attributes(unit, symbol, declaration)
     if symbol.is_defined:
         text = f"redefinition of '{declaration.name}'"
@@ -97,6 +99,7 @@ def _function_definition(unit: Unit, node: Node) -> None:
         with vla.effects(unit) as effects:
             parameters, passed = _parameters(unit, node, ctype, before)
         body.extend(tree.ExpressionStatement(each.location, each) for each in effects)
+        state.label_names.append({})
         with vla.block(state, body, location):
             for each in node.body.block_items or []:
                 statement(unit, each, body)

@@ -32,15 +32,19 @@ def convert(value: Number, source: CType, target: CType) -> Number | None:
         return int(value != 0)
     if not isinstance(target, IntegerType | EnumType | PointerType):
         return None
-    if isinstance(source, FloatType):
-        if not math.isfinite(value):
-            return None
-        value = int(value)
-        if not -(1 << 63) <= value < 1 << 64:
-            return None
     signed = not isinstance(target, PointerType) and target.signed
     bits = 8 * target.size if isinstance(target, PointerType) else target.bits
+    if isinstance(source, FloatType):
+        return _nearest(value, bits, signed)
     return wrap(int(value), bits, signed)
+
+
+def _nearest(value: Number, bits: int, signed: bool) -> int:
+    """Gives the integer nearest to a constant, as gcc does where C says nothing (6.3.1.4)."""
+    if math.isnan(value):
+        return 0
+    low, high = (-(1 << bits - 1), (1 << bits - 1) - 1) if signed else (0, (1 << bits) - 1)
+    return low if value <= low else high if value >= high else int(value)
 
 
 def _float(value: Number) -> float:

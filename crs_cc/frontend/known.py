@@ -41,6 +41,7 @@ _PROTOTYPES: Final = {
         void *malloc(unsigned); void *realloc(void *, unsigned); double atof(const char *);
         double strtod(const char *, char **); void _Exit(int); double drand48(void);
     """,
+    "setjmp.h": "void longjmp(void *, int);",
     "stdio.h": """
         int printf(const char *, ...); int putchar(int); int puts(const char *);
         int scanf(const char *, ...); int snprintf(char *, unsigned, const char *, ...);
