@@ -11,6 +11,7 @@ from typing import Any
 
 import click
 
+from crs_cc.cli.messages import say
 from crs_cc.errors import CrsError
 from crs_cc.frontend.options import STANDARDS
 from crs_cc.source import Diagnostic, Diagnostics
@@ -33,10 +34,20 @@ class CompilerOptions:
     standard: str = "gnu17"
 
 
+def _folders(
+    _ctx: click.Context, _option: click.Parameter, paths: tuple[Path, ...]
+) -> tuple[Path, ...]:
+    """Leaves out folders that do not exist, with a warning: makefiles name such."""
+    for path in paths:
+        if not path.is_dir():
+            say(f"warning: -I {path}: no such folder")
+    return tuple(path for path in paths if path.is_dir())
+
+
 _OPTIONS = (
     click.option(
         "-I", "--include", "include_paths", metavar="DIR", multiple=True,
-        type=click.Path(exists=True, file_okay=False, path_type=Path),
+        type=click.Path(path_type=Path), callback=_folders,
         help="Look for #include files in DIR too; may be repeated.",
     ),
     click.option(

@@ -51,3 +51,11 @@ def test_messages_as_data_tell_stage_place_and_hint(capfd: pytest.CaptureFixture
         "text": "use of undeclared identifier 'sped'", "hint": "did you mean 'speed'?",
     }  # fmt: skip
     assert (second["stage"], second["line"], second["column"]) == ("parsing", 4, 16)
+
+
+def test_a_folder_of_headers_that_is_not_there_is_left_out(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    Path("main.c").write_text("int main(void) { return 0; }\n")
+    assert main(["check", "main.c", "-I", "nowhere"]) == 0
+    assert "warning: -I nowhere: no such folder" in capfd.readouterr().err

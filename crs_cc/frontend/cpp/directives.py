@@ -270,9 +270,27 @@ def obey_pragma(state: State, tokens: list[Token]) -> list[Token]:
     elif name == "pack":
         words = [KEYWORD, "(", "(", PACK, *(each.text for each in tokens[1:]), ")", ")"]
         return tokenise(" ".join(words), tokens[0].place)
+    elif name in ("push_macro", "pop_macro"):
+        _keep_macro(state, tokens)
     elif name in _PRAGMAS_WITH_MEANING:
         state.report.warning(tokens[0].place, f"'#pragma {name}' is ignored")
     return []
+
+
+def _keep_macro(state: State, tokens: list[Token]) -> None:
+    """Does what `#pragma push_macro("NAME")` or `pop_macro` says."""
+    if [token.text for token in tokens[1:2] + tokens[3:]] != ["(", ")"] or len(tokens) != 4:
+        state.report.warning(tokens[0].place, f"'#pragma {tokens[0].text}' needs a name in quotes")
+        return
+    name = tokens[2].text.strip('"')
+    kept = state.kept_macros.setdefault(name, [])
+    if tokens[0].text == "push_macro":
+        kept.append(state.macros.get(name))
+    elif kept:
+        macro = kept.pop()
+        state.undefine(name)
+        if macro is not None:
+            state.define(macro)
 
 
 def _ignore(_state: State, _line: _Line) -> None:

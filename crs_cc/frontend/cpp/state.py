@@ -58,6 +58,7 @@ class State:
         budget: what macros may still expand to.
         characters_left: how much more source is read.
         strict: whether the program is written in ISO C, with trigraphs.
+        kept_macros: what `#pragma push_macro` keeps of each name.
         pending: tokens that a directive puts into the program.
     """
 
@@ -70,6 +71,7 @@ class State:
     budget: Budget = field(default_factory=Budget)
     characters_left: int = MAX_CHARACTERS
     strict: bool = False
+    kept_macros: dict[str, list[Macro | None]] = field(default_factory=dict)
     pending: list[Token] = field(default_factory=list)
     _texts: dict[Path, SourceText] = field(default_factory=dict)
 

@@ -1,26 +1,31 @@
-/* Predefined macros that programs choose by, with gcc's values on i386. */
+/* What is defined before the first line (C17 6.10.8), and where it is. */
 #include <stdio.h>
+#include <string.h>
 
-#define SHOW(x) printf(#x " %lld\n", (long long)(x))
-#define NAME(x) puts(#x " " STR(x))
-#define STR(x) #x
+#define LINE_HERE __LINE__
+static const char *function(void) { return __func__; }
 
 int main(void)
 {
-    SHOW(__STDC__); SHOW(__STDC_VERSION__); SHOW(__STDC_HOSTED__); SHOW(__CHAR_BIT__);
-    SHOW(__i386__); SHOW(__linux__); SHOW(__unix__); SHOW(linux); SHOW(unix); SHOW(i386);
-    SHOW(__ILP32__); SHOW(__ELF__); SHOW(__BYTE_ORDER__); SHOW(__ORDER_LITTLE_ENDIAN__);
-    SHOW(__SCHAR_MAX__); SHOW(__SHRT_MAX__); SHOW(__INT_MAX__); SHOW(__LONG_MAX__);
-    SHOW(__LONG_LONG_MAX__); SHOW(__SIZE_MAX__); SHOW(__PTRDIFF_MAX__); SHOW(__INTMAX_MAX__);
-    SHOW(__INT_FAST16_MAX__); SHOW(__UINT_LEAST8_MAX__); SHOW(__SIZEOF_INT__);
-    SHOW(__SIZEOF_LONG__); SHOW(__SIZEOF_POINTER__); SHOW(__SIZEOF_LONG_LONG__);
-    SHOW(__SIZEOF_SIZE_T__); SHOW(__SIZEOF_WCHAR_T__); SHOW(__SIZEOF_DOUBLE__);
-    SHOW(__INT_WIDTH__); SHOW(__LONG_WIDTH__); SHOW(__BIGGEST_ALIGNMENT__);
-    SHOW(__FLT_MANT_DIG__); SHOW(__DBL_MAX_EXP__); SHOW(__DBL_DIG__); SHOW(__FLT_RADIX__);
-    NAME(__SIZE_TYPE__); NAME(__WCHAR_TYPE__); NAME(__INT64_TYPE__); NAME(__UINT_FAST16_TYPE__);
-    printf("[" STR(__USER_LABEL_PREFIX__) "]\n");
-#ifdef __STRICT_ANSI__
-    puts("strict");
+    const char *file = strrchr(__FILE__, '/') ? strrchr(__FILE__, '/') + 1 : __FILE__;
+
+    printf("%s %d %d\n", file, __LINE__, LINE_HERE);
+    printf("%d %ld %d\n", __STDC__, __STDC_VERSION__, __STDC_HOSTED__);
+    printf("%s %s\n", function(), __FUNCTION__);
+    printf("%u %u\n", (unsigned) strlen(__DATE__), (unsigned) strlen(__TIME__));
+#line 1000 "other.c"
+    printf("%s %d\n", __FILE__, __LINE__);
+#line 7
+    printf("%s %d %d\n", __FILE__, LINE_HERE,
+           __LINE__);
+#ifdef __cplusplus
+    puts("C++");
+#endif
+#if defined __STDC__ && !defined __STDC_IEC_559_COMPLEX_X__
+    puts("C");
+#endif
+#ifdef linux_is_not_promised
+    puts("?");
 #endif
     return 0;
 }
