@@ -1,0 +1,272 @@
+"""What the library has of POSIX beyond C: waiting, alarms, messages, and what it must refuse."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from crs_cc.sim.world_xml import empty_world
+from tests.runtime.library_runner import run
+from tests.session.programs import Recorded, build
+
+HEADERS = """
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/select.h>
+#include <sys/time.h>
+#include <time.h>
+#include <unistd.h>
+"""
+
+
+def lines(source: str) -> list[str]:
+    """Gives what a program with these functions prints, when it ends well."""
+    outcome = run(HEADERS + source)
+    assert (outcome.err, outcome.error, outcome.status) == (b"", "", 0)
+    return outcome.out.decode().splitlines()
+
+
+def test_an_alarm_ends_a_wait() -> None:
+    source = r"""
+    static int rings;
+    static void ring(int signal) { rings += signal == SIGALRM; }
+    static double now(void)
+    {
+        struct timeval time;
+        gettimeofday(&time, NULL);
+        return time.tv_sec - 946684800 + time.tv_usec * 1e-6;
+    }
+    int main(void)
+    {
+        struct timespec wanted = {3, 0}, left;
+        struct itimerval every = {{0, 250000}, {0, 500000}}, never = {{0, 0}, {0, 0}}, before;
+        struct timeval wait = {10, 0};
+        signal(SIGALRM, ring);
+        printf("%u %u\n", alarm(2), alarm(3));
+        printf("%u", sleep(10));
+        printf(" %d %.3f\n", rings, now());
+        alarm(1);
+        printf("%d", nanosleep(&wanted, &left));
+        printf(" %d %ld %d %.3f\n", errno == EINTR, (long)left.tv_sec, rings, now());
+        alarm(5);
+        printf("%u", alarm(0));
+        printf(" %u %d\n", sleep(6), rings);
+        setitimer(ITIMER_REAL, &every, NULL);
+        printf("%d", select(0, NULL, NULL, NULL, &wait));
+        printf(" %d %ld %d\n", errno == EINTR, (long)wait.tv_sec, rings);
+        pause();
+        pause();
+        setitimer(ITIMER_REAL, &never, &before);
+        printf("%d %ld %.3f\n", rings, (long)before.it_interval.tv_usec, now());
+        sleep(2);
+        printf("%d\n", rings);
+        return 0;
+    }
+    """
+    assert lines(source) == [
+        "3 0",  # the arguments from the last to the first
+        "8 1 2.000",
+        "-1 1 2 2 3.000",
+        "5 0 2",
+        "-1 1 9 3",
+        "5 250000 10.000",
+        "5",
+    ]
+
+
+def test_an_alarm_without_handler_ends_the_program() -> None:
+    outcome = run(HEADERS + 'int main(void) { alarm(1); puts("x"); sleep(5); puts("y"); }')
+    assert (outcome.out, outcome.error) == (b"x\n", "unhandled signal")
+    assert outcome.err == b"signal 14 (Alarm clock) is not handled\n"
+
+
+def test_an_alarm_comes_while_the_robot_is_talked_to(tmp_path: Path) -> None:
+    source = r"""
+    #include "Nclient.h"
+    #include <signal.h>
+    #include <stdio.h>
+    #include <unistd.h>
+    static volatile sig_atomic_t over;
+    static void ring(int signal) { over = signal; }
+    int main(void)
+    {
+        int rounds = 0;
+        connect_robot(1);
+        signal(SIGALRM, ring);
+        alarm(1);
+        while (!over) {
+            get_sn();
+            rounds++;
+        }
+        printf("%d\n", rounds > 10);
+        return 0;
+    }
+    """
+    recorded = Recorded(empty_world(), [build(tmp_path, source)], 0)
+    for _ in range(100):
+        if not recorded.session.step():
+            break
+    assert recorded.written[0].endswith(b"1\n")
+    assert 0.9 < recorded.session.result().robots[0].time_s < 1.2
+
+
+def test_waiting_for_input_is_a_sleep_and_output_is_ready() -> None:
+    source = r"""
+    #include <poll.h>
+    int main(void)
+    {
+        struct timeval wait = {1, 500000};
+        struct pollfd files[2] = {{0, POLLIN, 0}, {1, POLLOUT, 0}};
+        fd_set in, out;
+        FD_ZERO(&in);
+        FD_SET(0, &in);
+        printf("%d %d", select(1, &in, NULL, NULL, &wait), FD_ISSET(0, &in) != 0);
+        printf(" %ld\n", (long)time(NULL));
+        FD_SET(0, &in);
+        FD_ZERO(&out);
+        FD_SET(1, &out);
+        printf("%d", select(2, &in, &out, NULL, &wait));
+        printf(" %d %d\n", FD_ISSET(0, &in) != 0, FD_ISSET(1, &out) != 0);
+        FD_SET(0, &in);
+        printf("%d\n", select(1, &in, NULL, NULL, NULL));
+        FD_SET(40, &in);
+        printf("%d", select(41, &in, NULL, NULL, NULL));
+        printf(" %d\n", errno == EBADF);
+        printf("%d", poll(files, 2, 1000));
+        printf(" %d %d\n", files[0].revents, files[1].revents);
+        printf("%d %ld\n", poll(files, 1, 2500), (long)time(NULL));
+        return 0;
+    }
+    """
+    assert lines(source) == [
+        "0 1 946684801",  # the set is looked at before the call changes it
+        "1 0 1",
+        "1",
+        "-1 1",
+        "1 0 4",
+        "0 946684801",
+    ]
+
+
+def test_what_a_sandbox_cannot_give_is_said_once() -> None:
+    source = r"""
+    #include <arpa/inet.h>
+    #include <dirent.h>
+    #include <netdb.h>
+    #include <sys/ioctl.h>
+    #include <sys/socket.h>
+    #include <sys/wait.h>
+    #include <termios.h>
+    int main(void)
+    {
+        struct termios settings;
+        int i, pair[2];
+        for (i = 0; i < 2; i++) {
+            printf("%d", (int)fork());
+            printf(" %d\n", errno == ENOSYS);
+        }
+        printf("%d", socket(AF_INET, SOCK_STREAM, 0));
+        printf(" %d", errno == EACCES);
+        printf(" %d\n", connect(1, NULL, 0));
+        printf("%d %d %d\n", system("ls"), system(NULL), popen("ls", "r") == NULL);
+        printf("%d", gethostbyname("host") == NULL);
+        printf(" %d\n", h_errno == HOST_NOT_FOUND);
+        printf("%d %d\n", opendir(".") == NULL, pipe(pair));
+        printf("%d %d %d\n", execl("/bin/sh", "sh", NULL), (int)wait(NULL), errno == ECHILD);
+        printf("%d", tcgetattr(0, &settings));
+        printf(" %d", errno == ENOTTY);
+        printf(" %d %d\n", ioctl(0, TIOCGWINSZ), isatty(1));
+        return 0;
+    }
+    """
+    outcome = run(HEADERS + source)
+    said = "() is not available to a simulated robot's program: it fails\n"
+    names = ["fork", "socket", "popen", "system", "gethostbyname", "pipe", "opendir", "execl"]
+    assert outcome.err.decode() == "".join(name + said for name in names)
+    assert outcome.out.decode().splitlines() == [
+        "-1 1", "-1 1", "-1 1 -1", "-1 0 1", "1 1", "1 -1", "-1 -1 0", "-1 1 -1 0",
+    ]  # fmt: skip
+
+
+def test_messages_begin_with_the_programs_name() -> None:
+    source = r"""
+    #include <err.h>
+    #include <error.h>
+    #include <syslog.h>
+    int main(void)
+    {
+        errno = ENOENT;
+        warn("file %d", 1);
+        warnx("only %s", "text");
+        error(0, EACCES, "part %d", 2);
+        error(0, 0, "plain");
+        openlog("robot", 0, LOG_USER);
+        syslog(LOG_ERR, "log %d", 3);
+        setlogmask(LOG_UPTO(LOG_ERR));
+        syslog(LOG_DEBUG, "hidden");
+        psignal(SIGTERM, "why");
+        errx(4, "end");
+    }
+    """
+    outcome = run(HEADERS + source)
+    assert outcome.status == 4
+    assert outcome.err.decode().splitlines() == [
+        "program.c: file 1: No such file or directory",
+        "program.c: only text",
+        "program.c: part 2: Permission denied",
+        "program.c: plain",
+        "robot: log 3",
+        "why: Terminated",
+        "program.c: end",
+    ]
+
+
+def test_who_and_where_a_program_is() -> None:
+    source = r"""
+    #include <pwd.h>
+    #include <sys/resource.h>
+    #include <sys/times.h>
+    #include <sys/utsname.h>
+    int main(int argc, char **argv, char **environment)
+    {
+        char name[64];
+        struct utsname system;
+        struct rusage used;
+        struct tms ticks;
+        gethostname(name, sizeof name);
+        uname(&system);
+        printf("%s %s %s\n", name, system.nodename, getpwuid(getuid())->pw_name);
+        printf("%d %d %s\n", getpid(), getppid(), getcwd(name, sizeof name));
+        printf("%d %d %d\n", environment[0] == NULL, *environ == NULL, getenv("HOME") == NULL);
+        sleep(2);
+        getrusage(RUSAGE_SELF, &used);
+        printf("%ld %ld", (long)used.ru_utime.tv_sec, (long)times(&ticks));
+        printf(" %ld\n", (long)ticks.tms_utime);
+        printf("%ld %d\n", sysconf(_SC_CLK_TCK), setlogin_is_not_here());
+        return 0;
+    }
+    int setlogin_is_not_here(void) { return chdir("/") == 0; }
+    """
+    outcome = run(HEADERS + source)
+    assert outcome.out.decode().splitlines() == [
+        "robot robot robot", "1 0 /", "1 1 1", "1 200 100", "100 0",
+    ]  # fmt: skip
+
+
+def test_strings_of_openbsd() -> None:
+    source = r"""
+    int main(void)
+    {
+        char text[8];
+        printf("%u %s\n", strlcpy(text, "robot", 8), text);
+        printf("%u ", strlcpy(text, "longer than that", 8));
+        printf("%s\n", text);
+        text[3] = 0;
+        printf("%u ", strlcat(text, "abcdefgh", 8));
+        printf("%s %u %u\n", text, strlcpy(text, "xyz", 0), strlcat(text, "q", 2));
+        return 0;
+    }
+    """
+    assert lines(source)[1:] == ["16 longer ", "11 lonabcd 3 3"]
