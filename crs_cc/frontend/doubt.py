@@ -6,6 +6,7 @@ function is in `doubt_flow`.
 
 from __future__ import annotations
 
+import re
 from typing import Any, Final
 
 from crs_cc.frontend import tree
@@ -14,6 +15,7 @@ from crs_cc.frontend.doubt_flow import doubt_paths
 from crs_cc.frontend.fold import COMPARISONS
 from crs_cc.frontend.tree_parts import everything
 from crs_cc.ir.types import ArrayType, VoidType
+from crs_cc.source import Location
 
 _PURE: Final = frozenset({
     "abs", "acos", "asin", "atan", "atan2", "atof", "atoi", "atol", "ceil", "cos", "exp", "fabs",
@@ -64,8 +66,18 @@ def _doubt_unused(unit: Unit, value: tree.Expression) -> None:
     elif isinstance(value, tree.Binary) and value.op in COMPARISONS:
         hint = "write '=' to assign" if value.op == "==" else ""
         unit.warning(value.location, f"the result of '{value.op}' is not used", hint)
-    elif not any(isinstance(each, _EFFECTS) for each in everything([value])):
+    elif not any(map(_has_effect, everything([value]))) and not _is_macro(unit, value.location):
         unit.warning(value.location, "this value is not used")
+
+
+def _has_effect(value: tree.Expression) -> bool:
+    return isinstance(value, _EFFECTS)
+
+
+def _is_macro(unit: Unit, place: Location) -> bool:
+    """Tells whether a name in capitals stands at a place: it may well be a macro for nothing."""
+    line = unit.diagnostics.lines.get(place.file, [])[place.line - 1 : place.line]
+    return bool(line) and re.match(r"[A-Z][A-Z0-9_]+\b", line[0][place.column - 1 :]) is not None
 
 
 def _doubt_call(unit: Unit, call: tree.Call) -> None:

@@ -1,6 +1,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define TRACE(x) (1 + (x))
 static int next(void) { return 1; }
 
 int main(void)
@@ -19,6 +20,7 @@ int main(void)
         a++;
     b = (a - 1, 4);  // warning: this value is not used
     v;
+    TRACE(a);
     (void)a;
     *p++;
     next();
