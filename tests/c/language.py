@@ -128,6 +128,7 @@ FEATURES: dict[str, dict[str, str]] = {
         "`constructor`, `destructor`": "valid/attributes/constructors",
         "`weak`": "valid/files/weak/main",
         "unknown attributes": "warned/attributes/unknown",
+        "`alias`, `vector_size`, `mode`, `cleanup`": "refused/parsing/attributes",
         "`typeof`, `__auto_type`, statement expressions": "valid/gnu/typeof",
         "ranges in cases and designators, `member:` designators": "valid/gnu/ranges",
         "computed `goto`": "valid/gnu/computed_goto",
@@ -138,6 +139,19 @@ FEATURES: dict[str, dict[str, str]] = {
         "arithmetic that tells of overflow": "valid/gnu/overflow",
         "nested functions": "refused/parsing/nested_function",
         "assembler": "refused/preprocessing/inline_assembler",
+    },
+    "What is C, but hardly meant": {
+        "formats against arguments": "warned/formats/printf",
+        "formats against what is read into": "warned/formats/scanf",
+        "values nobody uses": "warned/values/unused",
+        "indices outside the array": "warned/values/indices",
+        "variables without a value": "warned/paths/uninitialised",
+        "functions without `return`": "warned/paths/missing_return",
+        "`if (a = b)`, `x =+ 1`, `if (x);`": "warned/spelling/mistyped",
+        "strings compared by address, signs, `sizeof` a parameter, addresses of locals returned":
+            "warned/operands/doubtful",
+        "functions without a declaration": "warned/calls/undeclared",
+        "files that disagree": "warned/conflicting/main",
     },
     "Limits (5.2.4)": {
         "hundreds of nested parentheses and blocks": "valid/limits/deep_nesting",

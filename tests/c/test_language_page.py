@@ -34,6 +34,9 @@ What C leaves open is settled, the same on every machine:
 - Pointers may be cast to any type and back; types do not forbid two pointers to the same place
   (`-fno-strict-aliasing`).
 - An enumeration without negative constants is unsigned, as gcc has it.
+- `-std=` chooses `__STDC_VERSION__`, `__STRICT_ANSI__`, the names `linux`, `unix` and `i386`, and
+  with them trigraphs; the language is the same in all. `__GNUC__` is not defined, so that programs
+  take the way without assembler.
 
 Each feature below names a case in `tests/c` that shows it. Every valid case prints what gcc made it
 print; it runs whole and in small steps, moved from one sandbox to another, with and without checks,

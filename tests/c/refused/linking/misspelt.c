@@ -1,3 +1,4 @@
+/* A misspelt function of the library. */
 #include <stdio.h>
 int main(void)
 {

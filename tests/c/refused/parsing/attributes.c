@@ -1,3 +1,4 @@
+/* Attributes without which the program would be another one. */
 int f(void);
 int g(void) __attribute__((alias("f")));  // error: attribute 'alias' is not supported
 //                         ^

@@ -1,3 +1,4 @@
+/* Brackets that are not closed, told with where they were opened. */
 int f(int n)
 {
     if (n {  // error: to close the '(' at

@@ -1,3 +1,4 @@
+/* A file that ends in the middle. */
 int main(void)
 {
     if (1) {

@@ -1,3 +1,4 @@
+/* Semicolons that are missing, told where they belong. */
 int main(void)
 {
     int a = 3  // error: expected ';' after '3'

@@ -1,3 +1,4 @@
+/* Calls and members that do not exist, told with those that do. */
 #include <string.h>
 struct point { int x, y; };
 static int sum(int a, int b);

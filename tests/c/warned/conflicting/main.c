@@ -1,3 +1,4 @@
+/* Files that disagree about what they share. */
 #include <stdio.h>
 
 extern char *name;  // warning: 'name' is 'char *' here, but 'char[5]' where it is defined

@@ -1,3 +1,4 @@
+/* Formats of scanf that do not fit what they write to. */
 #include <stdio.h>
 
 int main(void)

@@ -1,3 +1,4 @@
+/* Ends of functions that should have given a value. */
 #include <stdlib.h>
 
 static int falls(int n)

@@ -1,3 +1,4 @@
+/* Variables that no path assigns before they are read. */
 #include <stdio.h>
 
 static int chosen(int n)

@@ -1,3 +1,4 @@
+/* One character wrong, and it is still C. */
 #include <stdio.h>
 
 int main(void)

@@ -1,3 +1,4 @@
+/* Constant indices outside their array. */
 #include <stdio.h>
 
 struct tail { int count; char data[1]; };

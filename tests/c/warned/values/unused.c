@@ -1,3 +1,4 @@
+/* Values that nobody uses. */
 #include <stdlib.h>
 #include <string.h>
 
