@@ -1,9 +1,10 @@
-"""Measures how fast compiled C runs in the sandbox, against gcc where it is present.
+"""Measures how fast compiled C runs in the sandbox, against gcc and tcc where they are present.
 
 Every kernel in `kernels/` is a whole C program that prints a checksum. Only its run is measured,
-never its compilation: in the sandbox the processor time of the rounds, for gcc's programs their
-processor time less that of an empty program. All ways of running take turns, several times, and
-the medians are compared; so the ratios mean something on any machine, the times do not.
+never its compilation: in the sandbox the processor time of the rounds, for native programs their
+processor time less that of an empty program compiled the same way. All ways of running take turns,
+several times, and the least times are compared, which a busy machine disturbs least; so the ratios
+mean something on any machine, the times do not.
 
     python bench/c_speed.py [--repeat N] [KERNEL ...]
 """
@@ -11,6 +12,7 @@ the medians are compared; so the ratios mean something on any machine, the times
 from __future__ import annotations
 
 import argparse
+import os
 import resource
 import shutil
 import statistics
@@ -32,15 +34,21 @@ from crs_cc.source import Diagnostics
 KERNELS = Path(__file__).parent / "kernels"
 FUEL = 10**12
 
-GCC = {
-    "gcc -m32 -O0": ["-m32", "-msse2", "-mfpmath=sse", "-O0"],
-    "gcc -m32 -O2": ["-m32", "-msse2", "-mfpmath=sse", "-O2"],
-    "gcc -O0": ["-O0"],
-    "gcc -O2": ["-O2"],
+GCC = ["gcc", "-std=gnu17", "-fno-strict-aliasing", "-w"]
+SANITIZERS = ["-fsanitize=address,undefined"]
+NATIVE = {
+    "gcc -m32 -O0": [*GCC, "-m32", "-msse2", "-mfpmath=sse", "-O0"],
+    "gcc -m32 -O2": [*GCC, "-m32", "-msse2", "-mfpmath=sse", "-O2"],
+    "gcc -O0": [*GCC, "-O0"],
+    "gcc -O2": [*GCC, "-O2"],
+    "-O1 sanitized": [*GCC, "-O1", *SANITIZERS],
+    "-O2 sanitized": [*GCC, "-O2", *SANITIZERS],
+    "tcc": ["tcc", "-w"],
 }
-GCC_ALWAYS = ["-std=gnu17", "-fno-strict-aliasing", "-w"]
+"""Compilers and their options; "sanitized" is with ASan and UBSan. Without -m32 for 64 bits."""
 SANDBOX = {"crs": True, "crs unchecked": False}
 BASE = "gcc -O2"
+ENVIRONMENT = {**os.environ, "ASAN_OPTIONS": "detect_leaks=0"}
 
 Way = Callable[[], tuple[float, bytes]]
 """Runs a kernel; gives its processor time [s] and what it printed."""
@@ -75,14 +83,14 @@ class InSandbox:
 
 @dataclass
 class AsProcess:
-    """A kernel compiled by gcc."""
+    """A kernel compiled to a native program."""
 
     program: Path
     start_s: float = 0.0
 
     def __call__(self) -> tuple[float, bytes]:
         before_s = children_s()
-        done = subprocess.run([self.program], check=True, capture_output=True)
+        done = subprocess.run([self.program], check=True, capture_output=True, env=ENVIRONMENT)
         return max(children_s() - before_s - self.start_s, 1e-6), done.stdout
 
 
@@ -92,21 +100,22 @@ def children_s() -> float:
     return usage.ru_utime + usage.ru_stime
 
 
-def compile_with_gcc(source: Path, options: list[str], folder: Path) -> Path | None:
-    """Gives the program that gcc makes of a file; None where it cannot."""
-    if shutil.which("gcc") is None:
+def compile_native(source: Path, command: list[str], folder: Path) -> Path | None:
+    """Gives the program that a compiler makes of a file; None where it cannot."""
+    if shutil.which(command[0]) is None:
         return None
-    program = folder / f"{source.stem}{'_'.join(options)}"
-    command = ["gcc", *GCC_ALWAYS, *options, str(source), "-o", str(program), "-lm"]
-    done = subprocess.run(command, check=False, capture_output=True)
+    program = folder / f"{source.stem}{'_'.join(command)}"
+    done = subprocess.run(
+        [*command, str(source), "-o", str(program), "-lm"], check=False, capture_output=True
+    )
     return program if done.returncode == 0 else None
 
 
-def ways_to_run(source: Path, folder: Path, start_s: float) -> dict[str, Way]:
+def ways_to_run(source: Path, folder: Path, starts_s: dict[str, float]) -> dict[str, Way]:
     """Gives every way in which a kernel can be run here."""
     ways: dict[str, Way] = {}
-    for name, options in GCC.items():
-        program = compile_with_gcc(source, options, folder)
+    for name, start_s in starts_s.items():
+        program = compile_native(source, NATIVE[name], folder)
         if program is not None:
             ways[name] = AsProcess(program, start_s)
     for name, checked in SANDBOX.items():
@@ -114,19 +123,21 @@ def ways_to_run(source: Path, folder: Path, start_s: float) -> dict[str, Way]:
     return ways
 
 
-def process_start(folder: Path, repeat: int) -> float:
-    """Gives the processor time of an empty program [s]."""
+def process_starts(folder: Path, repeat: int) -> dict[str, float]:
+    """Gives the processor time of an empty program of each compiler that works here [s]."""
     source = folder / "empty.c"
     source.write_text("int main(void) { return 0; }\n")
-    program = compile_with_gcc(source, ["-O2"], folder)
-    if program is None:
-        return 0.0
-    empty = AsProcess(program)
-    return statistics.median(empty()[0] for _ in range(repeat))
+    starts_s = {}
+    for name, command in NATIVE.items():
+        program = compile_native(source, command, folder)
+        if program is not None:
+            empty = AsProcess(program)
+            starts_s[name] = min(empty()[0] for _ in range(repeat))
+    return starts_s
 
 
 def measure(ways: dict[str, Way], repeat: int) -> dict[str, float]:
-    """Gives the median time of each way [s]; the ways take turns."""
+    """Gives the least time of each way [s]; the ways take turns."""
     times: dict[str, list[float]] = {name: [] for name in ways}
     outputs = set()
     for _ in range(repeat):
@@ -136,7 +147,7 @@ def measure(ways: dict[str, Way], repeat: int) -> dict[str, float]:
             outputs.add(output)
     if len(outputs) != 1:
         sys.exit(f"different results: {outputs}")
-    return {name: statistics.median(rows) for name, rows in times.items()}
+    return {name: min(rows) for name, rows in times.items()}
 
 
 def print_table(results: dict[str, dict[str, float]]) -> None:
@@ -169,10 +180,10 @@ def main() -> None:
         parser.error(f"no such kernel in {KERNELS}")
     results = {}
     with tempfile.TemporaryDirectory() as folder:
-        start_s = process_start(Path(folder), options.repeat)
+        starts_s = process_starts(Path(folder), options.repeat)
         for source in sources:
             print(f"{source.stem} ...", file=sys.stderr)
-            ways = ways_to_run(source, Path(folder), start_s)
+            ways = ways_to_run(source, Path(folder), starts_s)
             results[source.stem] = measure(ways, options.repeat)
     print_table(results)
 

@@ -30,14 +30,19 @@ def _slots(kind: type) -> tuple[str, ...]:
     return tuple(name for name in names if name not in _NOT_PARTS)
 
 
+@cache
+def _is_node(kind: type) -> bool:
+    return issubclass(kind, _NODES)
+
+
 def parts(node: Any) -> Iterator[Any]:
     """Gives the expressions and statements that a node directly consists of."""
     for name in _slots(node.__class__):
         value = getattr(node, name)
-        if isinstance(value, _NODES):
+        if _is_node(value.__class__):
             yield value
         elif isinstance(value, list):
-            yield from (each for each in value if isinstance(each, _NODES))
+            yield from (each for each in value if _is_node(each.__class__))
         elif isinstance(value, tree.Initialiser):
             yield from (each.value for each in value.values)
 

@@ -61,24 +61,26 @@ _OPERANDS: Final[dict[type[Instruction], tuple[str, ...]]] = {
 }
 """The fields in which an instruction names what it reads, apart from a call's arguments."""
 
+_ASSIGNING: Final = frozenset({Move, Unary, Binary, Load, Address, State, Call, Request, SetJump})
+"""What has a result; looked up by class, which is faster than `match` and asked very often."""
+
 
 def reads(instruction: Instruction) -> list[Register]:
     """Gives the registers whose values the instruction takes."""
-    names = _OPERANDS.get(type(instruction), ())
+    names = _OPERANDS.get(instruction.__class__, ())
     values = [getattr(instruction, name) for name in names]
-    if isinstance(instruction, Call):
+    if instruction.__class__ is Call:
+        assert isinstance(instruction, Call)
         values += [argument.value for argument in instruction.arguments]
-    return [each for each in values if isinstance(each, Register)]
+    return [each for each in values if each.__class__ is Register]
 
 
 def writes(instruction: Instruction) -> Register | None:
     """Gives the register that the instruction assigns."""
-    match instruction:
-        case Move() | Unary() | Binary() | Load() | Address() | State():
-            return instruction.result
-        case Call() | Request() | SetJump():
-            return instruction.result
-    return None
+    if instruction.__class__ not in _ASSIGNING:
+        return None
+    result: Register | None = instruction.result  # type: ignore[attr-defined]
+    return result
 
 
 def all_instructions(block: Block) -> list[Instruction]:
