@@ -41,11 +41,10 @@ NATIVE = {
     "gcc -m32 -O2": [*GCC, "-m32", "-msse2", "-mfpmath=sse", "-O2"],
     "gcc -O0": [*GCC, "-O0"],
     "gcc -O2": [*GCC, "-O2"],
-    "-O1 sanitized": [*GCC, "-O1", *SANITIZERS],
-    "-O2 sanitized": [*GCC, "-O2", *SANITIZERS],
+    "gcc sanitized": [*GCC, "-O1", *SANITIZERS],
     "tcc": ["tcc", "-w"],
 }
-"""Compilers and their options; "sanitized" is with ASan and UBSan. Without -m32 for 64 bits."""
+"""Compilers and their options, for 64 bits without -m32; "sanitized" is -O1 with ASan and UBSan."""
 SANDBOX = {"crs": True, "crs unchecked": False}
 BASE = "gcc -O2"
 ENVIRONMENT = {**os.environ, "ASAN_OPTIONS": "detect_leaks=0"}
