@@ -44,6 +44,10 @@ class Location:
     column: int = 0
     last: int = field(default=0, compare=False)
 
+    def __reduce__(self) -> tuple[type[Location], tuple[str, int, int, int]]:
+        # Programs are kept with thousands of places; what `dataclass` provides is slow.
+        return Location, (self.file, self.line, self.column, self.last)
+
     def __str__(self) -> str:
         parts = [self.file, *(str(number) for number in (self.line, self.column) if number)]
         return ":".join(parts)

@@ -90,11 +90,11 @@ def build_executable(
     try:
         with _without_collector():
             executable = _compile(paths, options, own, name, flags)
+            made = executable.detail()
+            source = pickle.dumps((made.program, made.lines), pickle.HIGHEST_PROTOCOL)
     finally:
         diagnostics.messages.extend(own.messages)
         diagnostics.lines.update(own.lines)
-    made = executable.detail()
-    source = pickle.dumps((made.program, made.lines), pickle.HIGHEST_PROTOCOL)
     cache.store(key, _Entry(own.digests, executable.machine_code, source, tuple(own.messages)))
     return executable
 
