@@ -33,7 +33,7 @@ PACK: Final = "__pragma_pack__"
 """What the preprocessor makes of `#pragma pack(...)`: an attribute of this name."""
 
 MEANT: Final = frozenset({
-    "packed", "aligned", "noreturn", "format", "constructor", "destructor", "weak",
+    "packed", "aligned", "noreturn", "format", "constructor", "destructor", "weak", "mode",
 })  # fmt: skip
 """Attributes that are obeyed."""
 
@@ -51,7 +51,7 @@ _HARMLESS: Final = frozenset({
 """Attributes that help the compiler or the linker, and change nothing in what a program does."""
 
 _REFUSED: Final = frozenset({
-    "alias", "cleanup", "gcc_struct", "hardbool", "ifunc", "mode", "ms_struct",
+    "alias", "cleanup", "gcc_struct", "hardbool", "ifunc", "ms_struct",
     "scalar_storage_order", "transparent_union", "vector_size", "weakref",
 })  # fmt: skip
 """Attributes without which a program would do something else."""

@@ -32,6 +32,7 @@ from crs_cc.frontend.convert import decay, is_scalar
 from crs_cc.frontend.declare import declared_type, need_complete
 from crs_cc.frontend.declare_tag import static_assert
 from crs_cc.frontend.function_attributes import apply_attributes
+from crs_cc.frontend.mode import with_mode
 from crs_cc.frontend.parse import Broken, Node
 from crs_cc.frontend.parse_gnu import AUTO_TYPE
 from crs_cc.frontend.scope import (
@@ -97,7 +98,7 @@ def declared_anyhow(unit: Unit, node: Node) -> CType:
     try:
         if _is_auto(node.type):
             return _inferred(unit, node)
-        return declared_type(unit, node.type)
+        return with_mode(node, declared_type(unit, node.type))
     except CheckError:
         unit.scope.names.setdefault(node.name, BrokenName(node.name, unit.at(node)))
         raise

@@ -18,6 +18,7 @@ from crs_cc.frontend.alignment import (
 from crs_cc.frontend.check import CheckError, Unit
 from crs_cc.frontend.convert import is_integer
 from crs_cc.frontend.declare import LARGEST_OBJECT, declared_type, specifies
+from crs_cc.frontend.mode import with_mode
 from crs_cc.frontend.parse import Node
 from crs_cc.frontend.scope import EnumConstant, Tag
 from crs_cc.ir.types import (
@@ -97,7 +98,7 @@ def _define(unit: Unit, record: Record, node: Node, tag: Tag | None) -> None:
 
 
 def _member(unit: Unit, node: Node, is_last: bool, in_packed: bool) -> Member:
-    ctype = declared_type(unit, node.type)
+    ctype = with_mode(node, declared_type(unit, node.type))
     location = unit.at_name(node)
     if node.name is None and isinstance(node.type, c_ast.Struct | c_ast.Union):
         ctype = qualify(ctype, "const" in node.quals, "volatile" in node.quals)
