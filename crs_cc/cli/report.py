@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Final
 import click
 
 from crs_cc.cli.messages import is_coloured, printable, render, say
+from crs_cc.runtime.variables import plain_name
 from crs_cc.source import Diagnostic
 
 if TYPE_CHECKING:
@@ -51,10 +52,11 @@ def render_report(report: ErrorReport, robot: str = "", *, coloured: bool = Fals
     rows += report.notes
     rows = [printable(row) for row in rows]
     is_obvious = [call.function for call in report.stack] == ["main"]
+    innermost = next((call for call in report.stack if call.location is not None), None)
     for number, call in enumerate(() if is_obvious else report.stack):
         word = "..." if call.count > 1 else "from" if number else "in"
-        known = call.location in (None, report.location)
-        place = "" if known else f" at {printable(str(call.location))}"
+        is_told = call.location is None or call is innermost
+        place = "" if is_told else f" at {printable(str(call.location))}"
         rows.append(f"{word:4} {_call(call, coloured=coloured)}{place}")
     return "\n".join([render(head, coloured=coloured), *(f"    {row}" for row in rows)])
 
@@ -107,4 +109,4 @@ def _object(found: Object) -> dict[str, Any]:
 
 
 def _site(site: CallSite) -> dict[str, Any]:
-    return {"function": site.function, **_place(site.location)}
+    return {"function": plain_name(site.function), **_place(site.location)}

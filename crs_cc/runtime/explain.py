@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from crs_cc.runtime.variables import Variables
 
 SHOWN_SITES: Final = 3
+_CALL: Final = re.compile(r"\(?\s*\*?\s*([\w.>\[\]-]+?)\s*\)?\s*\(")
 LARGEST_SCALAR: Final = 8  # bytes; a larger access begins inside the object that it leaves
 FORMATTED: Final = ("printf", "scanf")
 FORMAT_HINT: Final = "hint: does the format fit the arguments?"
@@ -59,6 +60,12 @@ class Case:
         verb = {"read": "reads", "write": "writes", "": "accesses"}[failure.access]
         what = count(failure.size, "byte") if failure.size else "memory"
         return f"{self.callee.function} {verb} {what}" if self.callee else f"{verb} {what}"
+
+    @property
+    def called(self) -> str:
+        """Gives the text of what is called, where the expression is a call."""
+        found = _CALL.match(self.expression)
+        return found[1] if found else ""
 
     def find(self, name: str) -> tuple[CType, bytes] | None:
         """Gives type and content of a variable."""
@@ -212,10 +219,11 @@ def _out_of_bounds(case: Case) -> Explanation:
     if behind == 0 and failure.size > LARGEST_SCALAR:
         where = "over the end of"
     elif behind >= 0:
-        where = f"{count(behind, 'byte')} behind" if behind else "right behind"
+        where = f"that lie {count(behind, 'byte')} behind" if behind else "right behind"
         where += " the end of"
     else:
-        where = f"{count(before, 'byte')} before" if before > failure.size else "right before"
+        is_far = before > failure.size
+        where = f"that lie {count(before, 'byte')} before" if is_far else "right before"
         where += " the start of"
     text = f"{case.access} {where} {object_name(found)}"
     return Explanation(text, object_notes(found, failure.value))
@@ -295,12 +303,27 @@ def _missing_argument(case: Case) -> Explanation:
     return Explanation("va_arg asks for an argument that was not passed", shows_values=False)
 
 
+def _no_value(case: Case) -> Explanation:
+    name = f"'{case.called}'" if case.called else "the function called"
+    return Explanation(f"{name} ended without 'return', but its value is used", shows_values=False)
+
+
+def _mismatched(case: Case) -> Explanation:
+    stopped, pointer = case.failure.stopped, case.failure.value
+    for each in stopped.program.functions.values() if stopped else ():
+        if stopped and stopped.compiled.addresses.get(each.name) == pointer and each.ctype:
+            name = plain_name(each.name)
+            who = f"'{case.called}' points to '{name}', which" if case.called else f"'{name}'"
+            note = f"it is {spell(each.ctype, name)}, defined at {each.location}"
+            return Explanation(f"{who} takes other arguments", (note,), shows_values=False)
+    return Explanation("the function called takes other arguments than it is given")
+
+
 def _bad_function(case: Case) -> Explanation:
     value = case.failure.value
-    called = re.match(r"\(?\s*\*?\s*([\w.>\[\]-]+?)\s*\)?\s*\(", case.expression)
-    name = f"'{called[1]}'" if called else "the pointer called"
+    name = f"'{case.called}'" if case.called else "the pointer called"
     what = "is null" if value == 0 else f"is {value:#x}, which is no function"
-    return Explanation(f"{name} {what}", told=called[1] if called else "")
+    return Explanation(f"{name} {what}", told=case.called)
 
 
 def _stack(case: Case) -> Explanation:
@@ -352,8 +375,8 @@ EXPLAIN: Final[dict[str, Callable[[Case], Explanation]]] = {
     "invalid free": _invalid_free,
     "double free": _double_free,
     "missing argument": _missing_argument,
-    "no value returned": _says("a function ended without 'return', but its value is used"),
-    "mismatched call": _says("the function called takes other arguments than it is given"),
+    "no value returned": _no_value,
+    "mismatched call": _mismatched,
     "shift out of range": _shift,
     "signed overflow": _says("the result does not fit its type"),
     "division overflow": _says("the quotient does not fit its type"),

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 FIRST_CALLS: Final = 3
 LAST_CALLS: Final = 2
 MOST_VALUES: Final = 4
+LONGEST_STRUCT: Final = 24  # characters; a longer one has no place among arguments
 MOST_NAMES: Final = 3
 
 
@@ -133,7 +134,7 @@ class _Reporter:
     def call(self, frame: StackFrame) -> ActiveCall:
         """Gives an active function with its arguments."""
         arguments = [
-            (each.variable.name, self.variables.show(each))
+            (each.variable.name, _brief(self.variables.show(each)))
             for each in self.variables.arguments(frame)
         ]
         if self.stopped.compiled.info(frame.function).function.variadic:
@@ -171,6 +172,10 @@ class _Reporter:
             ActiveCall(shown, count=len(hidden)),
             *map(self.call, rows[-LAST_CALLS:]),
         )
+
+
+def _brief(value: str) -> str:
+    return "{...}" if value.startswith("{") and len(value) > LONGEST_STRUCT else value
 
 
 def _expression(line: str, place: Location) -> tuple[Location, str]:

@@ -102,7 +102,8 @@ class Values:
         return ""
 
     def _show(self, ctype: CType, content: bytes, states: bytes, depth: int) -> str:
-        if states.strip(_KNOWN) and not isinstance(ctype, ArrayType | RecordType):
+        is_scalar = not isinstance(ctype, ArrayType | RecordType)
+        if is_scalar and (len(content) < ctype.size or states.strip(_KNOWN)):
             return "?"
         match ctype:
             case EnumType():
