@@ -31,6 +31,12 @@ void *malloc(size_t size);
 void *calloc(size_t count, size_t size);
 void *realloc(void *block, size_t size);
 void free(void *block);
+void *aligned_alloc(size_t alignment, size_t size);
+int posix_memalign(void **block, size_t alignment, size_t size);
+void *memalign(size_t alignment, size_t size);
+void *valloc(size_t size);
+void *reallocarray(void *block, size_t count, size_t size);
+void cfree(void *block);
 
 int abs(int value);
 long labs(long value);

@@ -222,10 +222,9 @@ static struct chunk *obtain(unsigned int size)
     return chunk;
 }
 
-/* Gives a block; its bytes may be used, but have no value yet. */
-static struct chunk *allocate(size_t size)
+/* Obtains a chunk, if need be from the quarantine; null with errno for a size of 0, too. */
+static struct chunk *claim(unsigned int wanted)
 {
-    unsigned int wanted = chunk_size(size);
     struct chunk *chunk = NULL;
 
     if (wanted != 0) {
@@ -235,13 +234,65 @@ static struct chunk *allocate(size_t size)
             chunk = obtain(wanted);
         }
     }
-    if (chunk == NULL) {
+    if (chunk == NULL)
         errno = ENOMEM;
-        return NULL;
-    }
+    return chunk;
+}
+
+/* Makes a block of a chunk; its bytes may be used, but have no value yet. */
+static struct chunk *hand_out(struct chunk *chunk, size_t size)
+{
     chunk->asked = size;
     __crs_mark(BLOCK(chunk), size, CRS_WITHOUT_VALUE);
     return chunk;
+}
+
+static struct chunk *allocate(size_t size)
+{
+    struct chunk *chunk = claim(chunk_size(size));
+
+    return chunk == NULL ? NULL : hand_out(chunk, size);
+}
+
+/* Cuts the front of a chunk in use off, so that its block lies at a multiple of `alignment`. */
+static struct chunk *align(struct chunk *chunk, unsigned int alignment)
+{
+    unsigned int gap = -(unsigned int)BLOCK(chunk) & (alignment - 1), size = SIZE(chunk);
+    struct chunk *moved;
+
+    if (gap == 0)
+        return chunk;
+    if (gap < SMALLEST)
+        gap += alignment;
+    moved = (struct chunk *)((char *)chunk + gap);
+    moved->size_before = gap;
+    set_size(moved, size - gap, IN_USE);
+    set_size(chunk, gap, IN_USE);
+    release(chunk);
+    return moved;
+}
+
+void *__crs_allocate_aligned(unsigned int alignment, size_t size)
+{
+    unsigned int wanted = chunk_size(size);
+    struct chunk *chunk;
+
+    if (wanted == 0 || alignment > 0x40000000u) {
+        errno = ENOMEM;
+        return NULL;
+    }
+    if (alignment > 16)
+        wanted += alignment + SMALLEST;
+    chunk = claim(wanted);
+    if (chunk == NULL)
+        return NULL;
+    if (alignment > 16) {
+        chunk = align(chunk, alignment);
+        cut(chunk, chunk_size(size));
+    }
+    hand_out(chunk, size);
+    __crs_callers(chunk->allocated, SITES);
+    return BLOCK(chunk);
 }
 
 void *malloc(size_t size)
