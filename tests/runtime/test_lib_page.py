@@ -46,7 +46,8 @@ nothing was typed; reading waits for crs's own standard input.
 **Formats.** `printf` and `scanf` round correctly. `%n` of `printf` fails with `EINVAL`. Numbered
 arguments (`%2$d`), `%m`, and `%ms` of `scanf` are there.
 
-**Rounding** is to nearest, always; no floating-point exception raises a flag by itself.
+**Rounding** is to nearest, always; no floating-point exception raises a flag by itself. The sign of
+a NaN that arithmetic makes is the processor's: `0.0 / 0.0` prints `-nan` on x86, as with gcc.
 """
 
 UNAVAILABLE = """\
