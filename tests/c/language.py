@@ -163,6 +163,7 @@ FEATURES: dict[str, dict[str, str]] = {
         "large frames": "valid/limits/large_frames",
         "many functions": "valid/limits/many_functions",
         "endless inclusion": "refused/preprocessing/endless_include",
+        "what lies at the edge of the checks": "valid/memory/edges",
     },
     "Library (7), where the language needs it": {
         "`setjmp` and `longjmp`": "valid/setjmp/deep",
