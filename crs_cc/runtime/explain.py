@@ -12,6 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.ir.program import Program
 from crs_cc.ir.types import PointerType, spell
 from crs_cc.runtime.blame import names_in, pointer_in
 from crs_cc.runtime.layout import NULL_SIZE, STACK_SIZE
@@ -305,7 +306,14 @@ def _missing_argument(case: Case) -> Explanation:
 
 def _no_value(case: Case) -> Explanation:
     name = f"'{case.called}'" if case.called else "the function called"
-    return Explanation(f"{name} ended without 'return', but its value is used", shows_values=False)
+    program = case.failure.stopped.program if case.failure.stopped else Program()
+    notes = [
+        f"'{case.called}' is defined at {each.location}: every way through it needs a 'return'"
+        for each in program.functions.values()
+        if plain_name(each.name) == case.called
+    ]
+    text = f"{name} ended without 'return', but its value is used"
+    return Explanation(text, tuple(notes[:1]), shows_values=False)
 
 
 def _mismatched(case: Case) -> Explanation:
