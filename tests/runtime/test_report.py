@@ -2,9 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
+import pytest
+
+from crs_cc.cli.report import render_report
 from crs_cc.runtime.fleet import Failure
+from crs_cc.runtime.inspect import call_stack
+from crs_cc.runtime.layout import STACK_TOP
 from crs_cc.runtime.report import ErrorReport, report
 from crs_cc.source import underline
 from tests.c.execution import Run, build
@@ -135,3 +142,19 @@ def test_a_report_does_not_change_when_the_file_does(tmp_path: Path) -> None:
     failure = Run(program).to_end().failure
     assert failure is not None
     assert blamed(report(failure)) == "k / n"
+
+
+@pytest.mark.parametrize("statement", ["down(9)", "copy(0, first.name)", "value_of(&first, 1, 2)"])
+def test_whatever_a_program_has_written_over_its_memory_there_is_a_report(
+    tmp_path: Path, statement: str
+) -> None:
+    stopped = failure_of(tmp_path, SOURCE % statement)
+    assert stopped.stopped is not None
+    random = np.random.default_rng(1)
+    memory = stopped.stopped.memory
+    for _ in range(30):
+        places = random.integers(STACK_TOP - 1500, STACK_TOP + 3000, 200)
+        memory[places] = random.integers(0, 256, 200)
+        stack = tuple(call_stack(memory, stopped.stopped.compiled, stopped.location))
+        failure = replace(stopped, stack=stack, stopped=replace(stopped.stopped, stack=stack))
+        assert render_report(report(failure))
