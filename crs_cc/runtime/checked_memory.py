@@ -10,6 +10,7 @@ A value that is loaded only to be stored elsewhere is not judged: it takes its s
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, TypeAlias
 
 from crs_cc.ir.assigned import Assignments
@@ -55,6 +56,26 @@ _At: TypeAlias = tuple[Instr, int]
 """An instruction that pushes an address, and the offset to use with it."""
 
 
+@dataclass(frozen=True, slots=True)
+class _Given:
+    """The states of what is stored, as code.
+
+    Attributes:
+        states: pushes them.
+        joined: combines them with those on the stack, so that all is well if both are.
+        doubt: makes the i32 on the stack not zero if what is stored may have no value.
+    """
+
+    states: list[Instr]
+    joined: list[Instr] = field(default_factory=list)
+    doubt: list[Instr] = field(default_factory=list)
+
+    @property
+    def is_sure(self) -> bool:
+        """Tells whether what is stored surely has a value."""
+        return len(self.states) == 1 and not self.joined
+
+
 class CheckedMemory(PlainMemory):
     """Writes accesses with their tests.
 
@@ -69,7 +90,7 @@ class CheckedMemory(PlainMemory):
         self.assignments = assignments
         self.places = Places()
         self.proved = Proved()
-        self._taken: set[Load] = set()
+        self._taken: set[Register] = set()
 
     def forget(self) -> None:
         """Drops what is known, where code from elsewhere joins."""
@@ -159,67 +180,88 @@ class CheckedMemory(PlainMemory):
         at = push, offset = self.place(it.base, it.offset)
         site = Site("memory", it.location, "read", size)
         found = [push, shadow.load(size, offset)]
-        carried = self.carried.states_of(it)
-        if carried is not None:
+        copied, flag = self.carried.states_of(it), self.carried.flag_of(it)
+        if copied is not None:
             self.selector.code += found
-            self.selector.pop(carried)
-            found = [self.selector.value(carried)]
-            self._taken.add(it)
-        if carried is None and not it.unjudged and not self.carried.is_unused(it):
+            self.selector.pop(copied)
+            self._taken.add(copied)
+            found = [self.selector.value(copied)]
+        unjudged = it.unjudged or copied is not None or self.carried.is_unused(it)
+        if flag is not None:
+            self._raise(flag, found, site, None if accessible else at)
+        elif not unjudged:
             self._test(found, shadow.not_readable(size), site, at)
-            self.proved.add(where, size, valued=True)
         elif not accessible:
             self._test(found, shadow.not_accessible(size), site, at)
-            self.proved.add(where, size, valued=False)
+        self.proved.add(where, size, valued=flag is None and not unjudged)
         self._load(it, at)
+
+    def _raise(self, flag: Register, found: list[Instr], site: Site, at: _At | None) -> None:
+        """Raises a flag if the states that are found tell of a missing value.
+
+        Args:
+            flag: the flag.
+            found: pushes the states.
+            site: whom to blame if the bytes are inaccessible.
+            at: where they are; None when they surely are accessible.
+        """
+        selector = self.selector
+        if flag not in self._taken:
+            selector.push(Constant("i32", 0))
+            selector.pop(flag)
+            self._taken.add(flag)
+        local = WIDE_STATES if site.size == 8 else STATES
+        selector.code += [*found, ("local.tee", local), *shadow.not_readable(site.size), UNLIKELY]
+        if at is not None:
+            self._test([("local.get", local)], shadow.not_accessible(site.size), site, at)
+        selector.push(Constant("i32", 1))
+        selector.pop(flag)
+        selector.code.append(("end",))
 
     def store(self, it: Store) -> None:
         """Writes `*(base + offset) = source`."""
-        size = MEMORY_SIZE[it.memory]
+        size, code = MEMORY_SIZE[it.memory], self.selector.code
         where = self.places.of(it.base, it.offset)
-        valued = self._valued(it.base, it.offset, size)
         accessible = self._accessible(it.base, it.offset, size)
+        valued = self._valued(it.base, it.offset, size)
         at = push, offset = self.place(it.base, it.offset)
-        carried = self._carried_to(it) or self._flagged(it, size)
-        if carried is not None or not valued:
-            value = shadow.repeated(ByteState.WITH_VALUE, size)
-            states = value if carried is None else self.selector.value(carried)
-            if accessible:
-                self.selector.code += [push, states, shadow.store(size, offset)]
-            else:
-                self._test_store(it, at, states)
-        if carried is not None:
-            self.proved.forget_values()
-        self.proved.add(where, size, valued=carried is None)
-        self.selector.code += [push, self.selector.value(it.source)]
-        self.selector.code.append((STORES[it.memory], MEMORY, offset))
+        given = self._given(it, size)
+        if accessible and not (valued and given.is_sure):
+            code += [push, *given.states, shadow.store(size, offset)]
+        elif not accessible:
+            self._test_store(it, at, given)
+        if not given.is_sure:
+            self.proved.forget_value(where)
+        self.proved.add(where, size, valued=given.is_sure)
+        code += [push, self.selector.value(it.source), (STORES[it.memory], MEMORY, offset)]
 
-    def _carried_to(self, it: Store) -> Register | None:
-        """Gives the register with the states of what is stored; None when it surely has a value."""
-        source = self.carried.source(it)
-        if source is None or source not in self._taken:
-            return None
-        states = self.carried.states_of(source)
-        if states is not None and self.carried.is_last(it):
-            self._taken.discard(source)
-            self.selector.release(states)
-        return states
+    def _given(self, it: Store, size: int) -> _Given:
+        """Gives the states of what is stored."""
+        value = shadow.repeated(ByteState.WITH_VALUE, size)
+        none = shadow.repeated(ByteState.WITHOUT_VALUE, size)
+        copied, flag = self.carried.copied_by(it), self.carried.computed_for(it)
+        assigned = self.assignments.stored.get(it)
+        if copied in self._taken:
+            states = self.selector.value(self._last_use(copied, it))
+            return _Given([states], [states, (f"{shadow.kind(size)}.and",)])
+        if flag in self._taken:
+            push = self.selector.value(self._last_use(flag, it))
+            return _Given([none, value, push, ("select",)], [], [push, ("i32.or",)])
+        if assigned is not None:
+            push = self.selector.value(assigned)
+            doubt = [push, ("i32.eqz",), ("i32.or",)]
+            return _Given([value, none, push, ("select",)], [], doubt)
+        return _Given([value])
 
-    def _flagged(self, it: Store, size: int) -> Register | None:
-        """Makes states of the flag of a variable that is stored, if it may have no value."""
-        flag = self.assignments.stored.get(it)
-        if flag is None:
-            return None
-        selector = self.selector
-        states = Register(-1, shadow.kind(size))
-        selector.code.append(shadow.repeated(ByteState.WITH_VALUE, size))
-        selector.code.append(shadow.repeated(ByteState.WITHOUT_VALUE, size))
-        selector.code += [selector.value(flag), ("select",)]
-        selector.pop(states)
-        selector.release(states)
-        return states
+    def _last_use(self, register: Register | None, it: Store) -> Register:
+        """Gives a register with states, or a flag, and lets it go when it is not used again."""
+        assert register is not None
+        if self.carried.is_last(it, register):
+            self._taken.discard(register)
+            self.selector.release(register)
+        return register
 
-    def _test_store(self, it: Store, at: _At, states: Instr) -> None:
+    def _test_store(self, it: Store, at: _At, given: _Given) -> None:
         """Tests an address and sets the states of what is stored there.
 
         Where bytes had values and get values, as nearly always, there is but one test.
@@ -227,13 +269,11 @@ class CheckedMemory(PlainMemory):
         size, code = MEMORY_SIZE[it.memory], self.selector.code
         push, offset = at
         local = WIDE_STATES if size == 8 else STATES
-        code += [push, shadow.load(size, offset), ("local.tee", local)]
-        if states[0] == "local.get":
-            code += [states, (f"{shadow.kind(size)}.and",)]
-        code += [*shadow.not_readable(size), UNLIKELY]
+        code += [push, shadow.load(size, offset), ("local.tee", local), *given.joined]
+        code += [*shadow.not_readable(size), *given.doubt, UNLIKELY]
         site = Site("memory", it.location, "write", size)
         self._test([("local.get", local)], shadow.not_accessible(size), site, at)
-        code += [push, states, shadow.store(size, offset), ("end",)]
+        code += [push, *given.states, shadow.store(size, offset), ("end",)]
 
     def check_range(
         self, address: Operand, size: Operand, location: Location, access: Access

@@ -114,6 +114,10 @@ class Proved:
         """Keeps only what is accessible, where bytes may have lost their values."""
         self._ranges = {key: rows for key, rows in self._ranges.items() if not key[1]}
 
+    def forget_value(self, place: tuple[Root | None, int]) -> None:
+        """Keeps only what is accessible of the object at a place."""
+        self._ranges.pop((place[0], True), None)
+
     def add(self, place: tuple[Root | None, int], size: int, *, valued: bool) -> None:
         """Notes that `size` bytes at a place are accessible; also valued, when they have values."""
         root, start = place
