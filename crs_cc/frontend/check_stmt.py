@@ -66,9 +66,20 @@ def _function(unit: Unit) -> FunctionState:
 @checks_statement(c_ast.Compound)
 def compound(unit: Unit, node: Node, out: list[Statement]) -> None:
     """Checks `{ ... }`."""
+    first, entries = len(out), _entries(_function(unit))
     with _block(unit, node, out):
         for each in node.block_items or []:
             statement(unit, each, out)
+    symbols = [each.symbol for each in out[first:] if isinstance(each, tree.Declare)]
+    if symbols and _entries(_function(unit)) == entries:
+        location = unit.at(node)
+        out.insert(first, tree.Lifetimes(location, symbols, begins=True))
+        out.append(tree.Lifetimes(location, symbols, begins=False))
+
+
+def _entries(state: FunctionState) -> tuple[int, int]:
+    """Gives how many labels there are that lead into a block if they stand there."""
+    return len(state.labels), len(state.switches[-1].labels) if state.switches else 0
 
 
 @contextmanager

@@ -12,7 +12,7 @@ from crs_cc.frontend.lower_assign import set_record
 from crs_cc.frontend.lower_convert import unnarrowed
 from crs_cc.frontend.lower_place import store, write_bits
 from crs_cc.frontend.tree import Initialiser, InitialValue
-from crs_cc.ir.program import Address, Constant, Copy, Fill, Register, Slot
+from crs_cc.ir.program import Address, Constant, Copy, Fill, Lifetime, Register, Slot
 from crs_cc.ir.types import (
     ArrayType,
     CType,
@@ -42,6 +42,14 @@ def _declare(low: Lowering, statement: tree.Declare) -> None:
             value_into(low, each.value, found)
         return
     initialise(low, found, statement.symbol.type, statement.initialiser, statement.location)
+
+
+def _lifetimes(low: Lowering, statement: tree.Lifetimes) -> None:
+    """Begins or ends the variables of a block that lie in memory."""
+    for symbol in statement.symbols:
+        found = low.local(symbol) if symbol.link_name is None else None
+        if isinstance(found, Slot):
+            low.emit(Lifetime(statement.location, found, statement.begins))
 
 
 def initialise(
@@ -189,4 +197,5 @@ def encoded(ctype: CType, number: float) -> bytes:
 
 
 STATEMENT[tree.Declare] = _declare
+STATEMENT[tree.Lifetimes] = _lifetimes
 PLACE[tree.CompoundLiteral] = _compound_literal

@@ -265,6 +265,15 @@ class Declare:
 
 
 @dataclass(slots=True, eq=False)
+class Lifetimes:
+    """The variables of a block begin to exist, without values, or end with it (C17 6.2.4p6)."""
+
+    location: Location
+    symbols: list[ObjectSymbol]
+    begins: bool
+
+
+@dataclass(slots=True, eq=False)
 class If:
     """`if`."""
 
@@ -367,6 +376,7 @@ class Return:
 Statement: TypeAlias = (
     ExpressionStatement
     | Declare
+    | Lifetimes
     | If
     | Loop
     | Switch

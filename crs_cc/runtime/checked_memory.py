@@ -318,4 +318,4 @@ class CheckedMemory(PlainMemory):
         state = ByteState.WITHOUT_VALUE if it.begins else ByteState.INACCESSIBLE
         offset = self.selector.frame.offsets[it.slot]
         self.selector.code += shadow.fill(("local.get", SP), offset, it.slot.size, state)
-        self.proved.forget()
+        self.proved.forget_value((it.slot, 0))

@@ -1,5 +1,5 @@
 /* Reads downwards through its own stack into the null page. */
-// ends: uninitialised read
+// ends: out of bounds
 static volatile unsigned sum;
 
 int main(void)
