@@ -13,7 +13,7 @@ Shows = Callable[[str], bool]
 """Tells whether a program's text still shows the difference."""
 
 
-def reduced(text: str, shows: Shows, most: int = 1500) -> str:
+def reduced(text: str, shows: Shows, most: int = 500) -> str:
     """Gives a smaller text that `shows` accepts.
 
     >>> text = chr(10).join(["a", "f {", "x", "y", "}", "b"])
