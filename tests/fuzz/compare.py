@@ -24,11 +24,14 @@ from crs_cc.source import Diagnostics
 from tests.c.execution import Run, Stepping
 
 GCC = [
-    "gcc", "-std=gnu17", "-w", "-m32", "-malign-double", "-msse2", "-mfpmath=sse",
+    "gcc", "-std=gnu17", "-m32", "-malign-double", "-msse2", "-mfpmath=sse",
     "-ffp-contract=off", "-fwrapv", "-fno-strict-aliasing", "-fcommon",
 ]  # fmt: skip
 """The C that we promise: i386's sizes, doubles that are doubles, signed overflow that wraps."""
 
+STRICT = [
+    "-O1", "-Werror=uninitialized", "-Werror=return-type", "-Werror=implicit-function-declaration",
+]  # fmt: skip
 SANITIZERS = [
     "-fsanitize=address,undefined", "-fno-sanitize=signed-integer-overflow,shift",
     "-fno-sanitize-recover=all",
@@ -63,15 +66,17 @@ def gcc_result(source: Path, options: Sequence[str]) -> Result | None:
 
 def meaning(source: Path, options: Sequence[str] = ()) -> Result | None:
     """Gives what a program must do; None where gcc itself does not know."""
-    plain = gcc_result(source, [*options, "-O0"])
+    plain = gcc_result(source, [*options, "-w", "-O0"])
     if plain is None or plain.end.startswith("exit -"):
         return None
-    return plain if gcc_result(source, [*options, "-O2"]) == plain else None
+    return plain if gcc_result(source, [*options, "-w", "-O2"]) == plain else None
 
 
 def is_defined(source: Path, options: Sequence[str] = ()) -> bool:
-    """Tells whether gcc's sanitizers and warnings find nothing wrong with a program."""
-    found = gcc_result(source, [*options, "-O1", *SANITIZERS, "-Werror=uninitialized"])
+    """Tells whether gcc's warnings, and its sanitizers if installed, find nothing wrong."""
+    if gcc_result(source, [*options, *STRICT]) is None:
+        return False
+    found = gcc_result(source, [*options, *STRICT, *SANITIZERS])
     return found is None or not found.end.startswith(("exit -", "exit 1"))
 
 
