@@ -12,7 +12,7 @@ test it. To move such a value, or to store it, is no use of it: flag or state go
 >>> m = Register(1, "i32", Variable("m", INT, here))
 >>> block = Block("entry", [Binary(here, m, "i32.add", n, n)], Return(here, m))
 >>> found = Assignments(Function("sum", here, registers=[n, m], blocks=[block]))
->>> [each.variable.name for each in found.tests[block.instructions[0]]]
+>>> [variable.name for _, variable in found.tests[block.instructions[0]]]
 ['n']
 """
 
@@ -42,24 +42,23 @@ class Assignments:
 
     Attributes:
         flags: the flag of each register that needs one: not zero when the register has a value.
-        tests: the registers to test before an instruction.
+        tests: the registers to test before an instruction, each with the variable to blame.
         changes: what an instruction changes.
         stored: the flag of the value that a store writes, where it may have none.
-        variables: the variable to blame for each register that is tested.
     """
 
     def __init__(self, function: Function) -> None:
         self.flags: dict[Register, Register] = {}
-        self.tests: dict[Instruction, list[Register]] = {}
+        self.tests: dict[Instruction, list[tuple[Register, Variable]]] = {}
         self.changes: dict[Instruction, FlagChange] = {}
         self.stored: dict[Store, Register] = {}
-        self.variables: dict[Register, Variable] = {}
+        self._variables: dict[Register, Variable] = {}
         passed = {each.place for each in function.parameters}
         start = 0
         for register in function.registers:
             if register.variable is not None and register not in passed:
                 start |= 1 << register.index
-                self.variables[register] = register.variable
+                self._variables[register] = register.variable
         if start and function.blocks:
             self._find(function, _solve(function, start))
 
@@ -72,7 +71,7 @@ class Assignments:
             for it in all_instructions(block):
                 early = [each for each in dict.fromkeys(_uses(it)) if unset >> each.index & 1]
                 if early:
-                    self.tests[it] = early
+                    self.tests[it] = [(each, self._variables[each]) for each in early]
                     wanted.update(dict.fromkeys(early))
                 source = _moved(it)
                 if source is not None and unset >> source.index & 1:
@@ -103,7 +102,7 @@ class Assignments:
         if target is None:
             wanted[source] = None
         else:
-            self.variables.setdefault(target, self.variables[source])
+            self._variables[target] = target.variable or self._variables[source]
 
 
 def _add_sources(moves: dict[Instruction, Register], wanted: dict[Register, None]) -> None:

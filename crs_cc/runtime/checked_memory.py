@@ -104,9 +104,9 @@ class CheckedMemory(PlainMemory):
     def before(self, it: Instruction) -> None:
         """Tests whether the registers that an instruction reads have values, and notes changes."""
         selector, found = self.selector, self.assignments
-        for register in found.tests.get(it, ()):
+        for register, variable in found.tests.get(it, ()):
             selector.code += [selector.value(found.flags[register]), ("i32.eqz",)]
-            site = Site("uninitialised read", it.location, "", 0, found.variables[register])
+            site = Site("uninitialised read", it.location, "", 0, variable)
             selector.fail_if(site, [("i32.const", 0)])
         change = found.changes.get(it)
         if change is not None:
