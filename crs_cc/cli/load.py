@@ -27,7 +27,7 @@ class Loaded:
     Attributes:
         world: the world.
         executables: each robot's program.
-        arguments: each robot's `argv`.
+        arguments: each robot's `argv`; it begins with the first C file, without its ending.
         files: what every program finds on its disk, by name.
     """
 
@@ -58,7 +58,7 @@ def load(options: RunOptions, diagnostics: Diagnostics) -> Loaded:
         world,
         tuple(built[sources] for sources in programs),
         tuple(
-            (built[sources].name, *_arguments(robot, options))
+            (str(sources[0].with_suffix("")), *_arguments(robot, options))
             for robot, sources in zip(world.robots, programs, strict=True)
         ),
         {name: path.read_bytes() for name, path in options.inputs_on_disk.items()},

@@ -191,7 +191,7 @@ def test_robots_run_the_program_that_the_world_names_or_else_ours(
     Path("pair.xml").write_text(world)
     assert main(["run", "hello.c", "pair.xml", "-q"]) == 1
     out = capfd.readouterr().out
-    assert out == "[right] hello\n[left] drive.c there at 50\n"
+    assert out == "[right] hello\n[left] drive there at 50\n"
     assert main(["run", "pair.xml"]) == 2
     assert "names no program for 'right'" in capfd.readouterr().err
 
@@ -210,7 +210,7 @@ def test_json_on_stdout_is_pure_and_the_programs_output_goes_to_stderr(
 ) -> None:
     assert main(["run", "drive.c", "pair.xml", "--json", "--seed", "3"]) == 0
     shown = capfd.readouterr()
-    assert "[left] drive.c there at 50\n" in shown.err
+    assert "[left] drive there at 50\n" in shown.err
     data = json.loads(shown.out)
     assert data["seed"] == 3
     left, right = data["robots"]
@@ -262,7 +262,7 @@ def test_the_summary_comes_when_asked_for(capfd: pytest.CaptureFixture[str]) -> 
     shown = capfd.readouterr()
     assert "exit 0 at" in shown.err
     assert "0.13 0.00 m 0°" in shown.err
-    assert shown.out == "drive.c there at 50\n"
+    assert shown.out == "drive there at 50\n"
 
 
 def test_the_picture_shows_the_way(capfd: pytest.CaptureFixture[str]) -> None:

@@ -267,3 +267,31 @@ def test_integer_arithmetic() -> None:
         "4 5 6000000000",
         "1 0 -1",
     ]
+
+
+def test_random_numbers_without_a_seed_are_even_and_the_same_every_time() -> None:
+    source = r"""
+    #include <stdio.h>
+    #include <stdlib.h>
+    #include <string.h>
+    int main(void)
+    {
+        int counts[6] = {0}, ones = 0, i;
+        unsigned char bytes[1000];
+        for (i = 0; i < 6000; i++)
+            counts[arc4random_uniform(6)]++;
+        arc4random_buf(bytes, sizeof bytes);
+        for (i = 0; i < (int)sizeof bytes; i++)
+            ones += __builtin_popcount(bytes[i]);
+        printf("%u %d", arc4random(), ones);
+        for (i = 0; i < 6; i++)
+            printf(" %d", counts[i]);
+        return arc4random_uniform(1) + arc4random_uniform(0);
+    }
+    """
+    first, second = run(source), run(source)
+    assert first == second
+    assert first.status == 0
+    _, ones, *counts = map(int, first.out.split())
+    assert abs(ones - 4000) < 4 * math.sqrt(2000)
+    assert all(abs(count - 1000) < 4 * math.sqrt(1000 * 5 / 6) for count in counts)

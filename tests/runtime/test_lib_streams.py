@@ -202,3 +202,11 @@ def test_clocks_follow_simulated_time() -> None:
         "946684803 550000 1775000",
         "3.0 1",
     ]
+
+
+def test_lines_lie_in_place_until_the_next() -> None:
+    source = body(
+        "size_t n; char *line; while ((line = fgetln(stdin, &n)) != NULL)"
+        ' printf("%u %.*s|", (unsigned)n, (int)n, line); printf("%u", (unsigned)n); return 0;'
+    )
+    assert run(source, stdin=b"one\n\nlast").out == b"4 one\n|1 \n|4 last|0"

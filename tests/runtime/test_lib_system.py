@@ -270,3 +270,17 @@ def test_strings_of_openbsd() -> None:
     }
     """
     assert lines(source)[1:] == ["16 longer ", "11 lonabcd 3 3"]
+
+
+def test_a_program_knows_its_name_before_main() -> None:
+    source = r"""
+    extern const char *__progname;
+    int main(void)
+    {
+        printf("%s %s %s\n", program_invocation_name, program_invocation_short_name, __progname);
+        setprogname("bin/turn");
+        printf("%s %d\n", getprogname(), setregid(getgid(), getegid()));
+        return 0;
+    }
+    """
+    assert lines(source) == ["program.c program.c program.c", "turn 0"]

@@ -94,4 +94,10 @@ extern int errno;
 #define EWOULDBLOCK EAGAIN
 #define ENOTSUP EOPNOTSUPP
 
+/* GNU: argv[0], and what stands behind its last slash. */
+extern char *__progname_full;
+extern const char *__progname;
+#define program_invocation_name __progname_full
+#define program_invocation_short_name ((char *)__progname)
+
 #endif

@@ -78,6 +78,7 @@ int getw(FILE *stream);
 int putw(int word, FILE *stream);
 ssize_t getdelim(char **line, size_t *size, int end, FILE *stream);
 ssize_t getline(char **line, size_t *size, FILE *stream);
+char *fgetln(FILE *stream, size_t *length);
 int asprintf(char **text, const char *format, ...);
 int vasprintf(char **text, const char *format, va_list arguments);
 int dprintf(int descriptor, const char *format, ...);

@@ -50,6 +50,9 @@ void srand(unsigned int seed);
 int rand_r(unsigned int *seed);
 long random(void);
 void srandom(unsigned int seed);
+unsigned int arc4random(void);
+unsigned int arc4random_uniform(unsigned int bound);
+void arc4random_buf(void *buffer, size_t size);
 char *initstate(unsigned int seed, char *memory, size_t size);
 char *setstate(char *memory);
 double drand48(void);
@@ -91,6 +94,9 @@ int system(const char *command);
 
 char *mktemp(char *name);
 int mkstemp(char *name);
+const char *getprogname(void);
+void setprogname(const char *name);
+
 char *ecvt(double value, int digits, int *point, int *negative);
 char *fcvt(double value, int digits, int *point, int *negative);
 char *gcvt(double value, int digits, char *text);

@@ -1,4 +1,4 @@
-/* Lines of any length, and formatted output to new strings and to descriptors (POSIX, GNU). */
+/* Lines of any length, and formatted output to new strings and to descriptors (POSIX, GNU, BSD). */
 #include <errno.h>
 #include <stdlib.h>
 
@@ -97,4 +97,15 @@ int dprintf(int descriptor, const char *format, ...)
     result = print_to_descriptor(descriptor, format, arguments);
     va_end(arguments);
     return result;
+}
+
+/* The line stays where it is until the next call; no zero ends it (BSD). */
+char *fgetln(FILE *stream, size_t *length)
+{
+    static char *line;
+    static size_t size;
+    ssize_t count = read_until(&line, &size, '\n', stream);
+
+    *length = count < 0 ? 0 : count;
+    return count < 0 ? NULL : line;
 }

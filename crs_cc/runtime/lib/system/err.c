@@ -6,21 +6,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-extern char *__crs_program;
+extern const char *__progname;
 
 unsigned int error_message_count;
-
-static const char *program(void)
-{
-    const char *slash = strrchr(__crs_program, '/');
-
-    return slash == NULL ? __crs_program : slash + 1;
-}
 
 /* Prints "program: message: text of the error"; no text for an error number below 0. */
 static void complain(int number, const char *format, va_list arguments)
 {
-    fprintf(stderr, "%s: ", program());
+    fprintf(stderr, "%s: ", __progname);
     if (format != NULL)
         vfprintf(stderr, format, arguments);
     if (number >= 0)
@@ -99,7 +92,7 @@ void error_at_line(int status, int number, const char *file, unsigned int line,
     va_list arguments;
 
     fflush(stdout);
-    fprintf(stderr, "%s:%s:%u: ", program(), file, line);
+    fprintf(stderr, "%s:%s:%u: ", __progname, file, line);
     va_start(arguments, format);
     vfprintf(stderr, format, arguments);
     va_end(arguments);

@@ -96,6 +96,48 @@ int setgid(gid_t group)
     return 0;
 }
 
+int seteuid(uid_t user)
+{
+    (void)user;
+    return 0;
+}
+
+int setegid(gid_t group)
+{
+    (void)group;
+    return 0;
+}
+
+int setreuid(uid_t user, uid_t effective)
+{
+    (void)effective;
+    (void)user;
+    return 0;
+}
+
+int setregid(gid_t group, gid_t effective)
+{
+    (void)effective;
+    (void)group;
+    return 0;
+}
+
+int setresuid(uid_t user, uid_t effective, uid_t saved)
+{
+    (void)saved;
+    (void)user;
+    (void)effective;
+    return 0;
+}
+
+int setresgid(gid_t group, gid_t effective, gid_t saved)
+{
+    (void)saved;
+    (void)group;
+    (void)effective;
+    return 0;
+}
+
 int gethostname(char *name, size_t size)
 {
     if (size < sizeof "robot") {

@@ -1,13 +1,16 @@
 /* The beginning and the end of a program (C17 5.1.2.2). */
 #include <crs_request.h>
 #include <stdlib.h>
+#include <string.h>
 
 int main();
 
 /* The program's constructors, a null pointer at the end; made by the linker. */
 extern void (*__crs_starts[])(void);
 
-char *__crs_program = "";    /* argv[0], for messages */
+/* The program's name, for messages: argv[0], and what stands behind its last slash. */
+char *__progname_full = "";
+const char *__progname = "";
 
 /* Makes a copy of an argument, or gives a null pointer when there is none of that number. */
 static char *read_argument(int number)
@@ -36,6 +39,14 @@ static char *read_argument(int number)
     return text;
 }
 
+static void name_program(char *path)
+{
+    char *slash = strrchr(path, '/');
+
+    __progname_full = path;
+    __progname = slash == NULL ? path : slash + 1;
+}
+
 /* The outermost function: collects the arguments, calls constructors and main, ends the program. */
 int __crs_start(void)
 {
@@ -51,7 +62,7 @@ int __crs_start(void)
         }
     }
     if (count > 0)
-        __crs_program = arguments[0];
+        name_program(arguments[0]);
     for (each = __crs_starts; *each != NULL; each++)
         (*each)();
     exit(main(count, arguments, environment));
