@@ -26,6 +26,7 @@ from crs_cc.ir.types import (
 from crs_cc.source import Location
 
 _OFFSETOF = {"offsetof", "__builtin_offsetof"}
+_ATOMIC = ("__sync_", "__atomic_")
 
 
 @checks(c_ast.FuncCall)
@@ -42,6 +43,9 @@ def call(unit: Unit, node: Node) -> Expression:
             if name.startswith("__builtin_"):
                 return _call(unit, node, decay(_library_function(unit, node.name)))
         if unit.scope.find(name) is None:
+            if name.startswith(_ATOMIC):
+                text = f"'{name}' is not supported: a program has one thread, use plain operators"
+                raise CheckError(unit.at(node.name), text)
             if name == "alloca":
                 node.name.name = "__builtin_alloca"
                 return call(unit, node)
