@@ -248,6 +248,7 @@ class _Parser(AttributeParser):
         if wanted == "SEMI" and token.type == "LBRACE":
             text = "function definition is not allowed here"
             hint = self._blamed = self._opened("LBRACE", "a '}' may be missing for the")
+            hint += "; functions inside functions are not supported"
         elif wanted == "SEMI" and token.type == "ELSE" and before.type in _STATEMENT_ENDS:
             text = "'else' without a previous 'if'"
         elif wanted == "SEMI" and before is not token:
