@@ -17,6 +17,7 @@ ended, or stopped by an error.
 from __future__ import annotations
 
 import ctypes
+import errno
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
@@ -95,6 +96,23 @@ class Fleet:
     """
 
     def __init__(self, executables: Sequence[Executable]) -> None:
+        """Makes a sandbox for each program.
+
+        Raises:
+            OSError: the system does not give the memory, or the room for addresses.
+        """
+        try:
+            self._make(executables)
+        except wasmtime.WasmtimeError as error:
+            if f"os error {errno.ENOMEM}" not in str(error):
+                raise
+            text = (
+                f"the system gives no memory for {len(executables)} program(s): each needs up to"
+                " 9 GiB of addresses, though little memory (see 'ulimit -v')"
+            )
+            raise OSError(errno.ENOMEM, text) from error
+
+    def _make(self, executables: Sequence[Executable]) -> None:
         self._executables = tuple(executables)
         self._store = wasmtime.Store(engine())
         count = len(executables)
