@@ -5,6 +5,7 @@ __crs_stop("null pointer", at)     ends the program with an error, see `requests
                                    address may be left out
 __crs_mark, callers, state         the allocator's, see `ir.instruction.Mark` and those behind it
 __crs_setjmp(buffer)               comes back when somebody jumps there, see `ir.SetJump`
+__crs_sigsetjmp(buffer, unblocked) the same, with signals for `siglongjmp`
 __crs_longjmp(activation, place, value)
 __builtin_sqrt, floor, clz, ...    one WebAssembly instruction each
 __builtin_memcpy, memmove, memset  whole blocks of memory
@@ -74,6 +75,7 @@ def _table() -> dict[str, Builtin]:
         "__crs_callers": Builtin(VOID, (_ADDRESS, INT)),
         "__crs_state": Builtin(INT, (_CONST_ADDRESS,)),
         "__crs_setjmp": Builtin(INT, (_ADDRESS,)),
+        "__crs_sigsetjmp": Builtin(INT, (_ADDRESS, ULONG)),
         "__builtin_alloca": Builtin(_ADDRESS, (UINT,)),
         "__crs_longjmp": Builtin(VOID, (UINT, UINT, INT)),
         "__builtin_memcpy": Builtin(_ADDRESS, (_ADDRESS, _CONST_ADDRESS, UINT)),

@@ -199,13 +199,16 @@ def _request(low: Lowering, expression: tree.Intrinsic) -> Operand:
 
 def _set_jump(low: Lowering, expression: tree.Intrinsic) -> Operand:
     """Lowers `setjmp`: fills in `struct __crs_jump`; the place is written where it is known."""
-    location, pointer = expression.location, value(low, expression.arguments[0])
+    location = expression.location
+    pointer, *signals = (value(low, each) for each in expression.arguments)
+    unblocked = signals[0] if signals else Constant("i32", 0)
     buffer, result, then = low.register("i32"), low.register("i32"), low.new_block("landed")
     low.move(buffer, pointer, location)
     low.emit(Store(location, buffer, 0, low.activation(), "i32"))
     count = low.register("i32")
     low.emit(Load(location, count, low.refer(AUTOMATIC_COUNT, location), 0, "i32"))
     low.emit(Store(location, buffer, 8, count, "i32"))
+    low.emit(Store(location, buffer, 12, unblocked, "i32"))
     place_at = low.binary(location, "i32.add", buffer, Constant("i32", 4))
     low.end(SetJump(location, place_at, low.activation(), result, then))
     low.start(then, location)
@@ -311,6 +314,7 @@ _SPECIAL: Final[dict[str, Callable[[Lowering, tree.Intrinsic], Operand]]] = {
     "__crs_callers": _callers,
     "__crs_state": _state,
     "__crs_setjmp": _set_jump,
+    "__crs_sigsetjmp": _set_jump,
     "__crs_longjmp": _long_jump,
     "__builtin_memcpy": _copy,
     "__builtin_memmove": _copy,

@@ -17,8 +17,3 @@ void _longjmp(jmp_buf buffer, int value)
 {
     longjmp(buffer, value);
 }
-
-void siglongjmp(sigjmp_buf buffer, int value)
-{
-    longjmp(buffer, value);
-}

@@ -2,6 +2,7 @@
    which is blocked while it runs. */
 #include <crs_request.h>
 #include <errno.h>
+#include <setjmp.h>
 #include <signal.h>
 #include <stdio.h>
 
@@ -180,6 +181,19 @@ int sigprocmask(int how, const sigset_t *set, sigset_t *before)
     if (before != NULL)
         *before = old;
     return 0;
+}
+
+/* What sigsetjmp keeps: never 0, for SIGKILL cannot be blocked. */
+unsigned long __crs_unblocked(void)
+{
+    return ~blocked;
+}
+
+void siglongjmp(sigjmp_buf buffer, int value)
+{
+    if (buffer->activation != 0 && buffer->unblocked != 0)
+        set_mask(~buffer->unblocked);
+    longjmp(buffer, value);
 }
 
 /* BSD's forms of the same. */
