@@ -140,6 +140,8 @@ def _null(case: Case) -> Explanation:
 
 
 def _outside(case: Case) -> Explanation:
+    if case.failure.stopped is None:
+        return Explanation("the access is not known without the checks of memory")
     text, value = case.pointer() or ("", None)
     address = case.failure.value
     if text and value is not None:

@@ -171,12 +171,20 @@ class Fleet:
         slot = self.slots[robot]
         slot["status"] = FAILED
         slot["fuel"] = min(int(slot["fuel"]), 0)
-        if len(self._shadows[robot]) and isinstance(trap, wasmtime.Trap):
+        outside = (
+            isinstance(trap, wasmtime.Trap)
+            and trap.trap_code is wasmtime.TrapCode.MEMORY_OUT_OF_BOUNDS
+        )
+        if outside and not len(self._shadows[robot]):
+            # Nothing but this stops a program without checks, so that no place is noted.
+            slot["error_kind"] = ERROR_KINDS.index("pointer outside memory")
+            return
+        if outside:
             from crs_cc.runtime.trapped import blamed_site  # needs the code generator
 
             compiled = self._executables[robot].detail().compiled
             site = blamed_site(trap, self._memories[robot], compiled)
-            if site is not None and trap.trap_code is wasmtime.TrapCode.MEMORY_OUT_OF_BOUNDS:
+            if site is not None:
                 slot["error_site"], slot["error_address"] = site, MEMORY_END
                 return
         deep = "call stack exhausted" in str(trap)

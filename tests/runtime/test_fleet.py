@@ -89,7 +89,13 @@ def test_a_trap_stops_its_robot_alone_and_the_round_is_finished() -> None:
     run(fleet)
     assert fleet.slots["status"].tolist() == [SUSPENDED, FAILED, SUSPENDED, SUSPENDED]
     assert fleet.slots["code"][[0, 2, 3]].tolist() == [CODES["EXIT"]] * 3
-    assert ERROR_KINDS[fleet.slots["error_kind"][1]] == "internal trap"
+    assert ERROR_KINDS[fleet.slots["error_kind"][1]] == "pointer outside memory"
+
+
+def test_a_wild_access_without_checks_is_the_programs_fault_not_ours() -> None:
+    fleet = Fleet([wild_program(MEMORY_BYTES, checked=False)])
+    run(fleet)
+    assert "without the checks of memory" in fleet.report(0).text
 
 
 def test_a_snapshot_goes_on_in_another_fleet() -> None:
