@@ -171,15 +171,12 @@ class Fleet:
         slot = self.slots[robot]
         slot["status"] = FAILED
         slot["fuel"] = min(int(slot["fuel"]), 0)
-        outside = (
-            isinstance(trap, wasmtime.Trap)
-            and trap.trap_code is wasmtime.TrapCode.MEMORY_OUT_OF_BOUNDS
-        )
-        if outside and not len(self._shadows[robot]):
-            # Nothing but this stops a program without checks, so that no place is noted.
-            slot["error_kind"] = ERROR_KINDS.index("pointer outside memory")
-            return
-        if outside:
+        outside = wasmtime.TrapCode.MEMORY_OUT_OF_BOUNDS
+        if isinstance(trap, wasmtime.Trap) and trap.trap_code is outside:
+            if not len(self._shadows[robot]):
+                # Nothing but this stops a program without checks, so that no place is noted.
+                slot["error_kind"] = ERROR_KINDS.index("pointer outside memory")
+                return
             from crs_cc.runtime.trapped import blamed_site  # needs the code generator
 
             compiled = self._executables[robot].detail().compiled

@@ -85,9 +85,35 @@ def link(units: Sequence[Program], library: Library, diagnostics: Diagnostics) -
             _undefined(name, user, library, diagnostics)
             continue
         work.extend(references(found))
+    if not diagnostics.errors:
+        _check_uses(whole, diagnostics)
     if diagnostics.errors:
         raise CompileError(diagnostics.errors)
     return whole
+
+
+def _check_uses(whole: Program, diagnostics: Diagnostics) -> None:
+    """Reports variables that are called, and functions that are read or written as variables."""
+    told = set()
+    for function in whole.functions.values():
+        for block in function.blocks:
+            for instruction in all_instructions(block):
+                name = _referred(instruction)
+                if name is None or name in told or isinstance(instruction, Address):
+                    continue
+                if isinstance(instruction, Call) and name in whole.data:
+                    text = f"'{name}' is called as a function, but it is a variable"
+                    defined = whole.data[name].location
+                elif not isinstance(instruction, Call) and name in whole.functions:
+                    text = f"'{name}' is used as a variable, but it is a function"
+                    defined = whole.functions[name].location
+                else:
+                    continue
+                told.add(name)
+                # What the library uses wrongly, as it calls main, is the fault of its definition.
+                by_library = instruction.location.file.startswith(LIBRARY)
+                place = defined if by_library else instruction.location
+                diagnostics.error(place, text, f"it is defined at {defined}")
 
 
 def join(units: Sequence[Program], diagnostics: Diagnostics) -> Program:

@@ -56,3 +56,8 @@ def test_the_parser_reads_what_is_left() -> None:
     call = tree.ext[2].body.block_items[-1].expr.left
     assert call.name.name == "__builtin_va_arg"
     assert [type(each).__name__ for each in call.args.exprs] == ["ID", "Typename"]
+
+
+def test_a_number_of_a_hundred_thousand_digits_takes_no_time() -> None:
+    source = f"int a = 0x{'f' * 100_000};"
+    assert result(source) == tokens(source)

@@ -32,7 +32,7 @@ from crs_cc.frontend.cpp.tokens import (
 _EXPONENT: Final = "[eE][+-]?[0-9]+"
 _FLOATING: Final = (
     rf"(?:(?:[0-9]+\.[0-9]*|\.[0-9]+)(?:{_EXPONENT})?|[0-9]+{_EXPONENT}"
-    r"|0[xX](?:[0-9a-fA-F]+\.?[0-9a-fA-F]*|\.[0-9a-fA-F]+)[pP][+-]?[0-9]+)[fFlL]?"
+    r"|0[xX](?:[0-9a-fA-F]++\.?[0-9a-fA-F]*+|\.[0-9a-fA-F]+)[pP][+-]?[0-9]+)[fFlL]?"
 )
 _FLOATING_NUMBER: Final = re.compile(_FLOATING)
 _INTEGER: Final = rf"(?:0[xX][0-9a-fA-F]+|0[bB][01]+|0[0-7]*|[1-9][0-9]*){SUFFIX}"

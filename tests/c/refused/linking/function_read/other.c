@@ -1,0 +1,1 @@
+int turn(void) { return 3; }
