@@ -81,13 +81,6 @@ class GnuParser(CParser):  # type: ignore[misc]
             self._advance()
             name = self._expect("ID")
             return LabelAddress(name.value, self._tok_coord(token))
-        if token is not None and token.type == "_ALIGNOF":
-            mark = self._mark()
-            self._advance()
-            if self._try_parse_paren_type_name() is None:
-                operand = self._parse_unary_expression()
-                return c_ast.UnaryOp(token.value, operand, self._tok_coord(token))
-            self._reset(mark)
         return super()._parse_unary_expression()
 
     def _parse_primary_expression(self) -> Any:

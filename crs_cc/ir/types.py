@@ -363,7 +363,6 @@ CType: TypeAlias = (
     | FunctionType
     | RecordType
 )
-ScalarType: TypeAlias = IntegerType | FloatType | EnumType | PointerType
 
 VOID: Final = VoidType()
 BOOL: Final = IntegerType("_Bool", 1, False, 0, "u8")

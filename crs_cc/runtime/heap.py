@@ -25,7 +25,7 @@ ALLOCATOR: Final = LIBRARY + "stdlib/malloc.c"
 
 HEADER: Final = 32
 SITES: Final = 5
-IN_USE, WAITING = 1, 2
+IN_USE: Final = 1
 FLAGS: Final = 15
 _LINKS: Final = 8
 _FEW: Final = 2

@@ -43,9 +43,6 @@ from tests.c.execution import (
     sources,
 )
 
-NOT_YET: set[str] = set()
-"""Cases that the compiler refuses so far; the runner tells when one of them passes."""
-
 FUEL_STEPS = 200_000
 """Programs of up to so many instructions get their fuel one by one, longer ones so many times."""
 
@@ -57,11 +54,7 @@ def valid_cases() -> list[object]:
     """Gives each valid case once; all but the first of a topic are left out of quick runs."""
     rows, seen = [], set()
     for path in cases("valid"):
-        marks = []
-        if path.parent in seen:
-            marks.append(pytest.mark.slow)
-        if name(path) in NOT_YET:
-            marks.append(pytest.mark.xfail(raises=CompileError, strict=True))
+        marks = [pytest.mark.slow] if path.parent in seen else []
         seen.add(path.parent)
         rows.append(pytest.param(path, id=name(path), marks=marks))
     return rows

@@ -17,6 +17,8 @@ ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "errors.md"
 
 INTRODUCTION = """\
+<!-- made by tests/c/test_errors_page.py; edit there, then pytest --update-goldens -->
+
 # Errors while running
 
 Every program is checked while it runs. What C leaves undefined, and what real programs do by

@@ -16,6 +16,8 @@ from tests.c.language import FEATURES
 PAGE = HERE.parents[1] / "docs" / "language.md"
 
 INTRODUCTION = """\
+<!-- made by tests/c/test_language_page.py; edit there, then pytest --update-goldens -->
+
 # The language
 
 crs compiles C17, and what programs of the 1990s and of today use of gnu89 and GNU C, to a sandboxed

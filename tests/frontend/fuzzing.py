@@ -22,6 +22,7 @@ from crs_cc.session.library import HEADERS
 from crs_cc.source import Diagnostics
 
 CORPUS: Final = Path(__file__).parent.parent / "c"
+FINDINGS: Final = Path("build/fuzz-frontend")
 TOKEN: Final = re.compile(r"[A-Za-z_]\w*|\d[\w.]*|\"(?:\\.|[^\"\n])*\"|[^\s\w]|\n")
 _WORDS: Final = re.findall(
     r"\S+",
@@ -168,7 +169,10 @@ def sources(seed: int) -> Iterator[str]:
 
 
 def main() -> None:
-    """Tries as many sources as the first argument says, from the seed in the second."""
+    """Tries as many sources as the first argument says, from the seed in the second.
+
+    Those that went wrong are kept in `build/fuzz-frontend`.
+    """
     number = int(sys.argv[1]) if len(sys.argv) > 1 else 2000
     seed = int(sys.argv[2]) if len(sys.argv) > 2 else 1
     wrong = 0
@@ -176,7 +180,8 @@ def main() -> None:
         problem = survive(source, 5.0)
         if problem:
             wrong += 1
-            path = Path(f"fuzz_{seed}_{index}.c")
+            FINDINGS.mkdir(parents=True, exist_ok=True)
+            path = FINDINGS / f"{seed}_{index}.c"
             path.write_text(source, encoding="utf-8", errors="surrogateescape")
             print(f"{path}: {problem}", flush=True)
     print(f"{number} sources, {wrong} went wrong")

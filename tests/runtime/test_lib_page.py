@@ -15,6 +15,8 @@ from tests.runtime.test_lib_math import MEASURED
 PAGE = Path(__file__).parents[2] / "docs" / "library.md"
 
 INTRODUCTION = """\
+<!-- made by tests/runtime/test_lib_page.py; edit there, then pytest --update-goldens -->
+
 # The C library
 
 A control program finds all of C17's library except threads, atomics and complex numbers, and of
