@@ -107,10 +107,12 @@ class Carried:
         self._flags: dict[Load, Register] = {}
         self._copies: dict[Store, Load] = {}
         self._computed: dict[Store, Register] = {}
+        self._joined: dict[Register, Register] = {}
         self._unused: set[Load] = set()
         self._last: dict[Register, Store] = {}
         for block in function.blocks:
             self._find(block, liveness.at_end(block))
+        self._resolve(function)
 
     def states_of(self, load: Load) -> Register | None:
         """Gives the register that takes the states of what is loaded, if it is copied."""
@@ -151,9 +153,6 @@ class Carried:
                 self._copy(load, stores)
             else:
                 self._compute(load, stores)
-        for it in block.instructions:
-            if isinstance(it, Store) and it in self._computed:
-                self._last[self._computed[it]] = it
 
     def _copy(self, load: Load, stores: list[Store]) -> None:
         states = Register(_NO_INDEX, shadow.kind(MEMORY_SIZE[load.memory]))
@@ -164,23 +163,35 @@ class Carried:
 
     def _compute(self, load: Load, stores: list[Store]) -> None:
         """Gives the load a flag, together with the other loads that go into the same stores."""
-        shared = dict.fromkeys(self._computed[each] for each in stores if each in self._computed)
-        flag = next(iter(shared), None)
-        if flag is None:
+        computed = [self._computed[each] for each in stores if each in self._computed]
+        shared = list(dict.fromkeys(map(self._representative, computed)))
+        if shared:
+            flag = shared[0]
+        else:
             flag = Register(_NO_INDEX, "i32")
             self.registers.append(flag)
         self._flags[load] = flag
-        for other in list(shared)[1:]:
-            self._join(other, flag)
+        self._joined.update(dict.fromkeys(shared[1:], flag))
         self._computed.update(dict.fromkeys(stores, flag))
 
-    def _join(self, other: Register, flag: Register) -> None:
-        """Makes one flag of two."""
-        for table in (self._flags, self._computed):
-            for key, its in list(table.items()):
-                if its is other:
-                    table[key] = flag  # type: ignore[index]
-        self.registers.remove(other)
+    def _representative(self, flag: Register) -> Register:
+        """Gives the flag that a flag was joined into, and shortens the way to it (union-find)."""
+        end = flag
+        while end in self._joined:
+            end = self._joined[end]
+        while flag is not end:
+            self._joined[flag], flag = end, self._joined[flag]
+        return end
+
+    def _resolve(self, function: Function) -> None:
+        """Puts the flags that are left everywhere, and notes the last store of each."""
+        self.registers = [each for each in self.registers if each not in self._joined]
+        self._flags = {load: self._representative(flag) for load, flag in self._flags.items()}
+        for block in function.blocks:
+            for it in block.instructions:
+                if isinstance(it, Store) and it in self._computed:
+                    flag = self._computed[it] = self._representative(self._computed[it])
+                    self._last[flag] = it
 
 
 def _is_shift(it: Binary) -> bool:
