@@ -12,6 +12,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
+from crs_cc.errors import CompileError
 from crs_cc.ir.assigned import Assignments
 from crs_cc.ir.program import (
     Block,
@@ -80,6 +81,8 @@ from crs_cc.source import Location
 MESSAGE_OFFSET = slot_offset("message")
 RESULT_OFFSET = MESSAGE_OFFSET + int(MESSAGE.fields["result"][1])  # type: ignore[index]
 MESSAGE_SIZE = Constant("i32", MESSAGE.itemsize)
+MOST_WAYS: Final = 250_000
+"""Registers times landings of a function at most; at 160,000 compiling takes half a gigabyte."""
 NO_VALUE: Final = -1  # takes the place of the number of a function that ended without a value
 
 
@@ -161,6 +164,21 @@ class _FunctionCode:
 
     # -- the whole ----------------------------------------------------------------------------
 
+    def limit_effort(self) -> None:
+        """Refuses a function that would take gigabytes to compile.
+
+        Each landing is a way into the middle of the function, and each register that lasts has to
+        be the same on all of them.
+        """
+        if len(self.landings) * len(self.registers.lasting) > MOST_WAYS:
+            raise CompileError.at(
+                self.function.location,
+                f"'{self.function.name}' is too complex: {len(self.registers.lasting)} values"
+                f" are kept over {len(self.landings)} calls and loops",
+                "split the function, or the expression with the many calls",
+                "linking",
+            )
+
     def run(self) -> tuple[Code, FunctionInfo]:
         """Gives the code and what a debugger needs to read its frames."""
         if self.frame.size > STACK_SIZE:  # its offsets might not even fit an instruction
@@ -170,6 +188,7 @@ class _FunctionCode:
             self.selector.take_local(register)
         for block in self.function.blocks:
             self.block(block)
+        self.limit_effort()
         entry, start = self.entry(), self.start()
         if self.landings:
             again = self.again(start)
