@@ -202,7 +202,8 @@ class Fleet:
         site = detail.compiled.sites[slot["error_site"]]
         kind, memory = site.kind, self._memories[robot]
         stack = tuple(call_stack(memory, detail.compiled, site.location))
-        parts = detail.program, detail.compiled, detail.lines, stack
+        trapped = value == MEMORY_END and site.size > 1
+        parts = detail.program, detail.compiled, detail.lines, stack, not trapped
         stopped = Stopped(memory, self._shadows[robot], *parts)
         size, found = site.size, None
         if kind == "memory":

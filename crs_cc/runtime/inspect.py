@@ -44,6 +44,7 @@ class Stopped:
         compiled: what was made of that.
         lines: the lines of the user's files, by their names.
         stack: its active functions, the innermost first.
+        saved: whether they have saved what they keep in registers, as all do unless a trap came.
     """
 
     memory: npt.NDArray[np.uint8]
@@ -52,6 +53,7 @@ class Stopped:
     compiled: Compiled
     lines: Mapping[str, Sequence[str]]
     stack: tuple[StackFrame, ...]
+    saved: bool = True
 
     def stack_pointer(self) -> int:
         """Gives the lower end of the innermost frame; that of all the stack when none is known."""

@@ -94,7 +94,7 @@ class Variables:
             yield from self.arguments(frame)
             return
         for place, offset in info.frame.offsets.items():
-            if place.variable is not None:
+            if place.variable is not None and (self._stopped.saved or isinstance(place, Slot)):
                 size = place.variable.ctype.size
                 states = self.states(sp + offset, size) if isinstance(place, Slot) else b""
                 yield Content(place.variable, self.read(sp + offset, size), states)
