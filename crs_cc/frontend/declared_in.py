@@ -6,6 +6,13 @@ import re
 from collections.abc import Sequence
 from functools import lru_cache
 from pathlib import Path
+from typing import Final
+
+_USUAL: Final = (
+    "stddef.h", "stdio.h", "stdlib.h", "string.h", "math.h", "stdint.h", "stdbool.h", "limits.h",
+    "ctype.h", "time.h", "unistd.h", "sys/types.h",
+)  # fmt: skip
+"""The headers to name first for what several define, as `NULL` and `size_t`."""
 
 
 def header_hint(name: str, folders: Sequence[Path]) -> str:
@@ -27,7 +34,9 @@ def header_hint(name: str, folders: Sequence[Path]) -> str:
 
 @lru_cache(maxsize=4)
 def _headers(folder: Path) -> tuple[tuple[str, str], ...]:
-    """Gives the headers for programs in a folder, each by its name with its text."""
+    """Gives the headers for programs in a folder, the usual ones first, by name with their text."""
     paths = [*sorted(folder.glob("*.h")), *sorted(folder.glob("sys/*.h"))]
     own = [path for path in paths if not path.name.startswith("crs")]
-    return tuple((path.relative_to(folder).as_posix(), path.read_text()) for path in own)
+    found = {path.relative_to(folder).as_posix(): path.read_text() for path in own}
+    usual = {name: found.pop(name) for name in _USUAL if name in found}
+    return tuple((usual | found).items())

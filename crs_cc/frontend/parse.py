@@ -37,6 +37,9 @@ Node: TypeAlias = Any
 _BEFORE_TYPES: Final = frozenset(
     {"CONST", "VOLATILE", "STATIC", "EXTERN", "REGISTER", "TYPEDEF", "INLINE", "AUTO"}
 )
+_NAMED: Final = frozenset({"ID", "TYPEID", "TIMES"})
+"""What follows the name of a type, where it is not a name that is declared."""
+
 _STATEMENT_ENDS: Final = frozenset({"SEMI", "LBRACE", "RBRACE"})
 _LOOKAHEAD: Final = 64
 """How many ends of file stand behind the last token; nothing looks further ahead."""
@@ -126,6 +129,12 @@ def parse(text: str, locate: Locate, diagnostics: Diagnostics) -> list[Node]:
     except RecursionError:
         diagnostics.error(parser.place(), "the program is nested too deeply here")
         raise GiveUp from None
+
+
+def _behind(token: Token) -> Location:
+    """Gives the place where a token ends."""
+    place = token.location
+    return Location(place.file, place.line, place.column + len(token.value))
 
 
 class _Parser(AttributeParser):
@@ -248,13 +257,12 @@ class _Parser(AttributeParser):
         if wanted == "SEMI" and token.type == "LBRACE":
             text = "function definition is not allowed here"
             hint = self._blamed = self._opened("LBRACE", "a '}' may be missing for the")
-            hint += "; functions inside functions are not supported"
+            hint += "; functions inside functions are not supported" if hint else ""
         elif wanted == "SEMI" and token.type == "ELSE" and before.type in _STATEMENT_ENDS:
             text = "'else' without a previous 'if'"
         elif wanted == "SEMI" and before is not token:
             text = f"expected ';' after '{shown(before.value)}'"
-            place = before.location
-            place = Location(place.file, place.line, place.column + len(before.value))
+            place = _behind(before)
         report(self._diagnostics, place, text, hint)
         if may_patch and self._index != self._last_patch:
             self._last_patch = self._index
@@ -304,6 +312,47 @@ class _Parser(AttributeParser):
                 if token.type == "SEMI" or following is None or following.type != "SEMI":
                     break
         return broken
+
+    # Declarations that end without a semicolon, where C would read on into the next one
+
+    def _parse_struct_or_union_specifier(self) -> Node:
+        node = super()._parse_struct_or_union_specifier()
+        self._end_members()
+        return node
+
+    def _parse_enum_specifier(self) -> Node:
+        node = super()._parse_enum_specifier()
+        self._end_members()
+        return node
+
+    def _end_members(self) -> None:
+        """Ends a declaration after its members if another type follows on a later line."""
+        if self._buffer[self._index - 1].type != "RBRACE":
+            return
+        ahead = 1
+        while self._peek_type(ahead) in _BEFORE_TYPES:
+            ahead += 1
+        token = self._peek(ahead)
+        is_type = token is not None and self._starts_declaration(token)
+        if is_type and (token.type != "TYPEID" or self._peek_type(ahead + 1) in _NAMED):
+            self._end_declaration()
+
+    def _parse_id_declarator(self) -> Node:
+        declarator = super()._parse_id_declarator()
+        arguments = declarator.args if isinstance(declarator, c_ast.FuncDecl) else None
+        has_names = arguments is not None and isinstance(arguments.params[0], c_ast.ID)
+        if not has_names and self._starts_declaration():
+            self._end_declaration()
+        return declarator
+
+    def _end_declaration(self) -> None:
+        """Reports a missing semicolon at the end of an earlier line, and puts it in."""
+        before, token = self._buffer[self._index - 1 : self._index + 1]
+        if before.lineno == token.lineno:
+            return
+        report(self._diagnostics, _behind(before), f"expected ';' after '{shown(before.value)}'")
+        self._buffer.insert(self._index, token.copy("SEMI", ";"))
+        self._typedef_checked_token = None
 
     # The C of 1990, and names of types that nobody declared
 

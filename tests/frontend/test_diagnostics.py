@@ -32,6 +32,12 @@ ONE_ERROR = {
         "1:34 error: unknown type name 'sped_t' [did you mean 'speed_t'?]",
     "static int g(int); int f(void) { return g(1); }":
         "1:41 error: static function 'g' is used, but defined nowhere",
+    # Semicolons that are missing at the end of a line
+    "struct p { int x; }\nint f(void) { return 1; }": "1:20 error: expected ';' after '}'",
+    "struct p { int x; }\nstruct q { int y; }; struct q v;": "1:20 error: expected ';' after '}'",
+    "typedef struct { int x; } P\nstatic P a; int f(void) { return a.x; }":
+        "1:28 error: expected ';' after 'P'",
+    "void turn(int a)\nint f(void) { turn(1); return 0; }": "1:17 error: expected ';' after ')'",
     # Members
     "struct p { int x, y; } v; int f(void) { return v.z; }":
         "1:50 error: no member named 'z' in 'struct p' [its members are x, y]",
