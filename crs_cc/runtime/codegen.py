@@ -81,7 +81,7 @@ def compile_program(
     Raises:
         CompileError: the program's objects do not fit into a robot's memory.
     """
-    addresses = _place(program, checked=checked)
+    addresses = _place(program)
     pointers = pointed_functions(program)
     addresses.update((name, number) for number, name in enumerate(pointers, start=1))
     checks = [shadow.inaccessible(), shadow.callers(), product_fits()]
@@ -137,14 +137,17 @@ def compile_program(
     return Compiled(module, len(helpers), names.sites, names.call_sites, infos, addresses)
 
 
-def _place(program: Program, *, checked: bool) -> dict[str, int]:
-    """Gives every object its address, behind the stack; the heap takes the rest."""
+def _place(program: Program) -> dict[str, int]:
+    """Gives every object its address, behind the stack; the heap takes the rest.
+
+    With checks or without, they are the same: what a program does must not depend on it.
+    """
     addresses: dict[str, int] = {}
-    end = STACK_TOP + (red_zone(0) if checked else 0)
+    end = STACK_TOP + red_zone(0)
     for data in program.data.values():
         end = round_up(end, max(1, data.align))
         addresses[data.name] = end
-        end += max(1, data.size) + (red_zone(data.size) if checked else 0)
+        end += max(1, data.size) + red_zone(data.size)
         if end > MEMORY_BYTES:
             raise CompileError.at(
                 data.location,
