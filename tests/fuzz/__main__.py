@@ -21,8 +21,16 @@ from pathlib import Path
 from tests.fuzz.compare import difference, is_defined, meaning, our_results
 from tests.fuzz.generator.program import generate
 from tests.fuzz.reduce import reduced
+from tests.gcc import why_not
 
 CSMITH_HEADERS = Path(os.environ.get("CSMITH_HOME", "/usr") + "/include/csmith")
+
+MISSING = (
+    "this compares with gcc -m32, which does not work here"
+    " (on Debian and Ubuntu: apt install gcc-multilib)"
+)
+MOST_TRIES = 3
+"""Programs tried for each one to be compared; some have no meaning for gcc itself."""
 
 
 @dataclass
@@ -40,14 +48,19 @@ class Fuzzer:
     reduce: bool
     counts: Counter[str] = field(default_factory=Counter)
 
+    def tried(self) -> int:
+        """Gives how many programs there were so far."""
+        return self.counts["compared"] + self.counts["without meaning"]
+
     def own(self, seed: int) -> None:
         """Compares a program of our own generator."""
         self._compare(f"own_{seed}", generate(seed), ())
 
     def csmith(self, seed: int) -> None:
         """Compares a program of csmith."""
-        command = ["csmith", "--seed", str(seed)]
-        text = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+        command = ["csmith", "--seed", str(seed)]  # it leaves a file where it runs
+        done = subprocess.run(command, check=True, capture_output=True, text=True, cwd=self.folder)
+        text = done.stdout
         self._compare(f"csmith_{seed}", text, (CSMITH_HEADERS,))
 
     def _compare(self, name: str, text: str, headers: tuple[Path, ...]) -> None:
@@ -94,8 +107,9 @@ def main() -> int:
     parser.add_argument("--keep", type=Path, default=Path("build/fuzz"), help="folder for findings")
     parser.add_argument("--no-reduce", dest="reduce", action="store_false")
     options = parser.parse_args()
-    if shutil.which("gcc") is None:
-        parser.error("this compares with gcc -m32, which is not installed")
+    if why_not():
+        print(f"{MISSING}: {why_not()}", file=sys.stderr)
+        return 2
     kinds = ["own", "csmith"] if options.only is None else [options.only]
     if not (shutil.which("csmith") and CSMITH_HEADERS.is_dir()):
         print("csmith or its headers are not installed: our own programs only", file=sys.stderr)
@@ -103,7 +117,8 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as folder:
         fuzzer = Fuzzer(Path(folder), options.keep, options.reduce)
         seed = options.seed
-        while fuzzer.counts["compared"] < options.count:
+        tries = MOST_TRIES * options.count
+        while fuzzer.counts["compared"] < options.count and fuzzer.tried() < tries:
             for kind in kinds:
                 getattr(fuzzer, kind)(seed)
             for path in Path(folder).iterdir():
@@ -114,6 +129,9 @@ def main() -> int:
         f"seeds {options.seed} to {seed - 1}: {counts['compared']} programs compared,"
         f" {counts['different']} differ, {counts['without meaning']} have no meaning for gcc itself"
     )
+    if counts["compared"] < options.count:
+        print(f"gave up after {fuzzer.tried()} programs", file=sys.stderr)
+        return 1
     return 1 if counts["different"] else 0
 
 

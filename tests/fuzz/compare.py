@@ -8,9 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import signal
-import subprocess
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from crs_cc.errors import CrsError
@@ -22,12 +20,7 @@ from crs_cc.runtime.link import link
 from crs_cc.session.library import HEADERS, library
 from crs_cc.source import Diagnostics
 from tests.c.execution import Run, Stepping
-
-GCC = [
-    "gcc", "-std=gnu17", "-m32", "-malign-double", "-msse2", "-mfpmath=sse",
-    "-ffp-contract=off", "-fwrapv", "-fno-strict-aliasing", "-fcommon",
-]  # fmt: skip
-"""The C that we promise: i386's sizes, doubles that are doubles, signed overflow that wraps."""
+from tests.gcc import Result, complaint, run
 
 STRICT = [
     "-O1", "-Werror=uninitialized", "-Werror=return-type", "-Werror=implicit-function-declaration",
@@ -41,27 +34,12 @@ COMPILE_SECONDS = 60
 FUEL, ROUNDS = 3 * 10**9, 10**5
 
 
-@dataclass(frozen=True)
-class Result:
-    """What a program did: its output and how it ended."""
-
-    output: bytes
-    end: str
-
-
 def gcc_result(source: Path, options: Sequence[str]) -> Result | None:
     """Gives what gcc's program does; None if there is none, or it takes too long."""
     program = source.with_suffix(".exe")
-    command = [*GCC, *options, str(source), "-o", str(program), "-lm"]
-    if subprocess.run(command, check=False, capture_output=True).returncode != 0:
+    if complaint([source], program, options):
         return None
-    try:
-        done = subprocess.run(
-            [program], check=False, capture_output=True, timeout=NATIVE_SECONDS, cwd=source.parent
-        )
-    except subprocess.TimeoutExpired:
-        return None
-    return Result(done.stdout, f"exit {done.returncode}")
+    return run(program, NATIVE_SECONDS)
 
 
 def meaning(source: Path, options: Sequence[str] = ()) -> Result | None:
@@ -77,7 +55,7 @@ def is_defined(source: Path, options: Sequence[str] = ()) -> bool:
     if gcc_result(source, [*options, *STRICT]) is None:
         return False
     found = gcc_result(source, [*options, *STRICT, *SANITIZERS])
-    return found is None or not found.end.startswith(("exit -", "exit 1"))
+    return found is None or not (found.end == "exit 1" or found.end.startswith("exit -"))
 
 
 @contextlib.contextmanager
@@ -111,8 +89,8 @@ def our_results(source: Path, include_paths: Sequence[Path] = ()) -> dict[str, R
         return {"compiler": Result(b"", f"traceback: {error!r}")}
     results = {}
     for name, checked in (("checked", True), ("unchecked", False)):
-        run = Run(make_executable(program, source.name, checked=checked), Stepping(FUEL // 10))
-        outcome = run.up_to(FUEL, ROUNDS)
+        stepped = Run(make_executable(program, source.name, checked=checked), Stepping(FUEL // 10))
+        outcome = stepped.up_to(FUEL, ROUNDS)
         end = f"exit {outcome.status}"
         if outcome.failure is not None:
             end = f"{outcome.failure.kind}: {outcome.failure}"

@@ -92,3 +92,5 @@ double b;
     return a + b;
 }
 // exit: 7
+// gcc options: -fno-wrapv
+// When the first k of k - nx() * k is read is open; gcc reads it later with -fwrapv.

@@ -1,4 +1,5 @@
 /* Functions of a program whose names the library has for something else, as in old books. */
+// without gcc: its headers let no program declare getline, select and malloc otherwise
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
