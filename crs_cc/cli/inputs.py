@@ -17,6 +17,7 @@ from typing import Final
 import click
 
 from crs_cc.errors import CompileError, CrsError, WorldError
+from crs_cc.session.files import EEXIST, Disk
 from crs_cc.source import Location
 
 LARGEST_FILE: Final = 64 * 2**20  # that a program can be given to read [bytes]
@@ -79,12 +80,14 @@ def name_files(options: Sequence[str]) -> dict[str, Path]:
     """Gives the files that programs may read, by name, from `FILE` or `NAME=FILE`.
 
     Raises:
-        click.UsageError: there is no such file, or it cannot be read, or is too large.
+        click.UsageError: there is no such file, or it cannot be read, or is too large; or a
+            program's disk cannot have it by that name beside the others.
 
     >>> name_files(["pyproject.toml", "map=README.md"])
     {'pyproject.toml': PosixPath('pyproject.toml'), 'map': PosixPath('README.md')}
     """
-    named = {}
+    named: dict[str, Path] = {}
+    disk = Disk({})
     for option in options:
         name, _, file = option.rpartition("=")
         path = Path(file)
@@ -92,6 +95,10 @@ def name_files(options: Sequence[str]) -> dict[str, Path]:
             raise click.UsageError(f"--file '{file}': no such file, or it cannot be read.")
         if path.stat().st_size > LARGEST_FILE:
             raise click.UsageError(f"--file '{file}' is larger than {LARGEST_FILE >> 20} MiB.")
+        failed = disk.put(name or file, b"")
+        if failed:
+            why = "is named twice" if failed == -EEXIST else "is no name for a program's file"
+            raise click.UsageError(f"--file '{option}': '{name or file}' {why}.")
         named[name or file] = path
     return named
 

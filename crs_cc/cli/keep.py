@@ -61,3 +61,13 @@ def dropped(robot: RobotResult, files: Mapping[bytes, bytes]) -> Diagnostic:
         text += f" and {len(names) - _NAMED} more"
     place, hint = Location(robot.program), "keep what programs write with --files DIR"
     return Diagnostic("warning", place, f"'{robot.id}' wrote {text}, which is not kept", hint=hint)
+
+
+def missed(robot: RobotResult, names: Sequence[bytes]) -> Diagnostic | None:
+    """Gives the warning that a program looked for files which are here, but which it cannot see."""
+    here = [name for name in map(os.fsdecode, names) if Path(name).is_file()]
+    if not here:
+        return None
+    hint = "let it read them with " + " ".join(f"--file {name}" for name in here[:_NAMED])
+    text = f"'{robot.id}' looked for {', '.join(here[:_NAMED])}, which programs do not see"
+    return Diagnostic("warning", Location(robot.program), text, hint=hint)

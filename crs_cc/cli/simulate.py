@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final
 import click
 
 from crs_cc.cli.interrupt import Interrupt
-from crs_cc.cli.keep import dropped, keep
+from crs_cc.cli.keep import dropped, keep, missed
 from crs_cc.cli.load import Loaded, load
 from crs_cc.cli.messages import as_data, is_terminal, say, show, show_before_run
 from crs_cc.cli.output import ProgramOutput, ProgressLine, read_line
@@ -204,8 +204,14 @@ def _write(path: Path, picture: bytes) -> None:
 
 
 def _keep_files(session: Session, run: Run, options: RunOptions) -> None:
-    """Writes what the programs wrote to where the user wants it, or says that it is lost."""
+    """Writes what the programs wrote to where the user wants it, or says that it is lost.
+
+    Says too which files they did not find although they are there.
+    """
     robots = run.result.robots
+    if not options.quiet:
+        found = [missed(robot, session.missed_files(n)) for n, robot in enumerate(robots)]
+        show([each for each in found if each is not None])
     written = {number: session.files(number) for number in range(len(robots))}
     lost = [number for number, files in written.items() if files]
     if options.outputs is None:

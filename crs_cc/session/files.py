@@ -37,6 +37,7 @@ EINVAL, ENFILE, ENOSPC, ENAMETOOLONG = 22, 23, 28, 36
 """Linux's error numbers, which the C library has, whatever the host's are."""
 
 _NULL_DEVICE: Final = 0
+_MISSED: Final = 100
 
 
 @dataclass(slots=True)
@@ -65,17 +66,31 @@ class DiskSnapshot:
 
 
 class Disk:
-    """The files of one robot. What cannot be done gives a negative error number, as in Linux."""
+    """The files of one robot. What cannot be done gives a negative error number, as in Linux.
+
+    Attributes:
+        missed: names that were opened and did not exist, the first of them.
+    """
 
     def __init__(self, inputs: Mapping[str, bytes]) -> None:
         """Puts the user's files on the disk, by their names."""
+        self.missed: list[bytes] = []
         self._names: dict[bytes, int] = {}
         self._files: dict[int, File] = {_NULL_DEVICE: File(b"")}
+        self._room = DISK_FILES + 1
         for name, content in inputs.items():
-            number = len(self._files)
-            self._names[normal(name.encode("utf-8", "surrogateescape"))] = number
+            self.put(name, content)
+
+    def put(self, name: str, content: bytes) -> int:
+        """Puts a file of the user's on the disk; gives 0, or a negative error number."""
+        asked = name.encode("utf-8", "surrogateescape")
+        path, number = normal(asked), len(self._files)
+        failed = -EEXIST if path in self._names else self._refusal(asked, path)
+        if not failed:
+            self._names[path] = number
             self._files[number] = File(content)
-        self._room = DISK_FILES + len(self._files)
+            self._room += 1
+        return failed
 
     def open(self, name: bytes, flags: int) -> int:
         """Gives a file's number; makes it, or empties it, when the flags say so."""
@@ -88,6 +103,8 @@ class Disk:
         if number is None:
             failed = self._refusal(name, path)
             if failed or not flags & CREATE:
+                if not failed and len(self.missed) < _MISSED and path not in self.missed:
+                    self.missed.append(path)
                 return failed or -ENOENT
             return self._make(path)
         if flags & CREATE and flags & EXCLUSIVE:

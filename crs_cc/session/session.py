@@ -216,6 +216,10 @@ class Session:
         """Gives the files that a robot's program made or changed, by name."""
         return self._host.disks[robot].outputs()
 
+    def missed_files(self, robot: int) -> list[bytes]:
+        """Gives the names of files that a robot's program has looked for in vain."""
+        return self._host.disks[robot].missed
+
     def snapshot(self) -> SessionSnapshot:
         """Gives the whole state between two timesteps."""
         return SessionSnapshot(

@@ -71,6 +71,27 @@ def test_what_a_program_wrote_before_it_failed_is_kept() -> None:
     assert Path("out/log").read_text() == "last words"
 
 
+def test_a_file_that_is_here_but_was_not_named_is_told(capfd: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "copy.c"]) == 9
+    assert "looked for" not in capfd.readouterr().err
+    Path("map").write_text("a map\n")
+    assert main(["run", "copy.c"]) == 9
+    err = capfd.readouterr().err
+    assert "'robot0' looked for map, which programs do not see" in err
+    assert "--file map" in err
+
+
+@pytest.mark.parametrize(
+    "names", [["map=copy.c", "./map=map.txt"], ["map/a=copy.c", "map=map.txt"], ["dev/null=copy.c"]]
+)
+def test_names_that_a_disk_cannot_have_are_refused(
+    names: list[str], capfd: pytest.CaptureFixture[str]
+) -> None:
+    options = [each for name in names for each in ("--file", name)]
+    assert main(["run", "copy.c", *options]) == 2
+    assert f"--file '{names[-1]}'" in capfd.readouterr().err
+
+
 @pytest.mark.parametrize(
     "arguments", [["--file", "none"], ["--file", "."], ["--files", "copy.c/x"]]
 )

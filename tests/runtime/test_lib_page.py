@@ -29,7 +29,9 @@ where a header has macros or types only.
 it writes. What it wrote is kept below the folder of `--files DIR`, of several robots in
 `DIR/ROBOT`. `..` ends at the disk's root, `/tmp/log` and `tmp/log` are the same file, folders are
 made by putting files in them and cannot be listed. A disk takes 16 MiB
-([decision 7](adr/0007-files.md)).
+([decision 7](adr/0007-files.md)). What a program has printed into a buffer and not flushed is lost
+when it is stopped, by an error or by `--max-time`, as with a signal on Unix: a loop without end
+calls `fflush` now and then, or `setvbuf(log, NULL, _IOLBF, 0)` once.
 
 **Time** is simulated time, in UTC; a run starts on 1 January 2000 at 00:00:00. `clock` counts the
 program's processor time. `sleep`, `usleep`, `nanosleep`, `select` and `poll` let it pass.
