@@ -37,11 +37,13 @@ MEANING = {
     "pointer outside memory": "The program follows a pointer to where it has no memory at all.",
     "wild pointer": "The program follows a pointer into its memory, but to no object.",
     "out of bounds": "An access lies before, behind, or half behind an array, a variable, or a "
-    "block of the heap.",
+    "block of the heap. An index too large within one struct, which hits another of its members, "
+    "is not found, nor is writing to a string literal.",
     "use after free": "The program uses a block of the heap that it has given back.",
     "use after scope": "The program uses a variable of a block that has ended.",
     "use after return": "The program uses a variable of a function that has returned.",
-    "uninitialised read": "A value that nobody has set decides a branch, an address or an output.",
+    "uninitialised read": "A value that nobody has set decides a branch, an address or an "
+    "output, or is passed on as an argument or a result.",
     "invalid free": "`free` or `realloc` gets a pointer that no allocation gave.",
     "double free": "A block of the heap is given back a second time.",
     "missing argument": "`va_arg`, or a format, asks for an argument that was not passed.",
