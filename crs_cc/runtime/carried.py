@@ -30,6 +30,7 @@ from crs_cc.ir.program import (
 )
 from crs_cc.ir.uses import Liveness, all_instructions, reads, writes
 from crs_cc.runtime import shadow
+from crs_cc.runtime.registers import CHARGES
 
 _ARITHMETIC: Final = frozenset({"add", "sub", "mul", "and", "or", "xor", "shl", "shr_s", "shr_u"})
 _NO_INDEX: Final = -1  # the registers made here are not the IR function's
@@ -97,6 +98,7 @@ class Carried:
 
     Attributes:
         registers: what holds states and flags between load and store.
+        charge: what a frame must count for the most of them at once, see `registers` [bytes].
     """
 
     def __init__(self, function: Function, liveness: Liveness, *, keep: bool) -> None:
@@ -113,6 +115,7 @@ class Carried:
         for block in function.blocks:
             self._find(block, liveness.at_end(block))
         self._resolve(function)
+        self.charge = max(map(self._most, function.blocks), default=0)
 
     def states_of(self, load: Load) -> Register | None:
         """Gives the register that takes the states of what is loaded, if it is copied."""
@@ -192,6 +195,24 @@ class Carried:
                 if isinstance(it, Store) and it in self._computed:
                     flag = self._computed[it] = self._representative(self._computed[it])
                     self._last[flag] = it
+
+    def _most(self, block: Block) -> int:
+        """Gives the charge for the states and flags of a block that live at once [bytes]."""
+        size = most = 0
+        alive: set[Register] = set()
+        for it in block.instructions:
+            if isinstance(it, Load):
+                register = self.states_of(it) or self.flag_of(it)
+                if register is not None and register not in alive:
+                    alive.add(register)
+                    size += CHARGES[register.type]
+                    most = max(most, size)
+            elif isinstance(it, Store):
+                register = self.copied_by(it) or self.computed_for(it)
+                if register in alive and self._last[register] is it:
+                    alive.remove(register)
+                    size -= CHARGES[register.type]
+        return most
 
 
 def _is_shift(it: Binary) -> bool:

@@ -20,7 +20,12 @@ if TYPE_CHECKING:
     from crs_cc.runtime.codegen import Compiled
 
 MAX_WASM_STACK = 6 * 2**20
-"""Host stack for the deepest recursion [bytes]: our own stack check comes first, see `layout`."""
+"""Host stack for the deepest recursion [bytes], three times our own stack.
+
+Every frame of ours is charged for the locals that the host may keep in its frame, see `registers`,
+so that our own stack check comes first. With a small `ulimit -s` the host's stack is smaller still
+and can run out before, see `fleet`.
+"""
 
 
 def _host_stack() -> int:

@@ -285,7 +285,8 @@ def _bad_function(case: Case) -> Explanation:
 def _stack(case: Case) -> Explanation:
     stopped = case.failure.stopped
     if stopped is None or not stopped.stack:
-        return Explanation("the functions called need too much memory")
+        # Our own check comes before the end of the host's stack, unless that is a small one.
+        return Explanation("the system's limit for the stack was reached (see 'ulimit -s')")
     innermost = stopped.stack[0].function
     size = stopped.compiled.info(innermost).frame.size
     if size * 4 > STACK_SIZE:

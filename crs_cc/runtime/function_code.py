@@ -130,13 +130,17 @@ class _FunctionCode:
         self.shadowed = checked and not function.trusted
         liveness = Liveness(function)
         more: list[Register] = []
+        charge = 0
         if self.shadowed:
             self.assignments = Assignments(function)
             carried = Carried(function, liveness, keep=debug)
             more = [*self.assignments.flags.values(), *(carried.registers if debug else [])]
+            charge = 0 if debug else carried.charge
         self.registers = Registers(function, liveness, more, debug=debug)
         self.saved = self.registers.saved
-        self.frame = lay_out(function, self.saved, self._arguments_size(), checked=checked)
+        charge += self.registers.charge
+        sizes = self._arguments_size(), charge
+        self.frame = lay_out(function, self.saved, *sizes, checked=checked)
         self.selector = selector = Selector(names, self.frame)
         if checked:
             selector.memory = PlainMemory(selector, shadowed=True)

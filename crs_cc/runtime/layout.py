@@ -36,7 +36,8 @@ RESULT, FUNCTION, RESUME = 0, 8, 12  # offsets from fp
 
 ALIGN: Final = 16  # of every frame [bytes]
 MINIMUM_FRAME: Final = 96
-"""Keeps the host's stack, which grows with ours, within a few times of ours."""
+"""With the charge for each local, see `registers`, this keeps the host's stack, which grows with
+ours, within three times of ours."""
 
 
 def round_up(value: int, align: int) -> int:
@@ -77,7 +78,12 @@ def argument_offsets(sizes: list[int]) -> list[int]:
 
 
 def lay_out(
-    function: Function, saved: list[Register], arguments_size: int, *, checked: bool
+    function: Function,
+    saved: list[Register],
+    arguments_size: int,
+    charge: int,
+    *,
+    checked: bool,
 ) -> Frame:
     """Lays out a frame.
 
@@ -85,6 +91,7 @@ def lay_out(
         function: the function.
         saved: its registers that need a home.
         arguments_size: of the functions that it calls, the most [bytes].
+        charge: what to count for the locals, which the host may keep on its stack [bytes].
         checked: leave red zones.
 
     Raises:
@@ -108,7 +115,7 @@ def lay_out(
         frame.offsets[slot] = offset
         offset += slot.size
         offset += red_zone(slot.size) if checked else 0
-    frame.size = max(MINIMUM_FRAME, round_up(offset, ALIGN))
+    frame.size = max(MINIMUM_FRAME, round_up(max(offset, HEADER_SIZE + charge), ALIGN))
     _place_parameters(frame, function.parameters)
     return frame
 

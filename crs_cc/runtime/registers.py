@@ -1,12 +1,21 @@
-"""Which registers of a function need a home in its frame, and which a local of their own."""
+"""Which registers of a function need a home in its frame, and which a local of their own.
+
+The host keeps locals that it has no processor register for in its own frames, in debug builds each
+up to three times over. Its stack is three times ours, see `executable`; a frame of ours that counts
+8 bytes for an integer and 16 for a floating-point number fills ours first.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Final
 
 from crs_cc.ir.loops import loop_headers
 from crs_cc.ir.program import Block, Call, Function, Register, Request, SetJump, Statement
 from crs_cc.ir.uses import Liveness, alive_before, all_instructions, reads, writes
+
+CHARGES: Final = {"i32": 8, "i64": 8, "f32": 16, "f64": 16}
+"""What a frame must count for a local [bytes], by its type."""
 
 
 class Registers:
@@ -16,6 +25,7 @@ class Registers:
         headers: the blocks where the function may be suspended for lack of fuel.
         saved: the registers that must survive a suspension, and all that hold variables.
         lasting: the registers that keep their local through the whole function.
+        charge: what a frame must count for these and for the most others at once [bytes].
     """
 
     def __init__(
@@ -42,6 +52,23 @@ class Registers:
         self.saved = [*saved, *more]
         shared = [each for each in function.registers if liveness.shared >> each.index & 1]
         self.lasting = dict.fromkeys([*self.saved, *shared])
+        self.charge = sum(CHARGES[register.type] for register in self.lasting)
+        self.charge += max(map(self._most, function.blocks), default=0)
+
+    def _most(self, block: Block) -> int:
+        """Gives the charge for the registers of a block that live at once, the most [bytes]."""
+        size = most = 0
+        alive: set[Register] = set()
+        for instruction, last in zip(all_instructions(block), self.last_uses(block), strict=True):
+            target = writes(instruction)
+            if target is not None and target not in alive and target not in self.lasting:
+                alive.add(target)
+                size += CHARGES[target.type]
+            most = max(most, size)
+            for register in last:
+                alive.discard(register)
+                size -= CHARGES[register.type]
+        return most
 
     def last_uses(self, block: Block) -> list[list[Register]]:
         """Gives for each instruction the short-lived registers that are not needed behind it."""
