@@ -17,8 +17,9 @@ from pycparser import c_ast
 
 from crs_cc.frontend import tree
 from crs_cc.frontend.declared_in import header_hint
+from crs_cc.frontend.hopeless import report
 from crs_cc.frontend.lex import Span
-from crs_cc.frontend.parse import Node, report
+from crs_cc.frontend.parse import Node
 from crs_cc.frontend.parse_gnu import GnuNode
 from crs_cc.frontend.scope import FunctionSymbol, ObjectSymbol, Scope, Symbol
 from crs_cc.ir.types import CType
@@ -135,6 +136,7 @@ class Unit:
         suggestions: how many more unknown names get a hint.
         trusted: whether its functions may tell the shadow memory what C may do.
         headers: the folders of the headers that come with crs.
+        macros: the names of the macros, which may be misspelt, too.
     """
 
     name: str
@@ -152,6 +154,7 @@ class Unit:
     suggestions: int = 20
     trusted: bool = False
     headers: tuple[Path, ...] = ()
+    macros: tuple[str, ...] = ()
 
     def at(self, node: Node) -> Location:
         """Gives a node's place, the last known one if it has none."""
@@ -199,7 +202,8 @@ class Unit:
         hint = header_hint(name, self.headers)
         if hint:
             return hint
-        similar = self.scope.closest(name, kind)
+        macros = [] if kind else [each for each in self.macros if not each.startswith("_")]
+        similar = self.scope.closest(name, kind, macros)
         return f"did you mean '{similar}'?" if similar is not None else ""
 
     @contextmanager

@@ -25,10 +25,11 @@ from pycparser.c_parser import ParseError
 
 from crs_cc.frontend.attributes import take_attributes
 from crs_cc.frontend.cpp.tokens import shown
+from crs_cc.frontend.hopeless import GiveUp, report
 from crs_cc.frontend.lex import Locate, Token, lex
-from crs_cc.frontend.parse_attributes import AttributeParser
 from crs_cc.frontend.parse_expression import NAMES
 from crs_cc.frontend.parse_gnu import AUTO_TYPE
+from crs_cc.frontend.parse_misspelt import MisspeltParser, closest_keyword
 from crs_cc.source import Diagnostics, Location
 
 Node: TypeAlias = Any
@@ -48,9 +49,6 @@ _MOST_DERIVATIONS: Final = 200
 """How many pointers, arrays and functions one declarator may stack up."""
 
 _IMPLICIT_INT: Final = "type specifier missing, defaults to 'int'"
-
-MOST_ERRORS: Final = 500
-"""After so many errors in one file nothing more is looked for."""
 
 PREDECLARED_TYPES: Final = ("__builtin_va_list", AUTO_TYPE)
 """Type names that every file knows."""
@@ -94,21 +92,6 @@ class Broken(c_ast.Node):  # type: ignore[misc]
         return ()
 
 
-class GiveUp(Exception):  # noqa: N818 - it stops the work, the errors are recorded
-    """Going on makes no sense: there are too many errors, or too deep a nesting."""
-
-
-def report(diagnostics: Diagnostics, place: Location, text: str, hint: str = "") -> None:
-    """Records an error; after too many of them gives up.
-
-    Raises:
-        GiveUp: when the file is hopeless.
-    """
-    diagnostics.error(place, text, hint)
-    if len(diagnostics.errors) >= MOST_ERRORS:
-        raise GiveUp
-
-
 def parse(text: str, locate: Locate, diagnostics: Diagnostics) -> list[Node]:
     """Parses a preprocessed file.
 
@@ -137,7 +120,7 @@ def _behind(token: Token) -> Location:
     return Location(place.file, place.line, place.column + len(token.value))
 
 
-class _Parser(AttributeParser):
+class _Parser(MisspeltParser):
     """pycparser's parser, with recovery, and with faster access to the tokens.
 
     It overrides these of pycparser 3.12's methods: access to tokens, how errors are raised, how
@@ -263,7 +246,11 @@ class _Parser(AttributeParser):
         elif wanted == "SEMI" and before is not token:
             text = f"expected ';' after '{shown(before.value)}'"
             place = _behind(before)
-        report(self._diagnostics, place, text, hint)
+        is_misspelt = wanted == "WHILE" and closest_keyword(token.value, ["while"])
+        report(self._diagnostics, place, text, "did you mean 'while'?" if is_misspelt else hint)
+        if is_misspelt:
+            self._index += 1
+            return token
         if may_patch and self._index != self._last_patch:
             self._last_patch = self._index
             return token.copy("SEMI", ";")
@@ -283,6 +270,7 @@ class _Parser(AttributeParser):
     def _parse_block_item(self) -> Node:
         start, depth = self._index, len(self._scope_stack)
         try:
+            self._mend_statement()
             self._declare_unknown_type()
             return super()._parse_block_item()
         except ParseError:
@@ -360,7 +348,7 @@ class _Parser(AttributeParser):
         token = self._peek()
         if token is not None and token.type in {"ID", "TIMES", "LPAREN"}:
             self._declare_unknown_type()
-            if self._peek_type() != "TYPEID":
+            if self._peek_type() in {"ID", "TIMES", "LPAREN"}:
                 self._put_in_int(token)
         elif token is not None and not self._starts_external(token):
             self._index += 1
@@ -402,7 +390,7 @@ class _Parser(AttributeParser):
         return found
 
     def _parse_identifier_list_opt(self) -> Node:
-        if self._declare_unknown_type():
+        if self._declare_unknown_type() or self._starts_declaration():
             return self._parse_parameter_type_list()
         return super()._parse_identifier_list_opt()
 
@@ -411,6 +399,7 @@ class _Parser(AttributeParser):
         ahead = 1
         while self._peek_type(ahead) in _BEFORE_TYPES:
             ahead += 1
+        self._mend_specifier(ahead - 1)
         token = self._peek(ahead)
         if token is None or token.type != "ID":
             return False

@@ -15,6 +15,7 @@ any place of the result back to the user's file, line and column.
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
@@ -89,7 +90,7 @@ def _preprocess(
         diagnostics.error(place, "macros expand to far more than was written", hint)
     except StopError:
         pass  # the reason is among the diagnostics
-    return run.writer.finish(run.state.report.places)
+    return replace(run.writer.finish(run.state.report.places), macros=tuple(run.state.macros))
 
 
 class _Run:

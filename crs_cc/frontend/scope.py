@@ -12,6 +12,7 @@
 from __future__ import annotations
 
 import difflib
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
@@ -157,8 +158,16 @@ class Scope:
             scope = scope.outer
         return None
 
-    def closest(self, name: str, kind: type[Symbol] | None = None) -> str | None:
-        """Gives the known name most like an unknown one, None when none is like it."""
+    def closest(
+        self, name: str, kind: type[Symbol] | None = None, others: Iterable[str] = ()
+    ) -> str | None:
+        """Gives the known name most like an unknown one, None when none is like it.
+
+        Args:
+            name: the unknown name.
+            kind: what it must be, if that is known.
+            others: names to consider beside those in scope.
+        """
         scope: Scope | None = self
         known: dict[str, None] = {}
         while scope is not None:
@@ -168,6 +177,7 @@ class Scope:
                 if kind is None or isinstance(symbol, kind)
             }
             scope = scope.outer
+        known |= dict.fromkeys(others)
         found = difflib.get_close_matches(name, list(known)[:_MOST_COMPARED], n=1, cutoff=0.7)
         return found[0] if found else None
 

@@ -38,6 +38,14 @@ ONE_ERROR = {
     "typedef struct { int x; } P\nstatic P a; int f(void) { return a.x; }":
         "1:28 error: expected ';' after 'P'",
     "void turn(int a)\nint f(void) { turn(1); return 0; }": "1:17 error: expected ';' after ')'",
+    # Misspelt keywords
+    "viod f(unsigned n) { }": "1:1 error: unknown type name 'viod' [did you mean 'void'?]",
+    "int f(unsinged n) { return n; }":
+        "1:7 error: unknown type name 'unsinged' [did you mean 'unsigned'?]",
+    "int f(int n) { whlie (n) { n--; } return n; }":
+        "1:16 error: use of undeclared identifier 'whlie' [did you mean 'while'?]",
+    "int f(int n) { if (n) n--; esle n++; return n; }":
+        "1:28 error: use of undeclared identifier 'esle' [did you mean 'else'?]",
     # Members
     "struct p { int x, y; } v; int f(void) { return v.z; }":
         "1:50 error: no member named 'z' in 'struct p' [its members are x, y]",

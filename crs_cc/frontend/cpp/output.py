@@ -36,12 +36,14 @@ class Preprocessed:
 
     Attributes:
         text: the program, for the parser.
+        macros: the names of the macros at its end.
     """
 
     text: str
     _rows: list[str]
     _lines: list[Place | _TokenLine]
     _places: Places
+    macros: tuple[str, ...] = ()
 
     def location(self, line: int, column: int) -> Location:
         """Gives the place in the user's files of a place in `text`.
