@@ -201,11 +201,24 @@ class _Parser(MisspeltParser):
         elif following is not None and text.startswith("expected"):
             token = following
             text = f"{text} before '{token.value}'"
-        hint = "" if following is not None else self._opened("LBRACE", "to close the")
-        if not hint or hint.partition("'{'")[2] != self._blamed.partition("'{'")[2]:
+        hint = (
+            self._turned_operator()
+            if following is not None
+            else self._opened("LBRACE", "to close the")
+        )
+        brace = hint.partition("'{'")[2]
+        if not brace or brace != self._blamed.partition("'{'")[2]:
             place = self.place() if token is None else token.location
             report(self._diagnostics, place, text, hint)
         raise ParseError(text)
+
+    def _turned_operator(self) -> str:
+        """Gives a hint to an operator whose signs are in the wrong order or apart: `=>`, `= =`."""
+        pair = {each.value for each in self._buffer[max(self._index - 1, 0) : self._index + 1]}
+        if "=" not in pair or not pair <= {"=", "<", ">"}:
+            return ""
+        other = max(pair - {"="}, default="=")
+        return f"did you mean '{other}='?"
 
     def place(self) -> Location:
         """Gives the place of the next token, at the end of the file that of the last one."""

@@ -33,7 +33,16 @@ _BEFORE_STATEMENT: Final = frozenset({"else", "do"})
 _NO_OPERATORS: Final = frozenset(
     {"ID", "TYPEID", "INT_CONST_DEC", "FLOAT_CONST", "CHAR_CONST", "STRING_LITERAL"}
 )
-_SIGNS: Final = frozenset({"MINUS", "NOT", "LNOT", "PLUSPLUS", "MINUSMINUS"})
+_MEANT: Final[dict[str, frozenset[str]]] = (
+    dict.fromkeys(_NO_OPERATORS, _BEFORE_OPERAND | SPECIFIERS.keys())
+    | dict.fromkeys(("MINUS", "NOT", "LNOT", "PLUSPLUS", "MINUSMINUS"), frozenset({"return"}))
+    | {
+        "SEMI": _ALONE,
+        "LBRACE": _BEFORE_STATEMENT,
+        "keyword": _BEFORE_STATEMENT | SPECIFIERS.keys() | {"return"},
+    }
+)
+"""What an unknown name at the beginning of a statement may have been, by what follows it."""
 
 
 class MisspeltParser(AttributeParser):
@@ -58,22 +67,14 @@ class MisspeltParser(AttributeParser):
             return
         if any(token.value in scope for scope in self._scope_stack):
             return
-        kind = following.type
-        if kind == "SEMI":
-            self._mend(0, _ALONE)
-        elif kind == "LPAREN":
+        if following.type == "LPAREN":
             if self._has_body():
                 self._mend(0, _WITH_CONDITION)
-        elif kind == "LBRACE":
-            self._mend(0, _BEFORE_STATEMENT)
-        elif kind in _NO_OPERATORS:
-            self._mend(0, {*_BEFORE_OPERAND, *SPECIFIERS})
-        elif kind in _SIGNS:
-            self._mend(0, ("return",))
-        elif _is_keyword(following):
-            self._mend(0, {*_BEFORE_STATEMENT, "return", *SPECIFIERS})
-        elif kind == "TIMES":
+        elif following.type == "TIMES":
             self._mend_specifier(0)
+        else:
+            kind = "keyword" if _is_keyword(following) else following.type
+            self._mend(0, _MEANT.get(kind, ()))
 
     def _mend_specifier(self, ahead: int) -> None:
         """Mends a keyword in a declaration, some tokens ahead."""

@@ -38,6 +38,9 @@ ONE_ERROR = {
     "typedef struct { int x; } P\nstatic P a; int f(void) { return a.x; }":
         "1:28 error: expected ';' after 'P'",
     "void turn(int a)\nint f(void) { turn(1); return 0; }": "1:17 error: expected ';' after ')'",
+    # What a word processor makes of a string
+    "int puts(char *); int f(void) { return puts(\u201chello, %d\u201d); }":
+        "1:45 error: '\u201c' is no part of C [write \"]",
     # Misspelt keywords
     "viod f(unsigned n) { }": "1:1 error: unknown type name 'viod' [did you mean 'void'?]",
     "int f(unsinged n) { return n; }":

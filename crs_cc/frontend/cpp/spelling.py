@@ -53,6 +53,15 @@ _PLAIN: Final = re.compile(
     re.ASCII,
 )
 _DIGRAPHS: Final = {"<:": "[", ":>": "]", "<%": "{", "%>": "}"}
+_TYPOGRAPHY: Final = (
+    dict.fromkeys("\u201c\u201d\u201e\u201f\xab\xbb", '"')
+    | dict.fromkeys("\u2018\u2019\u201a\u201b", "'")
+    | dict.fromkeys("\u2010\u2011\u2012\u2013\u2014\u2212", "-")
+    | {"\u2026": "...", "\u2264": "<=", "\u2265": ">=", "\u2260": "!=", "\xd7": "*"}
+    | {"\xa0": "a space"}
+)
+"""What word processors write for the signs of C."""
+
 _ODD_PUNCTUATORS: Final = frozenset(_DIGRAPHS) | HASH | PASTE
 _UNKNOWN_ESCAPE: Final = re.compile(rf"\\(?:({_ESCAPED})|(.))|([\udc80-\udcff])")
 _ONE_CHARACTER: Final = re.compile(_IN_CHARACTER)
@@ -94,13 +103,19 @@ def _odd(token: Token, report: Report) -> str | None:
     elif token.kind == UNCLOSED:
         quote = token.text[0]
         hint = "a string that goes on in the next line is closed and opened again"
+        wrong = next((each for each in token.text if _TYPOGRAPHY.get(each) == quote), "")
+        if wrong:
+            hint = f"write {quote} instead of {wrong}"
         report.error(
             token.place,
             f"the closing {quote} is missing on this line",
-            hint if quote == '"' else "",
+            hint if quote == '"' or wrong else "",
         )
     else:
-        report.error(token.place, f"'{shown(token.text)}' is no part of C")
+        character = token.text[0]
+        wanted = _TYPOGRAPHY.get(character)
+        hint = f"write {wanted}" if wanted is not None else ""
+        report.error(token.place, f"'{shown(character)}' is no part of C", hint)
     return None
 
 

@@ -23,7 +23,7 @@ PUNCTUATOR: Final = "punctuator"
 UNCLOSED: Final = "unclosed"
 """A quote without its partner, and the rest of the line."""
 OTHER: Final = "other"
-"""A character that is no part of C."""
+"""A character that is no part of C; or a string between the quotes of a word processor."""
 PLACEMARKER: Final = "placemarker"
 """What `##` makes of an empty argument (C17 6.10.3.3); never leaves an expansion."""
 
@@ -39,6 +39,8 @@ _PUNCTUATORS: Final = (
     r"\.\.\.|<<=|>>=|%:%:|->|\+\+|--|<<|>>|<=|>=|==|!=|&&|\|\||[-+*/%&|^]=|\#\#"
     r"|<:|:>|<%|%>|%:|[-+*/%&|^~!<>=?:;,.(){}\[\]\#]"
 )
+_TYPESET_STRING: Final = r'[\u201c-\u201f][^\u201c-\u201f"]*+[\u201c-\u201f"]'
+_TYPESET_CHARACTER: Final = r"[\u2018-\u201b](?:\\.|.)[\u2018-\u201b']"
 _TOKEN: Final = re.compile(
     f"(?P<{STRING}>{STRING_LITERAL})"
     f"|(?P<{CHARACTER}>{CHARACTER_CONSTANT})"
@@ -46,7 +48,7 @@ _TOKEN: Final = re.compile(
     f"|(?P<{NUMBER}>{PP_NUMBER})"
     f"|(?P<{PUNCTUATOR}>{_PUNCTUATORS})"
     f"|(?P<{UNCLOSED}>[\"'].*)"
-    rf"|(?P<{OTHER}>[^ \t\v\f])"
+    rf"|(?P<{OTHER}>{_TYPESET_STRING}|{_TYPESET_CHARACTER}|[^ \t\v\f])"
 )
 
 
