@@ -4,7 +4,7 @@
 int main(void)
 {
     printf(“hello, %d\n”, 3); // error: write "
-    printf("hello”); // error: write " instead of ”
+    printf("hello”); // error: instead of
     char c = ‘a’; // error: write '
     c = ‘\n’; // error: write '
     c = 3 – 2; // error: write -
