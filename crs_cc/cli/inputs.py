@@ -40,12 +40,18 @@ def sort_files(names: Sequence[str]) -> Inputs:
     """Tells C files and the world file apart, by the ending `.xml`.
 
     Raises:
-        click.UsageError: more than one world is named.
+        click.UsageError: more than one world is named, or a C file twice.
     """
     worlds = [name for name in names if is_world(name)]
     if len(worlds) > 1:
         raise click.UsageError(f"more than one world file: {' '.join(worlds)}")
     sources = tuple(Path(name) for name in names if not is_world(name))
+    seen: set[str] = set()
+    for source in sources:
+        real = os.path.realpath(source)
+        if real in seen:
+            raise click.UsageError(f"{source} is named twice")
+        seen.add(real)
     return Inputs(sources, Path(worlds[0]) if worlds else None)
 
 

@@ -128,6 +128,7 @@ def join(units: Sequence[Program], diagnostics: Diagnostics) -> Program:
         whole.ends += unit.ends
     for unit in units:
         for name, (ctype, location) in unit.declared.items():
+            whole.declared.setdefault(name, (ctype, location))
             _compare(name, ctype, location, whole, diagnostics)
     return whole
 
@@ -276,14 +277,25 @@ def _undefined(name: str, user: Program, library: Library, diagnostics: Diagnost
     if name == "main":
         diagnostics.error(_first_place(user), "the program has no function 'main'")
         return
-    known = [each for each in user.functions if ":" not in each] + list(library.names())
-    close = difflib.get_close_matches(name, known, 1)
-    hint = f"did you mean '{close[0]}'?" if close else ""
+    hint = _where_declared(name, location, user)
+    if not hint:
+        known = [each for each in user.functions if ":" not in each] + list(library.names())
+        close = difflib.get_close_matches(name, known, 1)
+        hint = f"did you mean '{close[0]}'?" if close else ""
     told = [each for each in diagnostics.messages if each.location == location]
     for each in told:
         if each.severity == "warning" and f"'{name}'" in each.text:
             diagnostics.messages.remove(each)  # that it is not declared: this says more
     diagnostics.error(location, f"'{name}' is used, but defined nowhere", hint)
+
+
+def _where_declared(name: str, used: Location, user: Program) -> str:
+    """Gives a hint to the header that promises a name, none when there is none."""
+    declared = user.declared.get(name)
+    if declared is None or declared[1].file == used.file:
+        return ""
+    place = declared[1]
+    return f"it is declared at {place.file}:{place.line}; is its C file missing from the command?"
 
 
 def _first_place(user: Program) -> Location:

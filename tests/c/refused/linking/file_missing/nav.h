@@ -1,0 +1,4 @@
+/* What nav.c defines, which nobody names. */
+extern int heading;
+
+int prints(int angle);
