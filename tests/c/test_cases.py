@@ -60,6 +60,17 @@ def valid_cases() -> list[object]:
     return rows
 
 
+def error_cases() -> list[object]:
+    """Gives each wrong case once; all but the first of a kind of error are left out as well."""
+    rows, seen = [], set()
+    for path in cases("errors"):
+        kinds = {each.text for each in expected_errors(path)}
+        marks = [pytest.mark.slow] if kinds <= seen else []
+        seen |= kinds
+        rows.append(pytest.param(path, id=name(path), marks=marks))
+    return rows
+
+
 @pytest.fixture(params=valid_cases(), scope="module")
 def case(request: pytest.FixtureRequest) -> Path:
     path: Path = request.param
@@ -124,7 +135,7 @@ def shown(failure: Failure, folder: Path) -> bytes:
     return re.sub(r"0x[0-9a-f]{5,}", "0x...", text).encode() + b"\n"
 
 
-@pytest.mark.parametrize("path", cases("errors"), ids=name)
+@pytest.mark.parametrize("path", error_cases())
 def test_a_run_time_error_is_named_at_its_line(
     path: Path, check_golden: Callable[[Path, bytes], None]
 ) -> None:

@@ -37,6 +37,7 @@ def ending(outcome: Outcome) -> str:
     return "running" if outcome.status is None else f"exit {outcome.status}"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", cases("hostile"), ids=name)
 def test_a_hostile_program_ends_as_it_must(path: Path) -> None:
     match = re.search(r"// ends: (.*)", path.read_text())

@@ -190,6 +190,7 @@ def test_a_long_function_needs_no_recursion() -> None:
     assert walk(program, 10**6, debug=False)[0] == expected(program)
 
 
+@pytest.mark.slow
 def test_a_tangle_of_jumps_back_compiles_in_proportion_to_its_size() -> None:
     size = 1000
     program = walker(5, size, tangled=True)

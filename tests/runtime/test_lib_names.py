@@ -59,6 +59,7 @@ def test_all_headers_compile_together() -> None:
     assert not diagnostics.messages
 
 
+@pytest.mark.slow
 def test_everything_declared_is_defined() -> None:
     for name in PUBLIC:
         text = re.sub(r"/\*.*?\*/", "", (HEADERS / name).read_text(), flags=re.DOTALL)
