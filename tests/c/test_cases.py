@@ -106,6 +106,7 @@ def test_running_out_of_fuel_everywhere_changes_nothing(case: Path) -> None:
     assert same(outcome, plain(case))
 
 
+@pytest.mark.slow
 def test_moving_to_a_fresh_instance_changes_nothing(case: Path) -> None:
     fuel = plain(case).fuel // 20 + 1
     outcome = Run(build(case), Stepping(fuel=fuel, restore_every=3)).to_end()

@@ -21,6 +21,7 @@ def test_a_very_deep_nesting_is_compiled_or_refused(name: str) -> None:
     assert survive(nested(name, 3000)) == ""
 
 
+@pytest.mark.slow
 def test_a_damaged_source_is_compiled_or_refused() -> None:
     for source in islice(sources(seed=7), 60):
         assert survive(source) == "", source

@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from crs_cc.sim.world_xml import empty_world
 from tests.runtime.library_runner import run
 from tests.session.programs import Recorded, build
+
+pytestmark = pytest.mark.slow
 
 HEADERS = """
 #include <errno.h>
