@@ -61,18 +61,22 @@ int mbsinit(const mbstate_t *state)
     return state == NULL || state->length == 0;
 }
 
-size_t mbrtowc(wchar_t *wide, const char *text, size_t size, mbstate_t *state)
+/* Reads one character as `mbrtowc` does. Without a text the state begins anew. */
+static size_t read_character(unsigned int *wide, const char *text, size_t size, mbstate_t *state)
 {
-    static mbstate_t own;
     unsigned int c = 0;
-    size_t result;
+    size_t result = decode(&c, text == NULL ? "" : text, text == NULL ? 1 : size, state);
 
-    if (state == NULL)
-        state = &own;
-    result = decode(&c, text == NULL ? "" : text, text == NULL ? 1 : size, state);
     if (wide != NULL && text != NULL && result < (size_t)-2)
         *wide = c;
     return result;
+}
+
+size_t mbrtowc(wchar_t *wide, const char *text, size_t size, mbstate_t *state)
+{
+    static mbstate_t own;
+
+    return read_character((unsigned int *)wide, text, size, state == NULL ? &own : state);
 }
 
 size_t mbrlen(const char *text, size_t size, mbstate_t *state)
@@ -152,15 +156,8 @@ size_t wcsrtombs(char *text, const wchar_t **wide, size_t size, mbstate_t *state
 size_t mbrtoc32(char32_t *c, const char *text, size_t size, mbstate_t *state)
 {
     static mbstate_t own;
-    unsigned int found = 0;
-    size_t result;
 
-    if (state == NULL)
-        state = &own;
-    result = decode(&found, text == NULL ? "" : text, text == NULL ? 1 : size, state);
-    if (c != NULL && text != NULL && result < (size_t)-2)
-        *c = found;
-    return result;
+    return read_character(c, text, size, state == NULL ? &own : state);
 }
 
 size_t c32rtomb(char *text, char32_t c, mbstate_t *state)
