@@ -104,21 +104,35 @@ def test_third_party_packages_stay_where_they_belong(path: Path) -> None:
         )
 
 
-def test_no_modules_import_each_other_in_a_circle() -> None:
-    names = {name_of(path) for path in modules()}
-    graph = {
+def import_graph(paths: list[Path], *, only_at_import: bool) -> dict[str, set[str]]:
+    """Gives for each of these modules those of them that it imports."""
+    names = {name_of(path) for path in paths if path.name != "__init__.py"}
+    return {
         name_of(path): {
             imported
-            for _, imported in imports(ast.parse(path.read_text()), only_at_import=True)
+            for _, imported in imports(ast.parse(path.read_text()), only_at_import=only_at_import)
             if imported in names and imported != name_of(path)
         }
-        for path in modules()
-        if path.name != "__init__.py"
+        for path in paths
+        if name_of(path) in names
     }
+
+
+def hold_no_circle(graph: dict[str, set[str]]) -> None:
     try:
         TopologicalSorter(graph).prepare()
     except CycleError as error:
         pytest.fail(f"import cycle: {' -> '.join(error.args[1])}")
+
+
+def test_no_modules_import_each_other_in_a_circle() -> None:
+    hold_no_circle(import_graph(modules(), only_at_import=True))
+
+
+@pytest.mark.parametrize("package", ["runtime", "sim", "session"])
+def test_nothing_in_a_package_needs_itself_by_a_late_import_or_for_its_types(package: str) -> None:
+    paths = sorted((PACKAGE / package).rglob("*.py"))
+    hold_no_circle(import_graph(paths, only_at_import=False))
 
 
 @pytest.mark.parametrize("path", modules(), ids=name_of)

@@ -14,12 +14,13 @@ from typing import TYPE_CHECKING, Any, Final
 import click
 
 from crs_cc.cli.messages import is_coloured, printable, render, say
-from crs_cc.runtime.variables import plain_name
+from crs_cc.ir.names import plain_name
 from crs_cc.source import Diagnostic
 
 if TYPE_CHECKING:
-    from crs_cc.runtime.objects import Object
-    from crs_cc.runtime.report import ActiveCall, ErrorReport
+    from crs_cc.runtime.diagnosis.active_call import ActiveCall
+    from crs_cc.runtime.diagnosis.objects import Object
+    from crs_cc.runtime.diagnosis.report import ErrorReport
     from crs_cc.runtime.sites import CallSite
     from crs_cc.session.result import RobotResult
     from crs_cc.source import Location

@@ -17,7 +17,7 @@ from wasmtime import _bindings
 
 if TYPE_CHECKING:
     from crs_cc.ir.program import Program
-    from crs_cc.runtime.codegen import Compiled
+    from crs_cc.runtime.compiled import Compiled
 
 MAX_WASM_STACK = 6 * 2**20
 """Host stack for the deepest recursion [bytes], three times our own stack.
@@ -127,7 +127,7 @@ def make_executable(
         debug: make every statement a place to stop at.
         trap_overflow: stop at signed overflow, where accesses are tested.
     """
-    from crs_cc.runtime.codegen import compile_program
+    from crs_cc.runtime.codegen.module import compile_program
 
     flags = {"checked": checked, "debug": debug, "trap_overflow": trap_overflow}
     compiled = compile_program(program, **flags)

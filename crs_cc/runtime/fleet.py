@@ -30,14 +30,12 @@ from crs_cc.requests import ERROR_KINDS, FAILED, SLOT
 from crs_cc.runtime.driver import HEADER, SLOTS, driver
 from crs_cc.runtime.executable import Executable, engine
 from crs_cc.runtime.layout import MEMORY_BYTES
-from crs_cc.runtime.sites import Access
 from crs_cc.runtime.wasm import PAGE
 from crs_cc.source import Location
 
 if TYPE_CHECKING:
-    from crs_cc.runtime.inspect import StackFrame, Stopped
-    from crs_cc.runtime.objects import Object
-    from crs_cc.runtime.report import ErrorReport
+    from crs_cc.runtime.diagnosis.failure import Failure
+    from crs_cc.runtime.diagnosis.report import ErrorReport
 
 MEMORY_END: Final = 0xFFFFFFFF  # the last address there could be
 CHUNK: Final = 4096  # a snapshot keeps the chunks of memory that are not all zero [bytes]
@@ -60,32 +58,6 @@ class Snapshot:
     content: npt.NDArray[np.uint8]
     shadow_chunks: npt.NDArray[np.intp]
     shadow_content: npt.NDArray[np.uint8]
-
-
-@dataclass(frozen=True, slots=True)
-class Failure:
-    """Why a program was stopped.
-
-    Attributes:
-        kind: one of `crs_cc.requests.ERROR_KINDS`.
-        location: the place in the C source.
-        value: the address or function pointer that was refused; 0 when there is none.
-        stack: the active functions, the innermost, which failed at `location`, first; empty when
-            it is not known.
-        access: "read" or "write" when a bad access of memory failed.
-        size: how many bytes were accessed.
-        object: what lies at `value`, or near it; the variable that has no value yet.
-        stopped: the program, to be read; None when its stack cannot be trusted.
-    """
-
-    kind: str
-    location: Location
-    value: int
-    stack: tuple[StackFrame, ...] = ()
-    access: Access = ""
-    size: int = 0
-    object: Object | None = None
-    stopped: Stopped | None = None
 
 
 class Fleet:
@@ -177,7 +149,7 @@ class Fleet:
                 # Nothing but this stops a program without checks, so that no place is noted.
                 slot["error_kind"] = ERROR_KINDS.index("pointer outside memory")
                 return
-            from crs_cc.runtime.trapped import blamed_site  # needs the code generator
+            from crs_cc.runtime.diagnosis.trapped import blamed_site  # few runs need it
 
             compiled = self._executables[robot].detail().compiled
             site = blamed_site(trap, self._memories[robot], compiled)
@@ -190,9 +162,11 @@ class Fleet:
     def failure(self, robot: int) -> Failure:
         """Gives why a robot with status FAILED was stopped."""
         slot = self.slots[robot]
-        from crs_cc.runtime.diagnosis import diagnose  # these need the code generator
-        from crs_cc.runtime.inspect import Stopped, call_stack
-        from crs_cc.runtime.objects import find_object, of_variable
+        # Few runs need these.
+        from crs_cc.runtime.diagnosis.diagnose import diagnose
+        from crs_cc.runtime.diagnosis.failure import Failure
+        from crs_cc.runtime.diagnosis.inspect import Stopped, call_stack
+        from crs_cc.runtime.diagnosis.objects import find_object, of_variable
 
         detail = self._executables[robot].detail()
         value = int(slot["error_address"])
@@ -217,7 +191,7 @@ class Fleet:
 
     def report(self, robot: int) -> ErrorReport:
         """Gives the report on a robot with status FAILED: its failure in words."""
-        from crs_cc.runtime.report import report  # needs the code generator
+        from crs_cc.runtime.diagnosis.report import report  # few runs need it
 
         return report(self.failure(robot))
 

@@ -15,6 +15,7 @@ from typing import Final, Protocol
 
 from crs_cc.errors import CompileError
 from crs_cc.ir.agreement import agree
+from crs_cc.ir.names import LIBRARY, in_library
 from crs_cc.ir.program import (
     Address,
     Call,
@@ -33,8 +34,8 @@ from crs_cc.source import Diagnostics, Location
 ROOT: Final = "__crs_start"
 """The library's function that calls `main`; everything reachable from it is linked."""
 
-LIBRARY: Final = "<library>/"
-"""What the names of the library's own files begin with."""
+ALLOCATOR: Final = LIBRARY + "stdlib/malloc.c"
+"""The library's file whose functions work on memory that C may not touch."""
 
 STARTS: Final = "__crs_starts"
 """The array of the functions to be called before `main`, with a null pointer at its end."""
@@ -111,7 +112,7 @@ def _check_uses(whole: Program, diagnostics: Diagnostics) -> None:
                     continue
                 told.add(name)
                 # What the library uses wrongly, as it calls main, is the fault of its definition.
-                by_library = instruction.location.file.startswith(LIBRARY)
+                by_library = in_library(instruction.location)
                 place = defined if by_library else instruction.location
                 diagnostics.error(place, text, f"it is defined at {defined}")
 

@@ -16,12 +16,10 @@ first eight bytes hold, until the returned value takes their place, a call word:
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final, Literal
+from typing import Final, Literal
 
+from crs_cc.ir.program import Variable
 from crs_cc.source import Location
-
-if TYPE_CHECKING:
-    from crs_cc.ir.program import Variable
 
 Access = Literal["", "read", "write"]
 

@@ -151,7 +151,7 @@ def _reload(entry: _Entry, flags: dict[str, bool]) -> Callable[[], Detail]:
 
     @functools.cache
     def detail() -> Detail:
-        from crs_cc.runtime.codegen import compile_program
+        from crs_cc.runtime.codegen.module import compile_program
 
         program, lines = pickle.loads(entry.source)  # noqa: S301 - see `crs_cc.session.cache`
         return Detail(program, compile_program(program, **flags), lines)

@@ -13,10 +13,10 @@ from pathlib import Path
 from crs_cc.errors import CompileError, InternalError
 from crs_cc.frontend.options import Options
 from crs_cc.frontend.unit import compile_text
+from crs_cc.ir.names import LIBRARY
 from crs_cc.ir.program import Data, Function, Program
 from crs_cc.ir.verify import verify
 from crs_cc.runtime import link
-from crs_cc.runtime.heap import ALLOCATOR
 from crs_cc.session import cache
 from crs_cc.source import Diagnostics, Location
 
@@ -41,8 +41,8 @@ class CachedLibrary:
 
     def find(self, name: str) -> Function | Data | None:
         """Gives the library's definition of a name; a unit's own names begin with the unit."""
-        own, colon, _ = name.removeprefix(link.LIBRARY).partition(":")
-        unit = own if colon and name.startswith(link.LIBRARY) else self._index.get(name)
+        own, colon, _ = name.removeprefix(LIBRARY).partition(":")
+        unit = own if colon and name.startswith(LIBRARY) else self._index.get(name)
         if unit is None or unit not in self._known:
             return None
         if unit not in self._units:
@@ -92,10 +92,10 @@ def _load(unit: str) -> Program:
 
 
 def _compile(unit: str) -> Program:
-    path, name = SOURCES / unit, link.LIBRARY + unit
+    path, name = SOURCES / unit, LIBRARY + unit
     diagnostics = Diagnostics()
     try:
-        options = Options(system_paths=(HEADERS, path.parent), trusted=name == ALLOCATOR)
+        options = Options(system_paths=(HEADERS, path.parent), trusted=name == link.ALLOCATOR)
         program = compile_text(path.read_text(), name, options, diagnostics)
     except CompileError as error:
         raise InternalError(error.diagnostics) from error

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, Literal
 if TYPE_CHECKING:
     import numpy.typing as npt
 
+    from crs_cc.runtime.diagnosis.report import ErrorReport
     from crs_cc.runtime.fleet import Snapshot
-    from crs_cc.runtime.report import ErrorReport
     from crs_cc.session.files import DiskSnapshot
     from crs_cc.sim.environment import Snapshot as EnvironmentSnapshot
     from crs_cc.sim.state import EnvState

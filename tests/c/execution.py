@@ -11,8 +11,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from crs_cc.requests import FAILED
+from crs_cc.runtime.diagnosis.failure import Failure
 from crs_cc.runtime.executable import Executable
-from crs_cc.runtime.fleet import Failure, Fleet
+from crs_cc.runtime.fleet import Fleet
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Host, HostRequest
 from crs_cc.source import Diagnostic, Diagnostics

@@ -25,8 +25,8 @@ import pytest
 from crs_cc.cli.report import render_report
 from crs_cc.errors import CompileError
 from crs_cc.requests import ERROR_KINDS
-from crs_cc.runtime.fleet import Failure
-from crs_cc.runtime.report import report
+from crs_cc.runtime.diagnosis.failure import Failure
+from crs_cc.runtime.diagnosis.report import report
 from crs_cc.session.build import build_executable
 from crs_cc.source import Diagnostics
 from tests.c.execution import (

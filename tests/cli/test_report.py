@@ -8,8 +8,9 @@ import click
 import pytest
 
 from crs_cc.cli.report import render_report, report_data, show_reports
-from crs_cc.runtime.objects import Object
-from crs_cc.runtime.report import ActiveCall, ErrorReport
+from crs_cc.runtime.diagnosis.active_call import ActiveCall
+from crs_cc.runtime.diagnosis.objects import Object
+from crs_cc.runtime.diagnosis.report import ErrorReport
 from crs_cc.runtime.sites import CallSite
 from crs_cc.source import Location
 from tests.cli.test_summary import robot

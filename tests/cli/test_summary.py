@@ -9,7 +9,7 @@ import pytest
 
 from crs_cc.cli.summary import Run, as_json, exit_status
 from crs_cc.cli.table import MAX_ROWS, print_summary
-from crs_cc.runtime.report import ErrorReport
+from crs_cc.runtime.diagnosis.report import ErrorReport
 from crs_cc.session.result import RobotResult, RunResult
 from crs_cc.source import Location
 

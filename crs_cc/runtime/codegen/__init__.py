@@ -1,0 +1,1 @@
+"""From IR to WebAssembly: `module` makes a program's code, `function_code` that of one function."""

@@ -1,0 +1,319 @@
+"""Access to memory with a test by the shadow memory before each access that is not surely right.
+
+What is known needs no test: a constant place in an object that the function knows by name, and
+whatever was tested before in the same block and cannot have changed since. Only allocation, calls
+and the ends of scopes take bytes away, and only copies of bytes without a value take values away.
+
+A value that is loaded only to be stored elsewhere is not judged: it takes its state along. So
+`t = a[i]; a[i] = a[j]; a[j] = t` works on bytes that have no value yet, as it does in C.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+from crs_cc.ir.assigned import Assignments
+from crs_cc.ir.program import (
+    MEMORY_SIZE,
+    VARARGS,
+    Base,
+    ByteState,
+    Constant,
+    Copy,
+    Fill,
+    Instruction,
+    Lifetime,
+    Load,
+    Operand,
+    Register,
+    Slot,
+    Store,
+)
+from crs_cc.requests import slot_offset
+from crs_cc.runtime.codegen import indices, shadow
+from crs_cc.runtime.codegen.carried import Carried
+from crs_cc.runtime.codegen.indices import (
+    ADDRESS,
+    MAILBOX,
+    MEMORY,
+    SLOT_GLOBAL,
+    SP,
+    STATES,
+    WIDE_STATES,
+)
+from crs_cc.runtime.codegen.places import Places, Proved
+from crs_cc.runtime.codegen.plain_memory import LOADS, STORES, PlainMemory
+from crs_cc.runtime.codegen.writer import Writer
+from crs_cc.runtime.layout import NULL_SIZE
+from crs_cc.runtime.sites import Access, Site
+from crs_cc.runtime.wasm import UNLIKELY, Instr
+from crs_cc.source import Location
+
+_At: TypeAlias = tuple[Instr, int]
+"""An instruction that pushes an address, and the offset to use with it."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Given:
+    """The states of what is stored, as code.
+
+    Attributes:
+        states: pushes them.
+        joined: combines them with those on the stack, so that all is well if both are.
+        doubt: makes the i32 on the stack not zero if what is stored may have no value.
+    """
+
+    states: list[Instr]
+    joined: list[Instr] = field(default_factory=list)
+    doubt: list[Instr] = field(default_factory=list)
+
+    @property
+    def is_sure(self) -> bool:
+        """Tells whether what is stored surely has a value."""
+        return len(self.states) == 1 and not self.joined
+
+
+class CheckedMemory(PlainMemory):
+    """Writes accesses with their tests.
+
+    Attributes:
+        carried: which loads take states along, and where to.
+        assignments: which variables in registers may have no value.
+    """
+
+    def __init__(self, writer: Writer, carried: Carried, assignments: Assignments) -> None:
+        super().__init__(writer, shadowed=True)
+        self.carried = carried
+        self.assignments = assignments
+        self.places = Places()
+        self.proved = Proved()
+        self._taken: set[Register] = set()
+
+    def forget(self) -> None:
+        """Drops what is known, where code from elsewhere joins."""
+        self.places.forget()
+        self.proved.forget()
+
+    def follow(self, it: Instruction) -> None:
+        """Takes note of what an instruction has written."""
+        self.places.follow(it)
+
+    def before(self, it: Instruction) -> None:
+        """Tests whether the registers that an instruction reads have values, and notes changes."""
+        writer, found = self.writer, self.assignments
+        for register, variable in found.tests.get(it, ()):
+            writer.code += [writer.value(found.flags[register]), ("i32.eqz",)]
+            site = Site("uninitialised read", it.location, "", 0, variable)
+            writer.fail_if(site, [("i32.const", 0)])
+        change = found.changes.get(it)
+        if change is not None:
+            one = ("i32.const", 1)
+            writer.code.append(one if change.source is None else writer.value(change.source))
+            writer.pop(change.flag)
+
+    # -- what is known -----------------------------------------------------------------------
+
+    def _inside(self, base: Base, offset: int, size: int) -> bool:
+        """Tells whether an access surely lies in an object that is known by name."""
+        match base:
+            case Slot() if base is not VARARGS:
+                return offset >= 0 and offset + size <= base.size
+            case str():
+                known = self.writer.names.sizes.get(base, 0)
+                return offset >= 0 and offset + size <= known
+        return False
+
+    def _accessible(self, base: Base, offset: int, size: int) -> bool:
+        root, distance = self.places.of(base, offset)
+        if isinstance(root, Slot | str) and self._inside(root, distance, size):
+            return True
+        return self.proved.has((root, distance), size, valued=False)
+
+    def _valued(self, base: Base, offset: int, size: int) -> bool:
+        root, distance = self.places.of(base, offset)
+        if isinstance(root, str) and self._inside(root, distance, size):
+            return True
+        return self.proved.has((root, distance), size, valued=True)
+
+    # -- tests -------------------------------------------------------------------------------
+
+    def place(self, base: Base, offset: int) -> tuple[Instr, int]:
+        """Gives an instruction that pushes an address, and the offset to use with it.
+
+        A pointer that was never tested may wrap around when the offset is added.
+        """
+        writer = self.writer
+        if not isinstance(base, Register) or offset == 0:
+            return super().place(base, offset)
+        if 0 < offset < NULL_SIZE and self._accessible(base, 0, 1):
+            return writer.value(base), offset
+        writer.code += [writer.value(base), ("i32.const", offset), ("i32.add",)]
+        writer.code.append(("local.set", ADDRESS))
+        return ("local.get", ADDRESS), 0
+
+    def _test(self, states: list[Instr], test: list[Instr], site: Site, at: _At) -> None:
+        """Stops the program if `test` finds fault with the states that are pushed."""
+        push, offset = at
+        blamed = [push, ("i32.const", offset), ("i32.add",)] if offset else [push]
+        self.writer.code += [*states, *test]
+        self.writer.fail_if(site, blamed)
+
+    def load(self, it: Load) -> None:
+        """Writes `result = *(base + offset)`."""
+        if not self._valued(it.base, it.offset, MEMORY_SIZE[it.memory]):
+            self._test_load(it)
+        else:
+            self._load(it, self.place(it.base, it.offset))
+
+    def _load(self, it: Load, at: _At) -> None:
+        push, offset = at
+        self.writer.code += [push, (LOADS[it.memory], MEMORY, offset)]
+        self.writer.pop(it.result)
+
+    def _test_load(self, it: Load) -> None:
+        size = MEMORY_SIZE[it.memory]
+        where = self.places.of(it.base, it.offset)
+        accessible = self._accessible(it.base, it.offset, size)
+        at = push, offset = self.place(it.base, it.offset)
+        site = Site("memory", it.location, "read", size)
+        found = [push, shadow.load(size, offset)]
+        copied, flag = self.carried.states_of(it), self.carried.flag_of(it)
+        if copied is not None:
+            self.writer.code += found
+            self.writer.pop(copied)
+            self._taken.add(copied)
+            found = [self.writer.value(copied)]
+        unjudged = it.unjudged or copied is not None or self.carried.is_unused(it)
+        if flag is not None:
+            self._raise(flag, found, site, None if accessible else at)
+        elif not unjudged:
+            self._test(found, shadow.not_readable(size), site, at)
+        elif not accessible:
+            self._test(found, shadow.not_accessible(size), site, at)
+        self.proved.add(where, size, valued=flag is None and not unjudged)
+        self._load(it, at)
+
+    def _raise(self, flag: Register, found: list[Instr], site: Site, at: _At | None) -> None:
+        """Raises a flag if the states that are found tell of a missing value.
+
+        Args:
+            flag: the flag.
+            found: pushes the states.
+            site: whom to blame if the bytes are inaccessible.
+            at: where they are; None when they surely are accessible.
+        """
+        writer = self.writer
+        if flag not in self._taken:
+            writer.push(Constant("i32", 0))
+            writer.pop(flag)
+            self._taken.add(flag)
+        local = WIDE_STATES if site.size == 8 else STATES
+        writer.code += [*found, ("local.tee", local), *shadow.not_readable(site.size), UNLIKELY]
+        if at is not None:
+            self._test([("local.get", local)], shadow.not_accessible(site.size), site, at)
+        writer.push(Constant("i32", 1))
+        writer.pop(flag)
+        writer.code.append(("end",))
+
+    def store(self, it: Store) -> None:
+        """Writes `*(base + offset) = source`."""
+        size, code = MEMORY_SIZE[it.memory], self.writer.code
+        where = self.places.of(it.base, it.offset)
+        accessible = self._accessible(it.base, it.offset, size)
+        valued = self._valued(it.base, it.offset, size)
+        at = push, offset = self.place(it.base, it.offset)
+        given = self._given(it, size)
+        if accessible and not (valued and given.is_sure):
+            code += [push, *given.states, shadow.store(size, offset)]
+        elif not accessible:
+            self._test_store(it, at, given)
+        if not given.is_sure:
+            self.proved.forget_value(where)
+        self.proved.add(where, size, valued=given.is_sure)
+        code += [push, self.writer.value(it.source), (STORES[it.memory], MEMORY, offset)]
+
+    def _given(self, it: Store, size: int) -> _Given:
+        """Gives the states of what is stored."""
+        value = shadow.repeated(ByteState.WITH_VALUE, size)
+        none = shadow.repeated(ByteState.WITHOUT_VALUE, size)
+        copied, flag = self.carried.copied_by(it), self.carried.computed_for(it)
+        assigned = self.assignments.stored.get(it)
+        if copied in self._taken:
+            states = self.writer.value(self._last_use(copied, it))
+            return _Given([states], [states, (f"{shadow.kind(size)}.and",)])
+        if flag in self._taken:
+            push = self.writer.value(self._last_use(flag, it))
+            return _Given([none, value, push, ("select",)], [], [push, ("i32.or",)])
+        if assigned is not None:
+            push = self.writer.value(assigned)
+            doubt = [push, ("i32.eqz",), ("i32.or",)]
+            return _Given([value, none, push, ("select",)], [], doubt)
+        return _Given([value])
+
+    def _last_use(self, register: Register | None, it: Store) -> Register:
+        """Gives a register with states, or a flag, and lets it go when it is not used again."""
+        assert register is not None
+        if self.carried.is_last(it, register):
+            self._taken.discard(register)
+            self.writer.release(register)
+        return register
+
+    def _test_store(self, it: Store, at: _At, given: _Given) -> None:
+        """Tests an address and sets the states of what is stored there.
+
+        Where bytes had values and get values, as nearly always, there is but one test.
+        """
+        size, code = MEMORY_SIZE[it.memory], self.writer.code
+        push, offset = at
+        local = WIDE_STATES if size == 8 else STATES
+        code += [push, shadow.load(size, offset), ("local.tee", local), *given.joined]
+        code += [*shadow.not_readable(size), *given.doubt, UNLIKELY]
+        site = Site("memory", it.location, "write", size)
+        self._test([("local.get", local)], shadow.not_accessible(size), site, at)
+        code += [push, *given.states, shadow.store(size, offset), ("end",)]
+
+    def check_range(
+        self, address: Operand, size: Operand, location: Location, access: Access
+    ) -> None:
+        """Stops the program unless `size` bytes at `address` are accessible."""
+        if isinstance(size, Constant) and isinstance(address, Register):
+            where, length = self.places.of(address, 0), int(size.value)
+            if length == 0 or self._accessible(address, 0, length):
+                return
+            self.proved.add(where, length, valued=False)
+        writer = self.writer
+        writer.code += [writer.value(address), writer.value(size)]
+        writer.code += [("call", indices.INACCESSIBLE), ("local.tee", WIDE_STATES)]
+        writer.code += [("i64.const", shadow.FINE), ("i64.ne",), UNLIKELY]
+        writer.code += [("global.get", SLOT_GLOBAL), writer.value(size)]
+        writer.code.append(("i32.store", MAILBOX, slot_offset("error_size")))
+        first = [("local.get", WIDE_STATES), ("i32.wrap_i64",)]
+        writer.fail(Site("memory", location, access), first)
+        writer.code.append(("end",))
+
+    def copy(self, it: Copy) -> None:
+        """Writes a `memmove`; values and their absence go along."""
+        self.check_range(it.target, it.size, it.location, "write")
+        self.check_range(it.source, it.size, it.location, "read")
+        super().copy(it)
+        self.proved.forget_values()
+
+    def fill(self, it: Fill) -> None:
+        """Writes a `memset`."""
+        self.check_range(it.target, it.size, it.location, "write")
+        super().fill(it)
+        if isinstance(it.size, Constant) and isinstance(it.target, Register):
+            where = self.places.of(it.target, 0)
+            self.proved.add(where, int(it.size.value), valued=True)
+
+    def check_message(self, address: Operand, size: Operand, location: Location) -> None:
+        """Stops the program unless a message to the world outside is accessible."""
+        self.check_range(address, size, location, "read")
+
+    def lifetime(self, it: Lifetime) -> None:
+        """Begins or ends an object in a slot."""
+        state = ByteState.WITHOUT_VALUE if it.begins else ByteState.INACCESSIBLE
+        offset = self.writer.frame.offsets[it.slot]
+        self.writer.code += shadow.fill(("local.get", SP), offset, it.slot.size, state)
+        self.proved.forget_value((it.slot, 0))

@@ -1,0 +1,230 @@
+"""Makes every loop enterable at one node only, and every landing reachable from the entry.
+
+A place where a function can be resumed is a `Landing`. A loop with landings inside gets a
+dispatcher as its new first node: it looks at the local `label` and goes to the landing that it
+names, or, when it is 0, on to the old first node. The function's entry dispatches in the same way,
+so a resumed call walks from dispatcher to dispatcher down to its landing. A loop that `goto` enters
+at several nodes is treated likewise: each jump to it sets `label` and goes to the dispatcher.
+Loops without landings stay as they are: the price is paid only at loops around calls.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Final
+
+from crs_cc.runtime.codegen.flow import LANDING, Landing, Node
+
+DEEPEST: Final = 16
+"""Loops nested deeper, which only a tangle of jumps back makes, become one flat dispatcher.
+
+It keeps the work in proportion to the size of the function.
+"""
+
+
+@dataclass(slots=True, eq=False)
+class _Dispatcher:
+    """A table node under construction: the landings and dispatchers that it leads to, in order."""
+
+    node: Node
+    default: Node
+    children: list[Landing | _Dispatcher] = field(default_factory=list)
+
+
+def add_dispatchers(
+    again: Node, start: Node, landings: list[Landing], label: int, damaged: Node
+) -> None:
+    """Makes `again` lead to the landings, and every loop enterable at one node only.
+
+    Args:
+        again: a node without an exit, where a function that was suspended begins.
+        start: where a fresh call begins; no node of its graph may jump there.
+        landings: the places to resume at; they get their numbers here.
+        label: index of the i32 local that carries the number, 0 on all other ways.
+        damaged: where a number goes that no landing has.
+    """
+    root = _Dispatcher(again, damaged, list(landings))
+    _Loops(root, start, label).run()
+    _number(root)
+    _finish(root, label)
+
+
+class _Loops:
+    """Finds loops from the outside in, and gives a dispatcher to each that needs one."""
+
+    def __init__(self, root: _Dispatcher, start: Node, label: int) -> None:
+        self.label = label
+        self.owner: dict[Landing, _Dispatcher] = {}
+        self.landing_of: dict[Node, Landing] = {}
+        for landing in root.children:
+            if isinstance(landing, Landing):
+                self.owner[landing] = root
+                self.landing_of[landing.node] = landing
+        self.nodes = _reachable([start, *self.landing_of])
+        self.predecessors: dict[Node, list[Node]] = {node: [] for node in self.nodes}
+        for node in self.nodes:
+            for target in dict.fromkeys(node.targets):
+                self.predecessors[target].append(node)
+
+    def run(self) -> None:
+        """Works through the regions of the graph, each a list of nodes without its loop header."""
+        regions = [(self.nodes, 0)]
+        while regions:
+            region, depth = regions.pop()
+            for component in _components(region):
+                header = self.loop(component, depth)
+                regions.append(([node for node in component if node is not header], depth + 1))
+
+    def loop(self, component: list[Node], depth: int) -> Node:
+        """Gives the one node at which the loop may be entered; makes one when there are several."""
+        inside = set(component)
+        heads = [node for node in component if self._entered(node, inside)] or component[:1]
+        if depth >= DEEPEST:
+            heads = component
+        landings = [self.landing_of[node] for node in component if node in self.landing_of]
+        if len(heads) == 1 and all(landing.node is heads[0] for landing in landings):
+            return heads[0]
+        dispatcher = _Dispatcher(Node(), heads[0])
+        if landings:
+            self._adopt(dispatcher, landings)
+        if len(heads) == 1:
+            self._redirect(heads[0], dispatcher.node, self.predecessors[heads[0]])
+        else:
+            for head in heads:
+                self._detour(head, dispatcher, inside)
+        self._link(dispatcher.node, heads[0])
+        return dispatcher.node
+
+    def _entered(self, node: Node, inside: set[Node]) -> bool:
+        return any(source not in inside for source in self.predecessors[node])
+
+    def _adopt(self, dispatcher: _Dispatcher, landings: list[Landing]) -> None:
+        """Moves landings from their owner, the loop around, to `dispatcher` in their place."""
+        owner = self.owner[landings[0]]
+        moved = set(landings)
+        place = owner.children.index(landings[0])
+        owner.children[place] = dispatcher
+        owner.children = [each for each in owner.children if each not in moved]
+        dispatcher.children += landings
+        self.owner.update(dict.fromkeys(landings, dispatcher))
+
+    def _detour(self, head: Node, dispatcher: _Dispatcher, inside: set[Node]) -> None:
+        """Sends all jumps to `head` through the dispatcher, setting the label on the way."""
+        landing = self.landing_of.get(head)
+        if landing is None:
+            landing = Landing(head)
+            self.landing_of[head] = landing
+            self.owner[landing] = dispatcher
+            dispatcher.children.append(landing)
+        sources = self.predecessors[head]
+        for side in (True, False):
+            jumping = [source for source in sources if (source in inside) is side]
+            if jumping:
+                setter = Node([(LANDING, landing), ("local.set", self.label)])
+                self.predecessors[setter] = []
+                self._redirect(head, setter, jumping)
+                setter.jump(dispatcher.node)
+                self._link(setter, dispatcher.node)
+
+    def _redirect(self, old: Node, new: Node, sources: list[Node]) -> None:
+        for source in list(sources):
+            source.targets = [new if target is old else target for target in source.targets]
+            self.predecessors[old].remove(source)
+            self._link(source, new)
+
+    def _link(self, source: Node, target: Node) -> None:
+        self.predecessors.setdefault(target, []).append(source)
+
+
+def _number(root: _Dispatcher) -> None:
+    """Numbers the landings so that those below one dispatcher follow each other."""
+    number = 0
+    work: list[Landing | _Dispatcher] = [root]
+    while work:
+        each = work.pop()
+        if isinstance(each, Landing):
+            number += 1
+            each.number = number
+        else:
+            work.extend(reversed(each.children))
+
+
+def _finish(root: _Dispatcher, label: int) -> None:
+    """Writes the tables."""
+    order: list[_Dispatcher] = [root]
+    for dispatcher in order:
+        order.extend(each for each in dispatcher.children if isinstance(each, _Dispatcher))
+    below: dict[_Dispatcher, list[int]] = {}
+    for dispatcher in reversed(order):
+        targets: list[Node] = []
+        numbers: list[int] = []
+        for child in dispatcher.children:
+            if isinstance(child, Landing):
+                targets.append(Node([("i32.const", 0), ("local.set", label)], "jump", [child.node]))
+                numbers.append(child.number)
+            else:
+                targets.extend([child.node] * len(below[child]))
+                numbers.extend(below[child])
+        below[dispatcher] = numbers
+        table = dispatcher.node
+        if dispatcher is not root:  # one cheap test where nothing is resumed
+            table = Node()
+            dispatcher.node.code.append(("local.get", label))
+            dispatcher.node.exit = "branch"
+            dispatcher.node.targets = [table, dispatcher.default]
+        table.code += [("local.get", label), ("i32.const", numbers[0]), ("i32.sub",)]
+        table.exit, table.targets = "table", [*targets, dispatcher.default]
+
+
+def _reachable(roots: list[Node]) -> list[Node]:
+    seen = dict.fromkeys(roots)
+    work = list(reversed(roots))
+    while work:
+        for target in work.pop().targets:
+            if target not in seen:
+                seen[target] = None
+                work.append(target)
+    return list(seen)
+
+
+def _components(region: list[Node]) -> list[list[Node]]:
+    """Gives the strongly connected parts that are loops (Tarjan 1972, without recursion)."""
+    index: dict[Node, int] = dict.fromkeys(region, -1)
+    low: dict[Node, int] = {}
+    stack: list[Node] = []
+    on_stack: set[Node] = set()
+    found: list[list[Node]] = []
+    counter = 0
+    for root in region:
+        if index[root] >= 0:
+            continue
+        work = [(root, iter(root.targets))]
+        while work:
+            node, rest = work[-1]
+            if index[node] < 0:
+                index[node] = low[node] = counter
+                counter += 1
+                stack.append(node)
+                on_stack.add(node)
+            child = next((t for t in rest if t in index and (index[t] < 0 or t in on_stack)), None)
+            if child is not None and index[child] < 0:
+                work.append((child, iter(child.targets)))
+                continue
+            if child is not None:
+                low[node] = min(low[node], index[child])
+                continue
+            work.pop()
+            if work:
+                low[work[-1][0]] = min(low[work[-1][0]], low[node])
+            if low[node] == index[node]:
+                found += _pop_component(node, stack, on_stack)
+    return found
+
+
+def _pop_component(root: Node, stack: list[Node], on_stack: set[Node]) -> list[list[Node]]:
+    component: list[Node] = []
+    while not component or component[-1] is not root:
+        component.append(stack.pop())
+        on_stack.discard(component[-1])
+    component.reverse()
+    return [component] if len(component) > 1 or root in root.targets else []

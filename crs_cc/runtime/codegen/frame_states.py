@@ -1,0 +1,75 @@
+"""What entering and leaving a function does to the shadow of its frame, in checked builds.
+
+Below the stack pointer everything is inaccessible. A function gives itself its slots, those of its
+parameters that lie in memory, and what was passed behind them if it is variadic; on its way out it
+takes them away again. A function that has only registers pays nothing.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from crs_cc.ir.program import ByteState, Function, Lifetime, Slot
+from crs_cc.runtime.codegen import shadow
+from crs_cc.runtime.codegen.indices import FP, MEMORY, SHADOW, SP, STATES
+from crs_cc.runtime.layout import HEADER_SIZE, RESULT, Frame
+from crs_cc.runtime.sites import ARGUMENT_UNIT, FRAME_BITS, SITE_BITS
+from crs_cc.runtime.wasm import Instr
+
+MOST_STORES: Final = 12
+"""Slots that need more stores than this to be taken away go by one `memory.fill`."""
+
+_SP: Final[Instr] = ("local.get", SP)
+
+
+def enter(function: Function, frame: Frame) -> list[Instr]:
+    """Gives the code that makes a function's frame accessible."""
+    code: list[Instr] = []
+    scoped = {
+        it.slot
+        for block in function.blocks
+        for it in block.instructions
+        if isinstance(it, Lifetime)
+    }
+    for slot in function.slots:
+        if slot not in scoped:
+            offset = frame.offsets[slot]
+            code += shadow.fill(_SP, offset, slot.size, ByteState.WITHOUT_VALUE)
+    for slot in _parameters(function):
+        code += shadow.fill(_SP, frame.offsets[slot], slot.size, ByteState.WITH_VALUE)
+    return code + _rest(function, frame, ByteState.WITH_VALUE)
+
+
+def leave(function: Function, frame: Frame) -> list[Instr]:
+    """Gives the code that makes a function's frame inaccessible again."""
+    gone = ByteState.INACCESSIBLE
+    code: list[Instr] = []
+    for slot in function.slots:
+        code += shadow.fill(_SP, frame.offsets[slot], slot.size, gone)
+    if len(code) > 3 * MOST_STORES:
+        start = min(frame.offsets[slot] for slot in function.slots)
+        end = max(frame.offsets[slot] + slot.size for slot in function.slots)
+        code = shadow.fill(_SP, start, max(end - start, shadow.MOST_INLINE + 1), gone)
+    for slot in _parameters(function):
+        code += shadow.fill(_SP, frame.offsets[slot], slot.size, gone)
+    return code + _rest(function, frame, gone)
+
+
+def _parameters(function: Function) -> list[Slot]:
+    return [each.place for each in function.parameters if isinstance(each.place, Slot)]
+
+
+def _rest(function: Function, frame: Frame, state: int) -> list[Instr]:
+    """Sets the states of the arguments behind the parameters; the call word tells their size."""
+    if not function.variadic:
+        return []
+    named = frame.varargs - frame.size - HEADER_SIZE
+    return [
+        ("local.get", FP), ("i64.load", MEMORY, RESULT),
+        ("i64.const", SITE_BITS + FRAME_BITS), ("i64.shr_u",), ("i32.wrap_i64",),
+        ("i32.const", ARGUMENT_UNIT), ("i32.mul",), ("i32.const", named), ("i32.sub",),
+        ("local.tee", STATES), ("i32.const", 0), ("i32.gt_s",), ("if",),
+        _SP, ("i32.const", frame.varargs), ("i32.add",),
+        ("i32.const", state), ("local.get", STATES), ("memory.fill", SHADOW),
+        ("end",),
+    ]  # fmt: skip

@@ -1,0 +1,475 @@
+"""One IR function as one WebAssembly function `(fp, fuel) -> (status, fuel)`.
+
+The function keeps its registers in WebAssembly locals. Whenever it must stop (a request, no fuel
+left, a callee that stopped, a statement the debugger waits for) it notes in local `label` the
+landing where it will go on and leaves through its epilogue, which saves the registers to their
+homes in the frame. When it is called again it loads them back and goes to that landing. See
+`layout` for the frame and `dispatch` for landings.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+from crs_cc.errors import CompileError
+from crs_cc.ir.assigned import Assignments
+from crs_cc.ir.program import (
+    Block,
+    Branch,
+    ByteState,
+    Call,
+    Constant,
+    Function,
+    Jump,
+    LongJump,
+    Operand,
+    Parameter,
+    Register,
+    Request,
+    Return,
+    SetJump,
+    Statement,
+    Stop,
+    Store,
+    Switch,
+    ValueType,
+)
+from crs_cc.ir.uses import Liveness, all_instructions
+from crs_cc.requests import MESSAGE, SUSPENDED, slot_offset
+from crs_cc.runtime.codegen import frame_states, jumps
+from crs_cc.runtime.codegen.carried import Carried
+from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
+from crs_cc.runtime.codegen.checked_memory import CheckedMemory
+from crs_cc.runtime.codegen.dispatch import add_dispatchers
+from crs_cc.runtime.codegen.flow import LANDING, UNWIND, Landing, Node
+from crs_cc.runtime.codegen.indices import (
+    ADDRESS,
+    CALL_TYPE,
+    FAULT,
+    FP,
+    FUEL,
+    LABEL,
+    MAILBOX,
+    MEMORY,
+    SITE,
+    SLOT_GLOBAL,
+    SP,
+    STATUS,
+)
+from crs_cc.runtime.codegen.names import Names
+from crs_cc.runtime.codegen.nesting import emit
+from crs_cc.runtime.codegen.plain_memory import PlainMemory
+from crs_cc.runtime.codegen.registers import Registers
+from crs_cc.runtime.codegen.selection import Selector
+from crs_cc.runtime.codegen.signatures import call_shape
+from crs_cc.runtime.codegen.switches import lower_switch
+from crs_cc.runtime.compiled import FunctionInfo
+from crs_cc.runtime.layout import (
+    FUNCTION,
+    HEADER_SIZE,
+    NULL_SIZE,
+    RESULT,
+    RESUME,
+    STACK_SIZE,
+    argument_offsets,
+    lay_out,
+)
+from crs_cc.runtime.sites import CallSite, Site, call_word
+from crs_cc.runtime.wasm import TYPE_CALL, UNLIKELY, Code, Instr
+from crs_cc.source import Location
+
+MESSAGE_OFFSET = slot_offset("message")
+RESULT_OFFSET = MESSAGE_OFFSET + int(MESSAGE.fields["result"][1])  # type: ignore[index]
+MESSAGE_SIZE = Constant("i32", MESSAGE.itemsize)
+MOST_WAYS: Final = 250_000
+"""Registers times landings of a function at most; at 160,000 compiling takes half a gigabyte."""
+NO_VALUE: Final = -1  # takes the place of the number of a function that ended without a value
+
+
+@dataclass(frozen=True, slots=True)
+class Build:
+    """How a program is compiled, see `module.compile_program`."""
+
+    checked: bool
+    debug: bool
+    trap_overflow: bool
+
+
+def generate(function: Function, names: Names, build: Build) -> tuple[Code, FunctionInfo]:
+    """Gives the code of one verified function."""
+    return _FunctionCode(function, names, build).run()
+
+
+class _FunctionCode:
+    def __init__(self, function: Function, names: Names, build: Build) -> None:
+        self.function = function
+        self.checked = checked = build.checked
+        self.debug = debug = build.debug
+        self.number = names.functions[function.name]
+        self.names = names
+        self.shadowed = checked and not function.trusted
+        liveness = Liveness(function)
+        more: list[Register] = []
+        charge = 0
+        if self.shadowed:
+            self.assignments = Assignments(function)
+            carried = Carried(function, liveness, keep=debug)
+            more = [*self.assignments.flags.values(), *(carried.registers if debug else [])]
+            charge = 0 if debug else carried.charge
+        self.registers = Registers(function, liveness, more, debug=debug)
+        self.saved = self.registers.saved
+        charge += self.registers.charge
+        sizes = self._arguments_size(), charge
+        self.frame = lay_out(function, self.saved, *sizes, checked=checked)
+        self.selector = selector = Selector(names, self.frame)
+        if checked:
+            selector.memory = PlainMemory(selector, shadowed=True)
+        if self.shadowed:
+            selector.memory = CheckedMemory(selector, carried, self.assignments)
+            traps = build.trap_overflow
+            selector.arithmetic = CheckedArithmetic(selector, traps_overflow=traps)
+        self.nodes = {block: Node() for block in function.blocks}
+        self.landings: list[tuple[Landing, Location, str | Register | None]] = []
+        self.calls: dict[int, Landing] = {}
+
+    def _arguments_size(self) -> int:
+        """Gives the size of the arguments of all calls, the most; -1 when there are no calls.
+
+        A callee may believe in more arguments than it is passed.
+        """
+        most = -1
+        for block in self.function.blocks:
+            call = block.terminator
+            if isinstance(call, Call):
+                passed = argument_offsets([argument.size for argument in call.arguments])[-1]
+                wanted = self.names.parameters.get(call.callee, 0)  # type: ignore[arg-type]
+                most = max(most, passed, wanted)
+        return most
+
+    # -- the whole ----------------------------------------------------------------------------
+
+    def limit_effort(self) -> None:
+        """Refuses a function that would take gigabytes to compile.
+
+        Each landing is a way into the middle of the function, and each register that lasts has to
+        be the same on all of them.
+        """
+        if len(self.landings) * len(self.registers.lasting) > MOST_WAYS:
+            raise CompileError.at(
+                self.function.location,
+                f"'{self.function.name}' is too complex: {len(self.registers.lasting)} values"
+                f" are kept over {len(self.landings)} calls and loops",
+                "split the function, or the expression with the many calls",
+                "linking",
+            )
+
+    def run(self) -> tuple[Code, FunctionInfo]:
+        """Gives the code and what a debugger needs to read its frames."""
+        if self.frame.size > STACK_SIZE:  # its offsets might not even fit an instruction
+            body = self.overflow()
+            return Code(self.function.name, TYPE_CALL, [], body), self.info()
+        for register in self.registers.lasting:
+            self.selector.take_local(register)
+        for block in self.function.blocks:
+            self.block(block)
+        self.limit_effort()
+        entry, start = self.entry(), self.start()
+        if self.landings:
+            again = self.again(start)
+            self.selector.code = entry.code
+            self.selector.load_at(FP, RESUME, "i32")
+            entry.code.append(("local.tee", LABEL))
+            entry.exit, entry.targets = "branch", [again, start]
+        else:
+            entry.jump(start)
+        fault: list[Instr] = [("local.get", SITE), ("local.get", ADDRESS), ("call", FAULT)]
+        body = emit(entry, [*fault, ("local.set", STATUS)]) + self.epilogue()
+        code = Code(self.function.name, TYPE_CALL, self.selector.local_types, body)
+        return code, self.info()
+
+    def info(self) -> FunctionInfo:
+        places = {0: self.function.location}
+        callees: dict[int, str | Register] = {}
+        for landing, location, callee in self.landings:
+            places[landing.number] = location
+            if callee is not None:
+                callees[landing.number] = callee
+        calls = {site: landing.number for site, landing in self.calls.items()}
+        return FunctionInfo(self.function, self.frame, places, callees, calls)
+
+    def entry(self) -> Node:
+        """Sets up the frame."""
+        node = Node()
+        code = self.selector.code = node.code
+        size = self.frame.size
+        code += [("local.get", FP), ("i32.const", NULL_SIZE + size), ("i32.lt_u",), UNLIKELY]
+        code += [*self.overflow(), ("end",)]
+        code += [("local.get", FP), ("i32.const", size), ("i32.sub",), ("local.set", SP)]
+        return node
+
+    def overflow(self) -> list[Instr]:
+        """Leaves without the epilogue, which would write to the frame there is no room for."""
+        number = self.names.number(Site("stack overflow", self.function.location))
+        note = [("i32.const", number), ("local.get", FP), ("call", FAULT)]
+        return [*note, ("local.get", FUEL), ("return",)]
+
+    def again(self, start: Node) -> Node:
+        """Loads the registers back when the function was suspended, and goes to its landing."""
+        node, damaged = Node(), Node()
+        self.selector.code = damaged.code
+        site = Site("damaged stack", self.function.location)
+        self.selector.fail(site, [("local.get", LABEL)])
+        self.selector.code = node.code
+        for register in self.saved:
+            self.selector.load_at(SP, self.frame.offsets[register], register.type)
+            self.selector.pop(register)
+        landings = [landing for landing, _, _ in self.landings]
+        add_dispatchers(node, start, landings, LABEL, damaged)
+        return node
+
+    def start(self) -> Node:
+        """Begins a fresh call: stops if there is no fuel, loads the parameters."""
+        node = Node()
+        code = self.selector.code = node.code
+        code += [("local.get", FUEL), ("i64.const", 0), ("i64.lt_s",), UNLIKELY]
+        self.selector.store_at(FP, FUNCTION, Constant("i32", self.number), "i32")
+        code += [("i32.const", SUSPENDED), ("local.get", FUEL), ("return",), ("end",)]
+        for parameter, offset in zip(self.function.parameters, self.frame.parameters, strict=True):
+            self._load_parameter(parameter, offset)
+        if self.shadowed:
+            code += frame_states.enter(self.function, self.frame)
+        node.jump(self.nodes[self.function.blocks[0]])
+        return node
+
+    def _load_parameter(self, parameter: Parameter, offset: int) -> None:
+        place = parameter.place
+        if isinstance(place, Register) and place in self.registers.lasting and parameter.memory:
+            self.selector.load_at(SP, offset, parameter.memory)
+            self.selector.pop(place)
+
+    def epilogue(self) -> list[Instr]:
+        """Saves what a suspended function must keep, and leaves with the status."""
+        code: list[Instr] = []
+        self.selector.code = code
+        ends = [block.terminator for block in self.function.blocks]
+        if any(isinstance(end, Call | LongJump) for end in ends):
+            activations = [end.activation for end in ends if isinstance(end, SetJump)]
+            activation = [self.selector.value(each) for each in activations[:1]]
+            left = frame_states.leave(self.function, self.frame) if self.shadowed else []
+            code += jumps.leave(activation, self.frame.jump_value, left)
+        for register in self.saved:
+            self.selector.store_at(SP, self.frame.offsets[register], register, register.type)
+        code += [("local.get", FP), ("local.get", LABEL), ("i32.store", MEMORY, RESUME)]
+        self.selector.store_at(FP, FUNCTION, Constant("i32", self.number), "i32")
+        return [*code, ("local.get", STATUS), ("local.get", FUEL)]
+
+    # -- suspending ---------------------------------------------------------------------------
+
+    def land(self, node: Node, location: Location, callee: str | Register | None = None) -> Landing:
+        landing = Landing(node)
+        self.landings.append((landing, location, callee))
+        return landing
+
+    def suspend(self, landing: Landing) -> list[Instr]:
+        return [
+            ("i32.const", SUSPENDED), ("local.set", STATUS),
+            (LANDING, landing), ("local.set", LABEL), (UNWIND,),
+        ]  # fmt: skip
+
+    # -- blocks -------------------------------------------------------------------------------
+
+    def block(self, block: Block) -> None:
+        node = self.nodes[block]
+        selector = self.selector
+        selector.forget()
+        code = selector.code = node.code
+        if block in self.registers.headers:
+            landing = self.land(node, all_instructions(block)[0].location)
+            code += [("local.get", FUEL), ("i64.const", 0), ("i64.lt_s",), UNLIKELY]
+            code += [*self.suspend(landing), ("end",)]
+        code += [("local.get", FUEL), ("i64.const", block.fuel), ("i64.sub",), ("local.set", FUEL)]
+        last = self.registers.last_uses(block)
+        for number, instruction in enumerate(block.instructions):
+            if not isinstance(instruction, Statement):
+                selector.before(instruction)
+                selector.select(instruction)
+            elif self.debug:
+                node = self.statement(node, instruction)
+            for register in last[number]:
+                selector.release(register)
+        if block.terminator is not None:
+            selector.before(block.terminator)
+        self.terminator(node, block)
+        for register in last[-1]:
+            selector.release(register)
+
+    def statement(self, node: Node, statement: Statement) -> Node:
+        """Debug density: stops before the statement whose number the debugger waits for."""
+        following = Node()
+        landing = self.land(following, statement.location)
+        statements, stop_at = slot_offset("statements"), slot_offset("stop_at")
+        node.code += [
+            ("global.get", SLOT_GLOBAL), ("i64.load", MAILBOX, statements),
+            ("global.get", SLOT_GLOBAL), ("i64.load", MAILBOX, stop_at),
+            ("i64.eq",), ("if",), *self.suspend(landing), ("end",),
+        ]  # fmt: skip
+        node.jump(following)
+        following.code += [
+            ("global.get", SLOT_GLOBAL),
+            ("global.get", SLOT_GLOBAL), ("i64.load", MAILBOX, statements),
+            ("i64.const", 1), ("i64.add",), ("i64.store", MAILBOX, statements),
+        ]  # fmt: skip
+        self.selector.forget()
+        self.selector.code = following.code
+        return following
+
+    def terminator(self, node: Node, block: Block) -> None:
+        match block.terminator:
+            case Jump(target=target):
+                node.jump(self.nodes[target])
+            case Branch() as branch:
+                self.selector.push(branch.condition)
+                node.exit = "branch"
+                node.targets = [self.nodes[branch.then], self.nodes[branch.otherwise]]
+            case Switch() as switch:
+                lower_switch(self.selector, node, switch, self.nodes)
+            case Return(value=value):
+                self.leave(node, value)
+            case Call() as call:
+                self.call(node, call)
+            case Request() as request:
+                self.request(node, request)
+            case Stop(kind=kind, location=location, value=value):
+                self.selector.fail(Site(kind, location), [self.selector.value(value)])
+            case SetJump() as jump:
+                self.set_jump(node, jump)
+            case LongJump() as jump:
+                self.long_jump(node, jump)
+
+    def leave(self, node: Node, value: Operand | None) -> None:
+        if self.shadowed:
+            node.code += frame_states.leave(self.function, self.frame)
+        if value is not None:
+            kind: ValueType = value.type
+            self.selector.store_at(FP, RESULT, value, kind)
+        elif self.function.name in self.names.without_value:
+            self.selector.store_at(FP, FUNCTION, Constant("i32", NO_VALUE), "i32")
+        node.code += [("i32.const", 0), ("local.get", FUEL), ("return",)]
+
+    def call(self, node: Node, call: Call) -> None:
+        selector = self.selector
+        offsets = argument_offsets([argument.size for argument in call.arguments])
+        for argument, offset in zip(call.arguments, offsets, strict=False):
+            at = HEADER_SIZE + offset
+            if argument.memory:
+                selector.store_at(SP, at, argument.value, argument.memory)
+                continue
+            size = Constant("i32", argument.size)
+            selector.memory.argument(argument.value, at, size, call.location)
+        if self.checked:
+            number = self.names.call_number(CallSite(self.function.name, call.location))
+            word = call_word(number, self.frame.size, offsets[-1])
+            selector.store_at(SP, RESULT, Constant("i64", word), "i64")
+            selector.store_at(SP, FUNCTION, Constant("i64", 0), "i64")
+        else:
+            selector.store_at(SP, RESUME, Constant("i32", 0), "i32")
+        after = Node()
+        node.jump(after)
+        selector.forget()
+        selector.code = after.code
+        self._enter(call, after)
+
+    def _enter(self, call: Call, after: Node) -> None:
+        """Enters the callee, fresh or again: this is where a suspended caller goes on."""
+        selector = self.selector
+        landing = self.land(after, call.location, call.callee)
+        self.calls[len(self.names.call_sites)] = landing
+        if isinstance(call.callee, Register):
+            self._check_pointer(call, call.callee)
+        after.code += [("local.get", SP), ("local.get", FUEL)]
+        if isinstance(call.callee, Register):
+            selector.push(call.callee)
+            after.code.append(("call_indirect", CALL_TYPE, 0))
+        else:
+            after.code.append(("call", self.names.functions[call.callee]))
+        after.code += [("local.set", FUEL), ("local.tee", STATUS), UNLIKELY]
+        after.code += [(LANDING, landing), ("local.set", LABEL), (UNWIND,), ("end",)]
+        if call.result is not None:
+            if self.shadowed:
+                self._check_value(call)
+            selector.load_at(SP, RESULT, call.result.type)
+            selector.pop(call.result)
+        after.jump(self.nodes[call.then])
+
+    def _check_pointer(self, call: Call, pointer: Register) -> None:
+        """Stops the program unless a function pointer is one, and its function fits the call."""
+        selector, code = self.selector, self.selector.code
+        push = selector.value(pointer)
+        code += [push, ("i32.const", 1), ("i32.sub",)]
+        code += [("i32.const", self.names.pointers), ("i32.ge_u",)]
+        selector.fail_if(Site("bad function pointer", call.location), [push])
+        table = self.names.tables.get(call_shape(call))
+        if table is not None and self.shadowed:
+            code += [push, ("i32.load8_u", MEMORY, table), ("i32.eqz",)]
+            selector.fail_if(Site("mismatched call", call.location), [push])
+
+    def _check_value(self, call: Call) -> None:
+        """Stops the program when the callee has ended without a value, see `leave`."""
+        callee, without = call.callee, self.names.without_value
+        if callee in without or (isinstance(callee, Register) and without):
+            self.selector.load_at(SP, FUNCTION, "i32")
+            self.selector.code += [("i32.const", NO_VALUE), ("i32.eq",)]
+            site = Site("no value returned", call.location)
+            self.selector.fail_if(site, [("i32.const", 0)])
+
+    def request(self, node: Node, request: Request) -> None:
+        """Copies the message to the slot and stops; copies the reply back when resumed."""
+        selector = self.selector
+        after = Node()
+        landing = self.land(after, request.location)
+        selector.memory.check_message(request.message, MESSAGE_SIZE, request.location)
+        to_slot = [("global.get", SLOT_GLOBAL), ("i32.const", MESSAGE_OFFSET), ("i32.add",)]
+        node.code += to_slot
+        selector.push(request.message)
+        node.code += [("i32.const", MESSAGE.itemsize), ("memory.copy", MAILBOX, MEMORY)]
+        node.code.append(("global.get", SLOT_GLOBAL))
+        selector.push(request.code)
+        node.code.append(("i32.store", MAILBOX, slot_offset("code")))
+        node.code += self.suspend(landing)
+        selector.forget()
+        selector.code = after.code
+        if not self.checked:  # the program may have damaged the register that it saved
+            selector.memory.check_message(request.message, MESSAGE_SIZE, request.location)
+        selector.push(request.message)
+        after.code += [*to_slot, ("i32.const", MESSAGE.itemsize)]
+        after.code += [("memory.copy", MEMORY, MAILBOX)]
+        selector.memory.set_states(request.message, MESSAGE_SIZE, ByteState.WITH_VALUE)
+        after.code += [("global.get", SLOT_GLOBAL), ("i32.load", MAILBOX, RESULT_OFFSET)]
+        selector.pop(request.result)
+        after.jump(self.nodes[request.then])
+
+    def set_jump(self, node: Node, jump: SetJump) -> None:
+        """Notes where to come back to; whoever does finds the value in this function's result."""
+        selector = self.selector
+        landed, after = Node(), self.nodes[jump.then]
+        landing = self.land(landed, jump.location)
+        zero = Constant("i32", 0)
+        selector.memory.store(Store(jump.location, jump.buffer, 0, zero, "i32"))
+        node.code += [selector.value(jump.buffer), (LANDING, landing), ("i32.store", MEMORY, 0)]
+        selector.push(zero)
+        selector.pop(jump.result)
+        node.jump(after)
+        selector.forget()
+        selector.code = landed.code
+        selector.load_at(SP, self.frame.jump_value, "i32")
+        selector.pop(jump.result)
+        landed.jump(after)
+
+    def long_jump(self, node: Node, jump: LongJump) -> None:
+        """Says where to go, and lets `leave` and `resume` do the rest."""
+        selector = self.selector
+        site = self.names.number(Site("longjmp to a function that has returned", jump.location))
+        operands = [jump.activation, jump.place, jump.value, Constant("i32", site)]
+        node.code += jumps.start([selector.value(each) for each in operands])
+        node.code.append((UNWIND,))

@@ -1,0 +1,209 @@
+"""A linked program as one WebAssembly module.
+
+The module imports the mailbox, the memory in which the slots of all robots lie, and nothing else.
+It exports its own memory, and `resume(slot) -> status`, which starts the program or lets it go on:
+the address of the robot's slot comes in, the fuel is taken from the slot and what is left of it
+is written back.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from crs_cc.errors import CompileError
+from crs_cc.ir.program import ByteState, Data, Program
+from crs_cc.requests import FAILED, slot_offset
+from crs_cc.runtime.codegen import jumps, shadow
+from crs_cc.runtime.codegen.checked_arithmetic import product_fits
+from crs_cc.runtime.codegen.function_code import Build, generate
+from crs_cc.runtime.codegen.indices import MAILBOX, MEMORY, SHADOW, SLOT_GLOBAL
+from crs_cc.runtime.codegen.names import Names
+from crs_cc.runtime.codegen.signatures import asked_for_values, pointer_tables
+from crs_cc.runtime.compiled import Compiled
+from crs_cc.runtime.layout import (
+    HEADER_SIZE,
+    MEMORY_BYTES,
+    NULL_SIZE,
+    STACK_TOP,
+    argument_offsets,
+    red_zone,
+    round_up,
+)
+from crs_cc.runtime.link import HEAP_SYMBOLS, ROOT, pointed_functions
+from crs_cc.runtime.wasm import PAGE, TYPE_I32_I32, Code, FuncType, Instr, Module
+
+_TWO_I32: Final[FuncType] = (("i32", "i32"), ("i32",))
+
+SMALL: Final = 1024
+"""The states of smaller objects come from a data segment of the module, those of others by code."""
+
+
+def compile_program(
+    program: Program, *, checked: bool = True, debug: bool = False, trap_overflow: bool = False
+) -> Compiled:
+    """Generates the code of a linked and verified program.
+
+    Args:
+        program: the program; it must define `__crs_start`.
+        checked: test every access through a pointer.
+        debug: make every statement a place to stop at.
+        trap_overflow: stop at signed overflow; in checked builds only.
+
+    Raises:
+        CompileError: the program's objects do not fit into a robot's memory.
+    """
+    addresses = _place(program)
+    pointers = pointed_functions(program)
+    addresses.update((name, number) for number, name in enumerate(pointers, start=1))
+    checks = [shadow.inaccessible(), shadow.callers(), product_fits()]
+    own = [_fault(), *(checks if checked else [_outside()])]
+    numbers = {name: number for number, name in enumerate(program.functions, start=len(own))}
+    names = Names(
+        addresses,
+        numbers,
+        {data.name: data.size for data in program.data.values()},
+        {
+            function.name: argument_offsets([each.size for each in function.parameters])[-1]
+            for function in program.functions.values()
+        },
+        len(pointers),
+        {},
+        asked_for_values(program, pointers) if checked else set(),
+    )
+    tables = pointer_tables(program, pointers) if checked else {}
+    heap, end = (addresses[name] for name in HEAP_SYMBOLS)
+    for shape, table in tables.items():
+        names.tables[shape] = heap
+        heap = min(round_up(heap + len(table), 16), end)
+    addresses[HEAP_SYMBOLS[0]] = heap
+    module = Module(
+        functions=list(own),
+        memory_imports=[("crs", "mailbox")],
+        memories=[MEMORY_BYTES // PAGE, *([shadow.PAGES] if checked else [])],
+        tables=[len(pointers) + 1],
+        globals=[("i32", 0), *jumps.GLOBALS],
+        elements=[(0, 1, [numbers[name] for name in pointers])] if pointers else [],
+    )
+    build = Build(checked, debug, trap_overflow)
+    infos = []
+    for function in program.functions.values():
+        code, info = generate(function, names, build)
+        module.functions.append(code)
+        infos.append(info)
+    module.functions.append(_resume(numbers[ROOT]))
+    module.exports = [
+        ("memory", "memory", MEMORY),
+        ("resume", "func", len(module.functions) - 1),
+    ]
+    module.data = [
+        (MEMORY, addresses[data.name], _content(data, addresses))
+        for data in program.data.values()
+        if (data.content and any(data.content)) or data.relocations
+    ]
+    for shape, table in tables.items():
+        module.data.append((MEMORY, names.tables[shape], table))
+    if checked:
+        module.exports.append(("shadow", "memory", SHADOW))
+        _add_start(module, program, addresses)
+    return Compiled(module, len(own), names.sites, names.call_sites, infos, addresses)
+
+
+def _place(program: Program) -> dict[str, int]:
+    """Gives every object its address, behind the stack; the heap takes the rest.
+
+    With checks or without, they are the same: what a program does must not depend on it.
+    """
+    addresses: dict[str, int] = {}
+    end = STACK_TOP + red_zone(0)
+    for data in program.data.values():
+        end = round_up(end, max(1, data.align))
+        addresses[data.name] = end
+        end += max(1, data.size) + red_zone(data.size)
+        if end > MEMORY_BYTES:
+            raise CompileError.at(
+                data.location,
+                f"'{data.name}' does not fit: {data.size} bytes of {MEMORY_BYTES - STACK_TOP}",
+                "a robot's memory is limited; use a smaller array",
+                "linking",
+            )
+    heap = round_up(end, 16)
+    addresses.update(zip(HEAP_SYMBOLS, (heap, MEMORY_BYTES), strict=True))
+    return addresses
+
+
+def _content(data: Data, addresses: dict[str, int]) -> bytes:
+    """Gives an object's initial bytes with the addresses filled in."""
+    content = bytearray(data.content or bytes(data.size))
+    for relocation in data.relocations:
+        value = addresses[relocation.symbol] + relocation.addend
+        at = relocation.offset
+        content[at : at + 4] = (value % 2**32).to_bytes(4, "little")
+    return bytes(content)
+
+
+def _add_start(module: Module, program: Program, addresses: dict[str, int]) -> None:
+    """Makes a function that marks all objects in the shadow memory when a robot is made."""
+    body: list[Instr] = []
+    run: list[Data] = []
+    for data in [*program.data.values(), None]:
+        if data is not None and data.size < SMALL:
+            run.append(data)
+            continue
+        if run:
+            body += _marks(module, run, addresses)
+            run = []
+        if data is not None:
+            body += [("i32.const", addresses[data.name]), ("i32.const", ByteState.WITH_VALUE)]
+            body += [("i32.const", data.size), ("memory.fill", SHADOW)]
+    module.start = len(module.functions)
+    module.functions.append(Code("start", ((), ()), [], body))
+
+
+def _marks(module: Module, run: list[Data], addresses: dict[str, int]) -> list[Instr]:
+    """Adds the states of some objects, and what lies between them, to the module's data."""
+    start = addresses[run[0].name]
+    states = bytearray()
+    for data in run:
+        states = states.ljust(addresses[data.name] - start, bytes([ByteState.INACCESSIBLE]))
+        states += bytes([ByteState.WITH_VALUE]) * data.size
+    segment = len(module.data)
+    module.data.append((-1, 0, bytes(states)))
+    code: list[Instr] = [("i32.const", start), ("i32.const", 0), ("i32.const", len(states))]
+    return [*code, ("memory.init", segment, SHADOW)]
+
+
+def _fault() -> Code:
+    """`fault(site, value) -> FAILED`: notes in the slot what went wrong where."""
+    body = [
+        ("global.get", SLOT_GLOBAL), ("local.get", 0),
+        ("i32.store", MAILBOX, slot_offset("error_site")),
+        ("global.get", SLOT_GLOBAL), ("local.get", 1),
+        ("i32.store", MAILBOX, slot_offset("error_address")),
+        ("i32.const", FAILED),
+    ]  # fmt: skip
+    return Code("fault", _TWO_I32, [], body)
+
+
+def _outside() -> Code:
+    """`outside(address, size)`: whether some of the bytes lie outside the accessible memory."""
+    body = [
+        ("local.get", 1), ("i32.eqz",), ("if",), ("i32.const", 0), ("return",), ("end",),
+        ("local.get", 1), ("i32.const", MEMORY_BYTES - NULL_SIZE), ("i32.gt_u",),
+        ("if",), ("i32.const", 1), ("return",), ("end",),
+        ("local.get", 0), ("i32.const", NULL_SIZE), ("i32.sub",),
+        ("i32.const", MEMORY_BYTES - NULL_SIZE), ("local.get", 1), ("i32.sub",), ("i32.gt_u",),
+    ]  # fmt: skip
+    return Code("outside", _TWO_I32, [], body)
+
+
+def _resume(root: int) -> Code:
+    """`resume(slot) -> status`."""
+    fuel = slot_offset("fuel")
+    body = [
+        ("local.get", 0), ("global.set", SLOT_GLOBAL),
+        ("local.get", 0), ("i64.load", MAILBOX, fuel), ("local.set", 1),
+        *jumps.call_root(root, STACK_TOP - HEADER_SIZE, fuel=1, status=2),
+        ("local.get", 0), ("local.get", 1), ("i64.store", MAILBOX, fuel),
+        ("local.get", 2),
+    ]  # fmt: skip
+    return Code("resume", TYPE_I32_I32, ["i64", "i32"], body)

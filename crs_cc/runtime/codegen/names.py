@@ -1,0 +1,45 @@
+"""What the names in a program stand for, and the numbers of the places in its code."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from crs_cc.runtime.codegen.signatures import Shape
+from crs_cc.runtime.sites import CallSite, Site
+
+
+@dataclass(slots=True)
+class Names:
+    """What names stand for in the whole program.
+
+    Attributes:
+        addresses: address of each global object; function pointer of each function that needs one.
+        functions: index in the module of each function.
+        sizes: size of each global object.
+        parameters: size of the parameters of each function, as `layout` places them.
+        tables: addresses of the tables that `signatures` makes.
+        without_value: functions that may end without a value which somebody uses.
+        pointers: how many function pointers there are; they are numbered from 1.
+        sites: every place that can fail.
+        call_sites: every place that calls, by its number less 1.
+    """
+
+    addresses: dict[str, int]
+    functions: dict[str, int]
+    sizes: dict[str, int]
+    parameters: dict[str, int]
+    pointers: int
+    tables: dict[Shape, int]
+    without_value: set[str]
+    sites: list[Site] = field(default_factory=list)
+    call_sites: list[CallSite] = field(default_factory=list)
+
+    def number(self, site: Site) -> int:
+        """Enters a place that can fail; gives its number."""
+        self.sites.append(site)
+        return len(self.sites) - 1
+
+    def call_number(self, site: CallSite) -> int:
+        """Enters a place that calls; gives its number."""
+        self.call_sites.append(site)
+        return len(self.call_sites)

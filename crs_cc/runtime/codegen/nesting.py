@@ -1,0 +1,183 @@
+"""Writes a graph as WebAssembly's nested blocks and loops.
+
+The dominator tree decides the nesting (N. Ramsey, "Beyond Relooper", ICFP 2022): what a node
+dominates is written within it, and a node where several ways meet follows a block that those
+ways leave.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from crs_cc.runtime.codegen.flow import FAULTED, LANDING, UNWIND, Node
+from crs_cc.runtime.wasm import Instr
+
+
+@dataclass(slots=True)
+class _Order:
+    """Reverse postorder, dominators and what follows from them."""
+
+    rank: dict[Node, int]
+    children: dict[Node, list[Node]]
+    merges: set[Node]
+    headers: set[Node]
+
+
+def _postorder(entry: Node) -> list[Node]:
+    seen = {entry}
+    out: list[Node] = []
+    work = [(entry, iter(entry.targets))]
+    while work:
+        node, rest = work[-1]
+        for target in rest:
+            if target not in seen:
+                seen.add(target)
+                work.append((target, iter(target.targets)))
+                break
+        else:
+            out.append(node)
+            work.pop()
+    return out
+
+
+def _analyse(entry: Node) -> _Order:
+    """Finds dominators (Cooper, Harvey, Kennedy 2001), merge nodes and loop headers."""
+    order = list(reversed(_postorder(entry)))
+    rank = {node: number for number, node in enumerate(order)}
+    forward: dict[Node, list[Node]] = {node: [] for node in order}
+    merges: set[Node] = set()
+    headers: set[Node] = set()
+    for node in order:
+        for target in node.targets:
+            if rank[target] <= rank[node]:
+                headers.add(target)
+            else:
+                forward[target].append(node)
+        if node.exit == "table":
+            merges.update(node.targets)
+    merges.update(node for node in order if len(forward[node]) > 1)
+    parent: dict[Node, Node] = {entry: entry}
+    for node in order[1:]:  # reducible: every forward predecessor is known before its successor
+        common = forward[node][0]
+        for source in forward[node][1:]:
+            while common is not source:
+                if rank[common] > rank[source]:
+                    common = parent[common]
+                else:
+                    source = parent[source]  # noqa: PLW2901 - both walk up to the meeting point
+        parent[node] = common
+    children: dict[Node, list[Node]] = {node: [] for node in order}
+    for node in order[1:]:
+        children[parent[node]].append(node)
+    return _Order(rank, children, merges, headers)
+
+
+def emit(entry: Node, fault: list[Instr]) -> list[Instr]:
+    """Gives the code of a graph whose loops are entered at one node each.
+
+    Args:
+        entry: where it begins.
+        fault: what is done where the code leaves by `FAULTED`. From there, and by `UNWIND`, it goes
+            on behind the code that is given, which is the caller's.
+    """
+    return _Emitter(_analyse(entry)).run(entry, fault)
+
+
+class _Emitter:
+    """Writes nodes as nested blocks; `work` is what is still to be written, last first."""
+
+    def __init__(self, order: _Order) -> None:
+        self.order = order
+        self.out: list[Instr] = []
+        self.depth = 0
+        self.block_depth: dict[Node, int] = {}
+        self.loop_depth: dict[Node, int] = {}
+        self.work: list[Node | Instr] = []
+
+    def run(self, entry: Node, fault: list[Instr]) -> list[Instr]:
+        self.open("block")
+        self.open("block")
+        self.work += [("end",), *reversed(fault), ("end",), ("unreachable",), entry]
+        while self.work:
+            each = self.work.pop()
+            if isinstance(each, Node):
+                self.tree(each)
+            else:
+                self.out.append(each)
+                self.depth -= each[0] == "end"
+        return self.out
+
+    def open(self, name: str) -> int:
+        self.out.append((name,))
+        self.depth += 1
+        return self.depth
+
+    def tree(self, node: Node) -> None:
+        """Writes a node and all that it dominates."""
+        if node in self.order.headers:
+            self.loop_depth[node] = self.open("loop")
+            self.work.append(("end",))
+        merges = [child for child in self.order.children[node] if child in self.order.merges]
+        merges.sort(key=self.order.rank.__getitem__, reverse=True)
+        for child in merges:
+            self.block_depth[child] = self.open("block")
+            self.work += [child, ("end",)]
+        for instr in node.code:
+            self.instruction(instr)
+        match node.exit:
+            case "jump":
+                self._jump(node)
+            case "branch":
+                self._branch(node)
+            case "table":
+                self._table(node)
+
+    def instruction(self, instr: Instr) -> None:
+        """Writes an instruction; a pseudo-instruction as what it stands for."""
+        if instr[0] is UNWIND:
+            self.out.append(("br", self.depth - 1))
+        elif instr[0] is FAULTED:
+            self.out.append(("br", self.depth - 2))
+        elif instr[0] is LANDING:
+            self.out.append(("i32.const", instr[1].number))
+        else:
+            self.out.append(instr)
+            self.depth += (instr[0] == "if") - (instr[0] == "end")
+
+    def label(self, source: Node, target: Node) -> int | None:
+        """Gives the relative depth of a jump; None when the target is written in place."""
+        if self.order.rank[target] <= self.order.rank[source]:
+            return self.depth - self.loop_depth[target]
+        if target in self.order.merges:
+            return self.depth - self.block_depth[target]
+        return None
+
+    def _jump(self, node: Node) -> None:
+        depth = self.label(node, node.targets[0])
+        if depth is None:
+            self.work.append(node.targets[0])
+        else:
+            self.out.append(("br", depth))
+
+    def _branch(self, node: Node) -> None:
+        then, otherwise = node.targets
+        then_depth, otherwise_depth = self.label(node, then), self.label(node, otherwise)
+        if then_depth is not None:
+            self.out.append(("br_if", then_depth))
+            self._continue(otherwise, otherwise_depth)
+        elif otherwise_depth is not None:
+            self.out += [("i32.eqz",), ("br_if", otherwise_depth)]
+            self._continue(then, then_depth)
+        else:
+            self.open("if")
+            self.work += [("end",), otherwise, ("else",), then]
+
+    def _continue(self, target: Node, depth: int | None) -> None:
+        if depth is None:
+            self.work.append(target)
+        else:
+            self.out.append(("br", depth))
+
+    def _table(self, node: Node) -> None:
+        depths = [self.label(node, target) for target in node.targets]
+        self.out.append(("br_table", depths[:-1], depths[-1]))

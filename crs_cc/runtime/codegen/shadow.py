@@ -1,0 +1,127 @@
+"""The shadow memory: what C may do with each byte of its memory.
+
+A checked program has a second memory that C cannot address, with a byte for each byte of the
+first: a `ByteState`. It is as large as addresses reach, 4 GiB, though only the part over the first
+memory is ever written; so any pointer can be looked up without a test of its range, and a wild one
+finds zero, inaccessible. The states are chosen so that one comparison serves:
+
+    all bytes may be read          the shadow bytes, as one number, are -1
+    all bytes may be written       each shadow byte has its lowest bit set
+
+Untouched pages of the shadow take no memory of the host's. What lies below the stack pointer is
+inaccessible, always: a function makes its slots accessible when it is entered, and inaccessible
+when it is left.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from crs_cc.ir.program import ByteState, ValueType
+from crs_cc.runtime.codegen.indices import MEMORY, SHADOW
+from crs_cc.runtime.layout import RESULT
+from crs_cc.runtime.sites import FRAME_BITS, FRAME_UNIT, SITE_BITS
+from crs_cc.runtime.wasm import UNLIKELY, Code, FuncType, Instr
+
+PAGES: Final = 65536
+
+MOST_INLINE: Final = 64
+"""More bytes than this are set by `memory.fill`, which is a call into the host."""
+
+_LOADS: Final = {1: "i32.load8_s", 2: "i32.load16_s", 4: "i32.load", 8: "i64.load"}
+_STORES: Final = {1: "i32.store8", 2: "i32.store16", 4: "i32.store", 8: "i64.store"}
+
+
+def kind(size: int) -> ValueType:
+    """Gives the type of the number that holds the states of so many bytes."""
+    return "i64" if size == 8 else "i32"
+
+
+def load(size: int, offset: int) -> Instr:
+    """Replaces an address by the states of the bytes there, extended by their sign."""
+    return (_LOADS[size], SHADOW, offset)
+
+
+def store(size: int, offset: int) -> Instr:
+    """Sets the states of the bytes at an address; address and states are on the stack."""
+    return (_STORES[size], SHADOW, offset)
+
+
+def repeated(state: int, size: int) -> Instr:
+    """Pushes the states of so many bytes that have all the same state."""
+    return (f"{kind(size)}.const", int.from_bytes([state] * size, "little", signed=True))
+
+
+def not_readable(size: int) -> list[Instr]:
+    """Replaces states on the stack by whether some byte may not be read, or has no value."""
+    return [repeated(ByteState.WITH_VALUE, size), (f"{kind(size)}.ne",)]
+
+
+def not_accessible(size: int) -> list[Instr]:
+    """Replaces states on the stack by whether some byte is inaccessible."""
+    lowest = repeated(ByteState.WITHOUT_VALUE, size)
+    return [lowest, (f"{kind(size)}.and",), lowest, (f"{kind(size)}.ne",)]
+
+
+def fill(base: Instr, offset: int, size: int, state: int) -> list[Instr]:
+    """Sets the states of `size` bytes at `base + offset`; `base` is an instruction that pushes."""
+    if size > MOST_INLINE:
+        at = [base, ("i32.const", offset), ("i32.add",)]
+        return [*at, ("i32.const", state), ("i32.const", size), ("memory.fill", SHADOW)]
+    code: list[Instr] = []
+    while size > 0:
+        step = next(each for each in (8, 4, 2, 1) if each <= size)
+        code += [base, repeated(state, step), store(step, offset)]
+        offset, size = offset + step, size - step
+    return code
+
+
+# Functions of the module that checked code calls
+
+_RANGE: Final[FuncType] = (("i32", "i32"), ("i64",))
+FINE: Final = -1
+"""What `inaccessible` gives when all is well."""
+
+
+def inaccessible() -> Code:
+    """`inaccessible(address, size)`: the address of the first byte not accessible, or `FINE`.
+
+    It goes on by eight bytes where it can.
+    """
+    address, left = 0, 1
+    body = [
+        ("block",), ("loop",),
+        ("local.get", left), ("i32.const", 8), ("i32.lt_u",), ("br_if", 1),
+        ("local.get", address), load(8, 0), *not_accessible(8), ("br_if", 1),
+        ("local.get", address), ("i32.const", 8), ("i32.add",), ("local.set", address),
+        ("local.get", left), ("i32.const", 8), ("i32.sub",), ("local.set", left),
+        ("br", 0), ("end",), ("end",),
+        ("loop",),
+        ("local.get", left), ("i32.eqz",), ("if",), ("i64.const", FINE), ("return",), ("end",),
+        ("local.get", address), load(1, 0), ("i32.eqz",), UNLIKELY,
+        ("local.get", address), ("i64.extend_i32_u",), ("return",), ("end",),
+        ("local.get", address), ("i32.const", 1), ("i32.add",), ("local.set", address),
+        ("local.get", left), ("i32.const", 1), ("i32.sub",), ("local.set", left),
+        ("br", 0), ("end",), ("unreachable",),
+    ]  # fmt: skip
+    return Code("inaccessible", _RANGE, [], body)
+
+
+def callers() -> Code:
+    """`callers(fp, target, count)`: writes the numbers of `count` call sites, see `sites`."""
+    fp, target, count, word = 0, 1, 2, 3
+    frame = (1 << FRAME_BITS) - 1
+    body = [
+        ("loop",),
+        ("local.get", target),
+        ("local.get", fp), ("i64.load", MEMORY, RESULT), ("local.tee", word),
+        ("i32.wrap_i64",), ("i32.const", (1 << SITE_BITS) - 1), ("i32.and",),
+        ("i32.store", MEMORY, 0),
+        ("local.get", word), ("i64.const", SITE_BITS), ("i64.shr_u",), ("i32.wrap_i64",),
+        ("i32.const", frame), ("i32.and",), ("i32.const", FRAME_UNIT), ("i32.mul",),
+        ("local.get", fp), ("i32.add",), ("local.set", fp),
+        ("local.get", target), ("i32.const", 4), ("i32.add",), ("local.set", target),
+        ("local.get", count), ("i32.const", 1), ("i32.sub",), ("local.tee", count),
+        ("br_if", 0), ("end",),
+    ]  # fmt: skip
+    return Code("callers", (("i32", "i32", "i32"), ()), ["i64"], body)

@@ -1,0 +1,85 @@
+"""C's `switch` as jump tables, and as comparisons where the cases lie far apart."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from crs_cc.ir.program import Block, Constant, Operand, Switch
+from crs_cc.runtime.codegen.flow import Node
+from crs_cc.runtime.codegen.selection import Selector
+
+FEW: Final = 3  # cases worth comparing one by one
+WASTE: Final = 4  # a jump table may have so many times more entries than cases
+LARGEST_TABLE: Final = 4096
+
+
+def lower_switch(selector: Selector, node: Node, switch: Switch, nodes: dict[Block, Node]) -> None:
+    """Ends `node` with the choice, through nodes of comparisons where needed."""
+    cases = [
+        (number, nodes[block]) for number, block in sorted(switch.cases, key=lambda case: case[0])
+    ]
+    default = nodes[switch.default]
+    work = [(node, cases)]
+    while work:
+        place, part = work.pop()
+        selector.code = place.code
+        if _dense(part):
+            _table(selector, place, switch.value, part, default)
+        elif len(part) <= FEW:
+            _chain(selector, place, switch.value, part, default)
+        else:
+            middle = len(part) // 2
+            low, high = Node(), Node()
+            _compare(selector, switch.value, "lt_s", part[middle][0])
+            place.exit, place.targets = "branch", [low, high]
+            work += [(low, part[:middle]), (high, part[middle:])]
+
+
+def _dense(cases: list[tuple[int, Node]]) -> bool:
+    if len(cases) <= FEW:
+        return False
+    span = cases[-1][0] - cases[0][0] + 1
+    return span <= min(LARGEST_TABLE, WASTE * len(cases))
+
+
+def _compare(selector: Selector, value: Operand, test: str, number: int) -> None:
+    selector.push(value)
+    selector.push(Constant(value.type, number))
+    selector.code.append((f"{value.type}.{test}",))
+
+
+def _chain(
+    selector: Selector, node: Node, value: Operand, cases: list[tuple[int, Node]], default: Node
+) -> None:
+    for number, target in cases:
+        _compare(selector, value, "eq", number)
+        following = Node()
+        node.exit, node.targets = "branch", [target, following]
+        node = following
+        selector.code = node.code
+    node.jump(default)
+
+
+def _table(
+    selector: Selector, node: Node, value: Operand, cases: list[tuple[int, Node]], default: Node
+) -> None:
+    first = cases[0][0]
+    targets = [default] * (cases[-1][0] - first + 1)
+    for number, target in cases:
+        targets[number - first] = target
+    if value.type == "i64":  # a distance of 2**32 and more must not wrap into the table
+        inside = Node()
+        _distance(selector, value, first)
+        selector.code += [("i64.const", len(targets)), ("i64.lt_u",)]
+        node.exit, node.targets = "branch", [inside, default]
+        node, selector.code = inside, inside.code
+    _distance(selector, value, first)
+    if value.type == "i64":
+        selector.code.append(("i32.wrap_i64",))
+    node.exit, node.targets = "table", [*targets, default]
+
+
+def _distance(selector: Selector, value: Operand, first: int) -> None:
+    selector.push(value)
+    selector.push(Constant(value.type, first))
+    selector.code.append((f"{value.type}.sub",))

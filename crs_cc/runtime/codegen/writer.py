@@ -1,0 +1,110 @@
+"""The code of a function as it is written: locals for its registers, values, addresses, errors.
+
+The cold side of a test that fails notes the place in the code (its site) and leaves the function.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from crs_cc.ir.program import VARARGS, Base, Constant, Operand, Register, Slot, ValueType
+from crs_cc.runtime.codegen.flow import FAULTED
+from crs_cc.runtime.codegen.indices import ADDRESS, FIXED_LOCALS, FUEL, SITE, SP
+from crs_cc.runtime.codegen.names import Names
+from crs_cc.runtime.layout import Frame
+from crs_cc.runtime.sites import Site
+from crs_cc.runtime.wasm import UNLIKELY, Instr
+
+FREE_BYTES: Final = 256  # a copy costs one more unit of fuel for each so many bytes; 2**n
+
+
+class Writer:
+    """Writes what all instructions of one function consist of.
+
+    Attributes:
+        code: the list that it appends to.
+        names: what names stand for.
+        frame: where the function's slots and registers lie.
+        locals: the local of each register that has one.
+        local_types: the types of the locals behind the parameters.
+    """
+
+    def __init__(self, names: Names, frame: Frame) -> None:
+        self.names = names
+        self.frame = frame
+        self.code: list[Instr] = []
+        self.local_types: list[ValueType] = list(FIXED_LOCALS)
+        self.locals: dict[Register, int] = {}
+        self._released: set[Register] = set()
+        self._free: dict[ValueType, list[int]] = {"i32": [], "i64": [], "f32": [], "f64": []}
+
+    # -- locals ------------------------------------------------------------------------------
+
+    def take_local(self, register: Register) -> None:
+        """Gives a register a local of its own until it is released."""
+        free = self._free[register.type]
+        if free:
+            self.locals[register] = free.pop()
+            return
+        self.local_types.append(register.type)
+        self.locals[register] = len(self.local_types) + 1
+
+    def release(self, register: Register) -> None:
+        """Makes the register's local free for another one; assigned again it takes a new one."""
+        self._free[register.type].append(self.locals[register])
+        self._released.add(register)
+
+    def value(self, operand: Operand) -> Instr:
+        """Gives the instruction that pushes an operand's value."""
+        if isinstance(operand, Constant):
+            return (f"{operand.type}.const", operand.value)
+        return ("local.get", self.locals[operand])
+
+    def push(self, operand: Operand) -> None:
+        """Pushes an operand's value."""
+        self.code.append(self.value(operand))
+
+    def pop(self, register: Register) -> None:
+        """Pops a value into a register."""
+        if register not in self.locals or register in self._released:
+            self._released.discard(register)
+            self.take_local(register)
+        self.code.append(("local.set", self.locals[register]))
+
+    # -- errors ------------------------------------------------------------------------------
+
+    def fail(self, site: Site, value: list[Instr]) -> None:
+        """Stops the program; `value` pushes the address or number to blame."""
+        number = self.names.number(site)
+        self.code += [*value, ("local.set", ADDRESS)]
+        self.code += [("i32.const", number), ("local.set", SITE), (FAULTED,)]
+
+    def fail_if(self, site: Site, value: list[Instr]) -> None:
+        """Stops the program if the i32 on the stack is not zero."""
+        self.code.append(UNLIKELY)
+        self.fail(site, value)
+        self.code.append(("end",))
+
+    # -- memory ------------------------------------------------------------------------------
+
+    def address(self, base: Base, offset: int) -> None:
+        """Pushes an address."""
+        match base:
+            case Register():
+                self.push(base)
+            case Slot():
+                self.code.append(("local.get", SP))
+                offset += self.frame.varargs if base is VARARGS else self.frame.offsets[base]
+            case str():
+                self.code.append(("i32.const", self.names.addresses[base] + offset))
+                return
+        if offset:
+            self.code += [("i32.const", offset), ("i32.add",)]
+
+    def charge(self, size: Operand) -> None:
+        """Takes fuel for moving `size` bytes, so that large copies cost the time they take."""
+        if isinstance(size, Constant) and size.value < FREE_BYTES:
+            return
+        self.code += [("local.get", FUEL), self.value(size)]
+        self.code += [("i32.const", FREE_BYTES.bit_length() - 1), ("i32.shr_u",)]
+        self.code += [("i64.extend_i32_u",), ("i64.sub",), ("local.set", FUEL)]

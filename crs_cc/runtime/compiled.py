@@ -1,0 +1,59 @@
+"""A compiled program: its module, and what finds functions, variables and places in its memory."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from crs_cc.ir.program import Function, Register
+from crs_cc.runtime.layout import Frame
+from crs_cc.runtime.sites import CallSite, Site
+from crs_cc.runtime.wasm import Module
+from crs_cc.source import Location
+
+
+@dataclass(slots=True)
+class FunctionInfo:
+    """What a debugger needs to read a stopped function's frame.
+
+    Attributes:
+        function: the IR function.
+        frame: where its registers and slots lie.
+        landings: where in the source each landing is, by its number; the entry for 0.
+        callees: for landings at calls, by the landing's number, the callee: its name, or the
+            register that holds the function pointer.
+        calls: the landing of each call, by the number of its call site (checked builds only).
+    """
+
+    function: Function
+    frame: Frame
+    landings: dict[int, Location]
+    callees: dict[int, str | Register]
+    calls: dict[int, int]
+
+
+@dataclass(slots=True)
+class Compiled:
+    """A module and what is needed to read a robot's memory.
+
+    Attributes:
+        module: the WebAssembly module.
+        sites: every place that can fail, by the number in the slot's `error_site`.
+        call_sites: every place that calls, by its number less 1; see `sites`.
+        functions: the functions in the order of the numbers in their frames.
+        addresses: address of each global object and function pointer of each function.
+        first_function: index in the module of the first function of the program.
+    """
+
+    module: Module
+    first_function: int
+    sites: list[Site]
+    call_sites: list[CallSite]
+    functions: list[FunctionInfo]
+    addresses: dict[str, int]
+    _infos: dict[str, FunctionInfo] = field(default_factory=dict, repr=False)
+
+    def info(self, function: str) -> FunctionInfo:
+        """Gives what is known of a function."""
+        if not self._infos:
+            self._infos.update((info.function.name, info) for info in self.functions)
+        return self._infos[function]

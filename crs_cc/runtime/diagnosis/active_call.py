@@ -1,0 +1,32 @@
+"""A line of the call stack, as reports show it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from crs_cc.source import Location
+
+
+@dataclass(frozen=True, slots=True)
+class ActiveCall:
+    """A function that is active, or several of them that are not shown one by one.
+
+    Attributes:
+        function: its name; of several the names, empty when there are too many.
+        arguments: names and values of its arguments; `...` without a value for those unnamed.
+        location: where it is; None in the library, and for several.
+        count: how many calls this stands for.
+    """
+
+    function: str
+    arguments: tuple[tuple[str, str], ...] = ()
+    location: Location | None = None
+    count: int = 1
+
+    def __str__(self) -> str:
+        if self.count > 1:
+            return f"{self.count:,} more calls" + (f" of {self.function}" if self.function else "")
+        arguments = ", ".join(
+            f"{name}={value}" if value else name for name, value in self.arguments
+        )
+        return f"{self.function}({arguments})"

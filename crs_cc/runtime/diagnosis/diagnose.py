@@ -1,0 +1,77 @@
+"""Tells what was wrong with an access to memory, from the state in which the program stopped.
+
+The code that found fault noted the address and nothing else. Which byte is to blame shows in the
+shadow memory; what it belongs to, or lies beside, shows in frames, objects and heap.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from crs_cc.ir.names import in_library
+from crs_cc.ir.program import ByteState
+from crs_cc.runtime.diagnosis.inspect import Stopped
+from crs_cc.runtime.diagnosis.objects import Object, find_object
+from crs_cc.runtime.diagnosis.returned import returned_local
+from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE, STACK_TOP
+from crs_cc.runtime.sites import Access
+
+NEAREST: Final = 256
+"""Bytes around an object that belong to no other count as its outside; around larger ones more."""
+
+
+def diagnose(
+    stopped: Stopped, address: int, size: int, access: Access
+) -> tuple[str, int, Object | None]:
+    """Gives the kind of error, the first byte to blame, and the object there or nearest to it.
+
+    Args:
+        stopped: the program.
+        address: the first byte of the access.
+        size: how many bytes were accessed; 0 when `address` is known to be the one to blame.
+        access: what was done.
+    """
+    if address < NULL_SIZE:
+        return "null pointer", address, None
+    states = stopped.shadow[address : address + max(1, size)]
+    bad = np.flatnonzero(states == ByteState.INACCESSIBLE)
+    if len(bad):
+        first = address + int(bad[0])
+        found = find_object(stopped, first)
+        kind = _kind(stopped, first, found)
+        if kind == "use after return":
+            found = returned_local(stopped, first)
+        return kind, first, found
+    if len(states) < max(1, size):
+        return "pointer outside memory", max(address, MEMORY_BYTES), None
+    without = np.flatnonzero(states != ByteState.WITH_VALUE)
+    first = address + (int(without[0]) if len(without) else 0)
+    kind = "uninitialised read" if access == "read" else "out of bounds"
+    return kind, first, find_object(stopped, first)
+
+
+def _kind(stopped: Stopped, address: int, found: Object | None) -> str:
+    """Gives what is wrong with an access to a byte that is inaccessible."""
+    if found is not None and found.distance(address) == 0 and found.state != "alive":
+        return "use after scope" if found.state == "ended" else "use after free"
+    if address < stopped.stack_pointer():
+        return "use after return" if address >= _deepest(stopped) else "wild pointer"
+    if address < STACK_TOP and (found is None or _is_in_library(found)):
+        return "use after return"  # and then other functions were called
+    if found is None:
+        return "wild pointer"
+    if found.kind == "argument":
+        return "missing argument"
+    near = abs(found.distance(address)) <= max(NEAREST, found.size)
+    return "out of bounds" if near else "wild pointer"
+
+
+def _is_in_library(found: Object) -> bool:
+    return found.location is not None and in_library(found.location)
+
+
+def _deepest(stopped: Stopped) -> int:
+    """Gives how far down the stack has ever been."""
+    return NULL_SIZE + int(np.argmax(stopped.memory[NULL_SIZE:STACK_TOP] != 0))

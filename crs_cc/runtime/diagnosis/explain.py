@@ -1,0 +1,345 @@
+"""Says in plain words why a program was stopped: one function for each kind of error.
+
+The reader may have learned C last month. A sentence says what the program did and what is wrong
+with it; the notes tell of the object: how large it is, where it is declared, where a block of the
+heap was allocated and freed.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Final
+
+from crs_cc.ir.names import plain_name
+from crs_cc.ir.program import Program
+from crs_cc.ir.types import CType, PointerType, spell
+from crs_cc.runtime.diagnosis.active_call import ActiveCall
+from crs_cc.runtime.diagnosis.blame import names_in, pointer_in
+from crs_cc.runtime.diagnosis.failure import Failure
+from crs_cc.runtime.diagnosis.inspect import StackFrame
+from crs_cc.runtime.diagnosis.object_text import count, object_name, object_notes
+from crs_cc.runtime.diagnosis.values import place_name
+from crs_cc.runtime.diagnosis.variables import Variables
+from crs_cc.runtime.layout import NULL_SIZE, STACK_SIZE
+
+_CALL: Final = re.compile(r"\(?\s*\*?\s*([\w.>\[\]-]+?)\s*\)?\s*\(")
+LARGEST_SCALAR: Final = 8  # bytes; a larger access begins inside the object that it leaves
+FORMATTED: Final = ("printf", "scanf")
+FORMAT_HINT: Final = "hint: does the format fit the arguments?"
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """What there is to know of a failure.
+
+    Attributes:
+        failure: the failure.
+        expression: the text of the expression that failed, as far as it is known.
+        variables: reads the program.
+        frame: the innermost function of the user's own files.
+        callee: the function of the library that it called, if the failure is in there.
+    """
+
+    failure: Failure
+    expression: str = ""
+    variables: Variables | None = None
+    frame: StackFrame | None = None
+    callee: ActiveCall | None = None
+
+    @property
+    def access(self) -> str:
+        """Gives what was done: `reads 4 bytes`, `strcpy writes 1 byte`."""
+        failure = self.failure
+        verb = {"read": "reads", "write": "writes", "": "accesses"}[failure.access]
+        what = count(failure.size, "byte") if failure.size else "memory"
+        return f"{self.callee.function} {verb} {what}" if self.callee else f"{verb} {what}"
+
+    @property
+    def called(self) -> str:
+        """Gives the text of what is called, where the expression is a call."""
+        found = _CALL.match(self.expression)
+        return found[1] if found else ""
+
+    def find(self, name: str) -> tuple[CType, bytes] | None:
+        """Gives type and content of a variable."""
+        if self.variables is None or self.frame is None:
+            return None
+        known = self.variables.find(name, self.frame)
+        return None if known is None else (known.variable.ctype, known.content)
+
+    def pointer(self) -> tuple[str, int | None] | None:
+        """Gives the pointer that the expression goes through last, and its value if known."""
+        if self.variables is None or self.callee is not None:
+            return None
+        return pointer_in(self.expression, self.find, self.variables.read)
+
+    def null_variable(self) -> str:
+        """Gives the variable in the expression that is a null pointer, if there is just one."""
+        known = [(name, self.find(name)) for name in names_in(self.expression)]
+        null = [
+            name
+            for name, found in known
+            if found and isinstance(found[0], PointerType) and not any(found[1])
+        ]
+        return null[0] if len(null) == 1 else ""
+
+
+@dataclass(frozen=True, slots=True)
+class Explanation:
+    """The words.
+
+    Attributes:
+        text: what happened; empty when the kind says all.
+        notes: what else there is to say, a sentence each.
+        told: the variable whose value the text tells.
+        blamed: the variable that alone is to blame of all the expression.
+        shows_callee: whether the library's function belongs into the call stack.
+        shows_values: whether the values of the variables in the expression help.
+    """
+
+    text: str
+    notes: tuple[str, ...] = ()
+    told: str = ""
+    blamed: str = ""
+    shows_callee: bool = True
+    shows_values: bool = True
+
+
+def explain(case: Case) -> Explanation:
+    """Gives the words for a failure; none for a kind that says all."""
+    words = EXPLAIN.get(case.failure.kind)
+    return Explanation("") if words is None else words(case)
+
+
+# Pointers
+
+
+def _null(case: Case) -> Explanation:
+    if case.callee is not None:
+        name, address = case.callee.function, case.failure.value
+        null = [each for each, shown in case.callee.arguments if shown == "null"]
+        notes = (FORMAT_HINT,) if name.endswith(FORMATTED) else ()
+        if null:
+            return Explanation(f"{name} is given a null pointer as '{null[0]}'")
+        what = "a null pointer" if address == 0 else f"{address:#x}, which is no pointer"
+        return Explanation(f"{name} is given {what}", notes)
+    text, value = case.pointer() or ("", None)
+    if text and (value == 0 or (value is None and case.failure.value == 0)):
+        return Explanation(f"'{text}' is null", told=text)
+    if text and value is not None and value < NULL_SIZE:
+        return Explanation(f"'{text}' is {value:#x}, which is no pointer", told=text)
+    name = case.null_variable()
+    if name:
+        return Explanation(f"'{name}' is null", told=name)
+    return Explanation(f"{case.access} at address {case.failure.value:#x}")
+
+
+def _outside(case: Case) -> Explanation:
+    if case.failure.stopped is None:
+        return Explanation("the access is not known without the checks of memory")
+    text, value = case.pointer() or ("", None)
+    address = case.failure.value
+    if text and value is not None:
+        what = f"'{text}' is {value:#x}"
+    elif case.expression and case.callee is None:
+        what = f"'{case.expression}' lies at {address:#x}"
+    else:
+        what = f"{case.access} at {address:#x}"
+    return Explanation(f"{what}, where the program has no memory", told=text)
+
+
+def _wild(case: Case) -> Explanation:
+    failure = case.failure
+    text = f"{case.access} at {failure.value:#x}, where no object lies"
+    return Explanation(text, object_notes(failure.object, failure.value))
+
+
+def _out_of_bounds(case: Case) -> Explanation:
+    failure, found = case.failure, case.failure.object
+    if found is None:
+        return _wild(case)
+    behind = failure.value - (found.address + found.size)
+    before = found.address - failure.value
+    if behind == 0 and failure.size > LARGEST_SCALAR:
+        where = "over the end of"
+    elif behind >= 0:
+        where = f"that lie {count(behind, 'byte')} behind" if behind else "right behind"
+        where += " the end of"
+    else:
+        is_far = before > failure.size
+        where = f"that lie {count(before, 'byte')} before" if is_far else "right before"
+        where += " the start of"
+    text = f"{case.access} {where} {object_name(found)}"
+    return Explanation(text, object_notes(found, failure.value))
+
+
+def _freed(case: Case) -> Explanation:
+    failure, found = case.failure, case.failure.object
+    offset = failure.value - found.address if found else 0
+    text = f"{case.access} at byte {offset} of {object_name(found)} that was freed"
+    return Explanation(text, object_notes(found, failure.value))
+
+
+def _scope(case: Case) -> Explanation:
+    failure = case.failure
+    text = f"{case.access} of {object_name(failure.object)}, whose block has ended"
+    return Explanation(text, object_notes(failure.object, failure.value))
+
+
+def _returned(case: Case) -> Explanation:
+    failure, found = case.failure, case.failure.object
+    if found is None:
+        return Explanation(f"{case.access} of a local variable of a function that has returned")
+    owner = f"'{plain_name(found.function)}', which has returned"
+    notes = object_notes(found, failure.value)
+    return Explanation(f"{case.access} of {object_name(found)} of {owner}", notes)
+
+
+def _uninitialised(case: Case) -> Explanation:
+    failure, found = case.failure, case.failure.object
+    notes = object_notes(found)
+    if found is not None and found.variable is not None:
+        offset = max(0, failure.value - found.address) if failure.value else 0
+        part = place_name(found.name, found.variable.ctype, offset)
+        if case.callee is None:
+            blamed = found.name if part == found.name else ""
+            return Explanation(f"'{part}' has no value yet", notes, found.name, blamed)
+        return Explanation(f"{case.access} of '{part}', which has no value yet", notes)
+    if found is not None and found.kind == "heap block":
+        where = f"byte {failure.value - found.address} of {object_name(found)}"
+        if case.callee is None and case.expression:
+            return Explanation(f"'{case.expression}' has no value yet", (f"it is {where}", *notes))
+        return Explanation(f"{case.access} from {where}, which has no value yet", notes)
+    what = f"'{case.expression}'" if case.expression else "what is used here"
+    return Explanation(f"{what} has no value yet", notes)
+
+
+# The heap
+
+
+def _invalid_free(case: Case) -> Explanation:
+    failure, found = case.failure, case.failure.object
+    who = case.callee.function if case.callee else "free"
+    if found is None or found.distance(failure.value):
+        return Explanation(f"{who} is given {failure.value:#x}, which malloc never gave")
+    offset = failure.value - found.address
+    if found.kind == "heap block":
+        text = f"{who} is given a pointer to byte {offset} of {object_name(found)}"
+        return Explanation(f"{text}, not to its start", object_notes(found))
+    text = f"{who} is given a pointer to {object_name(found)}, which malloc never gave"
+    return Explanation(text, object_notes(found, failure.value if offset else None))
+
+
+def _double_free(case: Case) -> Explanation:
+    failure = case.failure
+    text = f"{object_name(failure.object)} was freed before"
+    return Explanation(text, object_notes(failure.object, failure.value))
+
+
+# Functions
+
+
+def _missing_argument(case: Case) -> Explanation:
+    if case.callee is not None:
+        name = case.callee.function
+        text = f"{name} is asked for more arguments than were passed"
+        return Explanation(text, (FORMAT_HINT,) if name.endswith(FORMATTED) else ())
+    return Explanation("va_arg asks for an argument that was not passed", shows_values=False)
+
+
+def _no_value(case: Case) -> Explanation:
+    name = f"'{case.called}'" if case.called else "the function called"
+    program = case.failure.stopped.program if case.failure.stopped else Program()
+    notes = [
+        f"'{case.called}' is defined at {each.location}: every way through it needs a 'return'"
+        for each in program.functions.values()
+        if plain_name(each.name) == case.called
+    ]
+    text = f"{name} ended without 'return', but its value is used"
+    return Explanation(text, tuple(notes[:1]), shows_values=False)
+
+
+def _mismatched(case: Case) -> Explanation:
+    stopped, pointer = case.failure.stopped, case.failure.value
+    for each in stopped.program.functions.values() if stopped else ():
+        if stopped and stopped.compiled.addresses.get(each.name) == pointer and each.ctype:
+            name = plain_name(each.name)
+            who = f"'{case.called}' points to '{name}', which" if case.called else f"'{name}'"
+            note = f"it is {spell(each.ctype, name)}, defined at {each.location}"
+            return Explanation(f"{who} takes other arguments", (note,), shows_values=False)
+    return Explanation("the function called takes other arguments than it is given")
+
+
+def _bad_function(case: Case) -> Explanation:
+    value = case.failure.value
+    name = f"'{case.called}'" if case.called else "the pointer called"
+    what = "is null" if value == 0 else f"is {value:#x}, which is no function"
+    return Explanation(f"{name} {what}", told=case.called)
+
+
+def _stack(case: Case) -> Explanation:
+    stopped = case.failure.stopped
+    if stopped is None or not stopped.stack:
+        # Our own check comes before the end of the host's stack, unless that is a small one.
+        return Explanation("the system's limit for the stack was reached (see 'ulimit -s')")
+    innermost = stopped.stack[0].function
+    size = stopped.compiled.info(innermost).frame.size
+    if size * 4 > STACK_SIZE:
+        name = plain_name(innermost)
+        text = f"the variables of '{name}' take {size:,} bytes of a stack of {STACK_SIZE:,}"
+        return Explanation(text, ("hint: make large arrays static",), shows_values=False)
+    text = f"{len(stopped.stack):,} calls at once fill the stack of {STACK_SIZE:,} bytes"
+    return Explanation(text, ("hint: does the recursion end?",), shows_values=False)
+
+
+def _assertion(case: Case) -> Explanation:
+    variables = case.variables
+    for frame in case.failure.stack if variables else ():
+        if frame.function == "__crs_assert_failed" and variables:
+            address = int.from_bytes(variables.arguments(frame)[0].content, "little")
+            text = variables.read(address, 200).partition(b"\0")[0].decode("utf-8", "replace")
+            return Explanation(text, shows_callee=False)
+    return Explanation("", shows_callee=False)
+
+
+# Arithmetic
+
+
+def _shift(case: Case) -> Explanation:
+    value = case.failure.value
+    value -= (value >> 31) << 32
+    return Explanation(f"by {count(value, 'bit')}")
+
+
+def _says(text: str, *, shows_callee: bool = True) -> Callable[[Case], Explanation]:
+    return lambda _case: Explanation(text, shows_callee=shows_callee)
+
+
+EXPLAIN: Final[dict[str, Callable[[Case], Explanation]]] = {
+    "null pointer": _null,
+    "pointer outside memory": _outside,
+    "wild pointer": _wild,
+    "out of bounds": _out_of_bounds,
+    "use after free": _freed,
+    "use after scope": _scope,
+    "use after return": _returned,
+    "uninitialised read": _uninitialised,
+    "invalid free": _invalid_free,
+    "double free": _double_free,
+    "missing argument": _missing_argument,
+    "no value returned": _no_value,
+    "mismatched call": _mismatched,
+    "shift out of range": _shift,
+    "signed overflow": _says("the result does not fit its type"),
+    "division overflow": _says("the quotient does not fit its type"),
+    "bad function pointer": _bad_function,
+    "stack overflow": _stack,
+    "damaged stack": _says("the program has written over the stack of its calls"),
+    "abort called": _says("", shows_callee=False),
+    "unhandled signal": _says("", shows_callee=False),
+    "assertion failed": _assertion,
+    "internal trap": _says("a mistake of crs, please report it"),
+}
+"""Who explains each kind of error that needs words."""

@@ -1,0 +1,86 @@
+"""Reads the heap of a stopped program: the headers that `lib/stdlib/malloc.c` keeps, see there.
+
+chunk + 0    size of the chunk; flags in the lowest four bits
+chunk + 4    size of the chunk before it
+chunk + 8    bytes asked for
+chunk + 12   numbers of the calls that allocated it, five
+chunk + 32   the block given to the program; when that is freed, links of 8 bytes, and then the
+numbers of the calls that freed it: five, or two in the smallest chunk
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.runtime.layout import MEMORY_BYTES, round_up
+from crs_cc.runtime.link import ALLOCATOR, HEAP_SYMBOLS
+
+HEADER: Final = 32
+SITES: Final = 5
+IN_USE: Final = 1
+FLAGS: Final = 15
+_LINKS: Final = 8
+_FEW: Final = 2
+_ROOMY: Final = HEADER + _LINKS + 4 * SITES  # a chunk of this size has room for all that freed it
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """A block of the heap, in use or not.
+
+    Attributes:
+        address: its first byte.
+        size: what was asked for; of a free chunk, what could be given [bytes].
+        room: what the chunk has room for [bytes].
+        in_use: whether the program may use it.
+        allocated: numbers of the calls that allocated it, the innermost first.
+        freed: numbers of the calls that freed it; empty while it is in use.
+    """
+
+    address: int
+    size: int
+    room: int
+    in_use: bool
+    allocated: tuple[int, ...]
+    freed: tuple[int, ...]
+
+
+def blocks(memory: npt.NDArray[np.uint8], addresses: Mapping[str, int]) -> Iterator[Block]:
+    """Gives the blocks of the heap in the order of their addresses.
+
+    An unchecked program may have damaged its heap: then they end where no sense can be made of it.
+
+    Args:
+        memory: the robot's memory.
+        addresses: of the program's global objects.
+    """
+    end_name = f"{ALLOCATOR}:unused"
+    if end_name not in addresses:
+        return
+    words = memory.view("<u4")
+    end = min(int(words[addresses[end_name] // 4]), MEMORY_BYTES)
+    chunk = round_up(addresses[HEAP_SYMBOLS[0]] + HEADER, 16) - HEADER
+    while chunk + HEADER <= end:
+        size = int(words[chunk // 4]) & ~FLAGS
+        if size < HEADER or chunk + size > end:
+            return
+        yield _block(words, chunk, size)
+        chunk += size
+
+
+def _block(words: npt.NDArray[np.uint32], chunk: int, size: int) -> Block:
+    header = [int(each) for each in words[chunk // 4 : (chunk + HEADER) // 4]]
+    address, room = chunk + HEADER, size - HEADER
+    flags = header[0] & FLAGS
+    freed: tuple[int, ...] = ()
+    if flags != IN_USE:
+        count = SITES if size >= _ROOMY else _FEW
+        first = (address + _LINKS) // 4
+        freed = tuple(int(each) for each in words[first : first + count] if each)
+    asked = header[2] if flags and header[2] <= room else room
+    return Block(address, asked, room, flags == IN_USE, tuple(filter(None, header[3:])), freed)

@@ -1,0 +1,102 @@
+"""What a stopped program's memory tells: which functions are active, and where each one is."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.ir.program import Program
+from crs_cc.runtime.compiled import Compiled
+from crs_cc.runtime.layout import FUNCTION, HEADER_SIZE, NULL_SIZE, RESUME, STACK_TOP
+from crs_cc.runtime.link import ROOT
+from crs_cc.source import Location
+
+DEEPEST: Final = (STACK_TOP - NULL_SIZE) // HEADER_SIZE
+
+
+@dataclass(frozen=True, slots=True)
+class StackFrame:
+    """One active function.
+
+    Attributes:
+        function: its name.
+        location: where it goes on, or where it failed.
+        fp: address of its header and arguments, see `layout`.
+    """
+
+    function: str
+    location: Location
+    fp: int
+
+
+@dataclass(frozen=True, slots=True)
+class Stopped:
+    """A program that has come back, and all that tells where it stands.
+
+    Attributes:
+        memory: its memory.
+        shadow: the states of its bytes; empty in unchecked builds.
+        program: what it runs.
+        compiled: what was made of that.
+        lines: the lines of the user's files, by their names.
+        stack: its active functions, the innermost first.
+        saved: whether they have saved what they keep in registers, as all do unless a trap came.
+    """
+
+    memory: npt.NDArray[np.uint8]
+    shadow: npt.NDArray[np.uint8]
+    program: Program
+    compiled: Compiled
+    lines: Mapping[str, Sequence[str]]
+    stack: tuple[StackFrame, ...]
+    saved: bool = True
+
+    def stack_pointer(self) -> int:
+        """Gives the lower end of the innermost frame; that of all the stack when none is known."""
+        if not self.stack:
+            return NULL_SIZE
+        innermost = self.stack[0]
+        return innermost.fp - self.compiled.info(innermost.function).frame.size
+
+
+def call_stack(
+    memory: npt.NDArray[np.uint8], compiled: Compiled, failed_at: Location | None = None
+) -> list[StackFrame]:
+    """Gives the active functions of a program that has come back, the innermost first.
+
+    A program that has damaged its own stack gets as many frames as make sense.
+
+    Args:
+        memory: its memory.
+        compiled: the program.
+        failed_at: where the innermost function failed, if it did.
+    """
+    numbers = {info.function.name: n for n, info in enumerate(compiled.functions)}
+    number, fp = numbers[ROOT], STACK_TOP - HEADER_SIZE
+    frames: list[StackFrame] = []
+    while len(frames) < DEEPEST:
+        info = compiled.functions[number]
+        landing = _word(memory, fp + RESUME)
+        location = info.landings.get(landing, info.function.location)
+        frames.append(StackFrame(info.function.name, location, fp))
+        if landing not in info.callees:
+            break
+        fp -= info.frame.size
+        if fp < NULL_SIZE:
+            break
+        callee = info.callees[landing]
+        known = numbers.get(callee) if isinstance(callee, str) else None
+        number = _word(memory, fp + FUNCTION) - compiled.first_function if known is None else known
+        if not 0 <= number < len(compiled.functions):
+            break
+    if failed_at is not None:
+        frames[-1] = replace(frames[-1], location=failed_at)
+    return frames[::-1]
+
+
+def _word(memory: npt.NDArray[np.uint8], address: int) -> int:
+    return int(memory[address : address + 4].view("<u4")[0])

@@ -1,0 +1,151 @@
+"""What lies at an address of a stopped program: a variable, a string, a block of the heap.
+
+Messages name the object that a bad access belongs to: the one that it hits, or else the nearest
+one. `find_object` looks in the frames of the active functions, among the global objects, and in
+the heap.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Final, Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.ir.program import Data, Program, Slot, Variable
+from crs_cc.runtime.compiled import Compiled
+from crs_cc.runtime.diagnosis import heap
+from crs_cc.runtime.diagnosis.inspect import Stopped
+from crs_cc.runtime.layout import HEADER_SIZE, STACK_TOP
+from crs_cc.runtime.link import HEAP_SYMBOLS
+from crs_cc.runtime.sites import CallSite, arguments_size
+from crs_cc.source import Location
+
+NEAR: Final = 4096
+"""An object further away than so many bytes has nothing to do with an address."""
+
+Bytes = npt.NDArray[np.uint8]
+
+
+@dataclass(frozen=True, slots=True)
+class Object:
+    """Bytes that belong together.
+
+    Attributes:
+        kind: "local" (parameters too), "argument" (of those behind `...`), "global" (static ones
+            too), "string" (a literal), "temporary" (without a name) or "heap block".
+        address: its first byte.
+        size: in bytes; of a heap block, what was asked for.
+        name: as the programmer knows it; empty when it has none.
+        location: where it is declared, when that is known.
+        variable: the C variable, when it is one.
+        function: the function that a local belongs to.
+        state: whether it may be used: "alive", "ended" (its block or function was left), "freed".
+        allocated: the calls that led to the allocation of a heap block, the innermost first; a few.
+        freed: the calls that led to its release.
+    """
+
+    kind: Literal["local", "argument", "global", "string", "temporary", "heap block"]
+    address: int
+    size: int
+    name: str = ""
+    location: Location | None = None
+    variable: Variable | None = None
+    function: str = ""
+    state: Literal["alive", "ended", "freed"] = "alive"
+    allocated: tuple[CallSite, ...] = ()
+    freed: tuple[CallSite, ...] = ()
+
+    def distance(self, address: int) -> int:
+        """Gives how far an address is from the object: 0 inside, else bytes to the nearest end.
+
+        It is negative before the object; the first byte behind it is at distance 1.
+        """
+        if address < self.address:
+            return address - self.address
+        return max(0, address - (self.address + self.size) + 1)
+
+
+def find_object(stopped: Stopped, address: int) -> Object | None:
+    """Gives the object at an address, or else the nearest one; None when there is none near."""
+    if address < STACK_TOP:
+        candidates = _locals(stopped)
+    elif address < stopped.compiled.addresses[HEAP_SYMBOLS[0]]:
+        candidates = _globals(stopped.program, stopped.compiled)
+    else:
+        candidates = _heap(stopped.memory, stopped.compiled)
+    nearest = min(candidates, key=lambda each: abs(each.distance(address)), default=None)
+    if nearest is None or abs(nearest.distance(address)) > NEAR:
+        return None
+    return nearest
+
+
+def of_variable(stopped: Stopped, variable: Variable) -> Object:
+    """Gives a variable of the innermost function as an object; its address is where it is saved."""
+    address, function = 0, ""
+    if stopped.stack:
+        innermost = stopped.stack[0]
+        frame, function = stopped.compiled.info(innermost.function).frame, innermost.function
+        homes = [at for place, at in frame.offsets.items() if place.variable is variable]
+        address = innermost.fp - frame.size + homes[0] if homes else 0
+    size, name, location = variable.ctype.size, variable.name, variable.location
+    return Object("local", address, size, name, location, variable, function)
+
+
+def _locals(stopped: Stopped) -> Iterator[Object]:
+    """Gives the slots in the frames of the active functions, and arguments behind `...`."""
+    for each in stopped.stack:
+        info = stopped.compiled.info(each.function)
+        start = each.fp - info.frame.size
+        for place, offset in info.frame.offsets.items():
+            if isinstance(place, Slot):
+                made = _local(place, start + offset, each.function)
+                ended = len(stopped.shadow) and place.size and not stopped.shadow[made.address]
+                yield replace(made, state="ended") if ended else made
+        if info.function.variadic and len(stopped.shadow):
+            word = int(stopped.memory[each.fp : each.fp + 8].view("<u8")[0])
+            passed = each.fp + HEADER_SIZE + arguments_size(word)
+            first = start + info.frame.varargs
+            yield Object("argument", first, max(0, passed - first), function=each.function)
+
+
+def _local(slot: Slot, address: int, function: str) -> Object:
+    variable = slot.variable
+    if variable is None:
+        return Object("temporary", address, slot.size, function=function)
+    name, location = variable.name, variable.location
+    return Object("local", address, slot.size, name, location, variable, function)
+
+
+def _globals(program: Program, compiled: Compiled) -> Iterator[Object]:
+    for data in program.data.values():
+        yield _global(data, compiled.addresses[data.name])
+
+
+def _global(data: Data, address: int) -> Object:
+    variable = data.variable
+    if variable is None:
+        kind: Literal["string", "temporary"] = "string" if ':"' in data.name else "temporary"
+        return Object(kind, address, data.size, location=data.location)
+    name, location = variable.name, variable.location
+    return Object("global", address, data.size, name, location, variable)
+
+
+def _heap(memory: Bytes, compiled: Compiled) -> Iterator[Object]:
+    """Gives the blocks of the heap; a freed one has its whole chunk, as nothing else is there."""
+    for block in heap.blocks(memory, compiled.addresses):
+        yield Object(
+            "heap block",
+            block.address,
+            block.size,
+            state="alive" if block.in_use else "freed",
+            allocated=_calls(block.allocated, compiled),
+            freed=_calls(block.freed, compiled),
+        )
+
+
+def _calls(numbers: Sequence[int], compiled: Compiled) -> tuple[CallSite, ...]:
+    sites = compiled.call_sites
+    return tuple(sites[number - 1] for number in numbers if 0 < number <= len(sites))

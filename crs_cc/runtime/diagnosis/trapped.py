@@ -1,0 +1,64 @@
+"""What a checked program did when WebAssembly stopped it: it looked beyond the end of the shadow.
+
+An access of several bytes at one of the very last addresses reaches beyond 4 GiB, so that the
+host's own guard finds it, and not our code. It was the shadow that was read; the test that follows
+in the code tells the place to blame. The functions on the way note where they are as if they had
+left in the usual way, so that everything else finds a stopped program as it expects it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+import wasmtime
+
+from crs_cc.runtime.codegen.indices import SITE
+from crs_cc.runtime.compiled import Compiled
+from crs_cc.runtime.layout import HEADER_SIZE, RESUME, STACK_TOP
+from crs_cc.runtime.sites import call_site
+from crs_cc.runtime.wasm import Code, encode
+
+MOST_FRAMES: Final = 20
+"""So many frames of the host's stack are told; those of a deeper one stay unknown."""
+
+
+def blamed_site(
+    trap: wasmtime.Trap, memory: npt.NDArray[np.uint8], compiled: Compiled
+) -> int | None:
+    """Gives the number of the site that was about to be tested; None when it was something else."""
+    last = compiled.first_function + len(compiled.functions)
+    frames = [(each.func_index, each.func_offset) for each in trap.frames]
+    while frames and frames[0][0] < compiled.first_function:
+        del frames[0]
+    if not frames or frames[0][0] >= last:
+        return None
+    site = _site_behind(compiled.module.functions[frames[0][0]], frames[0][1])
+    active = [index for index, _ in frames if compiled.first_function <= index < last]
+    if site is not None and len(trap.frames) < MOST_FRAMES:
+        _note_places(active[::-1], memory, compiled)
+    return site
+
+
+def _site_behind(code: Code, offset: int) -> int | None:
+    at, number = code.start(), None
+    for instr in code.body:
+        if instr == ("local.set", SITE) and at > offset:
+            return number
+        number = instr[1] if instr[0] == "i32.const" else None
+        at += len(encode(instr))
+    return None
+
+
+def _note_places(active: Sequence[int], memory: npt.NDArray[np.uint8], compiled: Compiled) -> None:
+    """Notes in each active function, the outermost first, the call where it is."""
+    fp = STACK_TOP - HEADER_SIZE
+    for index in active[:-1]:
+        info = compiled.functions[index - compiled.first_function]
+        callee = fp - info.frame.size
+        word = int(memory[callee : callee + 8].view("<u8")[0])
+        landing = info.calls.get(call_site(word), 0)
+        memory[fp + RESUME : fp + RESUME + 4].view("<u4")[0] = landing
+        fp = callee

@@ -1,0 +1,116 @@
+"""The variables and arguments of a stopped program: their names, types, contents, and as text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from crs_cc.ir.names import plain_name
+from crs_cc.ir.program import Slot, Variable
+from crs_cc.ir.types import ArrayType, CType, VoidType
+from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
+from crs_cc.runtime.diagnosis.objects import find_object
+from crs_cc.runtime.diagnosis.values import Values, place_name
+from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE
+
+
+class Content(NamedTuple):
+    """What a variable holds.
+
+    Attributes:
+        variable: the variable.
+        content: its bytes.
+        states: their states; none when all have values, as those in registers seem to.
+    """
+
+    variable: Variable
+    content: bytes
+    states: bytes = b""
+
+
+class Variables:
+    """Reads a stopped program.
+
+    Attributes:
+        values: writes the values of its variables.
+    """
+
+    def __init__(self, stopped: Stopped) -> None:
+        self._stopped = stopped
+        addresses = stopped.compiled.addresses
+        functions = stopped.program.functions
+        self._pointers = {addresses[name]: name for name in functions if name in addresses}
+        self.values = Values(self.read, self.states, self._object_name, self._function_name)
+
+    def read(self, address: int, size: int) -> bytes:
+        """Gives the bytes at an address, as many as are accessible."""
+        if address < NULL_SIZE:
+            return b""
+        return self._stopped.memory[address : min(address + size, MEMORY_BYTES)].tobytes()
+
+    def states(self, address: int, size: int) -> bytes:
+        """Gives the states of these bytes; nothing in unchecked builds."""
+        return self._stopped.shadow[address : address + size].tobytes()
+
+    def show(self, found: Content) -> str:
+        """Gives a variable's value as text."""
+        return self.values.show(found.variable.ctype, found.content, found.states)
+
+    def _function_name(self, pointer: int) -> str:
+        return plain_name(self._pointers[pointer]) if pointer in self._pointers else ""
+
+    def _object_name(self, address: int, target: CType) -> str:
+        """Names a variable, or the part of it, that a pointer points to; "" when unknown."""
+        found = find_object(self._stopped, address)
+        if found is None or found.variable is None or found.distance(address):
+            return ""
+        offset = address - found.address
+        ctype = found.variable.ctype
+        if isinstance(ctype, ArrayType) and offset == 0:
+            return found.name
+        if isinstance(target, VoidType) and offset == 0:
+            return f"&{found.name}"
+        name = place_name(found.name, ctype, offset, target)
+        return name.removesuffix("[0]") if name.endswith("[0]") else f"&{name}"
+
+    def arguments(self, frame: StackFrame) -> list[Content]:
+        """Gives the parameters of an active function with the values that were passed."""
+        info = self._stopped.compiled.info(frame.function)
+        found = []
+        for parameter, offset in zip(info.function.parameters, info.frame.parameters, strict=True):
+            variable = parameter.variable or parameter.place.variable
+            if variable is not None:
+                address = frame.fp - info.frame.size + offset
+                found.append(Content(variable, self.read(address, variable.ctype.size)))
+        return found
+
+    def of(self, frame: StackFrame) -> Iterator[Content]:
+        """Gives the variables of an active function with their present values."""
+        info = self._stopped.compiled.info(frame.function)
+        sp = frame.fp - info.frame.size
+        if sp < NULL_SIZE:  # there was no room for its frame
+            yield from self.arguments(frame)
+            return
+        for place, offset in info.frame.offsets.items():
+            if place.variable is not None and (self._stopped.saved or isinstance(place, Slot)):
+                size = place.variable.ctype.size
+                states = self.states(sp + offset, size) if isinstance(place, Slot) else b""
+                yield Content(place.variable, self.read(sp + offset, size), states)
+
+    def find(self, name: str, frame: StackFrame) -> Content | None:
+        """Gives the variable that a name means where an active function is, and its value."""
+        place = frame.location
+        seen = [
+            (each.variable.location, number, each)
+            for number, each in enumerate(self.of(frame))
+            if each.variable.name == name and each.variable.location <= place
+        ]
+        if seen:
+            return max(seen)[2]
+        static = f"{place.file}:{plain_name(frame.function)}.{name}"
+        for wanted in (static, f"{place.file}:{name}", name):
+            data = self._stopped.program.data.get(wanted)
+            if data is not None and data.variable is not None:
+                content = self.read(self._stopped.compiled.addresses[wanted], data.size)
+                return Content(data.variable, content)
+        return None
