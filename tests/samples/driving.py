@@ -1,0 +1,104 @@
+"""A run of a sample program to its end, and what there is to say of it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.session.build import build_executable
+from crs_cc.session.result import RobotResult
+from crs_cc.session.session import Session
+from crs_cc.sim.model import WorldModel
+from crs_cc.source import Diagnostics
+
+ROOT = Path(__file__).parents[2]
+SAMPLES = ROOT / "samples" / "scout_c"
+WORLDS = ROOT / "worlds"
+INCH_M = 0.0254
+
+FloatArray = npt.NDArray[np.float64]
+
+
+class Drive:
+    """A run of one sample to its end.
+
+    Attributes:
+        output: what the program printed.
+        files: what it wrote, by name.
+        paths: x and y of the robots after each timestep [m], shape (timesteps, robots, 2).
+        robots: the results.
+    """
+
+    def __init__(
+        self,
+        program: Sequence[str],
+        world: WorldModel,
+        *,
+        arguments: Sequence[str] = (),
+        files: Mapping[str, bytes] | None = None,
+        standard: str = "gnu17",
+        longest_s: float = 300.0,
+    ) -> None:
+        """Runs it.
+
+        Args:
+            program: its C files, below `samples/scout_c`; robots for which the world names a
+                program run that.
+            world: where.
+            arguments: what `main` finds behind its name.
+            files: what it can read, by name.
+            standard: the C that it is written in.
+            longest_s: when to stop it [s].
+        """
+        self._output = bytearray()
+        own = [SAMPLES / name for name in program]
+        programs = [[Path(robot.program)] if robot.program else own for robot in world.robots]
+        session = Session(
+            world,
+            [build_executable(paths, Diagnostics(), standard=standard) for paths in programs],
+            arguments=[[each[0].stem, *arguments] for each in programs],
+            output=self._write,
+            files=files,
+        )
+        paths = []
+        running = True
+        while running and session.time_s < longest_s:
+            running = session.step()
+            state = session.environment.state
+            paths.append(np.column_stack([state.x_m, state.y_m]))
+        self.paths = np.array(paths)
+        self.robots: tuple[RobotResult, ...] = session.result().robots
+        self.output = bytes(self._output)
+        self.files = {name.decode(): content for name, content in session.files(0).items()}
+
+    def _write(self, _robot: int, stream: int, content: bytes) -> None:
+        if stream == 1:
+            self._output += content
+
+    @property
+    def text(self) -> str:
+        """Gives what the program printed."""
+        return self.output.decode()
+
+    @property
+    def robot(self) -> RobotResult:
+        """Gives the result of the first robot."""
+        return self.robots[0]
+
+    @property
+    def places(self) -> FloatArray:
+        """Gives where the first robot was after each timestep [m], shape (timesteps, 2)."""
+        return np.asarray(self.paths[:, 0])
+
+    def numbers(self, pattern: str) -> list[float]:
+        """Gives the groups of the only place in the output that looks like a pattern."""
+        (found,) = re.finditer(pattern, self.text)
+        return [float(group) for group in found.groups()]
+
+    def squares(self, side_m: float) -> int:
+        """Gives how many squares of the floor the robot has been in."""
+        return len({tuple(place) for place in (self.places // side_m).tolist()})
