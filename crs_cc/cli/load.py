@@ -46,7 +46,7 @@ def load(options: RunOptions, diagnostics: Diagnostics) -> Loaded:
         click.UsageError: a robot has no program.
     """
     with gathered(diagnostics):
-        world = _world(options.inputs.world)
+        world = _world(options)
         programs = [_program(robot, options) for robot in world.robots]
         if options.inputs.sources and options.inputs.sources not in programs:
             place = Location(str(options.inputs.sources[0]))
@@ -65,11 +65,14 @@ def load(options: RunOptions, diagnostics: Diagnostics) -> Loaded:
     )
 
 
-def _world(path: Path | None) -> WorldModel:
+def _world(options: RunOptions) -> WorldModel:
+    path = options.inputs.world
     if path is None:
-        return empty_world()
-    demand_readable(path)
-    return load_world(path)
+        world = empty_world(options.setup)
+    else:
+        demand_readable(path)
+        world = load_world(path, options.setup)
+    return world.with_ideal_link() if options.link == "ideal" else world
 
 
 def _program(robot: Robot, options: RunOptions) -> tuple[Path, ...]:

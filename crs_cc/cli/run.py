@@ -6,12 +6,15 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final, Literal
 
 import click
 
 from crs_cc.cli.compiler_options import CompilerOptions, compiler_options
 from crs_cc.cli.inputs import Inputs, demand_picture, make_folder, name_files, sort_files
+
+if TYPE_CHECKING:
+    from crs_cc.session.host import Client
 
 _ARGUMENTS = "crs.arguments"
 
@@ -31,6 +34,9 @@ class RunOptions:
         plot: the picture to draw.
         inputs_on_disk: files that the programs can read, by the names that they have for them.
         outputs: the folder that takes the files that the programs write; None to drop them.
+        client: which of the vendor's client libraries the programs find.
+        link: `ideal` for commands that take no time on the line between host and robot.
+        setup: the setup of all robots, such as `noisy`; empty for what the world says.
         trace_requests: show the request queue.
         as_json: give the results as JSON on stdout.
         quiet: say nothing but errors.
@@ -47,6 +53,9 @@ class RunOptions:
     plot: Path | None = None
     inputs_on_disk: Mapping[str, Path] = field(default_factory=dict)
     outputs: Path | None = None
+    client: Client = "nclient"
+    link: Literal["serial", "ideal"] = "serial"
+    setup: str = ""
     trace_requests: bool = False
     as_json: bool = False
     quiet: bool = False
@@ -123,6 +132,26 @@ def _time(_ctx: click.Context, _option: click.Parameter, time_s: float | None) -
     type=click.Path(file_okay=False, path_type=Path),
     metavar="DIR",
     help="Keep the files that the programs write; of several robots in DIR/ROBOT.",
+)
+@click.option(
+    "--setup",
+    default="",
+    metavar="NAME",
+    help="Give all robots one of their definition's setups: ideal, or noisy with errors.",
+)
+@click.option(
+    "--link",
+    type=click.Choice(["serial", "ideal"]),
+    default="serial",
+    show_default=True,
+    help="Let commands take their time on the line to the robot, or none.",
+)
+@click.option(
+    "--client",
+    type=click.Choice(["nclient", "ndirect"]),
+    default="nclient",
+    show_default=True,
+    help="Behave like the vendor's library for the simulator, or for the robot itself.",
 )
 @click.option(
     "--trace",

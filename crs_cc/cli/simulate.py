@@ -99,6 +99,7 @@ class Runner:
             output=self._output.write,
             read=self._read,
             files=loaded.files,
+            client=options.client,
             trace=self,
         )
 

@@ -22,7 +22,7 @@ from pathlib import Path
 from typing import TypeVar
 
 PACKAGE = Path(__file__).parent.parent
-COMPILER = ("ir", "frontend", "runtime", "session")
+COMPILER = ("requests", "ir", "frontend", "runtime", "session")
 
 _DIGEST_SIZE = hashlib.sha256().digest_size
 _Entry = TypeVar("_Entry")
@@ -46,7 +46,7 @@ def fingerprint() -> str:
     digest.update(f"{sys.version_info[:2]} {sys.platform} {os.uname().machine}".encode())
     for package in ("pycparser", "wasmtime"):
         digest.update(importlib.metadata.version(package).encode())
-    files = [PACKAGE / "requests.py", PACKAGE / "source.py"]
+    files = [PACKAGE / "source.py"]
     for part in COMPILER:
         files += sorted((PACKAGE / part).rglob("*.[pch]*"))
     for file in files:

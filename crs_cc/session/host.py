@@ -9,21 +9,21 @@ import functools
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any, Final, Literal
 
 import numpy as np
 
 from crs_cc.requests import CODES, DATA_SIZE, REQUESTS
 from crs_cc.session.files import Disk
 
-HOST_SPEED: Final = 50_000_000
-"""How many IR instructions a host runs in a second.
-
-Chosen by us: a 100 MHz Pentium laptop, as rode on a Scout around 1998, at two cycles each.
-"""
-
 SYSTEM_CALL: Final = 1000
-"""Processor time of a request to the host [instructions]; chosen by us: 20 microseconds."""
+"""Processor time of a request to the host [instructions]; chosen by us: 20 microseconds
+on a host of 50 MHz."""
+
+Client = Literal["nclient", "ndirect"]
+"""The vendor's client libraries: for the simulator, and for a robot on a serial line."""
+
+CLIENTS: Final[tuple[Client, ...]] = ("nclient", "ndirect")
 
 Output = Callable[[int, int, bytes], None]
 """Takes what a program writes: robot number, stream (1 or 2), bytes."""
@@ -75,6 +75,7 @@ class Host:
         output: Output,
         read: Input,
         files: Mapping[str, bytes] | None = None,
+        client: Client = "nclient",
     ) -> None:
         """Makes one host for each robot.
 
@@ -83,7 +84,9 @@ class Host:
             output: takes what the programs write to their standard streams.
             read: gives what they read from their standard input.
             files: what every program finds on its disk, by name.
+            client: which of the vendor's client libraries ours behaves like.
         """
+        self._client = CLIENTS.index(client)
         self.exit_status: list[int | None] = [None] * len(arguments)
         self.disks = [Disk(files or {}) for _ in arguments]
         self._arguments = [
@@ -98,6 +101,7 @@ class Host:
             CODES["CLOCK"]: self._clock,
             CODES["SLEEP"]: self._sleep,
             CODES["ARGUMENT"]: self._argument,
+            CODES["CLIENT"]: self._which_client,
         }
         for name, serve in _FILES.items():
             self._serve[CODES[f"FILE_{name}"]] = functools.partial(self._file, serve)
@@ -152,6 +156,10 @@ class Host:
         else:
             _reply_bytes(message, arguments[number][first : first + DATA_SIZE])
             message["result"] = len(arguments[number])
+        return request.clock_s
+
+    def _which_client(self, request: HostRequest) -> float:
+        request.message["result"] = self._client
         return request.clock_s
 
     def _file(self, serve: FileServer, request: HostRequest) -> float:

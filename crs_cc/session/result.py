@@ -82,7 +82,7 @@ class SessionSnapshot:
 
 def robot_state(state: EnvState, robot: int) -> dict[str, Any]:
     """Gives the part of a `RobotResult` that the environment knows."""
-    odometry = (state.odometry_x_m, state.odometry_y_m, state.odometry_heading_rad)
+    odometry = (state.odometry.x_m, state.odometry.y_m, state.odometry.heading_rad)
     pose = (state.x_m, state.y_m, state.heading_rad)
     return {
         "odometry": tuple(float(array[robot]) for array in odometry),

@@ -35,7 +35,6 @@ from crs_cc.requests import FAILED, REQUESTS, SUSPENDED
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.session.host import (
     HOST_CODES,
-    HOST_SPEED,
     SYSTEM_CALL,
     Host,
     HostRequest,
@@ -52,7 +51,7 @@ from crs_cc.sim.environment import Environment
 
 if TYPE_CHECKING:
     from crs_cc.runtime.executable import Executable
-    from crs_cc.session.host import Input, Output
+    from crs_cc.session.host import Client, Input, Output
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.step import Step
 
@@ -87,6 +86,7 @@ class Session:
         output: Output = discard,
         read: Input = no_input,
         files: Mapping[str, bytes] | None = None,
+        client: Client = "nclient",
         trace: Listener | None = None,
     ) -> None:
         """Puts the programs into the robots, in the world's order of robots.
@@ -99,6 +99,7 @@ class Session:
             output: takes what the programs write.
             read: gives what they read.
             files: what every program finds on its disk, by name.
+            client: which of the vendor's client libraries the programs find.
             trace: hears of every timestep.
         """
         assert len(executables) == len(world.robots)
@@ -107,9 +108,10 @@ class Session:
         self.environment = Environment(world, seed)
         self.fleet = Fleet(executables)
         rows = arguments or [[executable.name] for executable in executables]
-        self._host = Host(rows, output, read, files)
+        self._host = Host(rows, output, read, files, client)
         self._trace = trace
         count = len(executables)
+        self._speed_hz = np.array([robot.model.host_speed_hz for robot in world.robots])
         self.clock_s = np.zeros(count)
         self.fuel = np.zeros(count, np.int64)
         self.timesteps = 0
@@ -147,13 +149,13 @@ class Session:
     def _resume(self, ready: npt.NDArray[np.intp], end_s: float) -> None:
         """Lets programs run until each has posted a request or used up the cycle."""
         slots = self.fleet.slots
-        budget = np.ceil((end_s - self.clock_s[ready]) * HOST_SPEED).astype(np.int64)
+        budget = np.ceil((end_s - self.clock_s[ready]) * self._speed_hz[ready]).astype(np.int64)
         slots["run"][ready] = 1
         slots["fuel"][ready] = budget
         self.fleet.run_round()
         burnt = budget - slots["fuel"][ready]
         self.fuel[ready] += burnt
-        self.clock_s[ready] += burnt / HOST_SPEED
+        self.clock_s[ready] += burnt / self._speed_hz[ready]
         self._end(ready[slots["status"][ready] != SUSPENDED])
         codes = slots["code"][ready]
         asked = ready[(slots["status"][ready] == SUSPENDED) & (codes != 0)]
@@ -167,9 +169,10 @@ class Session:
 
     def _answer_host(self, robot: int, code: int) -> None:
         self.fuel[robot] += SYSTEM_CALL
-        clock_s = float(self.clock_s[robot]) + SYSTEM_CALL / HOST_SPEED
+        speed_hz = float(self._speed_hz[robot])
+        clock_s = float(self.clock_s[robot]) + SYSTEM_CALL / speed_hz
         message = self.fleet.slots["message"][robot : robot + 1][0]
-        request = HostRequest(robot, message, clock_s, float(self.fuel[robot]) / HOST_SPEED)
+        request = HostRequest(robot, message, clock_s, float(self.fuel[robot]) / speed_hz)
         self.clock_s[robot] = self._host.serve(code, request)
         if self._host.exit_status[robot] is not None:
             self._end(np.array([robot]))

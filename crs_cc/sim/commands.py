@@ -13,7 +13,7 @@ from typing import Final, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.requests import CODES
+from crs_cc.requests import CODES, STATE_REPLIES
 from crs_cc.sim.actuators import drive
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.sensors import odometry, sonar
@@ -43,6 +43,13 @@ def tell(_state: EnvState, _equipment: Equipment, _rows: IndexArray, _messages: 
     """Changes nothing: readings come with the reply."""
 
 
+def refuse(
+    _state: EnvState, _equipment: Equipment, rows: IndexArray, _messages: Messages
+) -> BoolArray:
+    """Refuses what this robot cannot do."""
+    return np.zeros(len(rows), dtype=np.bool_)
+
+
 HANDLERS: Final[dict[int, Handler]] = {
     CODES[name]: handler
     for name, handler in (
@@ -66,11 +73,41 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("GET_BP", tell),
         ("GET_RC", tell),
         ("GET_RV", tell),
+        ("CT", refuse),
+        ("GET_IR", refuse),
+        ("GET_RA", tell),
+        ("GET_CP", refuse),
+        ("GET_LS", refuse),
+        ("GET_SG", refuse),
+        ("CONF_IR", refuse),
+        ("CONF_CP", refuse),
+        ("CONF_LS", refuse),
+        ("CONF_SG", refuse),
+        ("LASER_PAGE", refuse),
+        ("POS_DATA", refuse),
+        ("TK", tell),
+        ("CONF_SER", refuse),
+        ("PLACE_ROBOT", refuse),
+        ("ADD_OBSTACLE", refuse),
+        ("DELETE_OBSTACLE", refuse),
+        ("MOVE_OBSTACLE", refuse),
+        ("NEW_WORLD", refuse),
+        ("GET_RPX", refuse),
+        ("PREDICT", refuse),
+        ("MOTION_CHECK", refuse),
+        ("GET_CONF", refuse),
+        ("REAL_ROBOT", refuse),
+        ("SIMULATED_ROBOT", refuse),
+        ("DRAW", refuse),
+        ("REFRESH", refuse),
+        ("QUIT_SERVER", refuse),
+        ("CREATE", refuse),
+        ("SPECIAL", refuse),
     )
 }
 """The handler of each request that a robot answers."""
 
-FIRES_SONARS: Final = frozenset(HANDLERS) - {
+FIRES_SONARS: Final = (STATE_REPLIES | {CODES["GET_SN"]}) - {
     CODES[name] for name in ("CONNECT", "DISCONNECT", "GET_BP", "GET_RC", "GET_RV")
 }
 """Requests whose reply carries fresh sonar readings: all that are answered with the whole state

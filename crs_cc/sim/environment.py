@@ -29,7 +29,7 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.requests import CODES, MESSAGE, NUM_STATE, REQUESTS
+from crs_cc.requests import CODES, MESSAGE, NUM_STATE, REQUESTS, STATE_REPLIES
 from crs_cc.sim.actuators import drive
 from crs_cc.sim.commands import FIRES_SONARS, HANDLERS, WAITS
 from crs_cc.sim.equipment import Equipment
@@ -132,22 +132,24 @@ class Environment:
         if code not in HANDLERS or not len(rows):
             messages["result"] = 0
             return np.array(clock_s, dtype=np.float64)
-        now_s = np.fmin(np.fmax(clock_s, state.clock_s[rows]), self.end_s)
+        now_s = np.fmin(np.fmax(clock_s, state.drive.clock_s[rows]), self.end_s)
         drive.advance(state, self._equipment, rows, now_s)
+        arguments = messages["i"].copy()
         good = self._handle(code, rows, messages)
         state.commands[rows] += 1
-        state.deadline_s[rows] = now_s + state.timeout_s[rows]
+        state.drive.deadline_s[rows] = now_s + state.drive.timeout_s[rows]
         goes_on_s = now_s.copy()
         if code in WAITS:
-            waits = state.waiting[rows].any(axis=1) & good
+            waits = state.drive.waiting[rows].any(axis=1) & good
             ends_s = drive.settle_waits(state, self._equipment, rows[waits], self.end_s)
             goes_on_s[waits] = ends_s
         answered = np.isfinite(goes_on_s)
         if answered.all():
-            self._reply(code, rows, messages, goes_on_s, good)
+            self._reply(code, rows, messages, goes_on_s, good, arguments=arguments)
         else:
             replies = messages[answered]
-            self._reply(code, rows[answered], replies, goes_on_s[answered], good[answered])
+            at_s, good, arguments = goes_on_s[answered], good[answered], arguments[answered]
+            self._reply(code, rows[answered], replies, at_s, good, arguments=arguments)
             messages[answered] = replies
             state.asked[rows[~answered]] = messages[~answered]
         return goes_on_s.copy()
@@ -155,14 +157,14 @@ class Environment:
     def step(self) -> Step:
         """Ends the cycle, and gives what happened in it and which waits end in the next."""
         state = self.state
-        robots = len(state.clock_s)
+        robots = len(state.drive.clock_s)
         drive.advance(state, self._equipment, _ALL, np.full(robots, self.end_s))
         slices = slices_of(state, self.timestep_s)
         before_m = state.bodies.position_m[:robots].copy()
-        contacts = self._physics.step(state.bodies, state.moved_m)
+        contacts = self._physics.step(state.bodies, state.drive.moved_m)
         went_m = state.bodies.position_m[:robots] - before_m
         state.distance_m += np.hypot(went_m[:, 0], went_m[:, 1])
-        state.heading_rad = state.facing_rad % _TURN
+        state.heading_rad = state.drive.facing_rad % _TURN
         began = self._touch(contacts)
         cycle, time_s, served = state.cycle, self.time_s, tuple(self._served)
         self._begin_cycle()
@@ -187,6 +189,7 @@ class Environment:
 
     def _handle(self, code: int, rows: IndexArray, messages: Messages) -> BoolArray:
         """Lets connected robots do what is asked; gives which requests were good."""
+        messages["result"] = 1
         if code == CODES["CONNECT"]:
             good = np.ones(len(rows), dtype=np.bool_)
         else:
@@ -195,23 +198,32 @@ class Environment:
         if good.all():
             verdict = handler(self.state, self._equipment, rows, messages)
         else:
-            verdict = handler(self.state, self._equipment, rows[good], messages[good])
+            connected = messages[good]
+            verdict = handler(self.state, self._equipment, rows[good], connected)
+            messages[good] = connected
         if verdict is not None:
             good[good] = verdict
         return good
 
     def _reply(
-        self, code: int, rows: IndexArray, messages: Messages, at_s: FloatArray, good: BoolArray
+        self,
+        code: int,
+        rows: IndexArray,
+        messages: Messages,
+        at_s: FloatArray,
+        good: BoolArray,
+        *,
+        arguments: npt.NDArray[np.int32],
     ) -> None:
         """Writes replies over messages."""
         if code in FIRES_SONARS:
             self._sonars.read(self.state, rows[good])
         states = state_vector(self.state, rows)
-        results = good.astype(np.int32)
-        arguments = messages["i"].copy()
-        messages["result"] = results
-        messages["size"] = _STATE_BYTES
-        messages["data"][:, :_STATE_BYTES] = states.astype("<i4").view(np.uint8)
+        messages["result"][~good] = 0
+        results = messages["result"].copy()
+        if code in STATE_REPLIES:
+            messages["size"] = _STATE_BYTES
+            messages["data"][:, :_STATE_BYTES] = states.astype("<i4").view(np.uint8)
         self._served.append(Served(code, rows, at_s, arguments, results, states))
 
     def _touch(self, contacts: Contacts) -> Contacts:
@@ -225,9 +237,9 @@ class Environment:
         np.add.at(state.collisions, robot[began], 1)
         bearing_rad = np.arctan2(contacts.y_m - state.y_m[robot], contacts.x_m - state.x_m[robot])
         bearing_rad -= state.heading_rad[robot]
-        state.bumpers[:] = 0
+        state.bumpers.pressed[:] = 0
         bits = bumper.pressed(bearing_rad, self._equipment.switches[robot])
-        np.bitwise_or.at(state.bumpers, robot, bits)
+        np.bitwise_or.at(state.bumpers.pressed, robot, bits)
         return Contacts(
             robot[began], contacts.other[began], contacts.x_m[began], contacts.y_m[began]
         )
@@ -235,14 +247,14 @@ class Environment:
     def _begin_cycle(self) -> None:
         state = self.state
         state.cycle += 1
-        state.moved_m = np.zeros_like(state.moved_m)  # the physics keeps the old array
-        state.slice_m[:] = 0.0
-        state.facing_rad[:] = state.heading_rad
+        state.drive.moved_m = np.zeros_like(state.drive.moved_m)  # the physics keeps the old array
+        state.drive.slice_m[:] = 0.0
+        state.drive.facing_rad[:] = state.heading_rad
         self._served = []
 
     def _end_waits(self) -> tuple[IndexArray, FloatArray, Messages]:
         """Answers the waits that end in the cycle that begins."""
-        waiting = np.flatnonzero(self.state.waiting.any(axis=1))
+        waiting = np.flatnonzero(self.state.drive.waiting.any(axis=1))
         if not len(waiting):
             return waiting, np.zeros(0), np.zeros(0, MESSAGE)
         ends_s = drive.settle_waits(self.state, self._equipment, waiting, self.end_s)
@@ -251,5 +263,6 @@ class Environment:
         messages = self.state.asked[rows]
         self.state.asked[rows] = np.zeros((), MESSAGE)
         if len(rows):
-            self._reply(CODES["WS"], rows, messages, at_s, np.ones(len(rows), dtype=np.bool_))
+            good, arguments = np.ones(len(rows), dtype=np.bool_), messages["i"].copy()
+            self._reply(CODES["WS"], rows, messages, at_s, good, arguments=arguments)
         return rows, at_s, messages

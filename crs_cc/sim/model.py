@@ -8,6 +8,7 @@ hashes by content, and pickles.
 Units: metres, seconds, kilograms, radians. World frame: x to the right, y up, angles
 counter-clockwise from x. Robot frame: x ahead, y to the left, origin midway between the wheels.
 
+>>> from crs_cc.sim.robot_model import Drive, RobotModel, Sonar
 >>> ahead = Sonar(0, x_m=0.2, y_m=0.0, direction_rad=0.0, range_m=6.477, radius_m=1.14)
 >>> scout = RobotModel("scout", radius_m=0.2, drive=Drive(wheel_base_m=0.345), sonars=(ahead,))
 >>> room = WorldModel(
@@ -27,8 +28,10 @@ True
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final, TypeAlias
+
+from crs_cc.sim.robot_model import RobotModel
 
 FIXED_KG: Final = math.inf
 """The mass of what cannot be pushed."""
@@ -115,89 +118,6 @@ def is_pushable(solid: Solid) -> bool:
 
 
 @dataclass(frozen=True, slots=True)
-class Sonar:
-    """One ultrasonic range sensor.
-
-    Its beam is a cone that starts at the sensor: `range_m` is the height of the cone and
-    `radius_m` the radius of its base.
-
-    Attributes:
-        id: its number, the index of its reading among the vendor's `STATE_SONAR_0` to `_15`.
-        x_m: where it sits in the robot frame, ahead of the axle's middle.
-        y_m: the same, to the left.
-        direction_rad: where it points, counter-clockwise from ahead.
-        range_m: how far it hears.
-        radius_m: how wide the beam is at that distance.
-        z_m: its height above the floor.
-    """
-
-    id: int
-    x_m: float
-    y_m: float
-    direction_rad: float
-    range_m: float
-    radius_m: float
-    z_m: float = 0.0
-
-    @property
-    def half_angle_rad(self) -> float:
-        """The angle between the axis of the beam and its side."""
-        return math.atan2(self.radius_m, self.range_m)
-
-
-@dataclass(frozen=True, slots=True)
-class Drive:
-    """Two driven wheels on one axle.
-
-    Attributes:
-        wheel_base_m: distance between the wheels.
-        speed_limit_mps: the fastest that a wheel can run.
-        acceleration_limit_mps2: the fastest that its speed can change.
-        speed_mps: speed of relative moves until the program sets another.
-        acceleration_mps2: acceleration until the program sets another.
-        timeout_s: the wheels stop when no command came for so long, until the program sets
-            another; 0 for never.
-        push_n: the force with which the robot pushes against what is in its way.
-    """
-
-    wheel_base_m: float
-    speed_limit_mps: float = 1.0
-    acceleration_limit_mps2: float = 2.0
-    speed_mps: float = 0.3
-    acceleration_mps2: float = 0.5
-    timeout_s: float = 0.0
-    push_n: float = 60.0
-
-
-@dataclass(frozen=True, slots=True)
-class RobotModel:
-    """What a kind of robot is made of, as its definition file says.
-
-    Attributes:
-        name: the definition's name.
-        radius_m: radius of its round body.
-        drive: its wheels.
-        mass_kg: its mass.
-        sonars: its sonars, by rising id.
-        sonar_order: firing order until the program sets another.
-        sonar_noise_m: standard deviation of a sonar's error.
-        bumper_switches: number of equal switches around the body; switch 0 is centred ahead and
-            they count counter-clockwise.
-        link_s: time that each command takes on the line between host and robot, by name.
-    """
-
-    name: str
-    radius_m: float
-    drive: Drive
-    mass_kg: float = 20.0
-    sonars: tuple[Sonar, ...] = ()
-    sonar_order: tuple[int, ...] = ()
-    sonar_noise_m: float = 0.0
-    bumper_switches: int = 0
-    link_s: tuple[tuple[str, float], ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
 class Robot:
     """One robot of a world.
 
@@ -228,6 +148,13 @@ class WorldModel:
     cylinders: tuple[Cylinder, ...] = ()
     robots: tuple[Robot, ...] = ()
     timestep_s: float = 0.05
+
+    def with_ideal_link(self) -> WorldModel:
+        """Gives the same world with commands that take no time on their way to the robot."""
+        robots = tuple(
+            replace(robot, model=replace(robot.model, link_s=())) for robot in self.robots
+        )
+        return replace(self, robots=robots)
 
     def edge_walls(self) -> tuple[Wall, ...]:
         """Gives the walls around the area; their inner sides lie on its edges."""

@@ -2,7 +2,8 @@
 
 Touching is allowed; an overlap of more than `TOLERANCE_M` is not.
 
->>> from crs_cc.sim.model import Area, Drive, Pose, Robot, RobotModel, Wall, WorldModel
+>>> from crs_cc.sim.model import Area, Pose, Robot, Wall, WorldModel
+>>> from crs_cc.sim.robot_model import Drive, RobotModel
 >>> scout = RobotModel("scout", 0.2, Drive(0.345))
 >>> misplaced(WorldModel("w", Area(0, 0, 4, 4), (Wall("screen", 1, 0, 1, 4),), robots=(
 ...     Robot("r1", scout, Pose(2.0, 2.0)), Robot("r2", scout, Pose(1.1, 2.0)))))

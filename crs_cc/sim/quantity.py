@@ -84,3 +84,6 @@ ACCELERATION: Final = Kind(
     "m/s2", "0.5m/s2", 1e3,
 )  # fmt: skip
 FORCE: Final = Kind("a force", (("N", 1.0),), "N", "60N", 1e6)
+FREQUENCY: Final = Kind(
+    "a frequency", (("Hz", 1.0), ("kHz", 1e3), ("MHz", 1e6), ("GHz", 1e9)), "Hz", "50MHz", 1e12
+)

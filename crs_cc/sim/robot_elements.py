@@ -6,8 +6,8 @@ from typing import Final
 
 from crs_cc.requests import REQUESTS
 from crs_cc.sim.document import Element, Reader
-from crs_cc.sim.model import Drive, RobotModel, Sonar
-from crs_cc.sim.quantity import ACCELERATION, ANGLE, FORCE, LENGTH, MASS, SPEED, TIME
+from crs_cc.sim.quantity import ACCELERATION, ANGLE, FORCE, FREQUENCY, LENGTH, MASS, SPEED, TIME
+from crs_cc.sim.robot_model import Drive, RobotModel, Sonar
 
 MAX_SONARS: Final = 16
 """The vendor's `State` array has 16 places for sonars (vendor header `Nclient.h` 1.29)."""
@@ -37,6 +37,7 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         sonar_noise_m=reader.not_negative(root.first("sonars"), "noise", LENGTH),
         bumper_switches=reader.whole(root.first("bumpers"), "switches", 1, MAX_SWITCHES),
         link_s=_link(root.first("link"), reader),
+        host_speed_hz=reader.positive(root.first("host"), "speed", FREQUENCY, 5e7),
     )
 
 

@@ -19,7 +19,8 @@ import numpy.typing as npt
 
 from crs_cc.requests import NUM_STATE
 from crs_cc.sim.robot_elements import MAX_SONARS
-from crs_cc.sim.state import NO_ECHO, EnvState
+from crs_cc.sim.sensors.sonar import NO_ECHO
+from crs_cc.sim.state import EnvState
 from crs_cc.units import m_to_tenths_inch, rad_to_tenths_deg
 
 IndexArray = npt.NDArray[np.intp]
@@ -43,14 +44,14 @@ def state_vector(state: EnvState, rows: IndexArray) -> npt.NDArray[np.int32]:
     """Gives `State` of robots as their wheels were turned last, shape (k, 45)."""
     vector = np.zeros((len(rows), NUM_STATE), dtype=np.int32)
     vector[:, SIM_SPEED] = _REAL_TIME
-    sonar_in = np.where(state.sonar_on[rows], state.sonar_in[rows], NO_ECHO)
+    sonar_in = np.where(state.sonar.on[rows], state.sonar.reading_in[rows], NO_ECHO)
     vector[:, SONAR_0 : SONAR_0 + MAX_SONARS] = sonar_in
-    vector[:, BUMPER] = state.bumpers[rows]
-    vector[:, CONF_X] = _whole(m_to_tenths_inch(state.odometry_x_m[rows]))
-    vector[:, CONF_Y] = _whole(m_to_tenths_inch(state.odometry_y_m[rows]))
-    heading = _whole(rad_to_tenths_deg(state.odometry_heading_rad[rows]))
+    vector[:, BUMPER] = state.bumpers.pressed[rows]
+    vector[:, CONF_X] = _whole(m_to_tenths_inch(state.odometry.x_m[rows]))
+    vector[:, CONF_Y] = _whole(m_to_tenths_inch(state.odometry.y_m[rows]))
+    heading = _whole(rad_to_tenths_deg(state.odometry.heading_rad[rows]))
     vector[:, CONF_STEER] = heading % _FULL_TURN
-    speed_mps = state.wheels.speed_mps[rows]
+    speed_mps = state.drive.wheels.speed_mps[rows]
     vector[:, VEL_RIGHT : VEL_LEFT + 1] = _whole(m_to_tenths_inch(speed_mps))
     moves = speed_mps != 0.0
     vector[:, MOTOR_STATUS] = moves[:, 0] + 2 * moves[:, 1]

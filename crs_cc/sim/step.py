@@ -156,21 +156,21 @@ class RobotSlice:
 
 def slices_of(state: EnvState, timestep_s: float) -> Slices:
     """Gives the slices of a cycle whose wheels have been turned to its end."""
-    end_s = state.wheels.end_s().max(axis=1)
+    end_s = state.drive.wheels.end_s().max(axis=1)
     last = np.ceil(np.where(np.isinf(end_s), 0.0, end_s) / timestep_s - 1e-9).astype(np.int64)
-    count = np.maximum(last - state.command_cycle, 1)
-    number = state.cycle - state.command_cycle + 1
+    count = np.maximum(last - state.drive.command_cycle, 1)
+    number = state.cycle - state.drive.command_cycle + 1
     endless = np.isinf(end_s)
-    runs = (state.command != 0) & (endless | (number <= count))
-    total_m = state.wheels.total_m
+    runs = (state.drive.command != 0) & (endless | (number <= count))
+    total_m = state.drive.wheels.total_m
     return Slices(
-        np.where(runs, state.command, 0),
+        np.where(runs, state.drive.command, 0),
         number,
         np.where(endless, 0, count),
-        state.slice_m.copy(),
-        state.wheels.travelled_m.copy(),
+        state.drive.slice_m.copy(),
+        state.drive.wheels.travelled_m.copy(),
         total_m.copy(),
-        np.asarray(state.waiting.any(axis=1)),
+        np.asarray(state.drive.waiting.any(axis=1)),
     )
 
 

@@ -9,19 +9,10 @@ from pathlib import Path, PurePosixPath
 from typing import Final, TypeAlias, TypeVar
 
 from crs_cc.sim.document import Element, Reader
-from crs_cc.sim.model import (
-    FIXED_KG,
-    Area,
-    Box,
-    Cylinder,
-    Pose,
-    Robot,
-    RobotModel,
-    Wall,
-    WorldModel,
-)
+from crs_cc.sim.model import FIXED_KG, Area, Box, Cylinder, Pose, Robot, Wall, WorldModel
 from crs_cc.sim.placement import misplaced
 from crs_cc.sim.quantity import ANGLE, LENGTH, MASS, TIME
+from crs_cc.sim.robot_model import RobotModel
 
 SHORTEST_TIMESTEP_S: Final = 0.001
 LONGEST_TIMESTEP_S: Final = 0.1

@@ -30,13 +30,17 @@ from lxml import etree
 
 from crs_cc.errors import WorldError
 from crs_cc.sim.document import Element, Reader
-from crs_cc.sim.model import Drive, RobotModel, WorldModel
+from crs_cc.sim.model import WorldModel
 from crs_cc.sim.robot_elements import robot_model
+from crs_cc.sim.robot_model import Drive, RobotModel
 from crs_cc.sim.schema_messages import explain
 from crs_cc.sim.world_elements import world_model
 from crs_cc.source import Diagnostic, Diagnostics, Location
 
 MAX_BYTES: Final = 16 * 1024 * 1024
+
+IDEAL: Final = "ideal"
+"""The setup that every robot definition has: the definition as it stands."""
 
 _HERE: Final = Path(__file__).parent
 _ROBOTS: Final = _HERE / "robots"
@@ -51,38 +55,47 @@ _EMPTY_WORLD: Final = b"""<world version="1" name="empty">
 </world>"""
 
 
-def load_world(path: Path) -> WorldModel:
+def load_world(path: Path, setup: str = "") -> WorldModel:
     """Gives the world that a file describes.
+
+    Args:
+        path: the file.
+        setup: the setup of all robots, such as `noisy`; by default what the file says.
 
     Raises:
         WorldError: the file cannot be read, or is wrong; all mistakes are told at once.
     """
-    return _parse_world(_read_file(path), str(path), path.stem, path.parent)
+    return _parse_world(_read_file(path), str(path), path.stem, path.parent, setup)
 
 
-def parse_world(text: bytes, name: str) -> WorldModel:
+def parse_world(text: bytes, name: str, setup: str = "") -> WorldModel:
     """Gives the world that a text describes; `name` stands for it in messages.
 
     Raises:
         WorldError: the text is wrong; all mistakes are told at once.
     """
-    return _parse_world(text, name, name, None)
+    return _parse_world(text, name, name, None, setup)
 
 
-def empty_world() -> WorldModel:
+def empty_world(setup: str = "") -> WorldModel:
     """Gives the built-in world: one Scout at the origin, wide and empty."""
-    return parse_world(_EMPTY_WORLD, "empty")
+    return parse_world(_EMPTY_WORLD, "empty", setup)
 
 
-def load_robot(path: Path) -> RobotModel:
+def load_robot(path: Path, setup: str = "") -> RobotModel:
     """Gives the kind of robot that a definition file describes.
+
+    Args:
+        path: the file.
+        setup: one of its setups, such as `noisy`; by default, and as `ideal`, the definition as it
+            stands.
 
     Raises:
         WorldError: the file cannot be read, or is wrong; all mistakes are told at once.
     """
     text, file = _read_file(path), str(path)
     diagnostics = Diagnostics(lines={file: _lines(text)})
-    root = _elements(text, "robot.xsd", file, diagnostics)
+    root = _elements(text, "robot.xsd", file, diagnostics, setup)
     model = robot_model(root, Reader(file, diagnostics))
     _raise_errors(diagnostics)
     return model
@@ -93,11 +106,11 @@ def known_robots() -> list[str]:
     return sorted(path.stem for path in _ROBOTS.glob("*.xml"))
 
 
-def _parse_world(text: bytes, file: str, name: str, folder: Path | None) -> WorldModel:
+def _parse_world(text: bytes, file: str, name: str, folder: Path | None, setup: str) -> WorldModel:
     diagnostics = Diagnostics(lines={file: _lines(text)})
     root = _elements(text, "world.xsd", file, diagnostics)
     reader = Reader(file, diagnostics)
-    definitions = _Definitions(folder, reader)
+    definitions = _Definitions(folder, reader, setup)
     world = world_model(root, name, folder, reader, definitions.find)
     diagnostics.messages = _by_line(diagnostics.messages, file)
     _raise_errors(diagnostics)
@@ -106,22 +119,24 @@ def _parse_world(text: bytes, file: str, name: str, folder: Path | None) -> Worl
 
 @dataclass(slots=True)
 class _Definitions:
-    """The robot definitions that a world uses, each read once."""
+    """The robot definitions that a world uses, each read once for each setup."""
 
     folder: Path | None
     reader: Reader
-    found: dict[str, RobotModel | None] = field(default_factory=dict)
+    setup: str
+    found: dict[tuple[str, str], RobotModel | None] = field(default_factory=dict)
 
     def find(self, element: Element, name: str) -> RobotModel:
-        if name not in self.found:
-            self.found[name] = self._load(element, name)
-        model = self.found[name]
+        setup = self.setup or element.attributes.get("setup", "")
+        if (name, setup) not in self.found:
+            self.found[name, setup] = self._load(element, name, setup)
+        model = self.found[name, setup]
         if model is None:
             element.broken = True
             return _STAND_IN
         return model
 
-    def _load(self, element: Element, name: str) -> RobotModel | None:
+    def _load(self, element: Element, name: str, setup: str) -> RobotModel | None:
         path = self._path(name)
         if path is None:
             self.reader.error(
@@ -131,7 +146,7 @@ class _Definitions:
             )
             return None
         try:
-            return load_robot(path)
+            return load_robot(path, setup)
         except WorldError as wrong:
             self.reader.error(element, f"robot definition {name!r} cannot be used")
             self.reader.diagnostics.messages.extend(wrong.diagnostics)
@@ -164,8 +179,10 @@ def _read_file(path: Path) -> bytes:
         raise WorldError.at(place, "cannot be read: not a file name") from None
 
 
-def _elements(text: bytes, schema: str, file: str, diagnostics: Diagnostics) -> Element:
-    """Gives the outermost element of a document that keeps to a schema."""
+def _elements(
+    text: bytes, schema: str, file: str, diagnostics: Diagnostics, setup: str = ""
+) -> Element:
+    """Gives the outermost element of a document that keeps to a schema, also with a setup."""
     if len(text) > MAX_BYTES:
         raise WorldError.at(Location(file), f"larger than {MAX_BYTES} bytes")
     parser = etree.XMLParser(
@@ -188,7 +205,29 @@ def _elements(text: bytes, schema: str, file: str, diagnostics: Diagnostics) -> 
     if root.getroottree().docinfo.doctype:
         _refuse_document_type(file)
     _validate(root, schema, file, diagnostics)
+    if setup:
+        _apply(setup, root, Reader(file, diagnostics))
+        _raise_errors(diagnostics)
+        _validate(root, schema, file, diagnostics)
     return _plain(root)
+
+
+def _apply(setup: str, root: etree._Element, reader: Reader) -> None:
+    """Lets the attributes in a setup take the place of those in the definition."""
+    setups = {str(node.get("name")): node for node in root.iterfind("setup")}
+    if setup not in setups:
+        if setup != IDEAL:
+            known = ", ".join([IDEAL, *setups])
+            place = Element(root.tag, root.sourceline or 0)
+            reader.error(place, f"the definition has no setup {setup!r}", f"it has {known}")
+        return
+    for change in setups[setup]:
+        device = root.find(change.tag)
+        if device is None or change.tag == "setup":
+            place = Element(change.tag, change.sourceline or 0)
+            reader.error(place, f"setup {setup!r} changes <{change.tag}>, which is not there")
+        else:
+            device.attrib.update(change.attrib)
 
 
 def _refuse_document_type(file: str) -> None:

@@ -11,7 +11,8 @@ from lxml import etree
 
 from crs_cc.cli.plot import Picture, Trip, colour
 from crs_cc.cli.tracks import Tracks, simplified
-from crs_cc.sim.model import Area, Box, Cylinder, Drive, Pose, Robot, RobotModel, Wall, WorldModel
+from crs_cc.sim.model import Area, Box, Cylinder, Pose, Robot, Wall, WorldModel
+from crs_cc.sim.robot_model import Drive, RobotModel
 
 SVG = "{http://www.w3.org/2000/svg}"
 SCOUT = RobotModel("scout", 0.2, Drive(0.35))

@@ -45,7 +45,7 @@ def sonars_at(deep_m: float, things: str, heading: int = 0, y_m: float = 1.5) ->
     state.x_m[0], state.y_m[0] = 2 + deep_m - SCOUT_RADIUS_M, y_m
     state.heading_rad[0] = math.radians(heading)
     SonarRing(world, Scene(world), 1).read(state, np.array([0]))
-    readings = state.sonar_in[0].tolist()
+    readings = state.sonar.reading_in[0].tolist()
     turned = round(heading / 22.5)
     return readings[-turned:] + readings[:-turned]
 

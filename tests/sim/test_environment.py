@@ -89,25 +89,25 @@ def test_speeds_and_accelerations_are_held_to_the_limits_of_the_robot():
     driver = Driver.of(open_world())
     driver.ask("AC", 10_000, -200)
     driver.ask("SP", 10_000, -50)
-    assert driver.state.ramp_mps2[0] == pytest.approx([2.0, 20 * INCH])
-    assert driver.state.move_mps[0] == pytest.approx([1.0, 5 * INCH])
+    assert driver.state.drive.ramp_mps2[0] == pytest.approx([2.0, 20 * INCH])
+    assert driver.state.drive.move_mps[0] == pytest.approx([1.0, 5 * INCH])
     driver.ask("VM", 2**31 - 1, -(2**31))
     driver.run_s(5)
-    assert driver.state.wheels.speed_mps[0].tolist() == [1.0, -1.0]
+    assert driver.state.drive.wheels.speed_mps[0].tolist() == [1.0, -1.0]
     driver.ask("AC", 0, 0)
     driver.ask("SP", 0, 0)
-    assert (driver.state.ramp_mps2 > 0).all()
-    assert (driver.state.move_mps > 0).all()
+    assert (driver.state.drive.ramp_mps2 > 0).all()
+    assert (driver.state.drive.move_mps > 0).all()
 
 
 def test_mv_commands_each_wheel_in_its_own_mode():
     driver = Driver.of(open_world())
     driver.ask("MV", 4, 100, 5, 50, 0, 0)  # MV_AC right, MV_SP left
-    assert driver.state.ramp_mps2[0] == pytest.approx([10 * INCH, 20 * INCH])
-    assert driver.state.move_mps[0] == pytest.approx([10 * INCH, 5 * INCH])
+    assert driver.state.drive.ramp_mps2[0] == pytest.approx([10 * INCH, 20 * INCH])
+    assert driver.state.drive.move_mps[0] == pytest.approx([10 * INCH, 5 * INCH])
     driver.ask("MV", 1, 100, 2, 30, 0, 0)  # MV_VM right, MV_PR left
     steps = driver.run_s(3)
-    assert driver.state.wheels.speed_mps[0] == pytest.approx([10 * INCH, 0])
+    assert driver.state.drive.wheels.speed_mps[0] == pytest.approx([10 * INCH, 0])
     assert sum(step.slices.way_m[0, 1] for step in steps) == pytest.approx(3 * INCH)
     driver.ask("MV", 3, 0, 0, 0, 0, 0)  # MV_LP right
     driver.run_s(2)
@@ -253,7 +253,7 @@ def test_ws_holds_its_timeout_to_a_byte(timeout):
     driver = Driver.of(open_world(timestep="100ms"))
     driver.ask("VM", 100, 100)
     driver.post("WS", 1, 1, 0, timeout)
-    assert driver.state.wait_until_s[0] in {0.0, 255.0}
+    assert driver.state.drive.wait_until_s[0] in {0.0, 255.0}
 
 
 @pytest.mark.parametrize("restored", [False, True])
@@ -383,7 +383,7 @@ def play(environment: Environment, cycles: range) -> list:
         for _ in range(2):
             code = int(rng.choice([*ROBOT_CODES, *[CODES["VM"]] * 10]))
             robots = np.flatnonzero(rng.random(10) < 0.6)
-            robots = robots[~environment.state.waiting[robots].any(axis=1)]
+            robots = robots[~environment.state.drive.waiting[robots].any(axis=1)]
             messages = np.zeros(len(robots), MESSAGE)
             messages["i"][:, :6] = rng.integers(-200, 390, (len(robots), 6))
             if code == CODES["MV"]:
@@ -490,10 +490,10 @@ def test_no_request_can_break_the_environment(code, content, clock_s):
         assert driver.environment.time_s <= goes_on_s[0] <= driver.environment.end_s
     driver.run(3)
     state = driver.state
-    driver.state.waiting[:] = False
+    driver.state.drive.waiting[:] = False
     assert np.isfinite(state.bodies.position_m).all()
-    assert np.isfinite([state.odometry_x_m, state.odometry_y_m, state.odometry_heading_rad]).all()
-    assert np.isfinite(state.wheels.speed_mps).all()
+    assert np.isfinite([state.odometry.x_m, state.odometry.y_m, state.odometry.heading_rad]).all()
+    assert np.isfinite(state.drive.wheels.speed_mps).all()
 
 
 _NONSENSE: list[Driver] = []

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 from crs_cc.sim import rays
-from crs_cc.sim.model import Area, Box, Cylinder, Drive, Pose, Robot, RobotModel, Wall, WorldModel
+from crs_cc.sim.model import Area, Box, Cylinder, Pose, Robot, Wall, WorldModel
 from crs_cc.sim.obstacles import Obstacles
 from crs_cc.sim.placement import misplaced
 from crs_cc.sim.rays import Fan, nearest
+from crs_cc.sim.robot_model import Drive, RobotModel
 from crs_cc.sim.scene import Scene
 
 TEN_DEG = math.radians(10)

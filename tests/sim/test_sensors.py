@@ -114,14 +114,14 @@ def test_conf_sn_takes_orders_of_any_length(order, on):
     driver = Driver.of(open_world())
     message, _ = driver.post("CONF_SN", 15, data=order)
     assert message["result"] == 1
-    assert np.flatnonzero(driver.state.sonar_on[0]).tolist() == on
+    assert np.flatnonzero(driver.state.sonar.on[0]).tolist() == on
 
 
 def test_conf_sn_refuses_sonars_that_cannot_be():
     driver = Driver.of(open_world())
     message, _ = driver.post("CONF_SN", 15, data=bytes([1, 16, 2]))
     assert message["result"] == 0
-    assert driver.state.sonar_on[0].all()
+    assert driver.state.sonar.on[0].all()
 
 
 def test_readings_are_of_the_start_of_the_cycle():
@@ -252,11 +252,11 @@ def test_odometry_and_true_pose_agree_after_a_long_drive():
         driver.ask("VM", int(right), int(left), at_s=at_s)
         driver.run(int(rng.integers(1, 12)))
     state, turn = driver.state, math.radians(40)
-    x, y = float(state.odometry_x_m[0]), float(state.odometry_y_m[0])
+    x, y = float(state.odometry.x_m[0]), float(state.odometry.y_m[0])
     assert state.distance_m[0] > 15
     assert state.x_m[0] == pytest.approx(1 + x * math.cos(turn) - y * math.sin(turn), abs=1e-6)
     assert state.y_m[0] == pytest.approx(2 + x * math.sin(turn) + y * math.cos(turn), abs=1e-6)
-    off = state.heading_rad[0] - state.odometry_heading_rad[0] - turn
+    off = state.heading_rad[0] - state.odometry.heading_rad[0] - turn
     assert math.remainder(off, math.tau) == pytest.approx(0, abs=1e-9)
 
 

@@ -2,6 +2,7 @@
 
 import math
 import pickle
+import re
 from pathlib import Path
 
 import pytest
@@ -450,3 +451,52 @@ def test_a_program_outside_the_worlds_folder_is_refused(tmp_path: Path) -> None:
         (folder / "world.xml").write_text(text)
         with pytest.raises(WorldError, match="must lie in the folder of this file"):
             load_world(folder / "world.xml")
+
+
+# -- setups ------------------------------------------------------------------------------------
+
+
+def test_a_setup_changes_what_its_elements_name_and_nothing_else():
+    ideal, noisy = empty_world().robots[0].model, empty_world("noisy").robots[0].model
+    assert ideal.sonar_noise_m == 0
+    assert noisy.sonar_noise_m > 0
+    assert noisy.drive.wheel_base_m == ideal.drive.wheel_base_m
+    assert empty_world("ideal") == empty_world()
+
+
+def test_each_robot_of_a_world_can_have_its_setup():
+    text = b"""<world version="1"><area length="9" width="9"/>
+      <robot x="1" y="1"/><robot x="3" y="3" setup="noisy"/></world>"""
+    quiet, noisy = (robot.model.sonar_noise_m for robot in parse_world(text, "w").robots)
+    assert quiet == 0 < noisy
+    quiet, noisy = (robot.model.sonar_noise_m for robot in parse_world(text, "w", "ideal").robots)
+    assert quiet == noisy == 0
+
+
+@pytest.mark.parametrize("robot", known_robots())
+def test_every_setup_that_comes_with_crs_can_be_used(robot):
+    path = SIM / "robots" / f"{robot}.xml"
+    for setup in re.findall(r'<setup name="([^"]*)"', path.read_text()):
+        assert load_robot(path, setup).name == robot
+
+
+def definition(tmp_path, setup):
+    text = (SIM / "robots" / "scout.xml").read_text()
+    path = tmp_path / "own.xml"
+    path.write_text(text.replace("</robot-definition>", setup + "</robot-definition>"))
+    return path
+
+
+@pytest.mark.parametrize(
+    ("setup", "name", "complaint"),
+    [
+        ("", "loud", "no setup 'loud'"),
+        ('<setup name="odd"><wings span="1m"/></setup>', "odd", "changes <wings>"),
+        ('<setup name="odd"><drive wings="1m"/></setup>', "odd", "no attribute 'wings'"),
+        ('<setup name="odd"><drive push="much"/></setup>', "odd", "'much' is not a force"),
+        ('<setup name="odd"><setup name="noisy"/></setup>', "odd", "changes <setup>"),
+    ],
+)
+def test_a_setup_that_makes_no_sense_is_refused(tmp_path, setup, name, complaint):
+    with pytest.raises(WorldError, match=complaint):
+        load_robot(definition(tmp_path, setup), name)

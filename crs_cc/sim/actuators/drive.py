@@ -16,22 +16,26 @@ No degradation yet.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final, Self
 
 import numpy as np
 import numpy.typing as npt
 
 from crs_cc.requests import CODES
 from crs_cc.sim import hardware
+from crs_cc.sim.hardware import Wheels
 from crs_cc.sim.sensors import odometry
 from crs_cc.units import tenths_inch_to_m
 
 if TYPE_CHECKING:
     from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.model import WorldModel
     from crs_cc.sim.state import EnvState
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
+WholeArray = npt.NDArray[np.int64]
 IndexArray = npt.NDArray[np.intp]
 Messages = npt.NDArray[np.void]
 
@@ -45,6 +49,67 @@ SPEED: Final = 5
 
 _LONGEST_TIMEOUT: Final = 255  # [s]: an unsigned char
 _ALL: Final = slice(None)
+
+
+@dataclass(slots=True)
+class DriveState:
+    """The motion of the wheels; arrays have a row for each robot.
+
+    Attributes:
+        wheels: the wheels' profiles, shape (robots, 2) each.
+        clock_s: the instant to which each robot's wheels have been turned.
+        moved_m: where the wheels took each robot in this cycle, world frame, (robots, 2).
+        facing_rad: the heading that this led to.
+        slice_m: the way of each wheel in this cycle, (robots, 2): the slice so far.
+        move_mps: speed of relative moves (`sp`), (robots, 2).
+        ramp_mps2: acceleration (`ac`), (robots, 2).
+        command: request code of the motion command that runs; 0 before the first.
+        command_cycle: the cycle in which it came.
+        timeout_s: the wheels stop when no command came for so long (`conf_tm`), infinite for never.
+        deadline_s: when they will.
+        waiting: the wheels that a `ws` waits for, (robots, 2).
+        wait_until_s: when it gives up.
+    """
+
+    wheels: Wheels
+    clock_s: FloatArray
+    moved_m: FloatArray
+    facing_rad: FloatArray
+    slice_m: FloatArray
+    move_mps: FloatArray
+    ramp_mps2: FloatArray
+    command: WholeArray
+    command_cycle: WholeArray
+    timeout_s: FloatArray
+    deadline_s: FloatArray
+    waiting: BoolArray
+    wait_until_s: FloatArray
+
+    @classmethod
+    def at_start(cls, world: WorldModel) -> Self:
+        """Gives wheels that rest."""
+        count = len(world.robots)
+        drives = [robot.model.drive for robot in world.robots]
+        return cls(
+            wheels=Wheels.standing(count),
+            clock_s=np.zeros(count),
+            moved_m=np.zeros((count, 2)),
+            facing_rad=np.array([robot.start.heading_rad for robot in world.robots]),
+            slice_m=np.zeros((count, 2)),
+            move_mps=_both([drive.speed_mps for drive in drives]),
+            ramp_mps2=_both([drive.acceleration_mps2 for drive in drives]),
+            command=np.zeros(count, dtype=np.int64),
+            command_cycle=np.zeros(count, dtype=np.int64),
+            timeout_s=np.array([drive.timeout_s or np.inf for drive in drives]),
+            deadline_s=np.full(count, np.inf),
+            waiting=np.zeros((count, 2), dtype=np.bool_),
+            wait_until_s=np.full(count, np.inf),
+        )
+
+
+def _both(values: list[float]) -> FloatArray:
+    """Gives the same value to both wheels of each robot."""
+    return np.repeat(np.array(values, dtype=np.float64)[:, None], 2, axis=1)
 
 
 # -- time ------------------------------------------------------------------------------------------
@@ -61,15 +126,15 @@ def advance(
         rows: which robots, k of them.
         to_s: the instant of each, not before the last one, shape (k,).
     """
-    late = state.deadline_s[rows] < to_s
+    late = state.drive.deadline_s[rows] < to_s
     if late.any():
-        stopped = np.arange(len(state.clock_s))[rows][late]
-        deadline_s = state.deadline_s[stopped]
+        stopped = np.arange(len(state.drive.clock_s))[rows][late]
+        deadline_s = state.drive.deadline_s[stopped]
         _turn(state, equipment, stopped, deadline_s)
         standing = np.zeros((len(stopped), 2))
-        ramp_mps2 = state.ramp_mps2[stopped]
-        hardware.plan_speed(state.wheels, stopped, deadline_s, standing, ramp_mps2=ramp_mps2)
-        state.deadline_s[stopped] = np.inf
+        ramp_mps2 = state.drive.ramp_mps2[stopped]
+        hardware.plan_speed(state.drive.wheels, stopped, deadline_s, standing, ramp_mps2=ramp_mps2)
+        state.drive.deadline_s[stopped] = np.inf
         _remember(state, stopped, CODES["CONF_TM"])
     _turn(state, equipment, rows, to_s)
 
@@ -92,35 +157,37 @@ def settle_waits(
     """
     end_s = _wait_end_s(state, rows)
     # The time for a stop may be up before; then the wheels stand earlier than it seemed.
-    cut = (state.deadline_s[rows] < end_s) & (state.deadline_s[rows] < limit_s)
+    cut = (state.drive.deadline_s[rows] < end_s) & (state.drive.deadline_s[rows] < limit_s)
     if cut.any():
-        deadline_s = state.deadline_s[rows[cut]]
+        deadline_s = state.drive.deadline_s[rows[cut]]
         advance(state, equipment, rows[cut], np.nextafter(deadline_s, np.inf))
         end_s = _wait_end_s(state, rows)
     ended = end_s < limit_s
     advance(state, equipment, rows[ended], end_s[ended])
-    state.waiting[rows[ended]] = False
+    state.drive.waiting[rows[ended]] = False
     return np.where(ended, end_s, np.inf)
 
 
 def _wait_end_s(state: EnvState, rows: IndexArray) -> FloatArray:
-    stands_s = np.where(state.waiting[rows], state.wheels.end_s(rows), -np.inf).max(axis=1)
-    end_s = np.minimum(stands_s, state.wait_until_s[rows])
-    return np.asarray(np.maximum(end_s, state.clock_s[rows]))
+    stands_s = np.where(state.drive.waiting[rows], state.drive.wheels.end_s(rows), -np.inf).max(
+        axis=1
+    )
+    end_s = np.minimum(stands_s, state.drive.wait_until_s[rows])
+    return np.asarray(np.maximum(end_s, state.drive.clock_s[rows]))
 
 
 def _turn(
     state: EnvState, equipment: Equipment, rows: IndexArray | slice, to_s: FloatArray
 ) -> None:
-    way_m = hardware.advance(state.wheels, rows, to_s)
-    state.clock_s[rows] = to_s
-    state.slice_m[rows] += way_m
+    way_m = hardware.advance(state.drive.wheels, rows, to_s)
+    state.drive.clock_s[rows] = to_s
+    state.drive.slice_m[rows] += way_m
     odometry.count_turns(state, equipment, rows, way_m)
-    facing_rad = state.facing_rad[rows]
+    facing_rad = state.drive.facing_rad[rows]
     x_m, y_m, turn_rad = odometry.arc(facing_rad, way_m, equipment.wheel_base_m[rows])
-    state.moved_m[rows, 0] += x_m
-    state.moved_m[rows, 1] += y_m
-    state.facing_rad[rows] = facing_rad + turn_rad
+    state.drive.moved_m[rows, 0] += x_m
+    state.drive.moved_m[rows, 1] += y_m
+    state.drive.facing_rad[rows] = facing_rad + turn_rad
 
 
 # -- commands --------------------------------------------------------------------------------------
@@ -128,12 +195,12 @@ def _turn(
 
 def ac(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
     """Sets accelerations."""
-    _set_limited(state.ramp_mps2, equipment.ramp_limit_mps2, rows, messages["i"][:, :2])
+    _set_limited(state.drive.ramp_mps2, equipment.ramp_limit_mps2, rows, messages["i"][:, :2])
 
 
 def sp(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
     """Sets the speeds of `pr`."""
-    _set_limited(state.move_mps, equipment.speed_limit_mps, rows, messages["i"][:, :2])
+    _set_limited(state.drive.move_mps, equipment.speed_limit_mps, rows, messages["i"][:, :2])
 
 
 def pr(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
@@ -153,8 +220,10 @@ def mv(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messag
     modes, values = messages["i"][:, [0, 2, 4]], messages["i"][:, [1, 3]]
     good = np.asarray(((modes >= IGNORE) & (modes <= SPEED)).all(axis=1))
     rows, wheels, values = rows[good], modes[good, :2], values[good]
-    _set_limited(state.ramp_mps2, equipment.ramp_limit_mps2, rows, values, wheels == ACCELERATION)
-    _set_limited(state.move_mps, equipment.speed_limit_mps, rows, values, wheels == SPEED)
+    _set_limited(
+        state.drive.ramp_mps2, equipment.ramp_limit_mps2, rows, values, wheels == ACCELERATION
+    )
+    _set_limited(state.drive.move_mps, equipment.speed_limit_mps, rows, values, wheels == SPEED)
     _run_at(state, equipment, rows, values, wheels == VELOCITY)
     _move(state, rows, values, wheels == RELATIVE)
     _stop(state, rows, wheels == LIMP)
@@ -177,15 +246,15 @@ def lp(state: EnvState, _equipment: Equipment, rows: IndexArray, _messages: Mess
 
 def ws(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
     """Begins to wait until the chosen wheels stand still; `settle_waits` ends it."""
-    state.waiting[rows] = messages["i"][:, :2] != 0
+    state.drive.waiting[rows] = messages["i"][:, :2] != 0
     timeout_s = np.clip(messages["i"][:, 3], 0, _LONGEST_TIMEOUT)
-    state.wait_until_s[rows] = state.clock_s[rows] + timeout_s
+    state.drive.wait_until_s[rows] = state.drive.clock_s[rows] + timeout_s
 
 
 def conf_tm(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
     """Sets the time without a command after which the wheels stop, 0 for never."""
     timeout_s = np.clip(messages["i"][:, 0], 0, _LONGEST_TIMEOUT).astype(np.float64)
-    state.timeout_s[rows] = np.where(timeout_s > 0.0, timeout_s, np.inf)
+    state.drive.timeout_s[rows] = np.where(timeout_s > 0.0, timeout_s, np.inf)
 
 
 def _set_limited(
@@ -209,31 +278,33 @@ def _run_at(
 ) -> None:
     limit_mps = equipment.speed_limit_mps[rows, None]
     target_mps = np.clip(tenths_inch_to_m(values.astype(np.float64)), -limit_mps, limit_mps)
-    ramp_mps2 = state.ramp_mps2[rows]
-    now_s = state.clock_s[rows]
-    hardware.plan_speed(state.wheels, rows, now_s, target_mps, ramp_mps2=ramp_mps2, which=which)
+    ramp_mps2 = state.drive.ramp_mps2[rows]
+    now_s = state.drive.clock_s[rows]
+    hardware.plan_speed(
+        state.drive.wheels, rows, now_s, target_mps, ramp_mps2=ramp_mps2, which=which
+    )
 
 
 def _move(
     state: EnvState, rows: IndexArray, values: npt.NDArray[np.int32], which: BoolArray | bool = True
 ) -> None:
     hardware.plan_move(
-        state.wheels,
+        state.drive.wheels,
         rows,
-        state.clock_s[rows],
+        state.drive.clock_s[rows],
         tenths_inch_to_m(values.astype(np.float64)),
-        limit_mps=state.move_mps[rows],
-        ramp_mps2=state.ramp_mps2[rows],
+        limit_mps=state.drive.move_mps[rows],
+        ramp_mps2=state.drive.ramp_mps2[rows],
         which=which,
     )
 
 
 def _stop(state: EnvState, rows: IndexArray, which: BoolArray | bool = True) -> None:
     standing = np.zeros((len(rows), 2))
-    now_s, ramp_mps2 = state.clock_s[rows], state.ramp_mps2[rows]
-    hardware.plan_speed(state.wheels, rows, now_s, standing, ramp_mps2=ramp_mps2, which=which)
+    now_s, ramp_mps2 = state.drive.clock_s[rows], state.drive.ramp_mps2[rows]
+    hardware.plan_speed(state.drive.wheels, rows, now_s, standing, ramp_mps2=ramp_mps2, which=which)
 
 
 def _remember(state: EnvState, rows: IndexArray, code: int) -> None:
-    state.command[rows] = code
-    state.command_cycle[rows] = state.cycle
+    state.drive.command[rows] = code
+    state.drive.command_cycle[rows] = state.cycle

@@ -18,7 +18,8 @@ Units on the interface: 0.1 in and 0.1 deg (vendor header `Nclient.h` 1.29). No 
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Final
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -27,6 +28,7 @@ from crs_cc.units import tenths_deg_to_rad, tenths_inch_to_m
 
 if TYPE_CHECKING:
     from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.model import WorldModel
     from crs_cc.sim.state import EnvState
 
 FloatArray = npt.NDArray[np.float64]
@@ -34,6 +36,21 @@ IndexArray = npt.NDArray[np.intp]
 Messages = npt.NDArray[np.void]
 
 _TURN: Final = 2 * math.pi
+
+
+@dataclass(slots=True)
+class OdometryState:
+    """Where each robot believes to be, in the frame of its odometry; shape (robots,) each."""
+
+    x_m: FloatArray
+    y_m: FloatArray
+    heading_rad: FloatArray
+
+    @classmethod
+    def at_start(cls, world: WorldModel) -> Self:
+        """Gives the odometry of robots that were just switched on."""
+        count = len(world.robots)
+        return cls(np.zeros(count), np.zeros(count), np.zeros(count))
 
 
 def arc(
@@ -59,27 +76,27 @@ def count_turns(
     state: EnvState, equipment: Equipment, rows: IndexArray | slice, way_m: FloatArray
 ) -> None:
     """Takes the wheels' ways since the last time into the odometry."""
-    heading_rad = state.odometry_heading_rad[rows]
+    heading_rad = state.odometry.heading_rad[rows]
     x_m, y_m, turn_rad = arc(heading_rad, way_m, equipment.wheel_base_m[rows])
-    state.odometry_x_m[rows] += x_m
-    state.odometry_y_m[rows] += y_m
-    state.odometry_heading_rad[rows] = (heading_rad + turn_rad) % _TURN
+    state.odometry.x_m[rows] += x_m
+    state.odometry.y_m[rows] += y_m
+    state.odometry.heading_rad[rows] = (heading_rad + turn_rad) % _TURN
 
 
 def dp(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
     """Sets x and y."""
-    state.odometry_x_m[rows] = tenths_inch_to_m(messages["i"][:, 0].astype(np.float64))
-    state.odometry_y_m[rows] = tenths_inch_to_m(messages["i"][:, 1].astype(np.float64))
+    state.odometry.x_m[rows] = tenths_inch_to_m(messages["i"][:, 0].astype(np.float64))
+    state.odometry.y_m[rows] = tenths_inch_to_m(messages["i"][:, 1].astype(np.float64))
 
 
 def da(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
     """Sets the heading; the Scout has no turret."""
     heading = messages["i"][:, 0] % 3600
-    state.odometry_heading_rad[rows] = tenths_deg_to_rad(heading.astype(np.float64))
+    state.odometry.heading_rad[rows] = tenths_deg_to_rad(heading.astype(np.float64))
 
 
 def zr(state: EnvState, _equipment: Equipment, rows: IndexArray, _messages: Messages) -> None:
     """Sets everything to 0. The N200 also turns to its zero marks; the Scout has none."""
-    state.odometry_x_m[rows] = 0.0
-    state.odometry_y_m[rows] = 0.0
-    state.odometry_heading_rad[rows] = 0.0
+    state.odometry.x_m[rows] = 0.0
+    state.odometry.y_m[rows] = 0.0
+    state.odometry.heading_rad[rows] = 0.0

@@ -14,7 +14,8 @@ is not modelled yet, nor are echoes that glance off (a wall is heard from every 
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -25,12 +26,12 @@ from crs_cc.sim.rays import Fan, nearest
 from crs_cc.sim.robot_elements import MAX_SONARS
 from crs_cc.sim.scene import Scene
 from crs_cc.sim.sensors.covered import Rectangles
-from crs_cc.sim.state import NO_ECHO
 from crs_cc.units import m_to_inch
 
 if TYPE_CHECKING:
     from crs_cc.sim.equipment import Equipment
-    from crs_cc.sim.model import RobotModel, WorldModel
+    from crs_cc.sim.model import WorldModel
+    from crs_cc.sim.robot_model import RobotModel
     from crs_cc.sim.state import EnvState
 
 FloatArray = npt.NDArray[np.float64]
@@ -38,7 +39,42 @@ BoolArray = npt.NDArray[np.bool_]
 IndexArray = npt.NDArray[np.intp]
 Messages = npt.NDArray[np.void]
 
+NO_ECHO: Final = 255
+"""A sonar's reading in inches when it hears nothing, the largest that the byte on the line holds
+(vendor source `Ndirect.c` 2.7)."""
+
 _END: Final = 255  # ends a firing order
+
+
+@dataclass(slots=True)
+class SonarState:
+    """What the sonars of all robots told last.
+
+    Attributes:
+        on: the sonars in the firing order, (robots, 16).
+        reading_in: what each measured last [in], (robots, 16).
+        cycle: the cycle of these readings, -1 before the first, (robots,).
+        count: how many readings were taken, (robots,).
+    """
+
+    on: BoolArray
+    reading_in: npt.NDArray[np.int32]
+    cycle: npt.NDArray[np.int64]
+    count: npt.NDArray[np.int64]
+
+    @classmethod
+    def at_start(cls, world: WorldModel) -> Self:
+        """Gives sonars that have not fired yet."""
+        count = len(world.robots)
+        on = np.zeros((count, MAX_SONARS), dtype=np.bool_)
+        for row, robot in zip(on, world.robots, strict=True):
+            row[list(robot.model.sonar_order)] = True
+        return cls(
+            on,
+            np.full((count, MAX_SONARS), NO_ECHO, dtype=np.int32),
+            np.full(count, -1, dtype=np.int64),
+            np.zeros(count, dtype=np.int64),
+        )
 
 
 class SonarRing:
@@ -69,7 +105,7 @@ class SonarRing:
 
     def read(self, state: EnvState, rows: IndexArray) -> None:
         """Lets the sonars of robots measure, those that did not yet in this cycle."""
-        rows = rows[state.sonar_cycle[rows] != state.cycle]
+        rows = rows[state.sonar.cycle[rows] != state.cycle]
         if not len(rows):
             return
         if self._placed != state.cycle:
@@ -88,14 +124,14 @@ class SonarRing:
                 distance_m[np.ix_(mine, numbers)] = echoes
         distance_m += self._errors_m(state, rows)
         inches = np.clip(np.rint(m_to_inch(distance_m)), 0, NO_ECHO)
-        state.sonar_in[rows] = inches.astype(np.int32)
-        state.sonar_cycle[rows] = state.cycle
-        state.sonar_count[rows] += 1
+        state.sonar.reading_in[rows] = inches.astype(np.int32)
+        state.sonar.cycle[rows] = state.cycle
+        state.sonar.count[rows] += 1
 
     def _errors_m(self, state: EnvState, rows: IndexArray) -> FloatArray:
         if not self._noise_m.any():
             return np.zeros(1)
-        deviates = self._noise.rows(rows, state.sonar_count[rows])
+        deviates = self._noise.rows(rows, state.sonar.count[rows])
         return np.asarray(deviates * self._noise_m[rows, None])
 
 
@@ -114,7 +150,7 @@ def conf_sn(
     fires = np.zeros((len(rows), MAX_SONARS), dtype=np.bool_)
     robot, element = np.nonzero(given & good[:, None])
     fires[robot, order[robot, element]] = True
-    state.sonar_on[rows[good]] = fires[good]
+    state.sonar.on[rows[good]] = fires[good]
     return good
 
 

@@ -151,17 +151,33 @@ extern int SERV_TCP_PORT;
 #define scout_vm(trans, steer) vm(RIGHT(trans, steer), LEFT(trans, steer), 0)
 
 /* Connection. */
-int connect_robot(long id, ...);
-int disconnect_robot(long id);
+int create_robot(long robot_id);
+int connect_robot(long robot_id, ...);
+int disconnect_robot(long robot_id);
+int server_is_running(void);
+int quit_server(void);
+int real_robot(void);
+int simulated_robot(void);
+int set_server_machine_name(char *name);
+int set_serv_tcp_port(int port);
 
 /* Configuration. */
+int conf_ir(int history, int order[16]);
 int conf_sn(int rate, int order[16]);
+int conf_cp(int mode);
+int conf_ls(unsigned int mode, unsigned int threshold, unsigned int width, unsigned int num_data, unsigned int processing);
+int conf_sg(unsigned int threshold, unsigned int min_points, unsigned int gap);
 int conf_tm(unsigned char timeout);
+int conf_ser(unsigned char port, unsigned short baud);
+int ct(void);
+int init_sensors(void);
+void init_mask(void);
 
 /* Motion. */
 int ac(int trans, int steer, int turret);
 int sp(int trans, int steer, int turret);
 int pr(int trans, int steer, int turret);
+int pa(int trans, int steer, int turret);
 int vm(int trans, int steer, int turret);
 int mv(int t_mode, int t_mv, int s_mode, int s_mv, int r_mode, int r_mv);
 int st(void);
@@ -170,13 +186,57 @@ int ws(unsigned char trans, unsigned char steer, unsigned char turret, unsigned 
 int dp(int x, int y);
 int da(int th, int tu);
 int zr(void);
+int place_robot(int x, int y, int th, int tu);
 
 /* Reading State, or a group of it. */
 int gs(void);
+int get_ir(void);
 int get_sn(void);
-int get_bp(void);
 int get_rc(void);
 int get_rv(void);
+int get_ra(void);
+int get_cp(void);
+int get_ls(void);
+int get_bp(void);
+int get_sg(void);
+int get_rpx(long *robot_pos);
+
+/* The simulator's world. */
+int add_obstacle(long obs[2 * MAX_VERTICES + 1]);
+int add_Obs(long obs[2 * MAX_VERTICES + 1]);
+int delete_obstacle(long obs[2 * MAX_VERTICES + 1]);
+int delete_Obs(long obs[2 * MAX_VERTICES + 1]);
+int move_obstacle(long obs[2 * MAX_VERTICES + 1], long dx, long dy);
+int move_Obs(long obs[2 * MAX_VERTICES + 1], long dx, long dy);
+int new_world(void);
+int predict_sensors(int x, int y, int th, int tu, long *state, int *laser);
+int motion_check(long type, double a1, double a2, double a3, double a4, double a5, double a6, double a7, double collide[3]);
+int get_robot_conf(long *conf);
+
+/* The simulator's window. */
+int draw_robot(long x, long y, int th, int tu, int mode);
+int draw_line(long x_1, long y_1, long x_2, long y_2, int mode);
+int draw_arc(long x_0, long y_0, long w, long h, int th1, int th2, int mode);
+int refresh_all(void);
+
+/* Others. */
+int tk(char *talk);
+int special_request(unsigned char *user_send_buffer, unsigned char *user_receive_buffer);
+
+/* Where and when sensors were read. */
+typedef unsigned long TimeData;
+
+typedef struct {
+    long configX, configY, configSteer, configTurret, velTrans, velSteer, velTurret;
+    TimeData timeStamp;
+} ConfigData;
+
+typedef struct {
+    ConfigData config;
+    TimeData timeStamp;
+} PosData;
+
+int posSonarRingGet(PosData posData[SONARS]);
 
 /* Not the vendor's: what Scout programs used to define for themselves. They are functions, so
    that a program's own macros or functions of these names take their place. */

@@ -1,5 +1,5 @@
 /* The only door out of a control program: fill in a message, post it, find the reply in its place.
-   The same as crs_cc/requests.py, where units and meaning of every code are written; a test holds
+   The same as crs_cc/requests, where units and meaning of every code are written; a test holds
    the two together. Both functions are intrinsics of the compiler. */
 #ifndef _CRS_REQUEST_H
 #define _CRS_REQUEST_H
@@ -27,6 +27,7 @@ struct __crs_message {
 #define CRS_FILE_RESIZE 11
 #define CRS_FILE_REMOVE 12
 #define CRS_FILE_RENAME 13
+#define CRS_CLIENT 14
 #define CRS_CONNECT 100
 #define CRS_DISCONNECT 101
 #define CRS_AC 102
@@ -47,6 +48,36 @@ struct __crs_message {
 #define CRS_GET_BP 117
 #define CRS_GET_RC 118
 #define CRS_GET_RV 119
+#define CRS_CT 121
+#define CRS_GET_IR 122
+#define CRS_GET_RA 123
+#define CRS_GET_CP 124
+#define CRS_GET_LS 125
+#define CRS_GET_SG 126
+#define CRS_CONF_IR 127
+#define CRS_CONF_CP 128
+#define CRS_CONF_LS 129
+#define CRS_CONF_SG 130
+#define CRS_LASER_PAGE 131
+#define CRS_POS_DATA 132
+#define CRS_TK 133
+#define CRS_CONF_SER 134
+#define CRS_PLACE_ROBOT 140
+#define CRS_ADD_OBSTACLE 141
+#define CRS_DELETE_OBSTACLE 142
+#define CRS_MOVE_OBSTACLE 143
+#define CRS_NEW_WORLD 144
+#define CRS_GET_RPX 145
+#define CRS_PREDICT 146
+#define CRS_MOTION_CHECK 147
+#define CRS_GET_CONF 148
+#define CRS_REAL_ROBOT 149
+#define CRS_SIMULATED_ROBOT 150
+#define CRS_DRAW 151
+#define CRS_REFRESH 152
+#define CRS_QUIT_SERVER 153
+#define CRS_CREATE 154
+#define CRS_SPECIAL 155
 
 /* Posts the message and gives the reply's result. */
 int __crs_request(int code, struct __crs_message *message);

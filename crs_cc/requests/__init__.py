@@ -1,0 +1,59 @@
+"""The door between a control program and everything outside its memory.
+
+A program can do one thing to the world: fill in a message, post it with a request code, and stop.
+Whoever runs it finds the message in the program's slot, writes the reply over it, and resumes the
+program. All slots of a fleet lie side by side in one memory that C cannot address; `SLOT` is how
+numpy sees it. `REQUESTS` lists every code; nothing else crosses. `host` has those that a program's
+host computer answers, `robot` those that go to its robot.
+
+>>> import numpy as np
+>>> slots = np.zeros(2, SLOT)                       # two robots
+>>> slots["code"] = [CODES["VM"], CODES["WRITE"]]   # what they asked for
+>>> slots["message"]["i"][0, :2] = 100, 80          # robot 0: 10 and 8 inches a second
+>>> REQUESTS[slots["code"][0]].prototype
+'int vm(int trans, int steer, int turret)'
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from crs_cc.requests.code import Argument, RequestCode
+from crs_cc.requests.door import (
+    DATA_SIZE,
+    ERROR_KINDS,
+    FAILED,
+    MESSAGE,
+    NUM_STATE,
+    RETURNED,
+    SLOT,
+    SUSPENDED,
+    slot_offset,
+)
+from crs_cc.requests.host import HOST_REQUESTS
+from crs_cc.requests.robot import ROBOT_REQUESTS, STATE_REPLIES
+
+__all__ = [
+    "CODES",
+    "DATA_SIZE",
+    "ERROR_KINDS",
+    "FAILED",
+    "MESSAGE",
+    "NUM_STATE",
+    "REQUESTS",
+    "RETURNED",
+    "SLOT",
+    "STATE_REPLIES",
+    "SUSPENDED",
+    "Argument",
+    "RequestCode",
+    "slot_offset",
+]
+
+_TABLE: Final = (*HOST_REQUESTS, *ROBOT_REQUESTS)
+
+REQUESTS: Final[dict[int, RequestCode]] = {request.code: request for request in _TABLE}
+"""Every request by its number."""
+
+CODES: Final[dict[str, int]] = {request.name: request.code for request in _TABLE}
+"""Every request's number by its name."""

@@ -1,0 +1,51 @@
+"""What the tables of request codes are made of."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+Server = Literal["host", "robot"]
+
+
+@dataclass(frozen=True, slots=True)
+class Argument:
+    """One argument or result of a request.
+
+    Attributes:
+        place: where in the message it lies, as written in Python: `i[0]`, `f[1]`, `data`, `result`.
+        name: what it is.
+        unit: its unit; "1" for a number without unit.
+    """
+
+    place: str
+    name: str
+    unit: str = "1"
+
+
+@dataclass(frozen=True, slots=True)
+class RequestCode:
+    """One kind of request.
+
+    Attributes:
+        name: its name, `CRS_<name>` in C.
+        code: its number.
+        server: who answers it: the session as the program's host, or the simulated robot.
+        prototype: the C function that posts it.
+        meaning: what it does.
+        arguments: what the message holds when it is posted.
+        results: what the message holds when the program goes on.
+    """
+
+    name: str
+    code: int
+    server: Server
+    prototype: str
+    meaning: str
+    arguments: tuple[Argument, ...] = ()
+    results: tuple[Argument, ...] = ()
+
+
+def arguments(*rows: tuple[str, str, str]) -> tuple[Argument, ...]:
+    """Gives arguments or results: each place, name and unit."""
+    return tuple(Argument(*row) for row in rows)

@@ -1,0 +1,253 @@
+"""The requests that go through the link to the robot, or to the simulator it lives in.
+
+Most are answered as the vendor's robot answers: with a packet that holds all of `State`, the time
+of the sensor board, the batteries' voltages, and how many laser readings lie ready.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from crs_cc.requests.code import Argument, RequestCode, arguments
+
+_SPEED, _ACCELERATION, _LENGTH, _ANGLE = "0.1 in/s", "0.1 in/s^2", "0.1 in", "0.1 deg"
+_DONE: Final = arguments(("result", "1 when done, else 0", "1"))
+_STATE: Final = (
+    *_DONE,
+    *arguments(
+        ("data", "State[45] as 45 int32, each in its own unit", "see NUM_STATE"),
+        ("i[0]", "laser readings that LASER_PAGE has ready", "1"),
+        ("i[1]", "voltage of the computers' battery: (2 + n 3/255) 12/5", "V"),
+        ("i[2]", "voltage of the motors' battery: (2 + n 3/255) 12.85/5", "V"),
+        ("f[0]", "time of the sensor board", "ms"),
+    ),
+)
+_POSE: Final = arguments(
+    ("i[0]", "x", _LENGTH), ("i[1]", "y", _LENGTH), ("i[2]", "heading", _ANGLE),
+    ("i[3]", "turret", _ANGLE),
+)  # fmt: skip
+_VERTICES: Final = arguments(
+    ("i[0]", "number of vertices, at most 10", "1"),
+    ("data", "x and y of each vertex as int32, counter-clockwise", _LENGTH),
+)
+_ORDER: Final = arguments(
+    ("size", "sensors in the order", "1"), ("data", "the order, one byte each", "sensor number")
+)
+
+
+def _axes(unit: str) -> tuple[Argument, ...]:
+    """Gives the three axes of a motion command; units are those of a Nomad 200's."""
+    turning = unit.replace("in", "deg")
+    return arguments(
+        ("i[0]", "translation; a Scout's right wheel", unit),
+        ("i[1]", f"steering; a Scout's left wheel, in {unit}", turning),
+        ("i[2]", "turret; a Scout has none", turning),
+    )
+
+
+def _robot(
+    name: str, code: int, prototype: str, meaning: str, arguments: tuple[Argument, ...] = (),
+    *, results: tuple[Argument, ...] = _STATE,
+) -> RequestCode:  # fmt: skip
+    return RequestCode(name, code, "robot", prototype, meaning, arguments, results)
+
+
+ROBOT_REQUESTS: Final = (
+    _robot("CONNECT", 100, "int connect_robot(long id, ...)", "connects to the robot",
+           arguments(("i[0]", "robot number", "1"))),
+    _robot("DISCONNECT", 101, "int disconnect_robot(long id)", "ends the connection",
+           arguments(("i[0]", "robot number", "1"))),
+    _robot("AC", 102, "int ac(int trans, int steer, int turret)", "sets accelerations",
+           _axes(_ACCELERATION)),
+    _robot("SP", 103, "int sp(int trans, int steer, int turret)", "sets the speeds of `pr`",
+           _axes(_SPEED)),
+    _robot("PR", 104, "int pr(int trans, int steer, int turret)", "starts a relative move",
+           _axes(_LENGTH)),
+    _robot("VM", 105, "int vm(int trans, int steer, int turret)", "sets wheel speeds",
+           _axes(_SPEED)),
+    _robot(
+        "MV", 106,
+        "int mv(int t_mode, int t_mv, int s_mode, int s_mv, int r_mode, int r_mv)",
+        "commands each axis in a mode of its own (MV_IGNORE, MV_VM, MV_PR, MV_LP, MV_AC, MV_SP)",
+        arguments(
+            ("i[0]", "mode of axis 1", "1"), ("i[1]", "its value", "by mode"),
+            ("i[2]", "mode of axis 2", "1"), ("i[3]", "its value", "by mode"),
+            ("i[4]", "mode of axis 3", "1"), ("i[5]", "its value", "by mode"),
+        ),
+    ),
+    _robot("ST", 107, "int st(void)", "stops the wheels and holds them"),
+    _robot("LP", 108, "int lp(void)", "lets the wheels go limp"),
+    _robot(
+        "WS", 109,
+        "int ws(unsigned char t, unsigned char s, unsigned char r, unsigned char timeout)",
+        "waits until the chosen axes stand still",
+        arguments(
+            ("i[0]", "1 to wait for axis 1", "1"), ("i[1]", "1 to wait for axis 2", "1"),
+            ("i[2]", "1 to wait for axis 3", "1"),
+            ("i[3]", "longest wait", "s"),
+        ),
+    ),
+    _robot("DP", 110, "int dp(int x, int y)", "sets the position of the odometry",
+           arguments(("i[0]", "x", _LENGTH), ("i[1]", "y", _LENGTH))),
+    _robot("DA", 111, "int da(int th, int tu)", "sets the angles of the odometry",
+           arguments(("i[0]", "heading", _ANGLE), ("i[1]", "turret", _ANGLE))),
+    _robot("ZR", 112, "int zr(void)", "sets the odometry to zero"),
+    _robot(
+        "CONF_SN", 113, "int conf_sn(int rate, int order[16])", "sets the sonars' firing order",
+        (*arguments(("i[0]", "time between two firings", "4 ms")), *_ORDER),
+    ),
+    _robot(
+        "CONF_TM", 114, "int conf_tm(unsigned char timeout)",
+        "stops the wheels when no command came for so long, 0 for never",
+        arguments(("i[0]", "timeout", "s")),
+    ),
+    _robot("GS", 115, "int gs(void)", "reads the whole state"),
+    _robot("GET_SN", 116, "int get_sn(void)", "reads the sonars"),
+    _robot("GET_BP", 117, "int get_bp(void)", "reads the bumpers"),
+    _robot("GET_RC", 118, "int get_rc(void)", "reads the odometry's pose"),
+    _robot("GET_RV", 119, "int get_rv(void)", "reads the wheel speeds"),
+    _robot("CT", 121, "int ct(void)", "sets which parts of State the replies refresh",
+           arguments(("size", "44", "1"), ("data", "Smask, one byte each", "1"))),
+    _robot("GET_IR", 122, "int get_ir(void)", "reads the infrared sensors"),
+    _robot("GET_RA", 123, "int get_ra(void)", "asks for the accelerations; refreshes nothing"),
+    _robot("GET_CP", 124, "int get_cp(void)", "reads the compass"),
+    _robot("GET_LS", 125, "int get_ls(void)", "reads the laser's points"),
+    _robot("GET_SG", 126, "int get_sg(void)", "reads the laser's line segments"),
+    _robot("CONF_IR", 127, "int conf_ir(int history, int order[16])",
+           "sets the infrared sensors' order and how many readings make an average",
+           (*arguments(("i[0]", "readings, 0 to 10", "1")), *_ORDER)),
+    _robot("CONF_CP", 128, "int conf_cp(int mode)", "switches the compass",
+           arguments(("i[0]", "0 off, 1 on, 2 calibrate", "1"))),
+    _robot(
+        "CONF_LS", 129,
+        "int conf_ls(unsigned int mode, unsigned int threshold, unsigned int width,"
+        " unsigned int num_data, unsigned int processing)",
+        "configures the laser",
+        arguments(
+            ("i[0]", "mode", "1"), ("i[1]", "threshold of brightness", "1"),
+            ("i[2]", "width of the line", "pixel"), ("i[3]", "readings wanted", "1"),
+            ("i[4]", "processing", "1"),
+        ),
+    ),
+    _robot(
+        "CONF_SG", 130,
+        "int conf_sg(unsigned int threshold, unsigned int min_points, unsigned int gap)",
+        "configures how the laser's points become segments",
+        arguments(
+            ("i[0]", "largest distance from the segment", _LENGTH),
+            ("i[1]", "fewest points of a segment", "1"), ("i[2]", "largest gap", _LENGTH),
+        ),
+    ),
+    _robot(
+        "LASER_PAGE", 131, "int get_ls(void)", "hands over laser readings that lie ready",
+        arguments(
+            ("i[0]", "first reading wanted", "1"), ("i[1]", "1 for those that PREDICT made", "1"),
+        ),
+        results=arguments(
+            ("result", "readings in this page", "1"),
+            ("data", "readings as int32, at most 62: x and y in the robot's frame", _LENGTH),
+        ),
+    ),
+    _robot(
+        "POS_DATA", 132, "int posSonarRingGet(PosData posData[SONARS])",
+        "hands over where and when sensors were read that the last reply told of",
+        arguments(
+            ("i[0]", "which sensors: POS_INFRARED, POS_SONAR, ...", "1"),
+            ("i[1]", "first one wanted", "1"),
+        ),
+        results=arguments(
+            ("result", "PosData in this page", "1"),
+            ("data", "9 int32 each: x, y, heading, turret, three speeds, two times; at most 6",
+             "as in State; ms"),
+        ),
+    ),
+    _robot("TK", 133, "int tk(char *talk)", "speaks",
+           arguments(("size", "length of the text", "byte"), ("data", "the text", "1"))),
+    _robot("CONF_SER", 134, "int conf_ser(unsigned char port, unsigned short baud)",
+           "sets the speed of a serial port",
+           arguments(("i[0]", "port", "1"), ("i[1]", "speed", "baud"))),
+    _robot("PLACE_ROBOT", 140, "int place_robot(int x, int y, int th, int tu)",
+           "puts the robot somewhere, and its odometry", _POSE),
+    _robot("ADD_OBSTACLE", 141, "int add_obstacle(long obs[2 * MAX_VERTICES + 1])",
+           "adds a polygon to the world", _VERTICES, results=_DONE),
+    _robot("DELETE_OBSTACLE", 142, "int delete_obstacle(long obs[2 * MAX_VERTICES + 1])",
+           "takes a polygon away that was added", _VERTICES, results=_DONE),
+    _robot(
+        "MOVE_OBSTACLE", 143,
+        "int move_obstacle(long obs[2 * MAX_VERTICES + 1], long dx, long dy)",
+        "moves a polygon that was added",
+        (*_VERTICES, *arguments(("i[1]", "along x", _LENGTH), ("i[2]", "along y", _LENGTH))),
+        results=(*_DONE, *_VERTICES),
+    ),
+    _robot("NEW_WORLD", 144, "int new_world(void)", "takes all polygons away", results=_DONE),
+    _robot(
+        "GET_RPX", 145, "int get_rpx(long *robot_pos)", "tells where all robots really are",
+        arguments(("i[0]", "first robot wanted", "1")),
+        results=arguments(
+            ("result", "number of robots", "1"), ("size", "bytes", "byte"),
+            ("data", "x, y, heading of each as int32; at most 20", "0.1 in, 0.1 in, 0.1 deg"),
+        ),
+    ),
+    _robot(
+        "PREDICT", 146,
+        "int predict_sensors(int x, int y, int th, int tu, long *state, int *laser)",
+        "tells what the sensors would read somewhere else", _POSE,
+        results=arguments(
+            ("result", "1 when done, else 0", "1"),
+            ("data", "State[45] as 45 int32, of which the sensors count", "see NUM_STATE"),
+            ("i[0]", "laser readings that LASER_PAGE has ready", "1"),
+        ),
+    ),
+    _robot(
+        "MOTION_CHECK", 147,
+        "int motion_check(long type, double a1, double a2, double a3, double a4, double a5,"
+        " double a6, double a7, double collide[3])",
+        "tells where a motion would end in a collision",
+        arguments(
+            ("i[0]", "0 along a segment, 1 along an arc", "1"),
+            ("data", "a1 to a7 as float64", "see docs/robot-api.md"),
+        ),
+        results=arguments(
+            ("result", "1 when there is a collision", "1"), ("f[0]", "x", _LENGTH),
+            ("f[1]", "y", _LENGTH), ("f[2]", "direction of the normal into the obstacle", "rad"),
+        ),
+    ),
+    _robot("GET_CONF", 148, "int get_robot_conf(long *conf)",
+           "asks the user to point at a place in the simulator's window", results=_DONE),
+    _robot("REAL_ROBOT", 149, "int real_robot(void)", "asks for a real robot", results=_DONE),
+    _robot("SIMULATED_ROBOT", 150, "int simulated_robot(void)", "asks for a simulated robot",
+           results=_DONE),
+    _robot(
+        "DRAW", 151, "int draw_line(long x_1, long y_1, long x_2, long y_2, int mode)",
+        "draws in the simulator's window",
+        arguments(
+            ("i[0]", "0 a robot, 1 a line, 2 an arc", "1"),
+            ("i[1]", "x, or left edge", _LENGTH), ("i[2]", "y, or upper edge", _LENGTH),
+            ("i[3]", "heading, x of the end, or width", "0.1 deg or 0.1 in"),
+            ("i[4]", "turret, y of the end, or height", "0.1 deg or 0.1 in"),
+            ("i[5]", "first angle of an arc", _ANGLE), ("i[6]", "its second angle", _ANGLE),
+            ("i[7]", "mode", "1"),
+        ),
+        results=_DONE,
+    ),
+    _robot("REFRESH", 152, "int refresh_all(void)", "draws (a part of) the window anew",
+           arguments(("i[0]", "what: 0 refresh_all to 9 refresh_client_graphics", "1")),
+           results=_DONE),
+    _robot("QUIT_SERVER", 153, "int quit_server(void)", "ends the simulator, for this program",
+           results=_DONE),
+    _robot("CREATE", 154, "int create_robot(long robot_id)", "makes a robot",
+           arguments(("i[0]", "robot number", "1")), results=_DONE),
+    _robot(
+        "SPECIAL", 155,
+        "int special_request(unsigned char *user_send_buffer, unsigned char *user_receive_buffer)",
+        "sends a packet of the user's own",
+        arguments(("size", "bytes", "byte"), ("data", "the packet", "1")),
+        results=(*_DONE, *arguments(("size", "bytes", "byte"), ("data", "the answer", "1"))),
+    ),
+)  # fmt: skip
+"""Every request that a robot, or the simulator it lives in, answers."""
+
+STATE_REPLIES: Final = frozenset(
+    request.code for request in ROBOT_REQUESTS if request.results is _STATE
+)
+"""The codes of those that are answered with all of `State`."""

@@ -1,0 +1,100 @@
+"""What a kind of robot is made of: constant data, as its definition file says.
+
+A definition has a dataclass for each device. All of it is frozen, compares and hashes by content,
+and pickles. Units: metres, seconds, kilograms, radians. Robot frame: x ahead, y to the left, origin
+midway between the wheels.
+
+>>> ahead = Sonar(0, x_m=0.2, y_m=0.0, direction_rad=0.0, range_m=6.477, radius_m=1.14)
+>>> round(math.degrees(ahead.half_angle_rad))
+10
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Sonar:
+    """One ultrasonic range sensor.
+
+    Its beam is a cone that starts at the sensor: `range_m` is the height of the cone and
+    `radius_m` the radius of its base.
+
+    Attributes:
+        id: its number, the index of its reading among the vendor's `STATE_SONAR_0` to `_15`.
+        x_m: where it sits in the robot frame, ahead of the axle's middle.
+        y_m: the same, to the left.
+        direction_rad: where it points, counter-clockwise from ahead.
+        range_m: how far it hears.
+        radius_m: how wide the beam is at that distance.
+        z_m: its height above the floor.
+    """
+
+    id: int
+    x_m: float
+    y_m: float
+    direction_rad: float
+    range_m: float
+    radius_m: float
+    z_m: float = 0.0
+
+    @property
+    def half_angle_rad(self) -> float:
+        """The angle between the axis of the beam and its side."""
+        return math.atan2(self.radius_m, self.range_m)
+
+
+@dataclass(frozen=True, slots=True)
+class Drive:
+    """Two driven wheels on one axle.
+
+    Attributes:
+        wheel_base_m: distance between the wheels.
+        speed_limit_mps: the fastest that a wheel can run.
+        acceleration_limit_mps2: the fastest that its speed can change.
+        speed_mps: speed of relative moves until the program sets another.
+        acceleration_mps2: acceleration until the program sets another.
+        timeout_s: the wheels stop when no command came for so long, until the program sets
+            another; 0 for never.
+        push_n: the force with which the robot pushes against what is in its way.
+    """
+
+    wheel_base_m: float
+    speed_limit_mps: float = 1.0
+    acceleration_limit_mps2: float = 2.0
+    speed_mps: float = 0.3
+    acceleration_mps2: float = 0.5
+    timeout_s: float = 0.0
+    push_n: float = 60.0
+
+
+@dataclass(frozen=True, slots=True)
+class RobotModel:
+    """What a kind of robot is made of, as its definition file says.
+
+    Attributes:
+        name: the definition's name.
+        radius_m: radius of its round body.
+        drive: its wheels.
+        mass_kg: its mass.
+        sonars: its sonars, by rising id.
+        sonar_order: firing order until the program sets another.
+        sonar_noise_m: standard deviation of a sonar's error.
+        bumper_switches: number of equal switches around the body; switch 0 is centred ahead and
+            they count counter-clockwise.
+        link_s: time that each command takes on the line between host and robot, by name.
+        host_speed_hz: how many IR instructions the host computer runs in a second.
+    """
+
+    name: str
+    radius_m: float
+    drive: Drive
+    mass_kg: float = 20.0
+    sonars: tuple[Sonar, ...] = ()
+    sonar_order: tuple[int, ...] = ()
+    sonar_noise_m: float = 0.0
+    bumper_switches: int = 0
+    link_s: tuple[tuple[str, float], ...] = ()
+    host_speed_hz: float = 5e7

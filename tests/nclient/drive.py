@@ -1,0 +1,123 @@
+"""Runs C programs in worlds, for tests that look at what a user of the library would look at.
+
+>>> done = drive("connect_robot(1); pr(100, 100, 0); ws(1, 1, 0, 10);")
+>>> round(done.x_in[-1], 3), done.status
+(10.0, 0)
+"""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+
+from crs_cc.session.build import build_executable
+from crs_cc.session.host import Client
+from crs_cc.session.session import Session
+from crs_cc.sim.step import Step
+from crs_cc.sim.world_xml import parse_world
+from crs_cc.source import Diagnostics
+from crs_cc.units import m_to_inch
+
+HEADERS = ("stdio", "stdlib", "string", "math", "unistd", "sys/time")
+
+OPEN = '<robot x="0" y="0"/>'
+"""A Scout with nothing around it."""
+
+
+class Drive:
+    """A run of C programs to its end.
+
+    Attributes:
+        session: the session as it was at the end.
+        output: what each robot printed.
+        errors: what each robot wrote to its standard error stream.
+        steps: what happened in each timestep.
+        x_in: where the first robot truly was after each timestep [in], world frame.
+        y_in: the same.
+        heading_deg: the same, 0 to 360.
+    """
+
+    session: Session
+
+    def __init__(self, count: int) -> None:
+        self.output = [""] * count
+        self.errors = [""] * count
+        self.steps: list[Step] = []
+        self.x_in: list[float] = []
+        self.y_in: list[float] = []
+        self.heading_deg: list[float] = []
+
+    def step(self, step: Step) -> None:
+        state = self.session.environment.state
+        self.steps.append(step)
+        self.x_in.append(float(m_to_inch(state.x_m[0])))
+        self.y_in.append(float(m_to_inch(state.y_m[0])))
+        self.heading_deg.append(float(state.heading_rad[0]) * 57.29577951308232)
+
+    def write(self, robot: int, stream: int, content: bytes) -> None:
+        written = self.output if stream == 1 else self.errors
+        written[robot] += content.decode()
+
+    @property
+    def status(self) -> int | None:
+        """Gives what the first robot's program returned."""
+        return self.session.result().robots[0].exit_status
+
+    @property
+    def numbers(self) -> list[float]:
+        """Gives the numbers that the first robot printed, white space between them."""
+        return [float(word) for word in self.output[0].split()]
+
+
+def drive(
+    *programs: str,
+    things: str = OPEN,
+    area: str = 'length="2000in" width="2000in" origin="centre" edge="0"',
+    timestep: str = "50ms",
+    seconds: float = 60.0,
+    seed: int = 0,
+    setup: str = "",
+    client: Client = "nclient",
+    arguments: Sequence[Sequence[str]] = (),
+) -> Drive:
+    """Runs programs to their end, one in each robot, or the same in all.
+
+    Args:
+        programs: whole C programs, or just what stands in `main`.
+        things: the elements of the world.
+        area: the attributes of its area.
+        timestep: its timestep.
+        seconds: end the run after so long.
+        seed: decides all that is random.
+        setup: the robots' setup.
+        client: which of the vendor's client libraries to behave like.
+        arguments: `argv` of each robot.
+    """
+    text = f'<world version="1" timestep="{timestep}"><area {area}/>{things}</world>'
+    world = parse_world(text.encode(), "test", setup)
+    with tempfile.TemporaryDirectory() as folder:
+        built = [_build(Path(folder), source) for source in programs]
+    executables = built if len(built) == len(world.robots) else built * len(world.robots)
+    done = Drive(len(executables))
+    done.session = Session(
+        world,
+        executables,
+        seed,
+        arguments=arguments,
+        output=done.write,
+        client=client,
+        trace=done,
+    )
+    while done.session.step() and done.session.time_s < seconds - 1e-9:
+        pass
+    return done
+
+
+def _build(folder: Path, source: str):
+    if "main" not in source:
+        includes = "\n".join(f"#include <{name}.h>" for name in HEADERS)
+        source = f'{includes}\n#include "Nclient.h"\nint main(void)\n{{\n{source}\nreturn 0;\n}}\n'
+    path = folder / "program.c"
+    path.write_text(source)
+    return build_executable([path], Diagnostics())
