@@ -23,13 +23,13 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.requests import MESSAGE
-from crs_cc.sim.actuators.drive import DriveState
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.physics import Bodies
 from crs_cc.sim.scene import Scene
-from crs_cc.sim.sensors.bumper import BumperState
-from crs_cc.sim.sensors.odometry import OdometryState
-from crs_cc.sim.sensors.sonar import SonarState
+from crs_cc.sim.states.bumper import BumperState
+from crs_cc.sim.states.drive import DriveState
+from crs_cc.sim.states.odometry import OdometryState
+from crs_cc.sim.states.sonar import SonarState
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
@@ -41,7 +41,7 @@ IndexArray = npt.NDArray[np.intp]
 class EnvState:
     """The state of a world at an instant; arrays have a row for each robot unless said otherwise.
 
-    What belongs to one device is in a dataclass of its own, which that device's file defines.
+    What belongs to one device is in a dataclass of its own, see `states`.
 
     Attributes:
         cycle: number of the current cycle.

@@ -19,8 +19,8 @@ import numpy.typing as npt
 
 from crs_cc.requests import NUM_STATE
 from crs_cc.sim.robot_elements import MAX_SONARS
-from crs_cc.sim.sensors.sonar import NO_ECHO
 from crs_cc.sim.state import EnvState
+from crs_cc.sim.states.sonar import NO_ECHO
 from crs_cc.units import m_to_tenths_inch, rad_to_tenths_deg
 
 IndexArray = npt.NDArray[np.intp]

@@ -17,33 +17,16 @@ yet.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Self
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
 if TYPE_CHECKING:
-    from crs_cc.sim.model import WorldModel
+    pass
 
 FloatArray = npt.NDArray[np.float64]
 WholeArray = npt.NDArray[np.int64]
-
-
-@dataclass(slots=True)
-class BumperState:
-    """The switches of all robots.
-
-    Attributes:
-        pressed: which are pressed, bit n for switch n, (robots,).
-    """
-
-    pressed: npt.NDArray[np.int32]
-
-    @classmethod
-    def at_start(cls, world: WorldModel) -> Self:
-        """Gives switches that nothing presses."""
-        return cls(np.zeros(len(world.robots), dtype=np.int32))
 
 
 def pressed(bearing_rad: FloatArray, switches: WholeArray) -> npt.NDArray[np.int32]:

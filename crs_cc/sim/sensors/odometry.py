@@ -18,8 +18,7 @@ Units on the interface: 0.1 in and 0.1 deg (vendor header `Nclient.h` 1.29). No 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final, Self
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 import numpy.typing as npt
@@ -28,7 +27,6 @@ from crs_cc.units import tenths_deg_to_rad, tenths_inch_to_m
 
 if TYPE_CHECKING:
     from crs_cc.sim.equipment import Equipment
-    from crs_cc.sim.model import WorldModel
     from crs_cc.sim.state import EnvState
 
 FloatArray = npt.NDArray[np.float64]
@@ -36,21 +34,6 @@ IndexArray = npt.NDArray[np.intp]
 Messages = npt.NDArray[np.void]
 
 _TURN: Final = 2 * math.pi
-
-
-@dataclass(slots=True)
-class OdometryState:
-    """Where each robot believes to be, in the frame of its odometry; shape (robots,) each."""
-
-    x_m: FloatArray
-    y_m: FloatArray
-    heading_rad: FloatArray
-
-    @classmethod
-    def at_start(cls, world: WorldModel) -> Self:
-        """Gives the odometry of robots that were just switched on."""
-        count = len(world.robots)
-        return cls(np.zeros(count), np.zeros(count), np.zeros(count))
 
 
 def arc(

@@ -14,8 +14,7 @@ is not modelled yet, nor are echoes that glance off (a wall is heard from every 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final, Self
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 import numpy.typing as npt
@@ -26,6 +25,7 @@ from crs_cc.sim.rays import Fan, nearest
 from crs_cc.sim.robot_elements import MAX_SONARS
 from crs_cc.sim.scene import Scene
 from crs_cc.sim.sensors.covered import Rectangles
+from crs_cc.sim.states.sonar import NO_ECHO
 from crs_cc.units import m_to_inch
 
 if TYPE_CHECKING:
@@ -39,42 +39,7 @@ BoolArray = npt.NDArray[np.bool_]
 IndexArray = npt.NDArray[np.intp]
 Messages = npt.NDArray[np.void]
 
-NO_ECHO: Final = 255
-"""A sonar's reading in inches when it hears nothing, the largest that the byte on the line holds
-(vendor source `Ndirect.c` 2.7)."""
-
 _END: Final = 255  # ends a firing order
-
-
-@dataclass(slots=True)
-class SonarState:
-    """What the sonars of all robots told last.
-
-    Attributes:
-        on: the sonars in the firing order, (robots, 16).
-        reading_in: what each measured last [in], (robots, 16).
-        cycle: the cycle of these readings, -1 before the first, (robots,).
-        count: how many readings were taken, (robots,).
-    """
-
-    on: BoolArray
-    reading_in: npt.NDArray[np.int32]
-    cycle: npt.NDArray[np.int64]
-    count: npt.NDArray[np.int64]
-
-    @classmethod
-    def at_start(cls, world: WorldModel) -> Self:
-        """Gives sonars that have not fired yet."""
-        count = len(world.robots)
-        on = np.zeros((count, MAX_SONARS), dtype=np.bool_)
-        for row, robot in zip(on, world.robots, strict=True):
-            row[list(robot.model.sonar_order)] = True
-        return cls(
-            on,
-            np.full((count, MAX_SONARS), NO_ECHO, dtype=np.int32),
-            np.full(count, -1, dtype=np.int64),
-            np.zeros(count, dtype=np.int64),
-        )
 
 
 class SonarRing:
