@@ -32,6 +32,11 @@ KEYWORD: Final = "__attribute__"
 PACK: Final = "__pragma_pack__"
 """What the preprocessor makes of `#pragma pack(...)`: an attribute of this name."""
 
+ASM_LABEL: Final = "__asm_label__"
+"""What the preprocessor makes of `asm("name")` behind a declarator."""
+
+_MADE: Final = frozenset({PACK, ASM_LABEL})
+
 MEANT: Final = frozenset({
     "packed", "aligned", "noreturn", "format", "constructor", "destructor", "weak", "mode",
 })  # fmt: skip
@@ -110,7 +115,7 @@ def take_attributes(
         for attribute in _split(inside):
             if attribute.name == PACK:
                 pack.obey(attribute, diagnostics)
-            elif _accepts(attribute, diagnostics):
+            elif attribute.name == ASM_LABEL or _accepts(attribute, diagnostics):
                 waiting.append(attribute)
     return rest, before
 
@@ -136,7 +141,12 @@ def _split(tokens: Sequence[Token]) -> list[Attribute]:
             is_first = True
         elif is_first:
             name = token.value
-            if len(name) > 4 and name.startswith("__") and name.endswith("__") and name != PACK:
+            if (
+                len(name) > 4
+                and name.startswith("__")
+                and name.endswith("__")
+                and name not in _MADE
+            ):
                 name = name[2:-2]
             found.append(Attribute(name, token.location))
             is_first = False

@@ -18,6 +18,7 @@ from crs_cc.frontend.alignment import (
     attributes,
     natural_alignment,
 )
+from crs_cc.frontend.asm_label import asm_label
 from crs_cc.frontend.check import (
     Automatic,
     Checked,
@@ -280,6 +281,7 @@ def _declare_global(unit: Unit, node: Node, ctype: CType, location: Location) ->
     align = max(alignment(unit, node), natural_alignment(unit, node))
     symbol.align = max(symbol.align, align)
     symbol.is_weak = symbol.is_weak or any(each.name == "weak" for each in attributes(node))
+    symbol.link_name = asm_label(node) or symbol.link_name
     if node.init is not None:
         _initialise_global(unit, symbol, node, ctype, location)
     elif not is_extern:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from crs_cc.frontend import constant
 from crs_cc.frontend.alignment import attributes
+from crs_cc.frontend.asm_label import asm_label
 from crs_cc.frontend.attributes import Attribute
 from crs_cc.frontend.check import CheckError, Unit
 from crs_cc.frontend.parse import Node
@@ -21,6 +22,7 @@ def apply_attributes(unit: Unit, symbol: FunctionSymbol, node: Node) -> None:
     Raises:
         CheckError: one of them is wrong.
     """
+    symbol.link_name = asm_label(node) or symbol.link_name
     if "_Noreturn" in (node.funcspec or []):
         symbol.is_noreturn = True
     for each in attributes(node):

@@ -11,7 +11,7 @@ syntax that no word announces, as `case 1 ... 5`, must also be no plain line (`s
 >>> gnu = GnuSyntax(Report(Diagnostics(), Places()), lambda tokens: [])
 >>> line = "static __inline__ int f(void), x asm(\"y\") __attribute((unused));"
 >>> spell(gnu.rewrite(tokenise(line, 0), before=lambda: ""))
-'static inline int f(void), x __attribute__((unused));'
+'static inline int f(void), x __attribute__((__asm_label__("y"))) __attribute__((unused));'
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Final
 
+from crs_cc.frontend.attributes import ASM_LABEL, KEYWORD
 from crs_cc.frontend.cpp.report import Report
 from crs_cc.frontend.cpp.tokens import NAME, Token, tokenise
 
@@ -138,19 +139,26 @@ class GnuSyntax:
         """Gives what stands for a construct."""
         if construct.word.text in _ASM:
             self._close_asm(construct)
-            return []
+            return _label(construct) if construct.is_label else []
         literal = "".join(each.text for each in construct.inside[1:-1])
         text = literal.removeprefix("L").strip('"').replace('\\"', '"')
         return self._pragma(tokenise(text.replace("\\\\", "\\"), construct.word.place))
 
     def _close_asm(self, construct: _Construct) -> None:
-        """Takes the assembler name of a declared object away, and refuses statements."""
+        """Refuses statements."""
         if not construct.is_label:
             self._report.error(
                 construct.word.place,
                 "inline assembly is not supported",
                 "write it in C where __CRS__ is defined",
             )
+
+
+def _label(construct: _Construct) -> list[Token]:
+    """Gives the assembler name of a declared object or function as an attribute."""
+    place = construct.word.place
+    begin = [each.moved(place, each.spaced) for each in tokenise(f" {KEYWORD}(({ASM_LABEL}", 0)]
+    return [*begin, *construct.inside, *tokenise("))", place)]
 
 
 def _follows_declarator(before: str, tokens: Sequence[Token]) -> bool:
