@@ -16,7 +16,7 @@ from typing import Any, Final, TypeAlias, TypeVar
 from pycparser import c_ast
 
 from crs_cc.frontend import tree
-from crs_cc.frontend.declared_in import header_hint
+from crs_cc.frontend.header_hint import header_hint
 from crs_cc.frontend.hopeless import report
 from crs_cc.frontend.lex import Span
 from crs_cc.frontend.parse import Node

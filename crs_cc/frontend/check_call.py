@@ -10,7 +10,7 @@ from crs_cc.frontend.check import CheckError, Unit, checks
 from crs_cc.frontend.check_expr import offset_of, rvalue
 from crs_cc.frontend.check_format import check_format
 from crs_cc.frontend.convert import assigned, decay, promote_argument
-from crs_cc.frontend.known import library_functions, undeclared
+from crs_cc.frontend.library_prototypes import library_functions, undeclared
 from crs_cc.frontend.parse import Node
 from crs_cc.frontend.scope import FunctionSymbol
 from crs_cc.frontend.tree import Expression

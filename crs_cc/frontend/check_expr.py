@@ -10,7 +10,6 @@ from crs_cc.frontend.check import CheckError, Unit, checks, expression
 from crs_cc.frontend.check_init import initialise
 from crs_cc.frontend.compatible import compatible
 from crs_cc.frontend.declare import type_name
-from crs_cc.frontend.doubt_operands import doubt_size
 from crs_cc.frontend.parse import Node
 from crs_cc.frontend.scope import (
     BrokenName,
@@ -20,6 +19,7 @@ from crs_cc.frontend.scope import (
     TypedefName,
 )
 from crs_cc.frontend.tree import Expression
+from crs_cc.frontend.warn_operands import warn_size
 from crs_cc.ir.types import (
     CHAR,
     UINT,
@@ -215,7 +215,7 @@ def size_of(unit: Unit, node: Node) -> Expression:
     else:
         operand = expression(unit, node.expr)
         ctype = operand.type
-        doubt_size(unit, operand, location)
+        warn_size(unit, operand, location)
         if vla.is_variable(ctype):
             effects = [convert.convert(operand, VOID)]
         if isinstance(operand, tree.MemberAccess) and operand.member.bit_width is not None:

@@ -22,10 +22,10 @@ from crs_cc.frontend.convert import (
     promote,
     usual,
 )
-from crs_cc.frontend.doubt_operands import doubt_signs, doubt_string
 from crs_cc.frontend.parse import Node
 from crs_cc.frontend.scope import ObjectSymbol
 from crs_cc.frontend.tree import Expression
+from crs_cc.frontend.warn_operands import warn_signs, warn_string
 from crs_cc.ir.types import (
     CHAR,
     INT,
@@ -121,10 +121,10 @@ def _comparison(
 ) -> Expression:
     if is_arithmetic(left.type) and is_arithmetic(right.type):
         if op not in {"==", "!="}:
-            doubt_signs(unit, left, right, place)
+            warn_signs(unit, left, right, place)
         left, right = usual(left, right)
         return _folded(unit, op, INT, (left, right), place)
-    doubt_string(unit, left, right, place)
+    warn_string(unit, left, right, place)
     if not is_scalar(left.type) or not is_scalar(right.type):
         raise _invalid(left, right, place)
     _compare_pointers(unit, left, right, place)

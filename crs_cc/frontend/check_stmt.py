@@ -22,13 +22,13 @@ from crs_cc.frontend.check import (
 )
 from crs_cc.frontend.check_expr import rvalue
 from crs_cc.frontend.convert import assigned, convert, decay, is_integer, is_scalar, promote
-from crs_cc.frontend.doubt_operands import doubt_returned
 from crs_cc.frontend.fold import wrap
 from crs_cc.frontend.parse import Node
 from crs_cc.frontend.parse_gnu import ComputedGoto, LabelAddress, LocalLabels, Range
 from crs_cc.frontend.refuse import refused
 from crs_cc.frontend.scope import ObjectSymbol
 from crs_cc.frontend.tree import Expression, Statement
+from crs_cc.frontend.warn_operands import warn_returned
 from crs_cc.ir.types import INT, VOID, IntegerType, PointerType, VoidType, qualify
 from crs_cc.source import Location
 
@@ -355,7 +355,7 @@ def _return(unit: Unit, node: Node, out: list[Statement]) -> None:
         out.append(_leave(state, location, None))
         return
     value = decay(expression(unit, node.expr))
-    doubt_returned(unit, value)
+    warn_returned(unit, value)
     if isinstance(state.result, VoidType):
         if not isinstance(value.type, VoidType):
             unit.warning(location, f"void function '{name}' should not return a value")

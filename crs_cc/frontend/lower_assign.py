@@ -17,10 +17,11 @@ from crs_cc.frontend.lower import (
     value,
     value_into,
 )
+from crs_cc.frontend.lower_bit_field import fit_bits, read_bits, write_bits
 from crs_cc.frontend.lower_call import call_into
 from crs_cc.frontend.lower_convert import convert_operand, unnarrowed
-from crs_cc.frontend.lower_expr import is_judged, operator_name, shift_count
-from crs_cc.frontend.lower_place import copy, fit_bits, load, read_bits, store, write_bits
+from crs_cc.frontend.lower_expr import is_checked, operator_name, shift_count
+from crs_cc.frontend.lower_memory import copy, load, store
 from crs_cc.frontend.tree import Expression
 from crs_cc.ir.program import Binary, Constant, Move, Operand, Register
 from crs_cc.ir.types import INT, CType, FloatType, IntegerType, Member, PointerType, RecordType
@@ -142,7 +143,7 @@ def _compound(low: Lowering, expression: tree.CompoundAssign) -> Operand:
     name = operator_name(expression.op, computed)
     direct = target.register if computed == expression.type else None
     result = direct if direct is not None else low.register(old.type)
-    low.emit(Binary(location, result, name, old, right, is_judged(expression.op, computed)))
+    low.emit(Binary(location, result, name, old, right, is_checked(expression.op, computed)))
     return _write_back(low, target, result, computed, expression.type)
 
 
@@ -209,8 +210,8 @@ def _step(low: Lowering, expression: tree.Increment, target: _Target, old: Opera
         one, name = constant(ctype, abs(step)), "add" if step > 0 else "sub"
     direct = None if is_narrow else target.register
     result = low.register(old.type) if direct is None else direct
-    judged = is_judged("+", computed)
-    low.emit(Binary(location, result, f"{old.type}.{name}", old, one, judged))
+    checked = is_checked("+", computed)
+    low.emit(Binary(location, result, f"{old.type}.{name}", old, one, checked))
     return _write_back(low, target, result, computed, ctype)
 
 

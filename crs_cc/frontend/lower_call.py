@@ -19,7 +19,7 @@ from crs_cc.frontend.lower import (
     value_type,
 )
 from crs_cc.frontend.lower_convert import convert_operand, narrow
-from crs_cc.frontend.lower_place import load, store
+from crs_cc.frontend.lower_memory import load, store
 from crs_cc.frontend.tree import Expression
 from crs_cc.frontend.vla import AUTOMATIC_COUNT
 from crs_cc.ir.program import (

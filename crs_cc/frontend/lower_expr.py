@@ -24,7 +24,7 @@ from crs_cc.frontend.lower import (
     value_type,
 )
 from crs_cc.frontend.lower_convert import convert_operand, narrow
-from crs_cc.frontend.lower_place import copy
+from crs_cc.frontend.lower_memory import copy
 from crs_cc.frontend.tree import Expression
 from crs_cc.ir.program import Binary, Block, Branch, Constant, Jump, Move, Operand, Register, Unary
 from crs_cc.ir.types import INT, LLONG, CType, FloatType, IntegerType, PointerType, VoidType
@@ -89,7 +89,7 @@ def _binary(low: Lowering, expression: tree.Binary, into: Register | None) -> Op
     if into is None:
         into = low.register("i32" if op in COMPARISONS else left.type)
     name = operator_name(op, expression.left.type)
-    low.emit(Binary(location, into, name, left, right, is_judged(op, expression.left.type)))
+    low.emit(Binary(location, into, name, left, right, is_checked(op, expression.left.type)))
     return into if op in COMPARISONS else _kept_small(low, into, expression.type, location)
 
 
@@ -122,7 +122,7 @@ def _is_same_size(left: CType, right: CType) -> bool:
     return left.size == right.size and not is_float
 
 
-def is_judged(op: str, ctype: CType) -> bool:
+def is_checked(op: str, ctype: CType) -> bool:
     """Tells whether an operation of C may have no result, see `ir.instruction.Binary`."""
     signed = isinstance(ctype, IntegerType) and ctype.signed
     return op in {"<<", ">>"} or (signed and op in {"+", "-", "*"})
@@ -150,8 +150,8 @@ def _unary(low: Lowering, expression: tree.Unary, into: Register | None) -> Oper
         low.emit(Unary(location, into, f"{operand.type}.neg", operand))
     elif op == "-":
         zero = Constant(operand.type, 0)
-        judged = is_judged(op, expression.type)
-        low.emit(Binary(location, into, f"{operand.type}.sub", zero, operand, judged))
+        checked = is_checked(op, expression.type)
+        low.emit(Binary(location, into, f"{operand.type}.sub", zero, operand, checked))
     else:
         ones = Constant(operand.type, -1)
         low.emit(Binary(location, into, f"{operand.type}.xor", operand, ones))

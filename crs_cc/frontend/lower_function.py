@@ -4,11 +4,18 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from crs_cc.frontend import lower_expr, lower_init, lower_stmt, tree
+from crs_cc.frontend import (
+    lower_assign,
+    lower_call,
+    lower_expr,
+    lower_place,
+    lower_stmt,
+    tree,
+)
 from crs_cc.frontend.lower import Lowering, memory_type, no_value, statements, value_type
 from crs_cc.frontend.lower_convert import convert_operand
 from crs_cc.frontend.lower_graph import tidy
-from crs_cc.frontend.lower_place import store
+from crs_cc.frontend.lower_memory import store
 from crs_cc.frontend.scope import ObjectSymbol
 from crs_cc.ir.program import (
     MEMORY_SIZE,
@@ -26,7 +33,13 @@ from crs_cc.source import Location
 if TYPE_CHECKING:
     from crs_cc.frontend.lower_unit import UnitLowering
 
-_ = lower_expr, lower_init, lower_stmt  # enter their functions into the tables
+_ = (
+    lower_assign,
+    lower_call,
+    lower_expr,
+    lower_place,
+    lower_stmt,
+)  # enter their functions into the tables
 
 
 def lower_function(unit: UnitLowering, definition: tree.FunctionDefinition) -> Function:

@@ -9,8 +9,9 @@ from crs_cc.frontend import tree
 from crs_cc.frontend.constant import ConstantAddress, constant_address
 from crs_cc.frontend.lower import PLACE, STATEMENT, Lowering, Place, value, value_into
 from crs_cc.frontend.lower_assign import set_record
+from crs_cc.frontend.lower_bit_field import write_bits
 from crs_cc.frontend.lower_convert import unnarrowed
-from crs_cc.frontend.lower_place import store, write_bits
+from crs_cc.frontend.lower_memory import store
 from crs_cc.frontend.tree import Initialiser, InitialValue
 from crs_cc.ir.program import Address, Constant, Copy, Fill, Lifetime, Register, Slot
 from crs_cc.ir.types import (

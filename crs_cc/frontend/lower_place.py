@@ -1,8 +1,7 @@
-"""Lowers what names an object to its place, and reads and writes objects there.
+"""Lowers what names an object to its place, and to its value.
 
 A place is a base and an offset. The offset grows with members and constant indices, so that
-`p->a.b[2]` is one load from the register of `p`. Bit-fields are read and written through the unit
-they lie in.
+`p->a.b[2]` is one load from the register of `p`.
 """
 
 from __future__ import annotations
@@ -17,135 +16,22 @@ from crs_cc.frontend.lower import (
     Lowering,
     Place,
     constant,
-    memory_type,
     place,
     value,
-    value_type,
 )
-from crs_cc.frontend.lower_spread import read_spread, write_spread
+from crs_cc.frontend.lower_bit_field import read_bits
+from crs_cc.frontend.lower_memory import load
 from crs_cc.frontend.tree import Expression
 from crs_cc.ir.program import (
-    MEMORY_SIZE,
     Constant,
-    Copy,
-    Load,
     Move,
     Operand,
     Register,
-    Store,
 )
-from crs_cc.ir.types import CType, EnumType, IntegerType, Member, PointerType
+from crs_cc.ir.types import PointerType
 from crs_cc.source import Location
 
 _LARGEST_OFFSET = 1 << 30
-
-
-def load(
-    low: Lowering, where: Place, ctype: CType, location: Location, into: Register | None = None
-) -> Register:
-    """Reads a scalar from a place."""
-    memory = memory_type(ctype)
-    base, offset = low.access(where, MEMORY_SIZE[memory], location)
-    result = low.register(value_type(ctype)) if into is None else into
-    low.emit(Load(location, result, base, offset, memory))
-    return result
-
-
-def store(low: Lowering, where: Place, ctype: CType, source: Operand, location: Location) -> None:
-    """Writes a scalar to a place."""
-    memory = memory_type(ctype)
-    base, offset = low.access(where, MEMORY_SIZE[memory], location)
-    low.emit(Store(location, base, offset, source, memory))
-
-
-def copy(low: Lowering, target: Place, source: Place, size: int, location: Location) -> None:
-    """Copies a struct."""
-    if size > 0:
-        to, of = low.address(target, location), low.address(source, location)
-        low.emit(Copy(location, to, of, Constant("i32", size)))
-
-
-# Bit-fields
-
-
-def _unit_op(member: Member, name: str) -> str:
-    return f"{value_type(member.type)}.{name}"
-
-
-def read_bits(low: Lowering, where: Place, member: Member, location: Location) -> Operand:
-    """Reads a bit-field: its bits, extended as its type says."""
-    width, ctype = member.bit_width or 0, member.type
-    assert isinstance(ctype, IntegerType | EnumType)
-    if member.spread:
-        return read_spread(low, where, member, location)
-    unit = load(low, where, ctype, location)
-    if width == 8 * ctype.size:
-        return unit
-    total = 64 if ctype.size == 8 else 32
-    if ctype.signed:
-        up = constant(ctype, total - width - member.bit_offset)
-        down = constant(ctype, total - width)
-        raised = low.binary(location, _unit_op(member, "shl"), unit, up)
-        return low.binary(location, _unit_op(member, "shr_s"), raised, down)
-    shifted: Operand = unit
-    if member.bit_offset:
-        by = constant(ctype, member.bit_offset)
-        shifted = low.binary(location, _unit_op(member, "shr_u"), unit, by)
-    mask = _mask(member, width)
-    return low.binary(location, _unit_op(member, "and"), shifted, mask)
-
-
-def _mask(member: Member, width: int, shift: int = 0, inverted: bool = False) -> Constant:
-    bits = ((1 << width) - 1) << shift
-    return constant(member.type, ~bits if inverted else bits)
-
-
-def write_bits(
-    low: Lowering, where: Place, member: Member, source: Operand, location: Location
-) -> None:
-    """Writes a bit-field and leaves the other bits of its unit as they are."""
-    width, ctype = member.bit_width or 0, member.type
-    if member.spread:
-        write_spread(low, where, member, source, location)
-        return
-    if width == 8 * ctype.size:
-        store(low, where, ctype, source, location)
-        return
-    base, offset = low.access(where, ctype.size, location)
-    unit = low.register(value_type(ctype))
-    low.emit(Load(location, unit, base, offset, memory_type(ctype), unjudged=True))
-    others = low.binary(
-        location, _unit_op(member, "and"), unit, _mask(member, width, member.bit_offset, True)
-    )
-    bits = _shifted(low, member, source, location)
-    merged = low.binary(location, _unit_op(member, "or"), others, bits)
-    store(low, (base, offset), ctype, merged, location)
-
-
-def _shifted(low: Lowering, member: Member, source: Operand, location: Location) -> Operand:
-    """Gives the low bits of a value at the place of a bit-field in its unit."""
-    width, offset = member.bit_width or 0, member.bit_offset
-    if isinstance(source, Constant):
-        kept = int(source.value) & ((1 << width) - 1)
-        return constant(member.type, kept << offset)
-    bits = low.binary(location, _unit_op(member, "and"), source, _mask(member, width))
-    if offset == 0:
-        return bits
-    return low.binary(location, _unit_op(member, "shl"), bits, constant(member.type, offset))
-
-
-def fit_bits(low: Lowering, member: Member, source: Operand, location: Location) -> Operand:
-    """Gives the value that a bit-field holds after `source` was written to it."""
-    width, ctype = member.bit_width or 0, member.type
-    assert isinstance(ctype, IntegerType | EnumType)
-    total = 64 if ctype.size == 8 else 32
-    if width == total or ctype.size * 8 == width or ctype.name == "_Bool":
-        return source
-    if not ctype.signed:
-        return low.binary(location, _unit_op(member, "and"), source, _mask(member, width))
-    by = constant(ctype, total - width)
-    raised = low.binary(location, _unit_op(member, "shl"), source, by)
-    return low.binary(location, _unit_op(member, "shr_s"), raised, by)
 
 
 # Places

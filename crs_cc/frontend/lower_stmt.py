@@ -14,7 +14,7 @@ from crs_cc.frontend.lower import (
     statements,
     value,
 )
-from crs_cc.frontend.lower_place import copy
+from crs_cc.frontend.lower_memory import copy
 from crs_cc.ir.program import Block, Branch, Constant, Jump, Operand, Return, Stop, Switch
 from crs_cc.ir.types import RecordType
 from crs_cc.source import Location

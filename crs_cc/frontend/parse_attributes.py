@@ -11,13 +11,13 @@ from typing import Any
 from pycparser import c_ast
 
 from crs_cc.frontend.attributes import PACK, Attribute
-from crs_cc.frontend.parse_doubt import DoubtingParser, Node
+from crs_cc.frontend.parse_warn import Node, WarningParser
 
 _OPERANDS = frozenset({"aligned", "constructor", "destructor"})
 """Attributes whose argument is an expression."""
 
 
-class AttributeParser(DoubtingParser):
+class AttributeParser(WarningParser):
     """The parser of declarations that collects attributes.
 
     `_before` has them by the token that they stand before; whoever collects takes them out.

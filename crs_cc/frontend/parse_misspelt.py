@@ -13,7 +13,7 @@ from typing import Any, Final
 from crs_cc.frontend.hopeless import report
 from crs_cc.frontend.lex import Token
 from crs_cc.frontend.parse_attributes import AttributeParser
-from crs_cc.frontend.parse_doubt import Node
+from crs_cc.frontend.parse_warn import Node
 
 SPECIFIERS: Final = {
     each: each.upper()

@@ -21,12 +21,12 @@ from typing import TYPE_CHECKING, Final
 from crs_cc.errors import CompileError
 from crs_cc.frontend.check import Unit
 from crs_cc.frontend.check_unit import check_unit
-from crs_cc.frontend.doubt import doubt_unit
 from crs_cc.frontend.hopeless import GiveUp
 from crs_cc.frontend.lower_unit import lower_unit
 from crs_cc.frontend.options import Options
 from crs_cc.frontend.parse import parse
 from crs_cc.frontend.preprocess import preprocess, preprocess_text
+from crs_cc.frontend.warn import warn_unit
 from crs_cc.ir.program import Program
 from crs_cc.source import Diagnostics, Location
 
@@ -103,7 +103,7 @@ def _stages(unit: Unit, source: Preprocessed) -> Program:
     unit.diagnostics.stage = "types"
     check_unit(unit, nodes)
     _stop_on_errors(unit)
-    doubt_unit(unit)
+    warn_unit(unit)
     program = lower_unit(unit)
     _stop_on_errors(unit)
     return program

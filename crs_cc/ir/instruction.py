@@ -114,7 +114,7 @@ class Unary(Instruction):
 class Binary(Instruction):
     """`result = left op right`; comparisons give an i32, 0 or 1.
 
-    A `judged` operation is one of C's that may have no result: a shift, whose count must be below
+    A `checked` operation is one of C's that may have no result: a shift, whose count must be below
     the width of its type, or arithmetic of a signed type, which may overflow.
     """
 
@@ -122,7 +122,7 @@ class Binary(Instruction):
     op: str
     left: Operand
     right: Operand
-    judged: bool = False
+    checked: bool = False
 
 
 @dataclass(slots=True, eq=False)

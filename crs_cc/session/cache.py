@@ -23,6 +23,7 @@ from typing import TypeVar
 
 PACKAGE = Path(__file__).parent.parent
 COMPILER = ("requests", "ir", "frontend", "runtime", "session")
+SUFFIXES = {".py", ".c", ".h", ".txt"}
 
 _DIGEST_SIZE = hashlib.sha256().digest_size
 _Entry = TypeVar("_Entry")
@@ -39,6 +40,14 @@ def folder() -> Path | None:
         return None
 
 
+def sources() -> list[Path]:
+    """Gives the files that decide what the compiler makes of a source, the C library's too."""
+    found = list(PACKAGE.glob("*.py"))
+    for part in COMPILER:
+        found += [path for path in (PACKAGE / part).rglob("*") if path.suffix in SUFFIXES]
+    return sorted(found)
+
+
 @functools.cache
 def fingerprint() -> str:
     """Gives a hash of everything that decides what the compiler makes of a source."""
@@ -46,12 +55,8 @@ def fingerprint() -> str:
     digest.update(f"{sys.version_info[:2]} {sys.platform} {os.uname().machine}".encode())
     for package in ("pycparser", "wasmtime"):
         digest.update(importlib.metadata.version(package).encode())
-    files = [PACKAGE / "source.py"]
-    for part in COMPILER:
-        files += sorted((PACKAGE / part).rglob("*.[pch]*"))
-    for file in files:
-        if file.suffix in (".py", ".c", ".h"):
-            digest.update(f"{file.relative_to(PACKAGE)}\0".encode() + file.read_bytes())
+    for file in sources():
+        digest.update(f"{file.relative_to(PACKAGE)}\0".encode() + file.read_bytes())
     return digest.hexdigest()
 
 

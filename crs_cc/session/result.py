@@ -59,7 +59,10 @@ class RunResult:
         robots: the robots, in the world's order.
         timesteps: how many timesteps were run.
         simulated_s: simulated time [s].
-        state_hash: SHA-256 over the whole state: environment, programs' memories, clocks.
+        state_hash: SHA-256 over the arrays of the environment (`sim.state`), and of each robot
+            over its slot, its memory with the states of the bytes, the names of its files and
+            what it has written into them, its clock, its fuel, and when its request is due.
+            What a program has printed is no part of it, nor is what it has been given to read.
     """
 
     robots: tuple[RobotResult, ...]

@@ -26,6 +26,7 @@ from __future__ import annotations
 import hashlib
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import fields
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
@@ -247,12 +248,12 @@ class Session:
         self.timesteps = snapshot.timesteps
 
     def state_hash(self) -> str:
-        """Gives the SHA-256 of all state: environment, programs' memories, slots, files, clocks."""
+        """Gives the SHA-256 of all state, see `RunResult`."""
         digest = hashlib.sha256(self.environment.hash().encode())
         for robot in range(len(self.fleet)):
             program = self.fleet.snapshot(robot)
-            for part in (program.slot, program.chunks, program.content, program.shadow_content):
-                digest.update(part.tobytes())
+            for part in fields(program):
+                digest.update(getattr(program, part.name).tobytes())
         for disk in self._host.disks:
             for piece in disk.state():
                 digest.update(piece)

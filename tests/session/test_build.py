@@ -7,6 +7,8 @@ import errno
 import hashlib
 import os
 import pickle
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -21,6 +23,16 @@ from crs_cc.session.build import build_executable
 from crs_cc.source import Diagnostics, Location
 
 PROGRAM = '#include "speed.h"\nmain() { return SPEED; }\n'
+
+COMPILES = """
+import sys
+from pathlib import Path
+import crs_cc
+crs_cc.compile_c(sys.argv[1])
+for module in list(sys.modules.values()):
+    if module.__name__.partition(".")[0] == "crs_cc":
+        print(module.__file__)
+"""
 
 
 @pytest.fixture
@@ -248,3 +260,22 @@ def test_errors_of_all_files_are_told_at_once(tmp_path: Path) -> None:
         build_executable([tmp_path / "a.c", tmp_path / "b.c"], Diagnostics())
     files = [Path(each.location.file).name for each in caught.value.diagnostics]
     assert files == ["a.c", "b.c"]
+
+
+def test_all_that_takes_part_in_compiling_is_in_the_fingerprint(tmp_path: Path) -> None:
+    program = tmp_path / "a.c"
+    program.write_text("#include <stdio.h>\nint main(void) { puts(0); return *(int *)0; }\n")
+    done = subprocess.run(
+        [sys.executable, "-c", COMPILES, str(program)],
+        capture_output=True,
+        text=True,
+        check=True,
+        cwd=Path(__file__).parents[2],
+        env=os.environ | {"CRS_CACHE": str(tmp_path / "cache")},
+    )
+    used = {Path(line) for line in done.stdout.splitlines()}
+    assert {path.parent.name for path in used} >= {"codegen", "frontend", "cpp", "ir", "session"}
+    covered = set(cache.sources())
+    assert used <= covered
+    lib = cache.PACKAGE / "runtime" / "lib"
+    assert covered >= {lib / "index.txt", lib / "include" / "Nclient.h"}

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pickle
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -16,6 +17,7 @@ STEPS = 60
 
 AGAIN = """
 import sys
+from dataclasses import replace
 from pathlib import Path
 from tests.session.programs import HALL, ROAM, build, run
 folder = Path(sys.argv[1])
@@ -43,6 +45,13 @@ def test_the_state_hash_sees_one_step_more(tmp_path: Path) -> None:
         run(HALL, [roam, roam], STEPS).session.state_hash()
         != run(HALL, [roam, roam], STEPS + 1).session.state_hash()
     )
+
+
+def test_the_state_hash_sees_which_bytes_may_be_touched(tmp_path: Path) -> None:
+    session = run(HALL, [build(tmp_path, ROAM)] * 2, 1).session
+    before, program = session.state_hash(), session.fleet.snapshot(0)
+    session.fleet.restore(0, replace(program, shadow_chunks=program.shadow_chunks + 1))
+    assert session.state_hash() != before
 
 
 def test_an_endless_loop_leaves_the_other_robot_unchanged(tmp_path: Path) -> None:

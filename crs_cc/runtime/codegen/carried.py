@@ -217,7 +217,7 @@ class Carried:
 
 def _is_shift(it: Binary) -> bool:
     """Tells whether an operation tests its right operand, see `checked_arithmetic`."""
-    return it.judged and it.op.partition(".")[2] in {"shl", "shr_s", "shr_u"}
+    return it.checked and it.op.partition(".")[2] in {"shl", "shr_s", "shr_u"}
 
 
 def _passes_on(it: Instruction) -> bool:

@@ -37,7 +37,7 @@ class CheckedArithmetic:
 
     def before(self, it: Instruction) -> None:
         """Tests the operands of an operation."""
-        if not isinstance(it, Binary) or not it.judged:
+        if not isinstance(it, Binary) or not it.checked:
             return
         kind, _, op = it.op.partition(".")
         if op in _SHIFTS:

@@ -15,7 +15,7 @@ from typing import Final
 
 from crs_cc.runtime.codegen.flow import LANDING, Landing, Node
 
-DEEPEST: Final = 16
+MOST_NESTED_LOOPS: Final = 16
 """Loops nested deeper, which only a tangle of jumps back makes, become one flat dispatcher.
 
 It keeps the work in proportion to the size of the function.
@@ -79,7 +79,7 @@ class _Loops:
         """Gives the one node at which the loop may be entered; makes one when there are several."""
         inside = set(component)
         heads = [node for node in component if self._entered(node, inside)] or component[:1]
-        if depth >= DEEPEST:
+        if depth >= MOST_NESTED_LOOPS:
             heads = component
         landings = [self.landing_of[node] for node in component if node in self.landing_of]
         if len(heads) == 1 and all(landing.node is heads[0] for landing in landings):

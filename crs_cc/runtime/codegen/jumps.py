@@ -18,7 +18,7 @@ from crs_cc.runtime.wasm import Instr
 JUMPED: Final = 3
 """Status of functions on the way of a jump; it never leaves `resume`."""
 
-ACTIVATION, PLACE, VALUE, SITE = range(1, 5)
+ACTIVATION, PLACE, VALUE, JUMP_SITE = range(1, 5)
 """Globals of a jump on its way; the activation becomes 0 when its function has been found."""
 
 GLOBALS: Final[list[tuple[ValueType, int]]] = [("i32", 0)] * 4
@@ -30,7 +30,7 @@ UNWINDING: Final = 4
 def start(operands: list[Instr]) -> list[Instr]:
     """Begins a jump; `operands` push the values of the globals."""
     code: list[Instr] = []
-    for operand, number in zip(operands, (ACTIVATION, PLACE, VALUE, SITE), strict=True):
+    for operand, number in zip(operands, (ACTIVATION, PLACE, VALUE, JUMP_SITE), strict=True):
         code += [operand, ("global.set", number)]
     return [*code, ("i32.const", JUMPED), ("local.set", STATUS)]
 
@@ -75,7 +75,7 @@ def call_root(root: int, fp: int, *, fuel: int, status: int) -> list[Instr]:
         ("i32.const", fp), ("local.get", fuel), ("call", root),
         ("local.set", fuel), ("local.tee", status), ("i32.const", JUMPED), ("i32.eq",), ("if",),
         ("global.get", ACTIVATION), ("if",),
-        ("global.get", SITE), ("i32.const", 0), ("call", FAULT), ("local.set", status),
+        ("global.get", JUMP_SITE), ("i32.const", 0), ("call", FAULT), ("local.set", status),
         ("else",),
         ("i32.const", SUSPENDED), ("local.set", status),
         ("local.get", fuel), ("i64.const", 0), ("i64.ge_s",), ("br_if", 2),

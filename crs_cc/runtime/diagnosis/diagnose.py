@@ -18,7 +18,7 @@ from crs_cc.runtime.diagnosis.returned import returned_local
 from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE, STACK_TOP
 from crs_cc.runtime.sites import Access
 
-NEAREST: Final = 256
+MARGIN: Final = 256
 """Bytes around an object that belong to no other count as its outside; around larger ones more."""
 
 
@@ -64,7 +64,7 @@ def _kind(stopped: Stopped, address: int, found: Object | None) -> str:
         return "wild pointer"
     if found.kind == "argument":
         return "missing argument"
-    near = abs(found.distance(address)) <= max(NEAREST, found.size)
+    near = abs(found.distance(address)) <= max(MARGIN, found.size)
     return "out of bounds" if near else "wild pointer"
 
 

@@ -15,7 +15,7 @@ from crs_cc.runtime.layout import FUNCTION, HEADER_SIZE, NULL_SIZE, RESUME, STAC
 from crs_cc.runtime.link import ROOT
 from crs_cc.source import Location
 
-DEEPEST: Final = (STACK_TOP - NULL_SIZE) // HEADER_SIZE
+MOST_ACTIVE: Final = (STACK_TOP - NULL_SIZE) // HEADER_SIZE
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +78,7 @@ def call_stack(
     numbers = {info.function.name: n for n, info in enumerate(compiled.functions)}
     number, fp = numbers[ROOT], STACK_TOP - HEADER_SIZE
     frames: list[StackFrame] = []
-    while len(frames) < DEEPEST:
+    while len(frames) < MOST_ACTIVE:
         info = compiled.functions[number]
         landing = _word(memory, fp + RESUME)
         location = info.landings.get(landing, info.function.location)

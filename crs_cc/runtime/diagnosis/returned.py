@@ -16,10 +16,10 @@ from crs_cc.runtime.diagnosis.inspect import Stopped
 from crs_cc.runtime.diagnosis.objects import Object
 from crs_cc.runtime.layout import NULL_SIZE
 
-DEEPEST: Final = 3
+FARTHEST_CALL: Final = 3
 """So many calls away from an active function the guess still is likely."""
 
-NEAREST: Final = 4
+NEAREST_CALLERS: Final = 4
 """So many active functions may have called the one that has returned."""
 
 MOST: Final = 5000
@@ -42,9 +42,9 @@ def returned_local(stopped: Stopped, address: int) -> Object | None:
 
 def _calls(stopped: Stopped, address: int) -> Iterator[tuple[str, int]]:
     """Gives functions that may have had an address in their frames, and their frame pointers."""
-    frames = [(each.function, each.fp, DEEPEST) for each in stopped.stack]
+    frames = [(each.function, each.fp, FARTHEST_CALL) for each in stopped.stack]
     above = [each for each in frames if each[1] > address]
-    for caller, fp, depth in (work := above[:NEAREST]):
+    for caller, fp, depth in (work := above[:NEAREST_CALLERS]):
         sp = fp - stopped.compiled.info(caller).frame.size
         if depth == 0 or sp <= max(address, NULL_SIZE):
             continue

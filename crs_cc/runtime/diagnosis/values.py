@@ -42,7 +42,7 @@ LONGEST: Final = 60
 
 MOST_ELEMENTS: Final = 8
 LONGEST_TEXT: Final = 40
-DEEPEST: Final = 3
+MOST_NESTED: Final = 3  # structs and arrays inside each other
 
 _ESCAPES: Final = {7: "\\a", 8: "\\b", 9: "\\t", 10: "\\n", 11: "\\v", 12: "\\f", 13: "\\r"}
 
@@ -140,7 +140,7 @@ class Values:
             text = _text(content, states)
             if text is not None:
                 return text
-        if depth >= DEEPEST or size == 0:
+        if depth >= MOST_NESTED or size == 0:
             return "{...}"
         parts = [
             self._show(
@@ -153,7 +153,7 @@ class Values:
         return "{" + ", ".join(parts) + "}"
 
     def _record(self, ctype: RecordType, content: bytes, states: bytes, depth: int) -> str:
-        if depth >= DEEPEST:
+        if depth >= MOST_NESTED:
             return "{...}"
         parts = []
         for member in ctype.record.members or []:

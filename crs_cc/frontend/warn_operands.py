@@ -10,7 +10,7 @@ from crs_cc.ir.types import ArrayType, IntegerType
 from crs_cc.source import Location
 
 
-def doubt_signs(unit: Unit, left: Expression, right: Expression, place: Location) -> None:
+def warn_signs(unit: Unit, left: Expression, right: Expression, place: Location) -> None:
     """Warns of a negative constant that becomes a large number beside an unsigned operand."""
     for constant, other in ((left, right), (right, left)):
         if not isinstance(constant, tree.Literal) or constant.value >= 0:
@@ -22,7 +22,7 @@ def doubt_signs(unit: Unit, left: Expression, right: Expression, place: Location
             unit.warning(place, text)
 
 
-def doubt_string(unit: Unit, left: Expression, right: Expression, place: Location) -> None:
+def warn_string(unit: Unit, left: Expression, right: Expression, place: Location) -> None:
     """Warns of comparing a string literal's address."""
     pair = (left, right)
     if any(_is_string(each) for each in pair) and not any(map(is_null_constant, pair)):
@@ -34,7 +34,7 @@ def _is_string(value: Expression) -> bool:
     return isinstance(value, tree.AddressOf) and isinstance(value.operand, tree.StringLiteral)
 
 
-def doubt_size(unit: Unit, operand: Expression, place: Location) -> None:
+def warn_size(unit: Unit, operand: Expression, place: Location) -> None:
     """Warns of `sizeof` a parameter that was declared as an array, and is a pointer."""
     if isinstance(operand, tree.ObjectName) and operand.symbol.is_array_parameter:
         name = operand.symbol.name
@@ -42,21 +42,21 @@ def doubt_size(unit: Unit, operand: Expression, place: Location) -> None:
         unit.warning(place, text, f"declared at {operand.symbol.location}")
 
 
-def doubt_returned(unit: Unit, value: Expression) -> None:
+def warn_returned(unit: Unit, value: Expression) -> None:
     """Warns of returning the address of a variable that ends with the function."""
     match value:
         case tree.Convert(operand=inner) if inner.type.size == value.type.size:
-            doubt_returned(unit, inner)
+            warn_returned(unit, inner)
         case tree.Conditional():
-            doubt_returned(unit, value.then)
-            doubt_returned(unit, value.otherwise)
+            warn_returned(unit, value.then)
+            warn_returned(unit, value.otherwise)
         case tree.PointerAdd(pointer=inner):
-            doubt_returned(unit, inner)
+            warn_returned(unit, inner)
         case tree.AddressOf(operand=operand):
-            _doubt_object(unit, operand, value.location)
+            _warn_object(unit, operand, value.location)
 
 
-def _doubt_object(unit: Unit, operand: Expression, place: Location) -> None:
+def _warn_object(unit: Unit, operand: Expression, place: Location) -> None:
     while True:
         match operand:
             case tree.MemberAccess(record=record):

@@ -1,7 +1,7 @@
 """Warns of what is C, but hardly what was meant, in functions that were checked without errors.
 
 Values that nobody uses, and constant indices outside their array; what needs the paths through a
-function is in `doubt_flow`.
+function is in `warn_flow`.
 """
 
 from __future__ import annotations
@@ -11,9 +11,9 @@ from typing import Any, Final
 
 from crs_cc.frontend import tree
 from crs_cc.frontend.check import Unit
-from crs_cc.frontend.doubt_flow import doubt_paths
 from crs_cc.frontend.fold import COMPARISONS
 from crs_cc.frontend.tree_parts import everything
+from crs_cc.frontend.warn_flow import warn_paths
 from crs_cc.ir.types import ArrayType, VoidType
 from crs_cc.source import Location
 
@@ -37,26 +37,26 @@ _VALUES: Final = (
 )  # fmt: skip
 
 
-def doubt_unit(unit: Unit) -> None:
+def warn_unit(unit: Unit) -> None:
     """Looks at every function of a file."""
     for function in unit.functions:
         for node in everything(function.body):
             match node:
                 case tree.ExpressionStatement():
-                    _doubt_unused(unit, node.expression)
+                    _warn_unused(unit, node.expression)
                 case tree.Loop() if node.step is not None:
-                    _doubt_unused(unit, node.step)
+                    _warn_unused(unit, node.step)
                 case tree.Comma():
-                    _doubt_unused(unit, node.first)
+                    _warn_unused(unit, node.first)
                 case tree.Dereference():
-                    _doubt_index(unit, node)
-        doubt_paths(unit, function)
+                    _warn_index(unit, node)
+        warn_paths(unit, function)
 
 
-def _doubt_unused(unit: Unit, value: tree.Expression) -> None:
+def _warn_unused(unit: Unit, value: tree.Expression) -> None:
     """Warns of a value that is dropped, if there was no reason to compute it but the value."""
     if isinstance(value, tree.Call):
-        _doubt_call(unit, value)
+        _warn_call(unit, value)
         return
     if not isinstance(value, _VALUES) or isinstance(value.type, VoidType) or _is_volatile(value):
         return
@@ -80,7 +80,7 @@ def _is_macro(unit: Unit, place: Location) -> bool:
     return bool(line) and re.match(r"[A-Z][A-Z0-9_]+\b", line[0][place.column - 1 :]) is not None
 
 
-def _doubt_call(unit: Unit, call: tree.Call) -> None:
+def _warn_call(unit: Unit, call: tree.Call) -> None:
     """Warns of a dropped value of a function that only gives one."""
     if isinstance(call.callee, tree.FunctionName) and not isinstance(call.type, VoidType):
         symbol = call.callee.symbol
@@ -105,7 +105,7 @@ def _points_to_volatile(value: Any) -> bool:
     return target is not None and bool(target.volatile)
 
 
-def _doubt_index(unit: Unit, access: tree.Dereference) -> None:
+def _warn_index(unit: Unit, access: tree.Dereference) -> None:
     """Warns of a constant index that the array does not have."""
     match access.pointer:
         case tree.PointerAdd(

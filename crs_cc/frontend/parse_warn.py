@@ -21,7 +21,7 @@ _TURNED: Final = frozenset({"+", "-", "*", "&", "!"})
 _CONDITIONS: Final = frozenset({"IF", "WHILE"})
 
 
-class DoubtingParser(ExpressionParser):
+class WarningParser(ExpressionParser):
     """The parser of expressions, with warnings."""
 
     _diagnostics: Diagnostics
@@ -35,11 +35,11 @@ class DoubtingParser(ExpressionParser):
         first = self._index
         value = self._parse_assignment_expression()
         if token.value == "=":
-            self._doubt_turned(token, first)
-            self._doubt_condition(token, start, value)
+            self._warn_turned(token, first)
+            self._warn_condition(token, start, value)
         return c_ast.Assignment(token.value, target, value, self._span(start))
 
-    def _doubt_turned(self, token: Token, first: int) -> None:
+    def _warn_turned(self, token: Token, first: int) -> None:
         """Warns of `x =+ 1`: one word to the eye, two to the compiler."""
         operator, operand = self._buffer[first : first + 2]
         if operator.value not in _TURNED or not _adjacent(token, operator) or operand is None:
@@ -51,7 +51,7 @@ class DoubtingParser(ExpressionParser):
                 hint = "write '!=', or put a space between '=' and '!'"
             self._diagnostics.warning(token.location, f"'={what}' means '= {what}' here", hint)
 
-    def _doubt_condition(self, token: Token, start: int, value: Node) -> None:
+    def _warn_condition(self, token: Token, start: int, value: Node) -> None:
         """Warns of `if (a = b)` and `while (a = 1)`, but not of `if ((a = b))`.
 
         `while (*to++ = *from++)` is how C of 1978 was written.
@@ -71,7 +71,7 @@ class DoubtingParser(ExpressionParser):
     def _parse_selection_statement(self) -> Node:
         node = super()._parse_selection_statement()
         if isinstance(node, c_ast.If) and node.iffalse is None:
-            self._doubt_empty("if", node.iftrue)
+            self._warn_empty("if", node.iftrue)
         return node
 
     def _parse_iteration_statement(self) -> Node:
@@ -79,10 +79,10 @@ class DoubtingParser(ExpressionParser):
         following = self._buffer[self._index]
         if following is not None and following.type == "LBRACE":
             keyword = "for" if isinstance(node, c_ast.For) else "while"
-            self._doubt_empty(keyword, node.stmt)
+            self._warn_empty(keyword, node.stmt)
         return node
 
-    def _doubt_empty(self, keyword: str, body: Node) -> None:
+    def _warn_empty(self, keyword: str, body: Node) -> None:
         """Warns of `if (x);`, unless a macro or a line of its own lies before the semicolon."""
         if not isinstance(body, c_ast.EmptyStatement):
             return

@@ -22,7 +22,7 @@ _NEVER_RETURN: Final = frozenset({"exit", "_exit", "_Exit", "quick_exit", "abort
 Unassigned = set[ObjectSymbol]
 
 
-def doubt_paths(unit: Unit, function: tree.FunctionDefinition) -> None:
+def warn_paths(unit: Unit, function: tree.FunctionDefinition) -> None:
     """Warns of variables that are read before they have a value, and of a missing `return`."""
     paths = _Paths(unit, _assigned_in_loops(function.body))
     ends = paths.block(function.body)
