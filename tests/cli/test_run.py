@@ -433,3 +433,24 @@ def test_a_run_shows_a_few_of_many_warnings_and_check_all(
     assert "... and 8 more warnings; crs check shows them all" in shown
     assert main(["check", "old.c"]) == 0
     assert "".join(capfd.readouterr()).count("warning:") == 10
+
+
+# -- setup, link and client ------------------------------------------------------------------------
+
+
+def test_an_ideal_link_lets_a_program_run_faster(capfd: pytest.CaptureFixture[str]) -> None:
+    ends_s = []
+    for link in ("serial", "ideal"):
+        assert main(["run", "drive.c", "--link", link, "--json"]) == 0
+        ends_s.append(json.loads(capfd.readouterr().out)["robots"][0]["time_s"])
+    assert ends_s[1] < ends_s[0]
+
+
+def test_an_unknown_setup_is_told_with_those_there_are(capfd: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "drive.c", "--setup", "loud"]) == 122
+    assert "ideal, noisy" in capfd.readouterr().err
+
+
+@pytest.mark.parametrize("option", ["--link=radio", "--client=vendor"])
+def test_a_choice_that_there_is_not_is_a_usage_error(option: str) -> None:
+    assert main(["run", "drive.c", option]) == 2

@@ -1,0 +1,65 @@
+"""What takes a program's time: its instructions on the host, its commands on the line."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from crs_cc.sim.model import WorldModel
+from crs_cc.sim.world_xml import empty_world
+from tests.session.programs import build, run
+
+COUNT = """#include <stdio.h>
+#include <time.h>
+int main(void)
+{
+    volatile long i;
+    for (i = 0; i < 1000000; i++)
+        ;
+    printf("%ld\\n", (long)clock());
+}
+"""
+ASK = """#include <stdio.h>
+#include <sys/time.h>
+#include "Nclient.h"
+int main(void)
+{
+    struct timeval before, after;
+    int i;
+    connect_robot(1);
+    gettimeofday(&before, 0);
+    for (i = 0; i < 100; i++)
+        gs();
+    gettimeofday(&after, 0);
+    printf("%ld\\n", (after.tv_sec - before.tv_sec) * 1000000 + after.tv_usec - before.tv_usec);
+}
+"""
+
+
+def printed(world: WorldModel, folder: Path, source: str) -> int:
+    """Gives the number that a program prints [microseconds]."""
+    return int(run(world, [build(folder, source)], 1000).written[0].split()[-1])
+
+
+def with_host(speed_hz: float) -> WorldModel:
+    world = empty_world()
+    (robot,) = world.robots
+    model = replace(robot.model, host_speed_hz=speed_hz)
+    return replace(world, robots=(replace(robot, model=model),))
+
+
+def test_a_host_of_twice_the_speed_needs_half_the_time(tmp_path: Path) -> None:
+    slow, fast = (printed(with_host(speed_hz), tmp_path, COUNT) for speed_hz in (1e7, 2e7))
+    assert slow == pytest.approx(2 * fast, rel=0.001)
+    assert slow > 1_000_000 / 10  # at least one instruction each time round
+
+
+def test_reading_the_state_takes_its_bytes_on_the_line(tmp_path: Path) -> None:
+    used = printed(empty_world(), tmp_path, ASK) / 100
+    assert used == pytest.approx((6 + 48) * 10 / 38400 * 1e6, rel=0.02)
+
+
+def test_an_ideal_link_takes_no_time(tmp_path: Path) -> None:
+    assert printed(empty_world().with_ideal_link(), tmp_path, ASK) / 100 < 50
