@@ -1,5 +1,5 @@
-/* Alarms (POSIX alarm, setitimer, pause): SIGALRM comes when the library waits, reads the clock,
-   writes, or talks to the robot, and its time has come. */
+/* Alarms (POSIX alarm, setitimer, pause): SIGALRM comes when the library waits, reads the clock, or
+   has talked to the robot, and its time has come. */
 #include <errno.h>
 #include <signal.h>
 #include <sys/time.h>
