@@ -27,7 +27,7 @@ class Drive:
     """A run of one sample to its end.
 
     Attributes:
-        output: what the program printed.
+        output: what the programs printed, robot after robot.
         files: what it wrote, by name.
         paths: x and y of the robots after each timestep [m], shape (timesteps, robots, 2).
         robots: the results.
@@ -54,7 +54,7 @@ class Drive:
             standard: the C that it is written in.
             longest_s: when to stop it [s].
         """
-        self._output = bytearray()
+        self._outputs = [bytearray() for _ in world.robots]
         own = [SAMPLES / name for name in program]
         programs = [[Path(robot.program)] if robot.program else own for robot in world.robots]
         session = Session(
@@ -72,12 +72,12 @@ class Drive:
             paths.append(np.column_stack([state.x_m, state.y_m]))
         self.paths = np.array(paths)
         self.robots: tuple[RobotResult, ...] = session.result().robots
-        self.output = bytes(self._output)
+        self.output = b"".join(self._outputs)
         self.files = {name.decode(): content for name, content in session.files(0).items()}
 
-    def _write(self, _robot: int, stream: int, content: bytes) -> None:
+    def _write(self, robot: int, stream: int, content: bytes) -> None:
         if stream == 1:
-            self._output += content
+            self._outputs[robot] += content
 
     @property
     def text(self) -> str:

@@ -62,3 +62,116 @@ def arrives_untouched(drive: Drive) -> None:
     assert drive.places[-1] - drive.places[0] == pytest.approx(
         [x_in * INCH_M, y_in * INCH_M], abs=0.1
     )
+
+
+def uses_its_behaviours(drive: Drive) -> None:
+    touches_nothing(drive)
+    assert drive.squares(0.5) > 10
+    shares = {
+        name: float(share)
+        for name, share in re.findall(r"^(\w+) +(\S+) %", drive.text, re.MULTILINE)
+    }
+    assert shares.keys() == {"escape", "avoid", "veer", "explore", "cruise"}
+    assert all(shares[name] > 1 for name in ("avoid", "veer", "explore", "cruise"))
+    assert sum(shares.values()) == pytest.approx(100, abs=0.3)
+
+
+def bounces(drive: Drive) -> None:
+    assert drive.robot.collisions == 12
+    assert len(re.findall(r"^contact +\d+  \[\.*#[.#]*\]", drive.text, re.MULTILINE)) == 12
+    assert drive.squares(0.5) > 15
+
+
+def drives_an_eight(drive: Drive) -> None:
+    """Two circles of 30 in, to the left and to the right, in a loop of 100 ms."""
+    assert np.ptp(drive.places, axis=0) / INCH_M == pytest.approx([60, 120], abs=2)
+    assert drive.robot.distance_m / INCH_M == pytest.approx(4 * np.pi * 30, rel=0.02)
+    missed, mean_ms, least_ms, most_ms = drive.numbers(
+        r"(\d+) missed; period (\S+) ms, .* from (\S+) to (\S+)"
+    )
+    assert missed == 0
+    assert mean_ms == pytest.approx(100, abs=0.1)
+    assert 99 < least_ms <= most_ms < 101
+
+
+def draws_the_studio(drive: Drive) -> None:
+    """The cells of the map are those of `worlds/studio.xml`."""
+    touches_nothing(drive)
+    free, full = [], []
+    for y, row in re.findall(r"^ *(\S+) \|(.*)\|$", drive.text, re.MULTILINE):
+        for column, mark in enumerate(row):
+            place = (40 - 60 + 5 * (column + 0.5), 35 + float(y))
+            (free if mark in ".+" else full if mark == "#" else []).append(place)
+    assert np.mean([to_wall_in(*place) > -5 for place in free]) > 0.98
+    assert np.mean([abs(to_wall_in(*place)) < 10 for place in full]) > 0.9
+    assert len(free) * 25 > 0.75 * (200 * 150 - 70 * 55 - 16 * 16 - 20 * 40)
+
+
+def to_wall_in(x_in: float, y_in: float) -> float:
+    """Gives the distance from the nearest thing of the studio [in], below 0 inside of one."""
+    nearest = min(x_in, 200 - x_in, y_in, 150 - y_in)
+    for left, right, low, high in [(130, 200, 95, 150), (72, 88, 72, 88), (0, 20, 80, 120)]:
+        dx, dy = max(left - x_in, x_in - right), max(low - y_in, y_in - high)
+        outside = float(np.hypot(max(dx, 0), max(dy, 0)))
+        nearest = min(nearest, outside or max(dx, dy))
+    return nearest
+
+
+def finds_itself(drive: Drive) -> None:
+    touches_nothing(drive)
+    errors = np.array(re.findall(r"(\S+) in +(\S+) deg$", drive.text, re.MULTILINE), dtype=float)
+    assert errors[0, 0] > 20
+    assert (errors[-5:, 0] < 6).all()
+    assert (abs(errors[-5:, 1]) < 10).all()
+    x_in, y_in, heading_deg = map(float, drive.text.splitlines()[-1].split("%")[1].split()[:3])
+    assert [x_in, y_in] == pytest.approx(drive.places[-1] / INCH_M, abs=1)
+    assert np.cos(np.radians(heading_deg) - drive.robot.pose[2]) > 0.999
+
+
+def arrives_at_its_goal(drive: Drive) -> None:
+    touches_nothing(drive)
+    (off_in,) = drive.numbers(r"arrived (\S+) in from the goal")
+    goal = np.array([413, 260])
+    assert np.hypot(*(drive.places[-1] / INCH_M - goal)) == pytest.approx(off_in, abs=2)
+    assert off_in < 8
+
+
+def finds_two_doors_open(drive: Drive) -> None:
+    """The doors are those of `worlds/night.xml`."""
+    touches_nothing(drive)
+    states = re.findall(r"(OPEN|closed) +nothing for", drive.text)
+    assert states == ["OPEN", "closed", "closed", "OPEN"]
+    assert "4 doors, 2 open, 2 closed\n" in drive.text
+    assert np.hypot(*(drive.places[-1] - drive.places[0])) < 3 * INCH_M
+
+
+def reads_what_it_wrote(drive: Drive) -> None:
+    touches_nothing(drive)
+    rows = drive.files["drive.log"].decode().splitlines()[1:]
+    log = np.array([row.split() for row in rows], dtype=float)
+    assert log.shape == (400, 7 + 16)
+    assert (np.diff(log[:, 0]) > 0.1).all()
+    turned = np.radians(45)
+    ahead = np.array([np.cos(turned), np.sin(turned)])
+    aside = np.array([-ahead[1], ahead[0]])
+    last = drive.places[0] + INCH_M * (log[-1, 1] * ahead + log[-1, 2] * aside)
+    assert drive.places[-1] == pytest.approx(last, abs=0.1)
+    (count, driven_in) = drive.numbers(r"(\d+) records, [^$]*driven (\S+) in at")
+    assert count == 400
+    assert driven_in * INCH_M == pytest.approx(drive.robot.distance_m, rel=0.05)
+
+
+def comes_home(drive: Drive) -> None:
+    touches_nothing(drive)
+    assert np.hypot(*(drive.places[-1] - drive.places[0])) < 8 * INCH_M
+    assert "28 commands done\n" in drive.text
+
+
+def keeps_behind(drive: Drive) -> None:
+    touches_nothing(drive)
+    leader, follower = drive.robots
+    assert leader.distance_m > 6
+    assert follower.distance_m > 5
+    apart_in = np.hypot(*(drive.paths[:, 0] - drive.paths[:, 1]).T) / INCH_M - 2 * 8
+    assert apart_in.min() > 10
+    assert apart_in.max() < 50

@@ -31,7 +31,7 @@ class Run:
 
     Attributes:
         sample: its name: its C file without `.c`, or a folder with its C files.
-        world: the name of the world.
+        world: the name of the world, in `worlds` or in the sample's folder.
         holds: tests what must be true of the run.
         arguments: what `main` finds behind its name.
         reads: the files that it reads, from the root of the repository.
@@ -61,9 +61,10 @@ class Run:
 
     def drive(self) -> Drive:
         """Runs it."""
+        worlds = [folder / f"{self.world}.xml" for folder in (SAMPLES / self.sample, WORLDS)]
         return Drive(
             self.program(),
-            load_world(WORLDS / f"{self.world}.xml"),
+            load_world(next(path for path in worlds if path.exists())),
             arguments=self.arguments,
             files={name: (ROOT / name).read_bytes() for name in self.reads},
             standard=self.standard,
@@ -80,6 +81,16 @@ RUNS = [
     Run("follow_wall", "office", properties.gets_about),
     Run("count_doors", "corridor", properties.counts_the_doors),
     Run("potential", "cluttered", properties.arrives_untouched),
+    Run("behaviours", "cluttered", properties.uses_its_behaviours),
+    Run("bounce", "room", properties.bounces),
+    Run("figure_eight", "empty", properties.drives_an_eight, slow=False),
+    Run("grid_map", "studio", properties.draws_the_studio),
+    Run("localise", "studio", properties.finds_itself, reads=("worlds/studio.map",)),
+    Run("plan_path", "office", properties.arrives_at_its_goal, reads=("worlds/office.grid",)),
+    Run("patrol", "night", properties.finds_two_doors_open, standard="gnu89"),
+    Run("log_drive", "room", properties.reads_what_it_wrote, slow=False),
+    Run("mission", "studio", properties.comes_home, reads=("samples/scout_c/mission.txt",)),
+    Run("convoy", "convoy", properties.keeps_behind),
 ]
 
 
