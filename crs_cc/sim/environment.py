@@ -41,6 +41,7 @@ from crs_cc.sim.sensors.sonar import SonarRing
 from crs_cc.sim.state import EnvState
 from crs_cc.sim.state_vector import state_vector
 from crs_cc.sim.step import Served, Step, slices_of
+from crs_cc.sim.surroundings import Surroundings
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
@@ -87,7 +88,8 @@ class Environment:
         self._names = scene.names
         self._equipment = Equipment.of(world)
         self._physics = Physics(world, scene, self.state.bodies)
-        self._sonars = SonarRing(world, scene, seed)
+        self._sonars = SonarRing(world, seed)
+        self._around = Surroundings(scene, self._sonars.fans)
         self._served: list[Served] = []
         self._link_s = [dict(robot.model.link_s) for robot in world.robots]
 
@@ -181,7 +183,7 @@ class Environment:
         bodies = self._physics.restore(snapshot.physics)
         assert np.array_equal(bodies.position_m, self.state.bodies.position_m)
         self._served = list(snapshot.served)
-        self._sonars.forget()
+        self._around.forget()
 
     def hash(self) -> str:
         """Gives the SHA-256 of the whole state."""
@@ -217,7 +219,7 @@ class Environment:
     ) -> None:
         """Writes replies over messages."""
         if code in FIRES_SONARS:
-            self._sonars.read(self.state, rows[good])
+            self._sonars.read(self.state, self._around, rows[good])
         states = state_vector(self.state, rows)
         messages["result"][~good] = 0
         results = messages["result"].copy()

@@ -111,7 +111,7 @@ def nearest(
     """Gives what each beam of each robot measures.
 
     A beam that starts inside a circle measures 0. One that starts behind a segment, in its solid,
-    measures what is not there: see `sensors.covered`.
+    measures what is not there: see `covered`.
 
     Args:
         fan: the robots' beams.

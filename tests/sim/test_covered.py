@@ -5,14 +5,15 @@ import math
 import numpy as np
 import pytest
 
+from crs_cc.sim import covered
+from crs_cc.sim.covered import Rectangles
 from crs_cc.sim.environment import Environment
 from crs_cc.sim.model import Area, Box, Pose, Wall, WorldModel
 from crs_cc.sim.rays import Fan
 from crs_cc.sim.scene import Scene
-from crs_cc.sim.sensors import covered
-from crs_cc.sim.sensors.covered import Rectangles
 from crs_cc.sim.sensors.sonar import SonarRing
 from crs_cc.sim.state_vector import BUMPER, SONAR_0
+from crs_cc.sim.surroundings import Surroundings
 from tests.sim.driver import SCOUT_RADIUS_M, Driver, open_world, world_of
 
 HAIR_M = 0.0004  # less than what physics lets things overlap
@@ -44,7 +45,8 @@ def sonars_at(deep_m: float, things: str, heading: int = 0, y_m: float = 1.5) ->
     state = Environment(world, 1).state
     state.x_m[0], state.y_m[0] = 2 + deep_m - SCOUT_RADIUS_M, y_m
     state.heading_rad[0] = math.radians(heading)
-    SonarRing(world, Scene(world), 1).read(state, np.array([0]))
+    ring = SonarRing(world, 1)
+    ring.read(state, Surroundings(Scene(world), ring.fans), np.array([0]))
     readings = state.sonar.reading_in[0].tolist()
     turned = round(heading / 22.5)
     return readings[-turned:] + readings[:-turned]

@@ -20,12 +20,10 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.noise import SONAR, Noise
-from crs_cc.sim.obstacles import Obstacles
-from crs_cc.sim.rays import Fan, nearest
+from crs_cc.sim.rays import Fan
 from crs_cc.sim.robot_elements import MAX_SONARS
-from crs_cc.sim.scene import Scene
-from crs_cc.sim.sensors.covered import Rectangles
 from crs_cc.sim.states.sonar import NO_ECHO
+from crs_cc.sim.surroundings import Surroundings
 from crs_cc.units import m_to_inch
 
 if TYPE_CHECKING:
@@ -43,49 +41,36 @@ _END: Final = 255  # ends a firing order
 
 
 class SonarRing:
-    """The sonars of all robots of a world."""
+    """The sonars of all robots of a world.
 
-    def __init__(self, world: WorldModel, scene: Scene, seed: int) -> None:
+    Attributes:
+        fans: the beams of each kind of robot.
+    """
+
+    def __init__(self, world: WorldModel, seed: int) -> None:
         models = [robot.model for robot in world.robots]
         kinds = list(dict.fromkeys(models))
-        self._scene = scene
         self._kind = np.array([kinds.index(model) for model in models], dtype=np.intp)
-        self._fans = [_fan(model) for model in kinds]
+        self.fans = [_fan(model) for model in kinds]
         self._numbers = [
             np.array([sonar.id for sonar in model.sonars], dtype=np.intp) for model in kinds
         ]
         self._noise_m = np.array([model.sonar_noise_m for model in models])
         noisy = len(models) if self._noise_m.any() else 0
         self._noise = Noise(seed, SONAR, MAX_SONARS, noisy)
-        reach_m = max((fan.reach_m for fan in self._fans), default=0.0)
-        start_m = max((fan.start_m for fan in self._fans), default=0.0)
-        moving = scene.moving(scene.start[:, :2], scene.start[:, 2])
-        self._obstacles = Obstacles(scene.fixed, moving, max(reach_m, 1.0), start_m)
-        self._rectangles = Rectangles(scene, start_m)
-        self._placed = -1
 
-    def forget(self) -> None:
-        """Says that bodies may be elsewhere than in the cycle that was seen last."""
-        self._placed = -1
-
-    def read(self, state: EnvState, rows: IndexArray) -> None:
+    def read(self, state: EnvState, around: Surroundings, rows: IndexArray) -> None:
         """Lets the sonars of robots measure, those that did not yet in this cycle."""
         rows = rows[state.sonar.cycle[rows] != state.cycle]
         if not len(rows):
             return
-        if self._placed != state.cycle:
-            bodies = state.bodies
-            self._obstacles.place(self._scene.moving(bodies.position_m, bodies.angle_rad))
-            self._rectangles.place(bodies.position_m, bodies.angle_rad)
-            self._placed = state.cycle
         distance_m = np.full((len(rows), MAX_SONARS), np.inf)
         poses = np.column_stack([state.x_m[rows], state.y_m[rows], state.heading_rad[rows]])
         kinds = self._kind[rows]
-        for kind, (fan, numbers) in enumerate(zip(self._fans, self._numbers, strict=True)):
+        for kind, (fan, numbers) in enumerate(zip(self.fans, self._numbers, strict=True)):
             mine = np.flatnonzero(kinds == kind)
             if len(numbers) and len(mine):
-                echoes = nearest(fan, poses[mine], self._obstacles, own=rows[mine])
-                echoes[self._rectangles.cover(fan, poses[mine])] = 0.0
+                echoes = around.distances_m(state, fan, poses[mine], own=rows[mine])
                 distance_m[np.ix_(mine, numbers)] = echoes
         distance_m += self._errors_m(state, rows)
         inches = np.clip(np.rint(m_to_inch(distance_m)), 0, NO_ECHO)

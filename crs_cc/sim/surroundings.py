@@ -1,0 +1,83 @@
+"""What lies around the robots, for all sensors that measure distances.
+
+One object knows where everything is in the current cycle; each kind of sensor gives it the beams
+and gets distances.
+
+>>> from crs_cc.sim.state import EnvState
+>>> from crs_cc.sim.world_xml import parse_world
+>>> world = parse_world(b'''<world version="1"><area length="4m" width="4m"/>
+...   <robot x="1m" y="2m"/></world>''', "room")
+>>> ahead = Fan.of([(0.2, 0.0, 0.0, 0.0, 5.0)])
+>>> around = Surroundings(Scene(world), [ahead])
+>>> around.distances_m(EnvState.at_start(world), ahead, np.array([[1.0, 2.0, 0.0]]), np.array([0]))
+array([[2.8]])
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.covered import Rectangles
+from crs_cc.sim.obstacles import Obstacles
+from crs_cc.sim.rays import Fan, nearest
+from crs_cc.sim.scene import Scene
+
+if TYPE_CHECKING:
+    from crs_cc.sim.state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.intp]
+
+_SHORTEST_REACH_M: Final = 1.0
+
+
+class Surroundings:
+    """Everything that beams can hit, where it is in the cycle that was asked for last."""
+
+    def __init__(self, scene: Scene, fans: Sequence[Fan]) -> None:
+        """Sorts what does not move.
+
+        Args:
+            scene: what there is.
+            fans: all beams that will be asked for.
+        """
+        reach_m = max((fan.reach_m for fan in fans), default=0.0)
+        start_m = max((fan.start_m for fan in fans), default=0.0)
+        moving = scene.moving(scene.start[:, :2], scene.start[:, 2])
+        self._scene = scene
+        reach_m = max(reach_m, _SHORTEST_REACH_M)
+        self._obstacles = Obstacles(scene.fixed, moving, reach_m, start_m)
+        self._rectangles = Rectangles(scene, start_m)
+        self._placed = -1
+
+    def forget(self) -> None:
+        """Says that bodies may be elsewhere than in the cycle that was seen last."""
+        self._placed = -1
+
+    def distances_m(
+        self, state: EnvState, fan: Fan, poses: FloatArray, own: IndexArray
+    ) -> FloatArray:
+        """Gives what each beam of each robot measures, as things stand at the cycle's start.
+
+        Args:
+            state: tells where the bodies are.
+            fan: the robots' beams.
+            poses: x, y [m] and heading [rad] that each robot measures from, shape (k, 3).
+            own: the number of each robot's own body, which its beams pass through.
+
+        Returns:
+            distances from the beams' starts [m], 0 for a start in or on something, infinite where
+            nothing is within range, shape (k, beams).
+        """
+        if self._placed != state.cycle:
+            bodies = state.bodies
+            self._obstacles.place(self._scene.moving(bodies.position_m, bodies.angle_rad))
+            self._rectangles.place(bodies.position_m, bodies.angle_rad)
+            self._placed = state.cycle
+        distance_m = nearest(fan, poses, self._obstacles, own=own)
+        distance_m[self._rectangles.cover(fan, poses)] = 0.0
+        return distance_m
