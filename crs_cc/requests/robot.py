@@ -16,10 +16,10 @@ _STATE: Final = (
     *_DONE,
     *arguments(
         ("data", "State[45] as 45 int32, each in its own unit", "see NUM_STATE"),
-        ("i[0]", "laser readings that LASER_PAGE has ready", "1"),
-        ("i[1]", "voltage of the computers' battery: (2 + n 3/255) 12/5", "V"),
-        ("i[2]", "voltage of the motors' battery: (2 + n 3/255) 12.85/5", "V"),
-        ("f[0]", "time of the sensor board", "ms"),
+        ("i[0]", "laser readings (points or segments) that LASER_PAGE has ready", "1"),
+        ("i[1]", "byte n of the computers' battery, which has (2 + n 3/255) 12/5 V", "1"),
+        ("i[2]", "byte n of the motors' battery, which has (2 + n 3/255) 12.85/5 V", "1"),
+        ("f[0]", "time of the sensor board, 0 to 2^32 - 1", "ms"),
     ),
 )
 _POSE: Final = arguments(
@@ -114,8 +114,8 @@ ROBOT_REQUESTS: Final = (
     _robot("GET_LS", 125, "int get_ls(void)", "reads the laser's points"),
     _robot("GET_SG", 126, "int get_sg(void)", "reads the laser's line segments"),
     _robot("CONF_IR", 127, "int conf_ir(int history, int order[16])",
-           "sets the infrared sensors' order and how many readings make an average",
-           (*arguments(("i[0]", "readings, 0 to 10", "1")), *_ORDER)),
+           "sets which infrared sensors measure, and how much of a reading stays in the next",
+           (*arguments(("i[0]", "share that stays, 0 to 10", "0.1")), *_ORDER)),
     _robot("CONF_CP", 128, "int conf_cp(int mode)", "switches the compass",
            arguments(("i[0]", "0 off, 1 on, 2 calibrate", "1"))),
     _robot(
@@ -124,9 +124,10 @@ ROBOT_REQUESTS: Final = (
         " unsigned int num_data, unsigned int processing)",
         "configures the laser",
         arguments(
-            ("i[0]", "mode", "1"), ("i[1]", "threshold of brightness", "1"),
-            ("i[2]", "width of the line", "pixel"), ("i[3]", "readings wanted", "1"),
-            ("i[4]", "processing", "1"),
+            ("i[0]", "mode: 0 or 50 off; 19, 51 points; 1, 33 segments", "1"),
+            ("i[1]", "threshold of brightness", "1"), ("i[2]", "width of the line", "pixel"),
+            ("i[3]", "points wanted, 1 to 482; 0 for all", "1"),
+            ("i[4]", "neighbouring pixels that make an average", "1"),
         ),
     ),
     _robot(
@@ -134,30 +135,33 @@ ROBOT_REQUESTS: Final = (
         "int conf_sg(unsigned int threshold, unsigned int min_points, unsigned int gap)",
         "configures how the laser's points become segments",
         arguments(
-            ("i[0]", "largest distance from the segment", _LENGTH),
-            ("i[1]", "fewest points of a segment", "1"), ("i[2]", "largest gap", _LENGTH),
+            ("i[0]", "largest distance of a point from its segment", _LENGTH),
+            ("i[1]", "fewest points of a segment", "1"),
+            ("i[2]", "largest gap between two points of a segment", _LENGTH),
         ),
     ),
     _robot(
-        "LASER_PAGE", 131, "int get_ls(void)", "hands over laser readings that lie ready",
+        "LASER_PAGE", 131, "int get_ls(void)",
+        "hands over laser readings that the last reply told of",
         arguments(
             ("i[0]", "first reading wanted", "1"), ("i[1]", "1 for those that PREDICT made", "1"),
         ),
         results=arguments(
-            ("result", "readings in this page", "1"),
-            ("data", "readings as int32, at most 62: x and y in the robot's frame", _LENGTH),
+            ("result", "readings in this page: at most 31 points or 15 segments", "1"),
+            ("i[0]", "numbers of each: 2 for a point, 4 for a segment's two ends", "1"),
+            ("data", "x and y as int32, ahead and left of the middle of robot and turret", _LENGTH),
         ),
     ),
     _robot(
         "POS_DATA", 132, "int posSonarRingGet(PosData posData[SONARS])",
         "hands over where and when sensors were read that the last reply told of",
         arguments(
-            ("i[0]", "which sensors: POS_INFRARED, POS_SONAR, ...", "1"),
-            ("i[1]", "first one wanted", "1"),
+            ("i[0]", "one of POS_INFRARED, POS_SONAR, POS_BUMPER, POS_LASER, POS_COMPASS", "1"),
+            ("i[1]", "number of the first sensor wanted", "1"),
         ),
         results=arguments(
-            ("result", "PosData in this page", "1"),
-            ("data", "9 int32 each: x, y, heading, turret, three speeds, two times; at most 6",
+            ("result", "PosData in this page, at most 6; 0 behind the last sensor", "1"),
+            ("data", "9 int32 each: x, y, heading, turret, three speeds, two times",
              "as in State; ms"),
         ),
     ),
