@@ -71,7 +71,7 @@ def report_data(report: ErrorReport) -> dict[str, Any]:
         "values": dict(report.values),
         "notes": list(report.notes),
         "object": _object(report.object) if report.object else None,
-        "stack": [_call_data(call) for call in report.stack],
+        "stack": [call_data(call) for call in report.stack],
     }
 
 
@@ -87,7 +87,8 @@ def _place(place: Location | None) -> dict[str, Any]:
     return {"file": place.file, "line": place.line, "column": place.column}
 
 
-def _call_data(call: ActiveCall) -> dict[str, Any]:
+def call_data(call: ActiveCall) -> dict[str, Any]:
+    """Gives an active function as plain data."""
     return {
         "function": call.function,
         "arguments": dict(call.arguments),

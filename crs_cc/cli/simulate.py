@@ -6,6 +6,7 @@ import json
 import math
 import sys
 import time
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -29,6 +30,7 @@ from crs_cc.source import Diagnostics
 
 if TYPE_CHECKING:
     from crs_cc.cli.run import RunOptions
+    from crs_cc.runtime.diagnosis.active_call import ActiveCall
     from crs_cc.session.trace import Trace
     from crs_cc.sim.step import Step
 
@@ -119,7 +121,14 @@ class Runner:
             self._options.seed,
             time.monotonic() - self._started_s,
             self._interrupt.requested,
+            tuple(self._current_calls()),
         )
+
+    def _current_calls(self) -> Iterator[ActiveCall | None]:
+        """Gives where programs stand that have not ended, if anybody wants to know."""
+        wanted = self._options.as_json or shows_summary(self._options)
+        for robot in range(len(self.session.fleet)):
+            yield self.session.current_call(robot) if wanted else None
 
     def _step_to_end(self) -> None:
         end_s = self._options.max_time_s
@@ -191,6 +200,13 @@ class Runner:
         return pushed
 
 
+def shows_summary(options: RunOptions) -> bool:
+    """Tells whether the summary is shown: on a terminal, if nothing else was asked for."""
+    if options.summary is None:
+        return is_terminal(sys.stderr) and not options.quiet
+    return options.summary
+
+
 def _request_trace(names: list[str]) -> Trace:
     from crs_cc.session.trace import Trace
 
@@ -229,8 +245,7 @@ def _report(run: Run, options: RunOptions) -> None:
     show_reports(run.result.robots)
     if options.as_json:
         click.echo(as_json(run))
-    asked = options.summary
-    if asked or (asked is None and is_terminal(sys.stderr) and not options.quiet):
+    if shows_summary(options):
         from crs_cc.cli.table import print_summary
 
         print_summary(run)

@@ -7,11 +7,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from crs_cc import __version__
-from crs_cc.cli.report import report_data
+from crs_cc.cli.report import call_data, report_data
 from crs_cc.cli.status import INTERRUPTED
 from crs_cc.errors import ProgramError
 
 if TYPE_CHECKING:
+    from crs_cc.runtime.diagnosis.active_call import ActiveCall
     from crs_cc.session.result import Pose, RobotResult, RunResult
 
 
@@ -25,6 +26,7 @@ class Run:
         seed: the start of its random numbers.
         wall_s: how long it took [s].
         interrupted: ended by Ctrl-C.
+        calls: by robot, the function in which its program stands that has not ended, else None.
     """
 
     result: RunResult
@@ -32,6 +34,7 @@ class Run:
     seed: int
     wall_s: float
     interrupted: bool
+    calls: tuple[ActiveCall | None, ...]
 
     @property
     def real_time_factor(self) -> float:
@@ -65,13 +68,15 @@ def as_json(run: Run) -> str:
         "state_hash": result.state_hash,
         "interrupted": run.interrupted,
         "exit_status": exit_status(run),
-        "robots": [_robot_data(robot) for robot in result.robots],
+        "robots": [
+            _robot_data(robot, call) for robot, call in zip(result.robots, run.calls, strict=True)
+        ],
         "timing": {"wall_s": run.wall_s, "real_time_factor": run.real_time_factor},
     }
     return json.dumps(data, indent=2)
 
 
-def _robot_data(robot: RobotResult) -> dict[str, Any]:
+def _robot_data(robot: RobotResult, call: ActiveCall | None) -> dict[str, Any]:
     return {
         "id": robot.id,
         "program": robot.program,
@@ -85,6 +90,8 @@ def _robot_data(robot: RobotResult) -> dict[str, Any]:
         "collisions": int(robot.collisions),
         "commands": int(robot.commands),
         "fuel": int(robot.fuel),
+        "robot_call_s": robot.robot_call_s,
+        "stands_in": call_data(call) if call else None,
     }
 
 

@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING, Final
 
 from rich.console import Console
 from rich.markup import escape
+from rich.measure import Measurement
 from rich.table import Table
 
 from crs_cc.cli.messages import is_terminal
+from crs_cc.cli.unfinished import unfinished
 
 if TYPE_CHECKING:
     from crs_cc.cli.summary import Run
@@ -19,6 +21,9 @@ if TYPE_CHECKING:
 
 MAX_ROWS: Final = 20
 _WIDTH_ELSEWHERE: Final = 120
+_UNBOUNDED: Final = 1000
+_DISPENSABLE: Final = ("fuel", "commands", "odometry", "collisions")
+"""What a narrow terminal does without, in this order."""
 
 
 def print_summary(run: Run) -> None:
@@ -26,8 +31,10 @@ def print_summary(run: Run) -> None:
     width = None if is_terminal(sys.stderr) else _WIDTH_ELSEWHERE
     console = Console(stderr=True, highlight=False, width=width)
     robots = run.result.robots
-    console.print(_card(robots[0]) if len(robots) == 1 else _table(robots))
-    console.print(_closing_line(run), style="dim", soft_wrap=True)
+    console.print(_card(robots[0]) if len(robots) == 1 else _fitting_table(robots, console))
+    for line in unfinished(run):
+        console.print(line, markup=False)
+    console.print(_closing_line(run), style="dim")
 
 
 def _closing_line(run: Run) -> str:
@@ -48,14 +55,26 @@ def _card(robot: RobotResult) -> Table:
     return card
 
 
-def _table(robots: Sequence[RobotResult]) -> Table:
+def _fitting_table(robots: Sequence[RobotResult], console: Console) -> Table:
+    """Gives the table for several robots, with as many figures as fit beside each other."""
+    unbounded = console.options.update(width=_UNBOUNDED)
+    for number in range(len(_DISPENSABLE)):
+        table = _table(robots, _DISPENSABLE[:number])
+        if Measurement.get(console, unbounded, table).maximum <= console.width:
+            return table
+    return _table(robots, _DISPENSABLE)
+
+
+def _table(robots: Sequence[RobotResult], without: Sequence[str]) -> Table:
     """Gives the table for several robots: a row for each of the first `MAX_ROWS`."""
     table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0))
     table.add_column("robot", style="bold")
     for name, _ in _figures(robots[0]):
-        table.add_column(name)
+        if name not in without:
+            table.add_column(name)
     for robot in robots[:MAX_ROWS]:
-        table.add_row(escape(robot.id), *(value for _, value in _figures(robot)))
+        values = [value for name, value in _figures(robot) if name not in without]
+        table.add_row(escape(robot.id), *values)
     if len(robots) > MAX_ROWS:
         outcomes = [robot.outcome for robot in robots]
         counts = [f"{outcomes.count(each)} {each}" for each in dict.fromkeys(outcomes)]

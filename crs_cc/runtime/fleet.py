@@ -34,7 +34,9 @@ from crs_cc.runtime.wasm import PAGE
 from crs_cc.source import Location
 
 if TYPE_CHECKING:
+    from crs_cc.runtime.diagnosis.active_call import ActiveCall
     from crs_cc.runtime.diagnosis.failure import Failure
+    from crs_cc.runtime.diagnosis.inspect import Stopped
     from crs_cc.runtime.diagnosis.report import ErrorReport
 
 MEMORY_END: Final = 0xFFFFFFFF  # the last address there could be
@@ -165,21 +167,16 @@ class Fleet:
         # Few runs need these.
         from crs_cc.runtime.diagnosis.diagnose import diagnose
         from crs_cc.runtime.diagnosis.failure import Failure
-        from crs_cc.runtime.diagnosis.inspect import Stopped, call_stack
         from crs_cc.runtime.diagnosis.objects import find_object, of_variable
 
-        detail = self._executables[robot].detail()
         value = int(slot["error_address"])
         if slot["error_kind"]:
             kind = ERROR_KINDS[slot["error_kind"]]
             return Failure(kind, Location(self._executables[robot].name), value)
-        site = detail.compiled.sites[slot["error_site"]]
-        kind, memory = site.kind, self._memories[robot]
-        stack = tuple(call_stack(memory, detail.compiled, site.location))
+        site = self._executables[robot].detail().compiled.sites[slot["error_site"]]
         trapped = value == MEMORY_END and site.size > 1
-        parts = detail.program, detail.compiled, detail.lines, stack, not trapped
-        stopped = Stopped(memory, self._shadows[robot], *parts)
-        size, found = site.size, None
+        stopped = self._stopped(robot, site.location, saved=not trapped)
+        kind, stack, size, found = site.kind, stopped.stack, site.size, None
         if kind == "memory":
             kind, value, found = diagnose(stopped, value, size, site.access)
         elif kind in {"invalid free", "double free"}:
@@ -188,6 +185,25 @@ class Fleet:
             found = of_variable(stopped, site.variable)
         size = size or int(slot["error_size"])
         return Failure(kind, site.location, value, stack, site.access, size, found, stopped)
+
+    def _stopped(
+        self, robot: int, failed_at: Location | None = None, *, saved: bool = True
+    ) -> Stopped:
+        from crs_cc.runtime.diagnosis.inspect import Stopped, call_stack
+
+        detail, memory = self._executables[robot].detail(), self._memories[robot]
+        stack = tuple(call_stack(memory, detail.compiled, failed_at))
+        parts = detail.program, detail.compiled, detail.lines, stack, saved
+        return Stopped(memory, self._shadows[robot], *parts)
+
+    def current_call(self, robot: int) -> ActiveCall | None:
+        """Gives the innermost active function of the user's own files, and where it stands.
+
+        There is none before a program has been resumed, and once it has ended.
+        """
+        from crs_cc.runtime.diagnosis.report import current_call  # few runs need it
+
+        return current_call(self._stopped(robot))
 
     def report(self, robot: int) -> ErrorReport:
         """Gives the report on a robot with status FAILED: its failure in words."""

@@ -35,6 +35,8 @@ class RobotResult:
         collisions: how many contacts began.
         commands: how many commands it was sent.
         fuel: IR instructions that the program has run.
+        robot_call_s: when, by its clock, the program last called its robot, now if it waits for
+            the answer [s]; None if it never did.
     """
 
     id: str
@@ -49,6 +51,7 @@ class RobotResult:
     collisions: int
     commands: int
     fuel: int
+    robot_call_s: float | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +64,8 @@ class RunResult:
         simulated_s: simulated time [s].
         state_hash: SHA-256 over the arrays of the environment (`sim.state`), and of each robot
             over its slot, its memory with the states of the bytes, the names of its files and
-            what it has written into them, its clock, its fuel, and when its request is due.
+            what it has written into them, its clock, its fuel, when its request is due and
+            when it last called its robot.
             What a program has printed is no part of it, nor is what it has been given to read.
     """
 

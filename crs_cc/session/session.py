@@ -51,6 +51,7 @@ from crs_cc.session.result import (
 from crs_cc.sim.environment import Environment
 
 if TYPE_CHECKING:
+    from crs_cc.runtime.diagnosis.active_call import ActiveCall
     from crs_cc.runtime.executable import Executable
     from crs_cc.session.host import Client, Input, Output
     from crs_cc.sim.model import WorldModel
@@ -119,6 +120,7 @@ class Session:
         self._alive = np.ones(count, bool)
         self._due_s = np.full(count, ENDLESS)  # when a request has come through the link
         self._ended_s = np.zeros(count)
+        self._called_s = np.full(count, -math.inf)  # when it last had an answer of its robot
 
     @property
     def time_s(self) -> float:
@@ -140,7 +142,7 @@ class Session:
                 break
             self._resume(ready, end_s)
         step = self.environment.step()
-        self.clock_s[step.robots] = step.at_s
+        self.clock_s[step.robots] = self._called_s[step.robots] = step.at_s
         self.fleet.slots["message"][step.robots] = step.messages
         self.timesteps += 1
         if self._trace is not None:
@@ -189,6 +191,7 @@ class Session:
                 code, robots, messages, self._due_s[robots]
             )
             self.fleet.slots["message"][robots] = messages
+            self._called_s[robots] = self._due_s[robots]
             self._due_s[robots] = ENDLESS
 
     def _end(self, robots: npt.NDArray[np.intp]) -> None:
@@ -213,8 +216,22 @@ class Session:
             error=self.fleet.report(robot) if failed else None,
             time_s=self.time_s if running else float(self._ended_s[robot]),
             fuel=int(self.fuel[robot]),
+            robot_call_s=self._robot_call_s(robot),
             **robot_state(self.environment.state, robot),
         )
+
+    def _robot_call_s(self, robot: int) -> float | None:
+        if self._alive[robot] and (self._due_s[robot] < ENDLESS or self.clock_s[robot] == ENDLESS):
+            return self.time_s
+        called_s = float(self._called_s[robot])
+        return called_s if math.isfinite(called_s) else None
+
+    def current_call(self, robot: int) -> ActiveCall | None:
+        """Gives where a program stands that runs: the innermost function of the user's own files.
+
+        None for one that has not begun, or has ended.
+        """
+        return self.fleet.current_call(robot) if self._alive[robot] else None
 
     def files(self, robot: int) -> dict[bytes, bytes]:
         """Gives the files that a robot's program made or changed, by name."""
@@ -263,4 +280,11 @@ class Session:
 
     def _arrays(self) -> tuple[npt.NDArray[Any], ...]:
         """Gives the session's own state, arrays over robots."""
-        return self.clock_s, self.fuel, self._alive, self._due_s, self._ended_s
+        return (
+            self.clock_s,
+            self.fuel,
+            self._alive,
+            self._due_s,
+            self._ended_s,
+            self._called_s,
+        )

@@ -85,6 +85,8 @@ def test_a_program_that_still_runs_at_max_time_counts_as_0(
     data = json.loads(capfd.readouterr().out)
     assert data["robots"][0]["outcome"] == "running"
     assert data["simulated_s"] == pytest.approx(0.5)
+    place = data["robots"][0]["stands_in"]
+    assert (place["function"], place["file"], place["line"]) == ("main", "loop.c", 1)
 
 
 def test_an_error_of_the_program_shows_its_line(capfd: pytest.CaptureFixture[str]) -> None:

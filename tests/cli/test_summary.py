@@ -7,8 +7,10 @@ from typing import Any
 
 import pytest
 
+from crs_cc.cli import table
 from crs_cc.cli.summary import Run, as_json, exit_status
 from crs_cc.cli.table import MAX_ROWS, print_summary
+from crs_cc.runtime.diagnosis.active_call import ActiveCall
 from crs_cc.runtime.diagnosis.report import ErrorReport
 from crs_cc.session.result import RobotResult, RunResult
 from crs_cc.source import Location
@@ -30,13 +32,16 @@ def robot(name: str = "robot0", **changes: Any) -> RobotResult:
         "collisions": 2,
         "commands": 17,
         "fuel": 1234567,
+        "robot_call_s": 12.25,
     }
     return RobotResult(**{**figures, **changes})
 
 
-def run_of(*robots: RobotResult, interrupted: bool = False) -> Run:
+def run_of(*robots: RobotResult, interrupted: bool = False, call: ActiveCall | None = None) -> Run:
+    """Makes a run; a program that runs stands in `call`."""
     result = RunResult(tuple(robots), 250, 12.5, "0123456789abcdef" * 4)
-    return Run(result, "room.xml", seed=7, wall_s=0.5, interrupted=interrupted)
+    calls = tuple(call if robot.outcome == "running" else None for robot in robots)
+    return Run(result, "room.xml", 7, wall_s=0.5, interrupted=interrupted, calls=calls)
 
 
 RUNNING = robot(outcome="running", exit_status=None)
@@ -77,7 +82,7 @@ def test_json_holds_every_figure_of_every_robot() -> None:
     assert second["outcome"] == "failed"
     assert second["error"]["text"] == "null pointer: 'p' is null"
     assert second["error"]["line"] == 7
-    assert set(first) == set(RobotResult.__slots__)
+    assert set(first) == {*RobotResult.__slots__, "stands_in"}
 
 
 def test_the_card_of_one_robot(capsys: pytest.CaptureFixture[str]) -> None:
@@ -102,3 +107,57 @@ def test_the_table_of_many_robots_is_cut_with_a_count(capsys: pytest.CaptureFixt
     shown = capsys.readouterr().err
     assert shown.count("r[") == MAX_ROWS
     assert "in all 50 exited, 50 running" in shown
+
+
+TURN = ActiveCall("turn", (("angle", "90"),), Location("wander.c", 31, 5))
+
+
+def test_a_program_that_has_not_ended_shows_where_it_is(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    print_summary(run_of(RUNNING, call=TURN))
+    assert "\nrobot0 is in turn(angle=90) at wander.c:31:5\n" in capsys.readouterr().err
+    data = json.loads(as_json(run_of(RUNNING, FAILED, call=TURN)))
+    assert data["robots"][0]["stands_in"]["arguments"] == {"angle": "90"}
+    assert data["robots"][0]["stands_in"]["line"] == 31
+    assert data["robots"][1]["stands_in"] is None
+
+
+def test_robots_that_are_at_the_same_place_are_told_of_in_one_line(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    robots = [robot(f"r{n}", outcome="running", robot_call_s=None) for n in range(7)]
+    print_summary(run_of(*robots, call=TURN))
+    shown = capsys.readouterr().err
+    assert "\nr0, r1, r2 and 4 more are in turn() at wander.c:31:5, without a call of" in shown
+
+
+@pytest.mark.parametrize(
+    ("called_s", "told"),
+    [(12.5, ""), (8.0, ""), (3.25, "a call of its robot since 3.25 s"), (None, "so far")],
+)
+def test_a_robot_that_has_heard_nothing_for_long_is_told_of(
+    called_s: float | None, told: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    quiet = robot(outcome="running", robot_call_s=called_s)
+    print_summary(run_of(quiet, call=TURN))
+    shown = capsys.readouterr().err
+    assert told in shown
+    assert ("without" in shown) == bool(told)
+
+
+@pytest.mark.parametrize("columns", [40, 80, 200])
+def test_the_summary_is_no_wider_than_the_terminal(
+    columns: int, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(table, "is_terminal", lambda _stream: True)
+    monkeypatch.setenv("COLUMNS", str(columns))
+    robots = [robot(f"robot{n}", odometry=(-12.5, -13.25, 3.1), fuel=10**9) for n in range(3)]
+    for run in (run_of(robots[0]), run_of(*robots), run_of(RUNNING, call=TURN)):
+        print_summary(run)
+        lines = capsys.readouterr().err.splitlines()
+        assert max(map(len, lines)) <= columns
+    print_summary(run_of(*robots))
+    shown = capsys.readouterr().err
+    assert ("fuel" in shown) == (columns > 80)
+    assert len(shown.splitlines()) <= 6 or columns < 80

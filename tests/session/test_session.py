@@ -132,3 +132,43 @@ def test_a_run_goes_on_from_a_snapshot_in_a_fresh_session(tmp_path: Path) -> Non
             session.step()
     assert second.state_hash() == first.state_hash()
     assert second.result() == first.result()
+
+
+CALLS = """
+#include "Nclient.h"
+#include <unistd.h>
+static void think(int n)
+{
+    for (;;)
+        n++;
+}
+int main(void)
+{
+    sleep(1);
+    connect_robot(1);
+    pr(1000, 1000, 0);
+    ws(1, 1, 0, 1);
+    think(3);
+}
+"""
+
+
+def test_a_program_that_runs_says_where_it_is(tmp_path: Path) -> None:
+    program = build(tmp_path, CALLS)
+    session = run(HALL, [program, program], 0).session
+    assert session.current_call(1) is None
+    assert session.result().robots[1].robot_call_s is None
+    stands = []
+    for until_s in (0.5, 1.5, 5):
+        while session.time_s < until_s:
+            session.step()
+        call = session.current_call(1)
+        assert call is not None
+        assert call.location is not None
+        stands.append((call.function, call.location.line, session.result().robots[1].robot_call_s))
+    assert stands[0] == ("main", 11, None)
+    assert stands[1] == ("main", 14, pytest.approx(1.5))  # it waits for the robot
+    assert stands[2][0] == "think"
+    called_s = stands[2][2]
+    assert called_s is not None
+    assert 2 < called_s < 2.5

@@ -62,6 +62,12 @@ def report(failure: Failure) -> ErrorReport:
     return _Reporter(failure, failure.stopped).report()
 
 
+def current_call(stopped: Stopped) -> ActiveCall | None:
+    """Gives the innermost active function of the user's own files; None when there is none."""
+    frame = next((each for each in stopped.stack if not _is_library(each)), None)
+    return None if frame is None else _call(frame, stopped, Variables(stopped))
+
+
 def _sentence(failure: Failure, explained: Explanation) -> str:
     return f"{failure.kind}: {explained.text}" if explained.text else failure.kind
 
@@ -107,14 +113,7 @@ class _Reporter:
 
     def call(self, frame: StackFrame) -> ActiveCall:
         """Gives an active function with its arguments."""
-        arguments = [
-            (each.variable.name, _brief(self.variables.show(each)))
-            for each in self.variables.arguments(frame)
-        ]
-        if self.stopped.compiled.info(frame.function).function.variadic:
-            arguments.append(("...", ""))
-        place = None if _is_library(frame) else frame.location
-        return ActiveCall(plain_name(frame.function), tuple(arguments), place)
+        return _call(frame, self.stopped, self.variables)
 
     def values(
         self, frame: StackFrame, expression: str, told: set[str]
@@ -146,6 +145,16 @@ class _Reporter:
             ActiveCall(shown, count=len(hidden)),
             *map(self.call, rows[-LAST_CALLS:]),
         )
+
+
+def _call(frame: StackFrame, stopped: Stopped, variables: Variables) -> ActiveCall:
+    arguments = [
+        (each.variable.name, _brief(variables.show(each))) for each in variables.arguments(frame)
+    ]
+    if stopped.compiled.info(frame.function).function.variadic:
+        arguments.append(("...", ""))
+    place = None if _is_library(frame) else frame.location
+    return ActiveCall(plain_name(frame.function), tuple(arguments), place)
 
 
 def _brief(value: str) -> str:

@@ -1,0 +1,56 @@
+"""Where the programs stand that have not ended: in which function, at which line.
+
+A program that hangs in a loop shows where it does, and for how long its robot has heard nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.cli.messages import printable
+
+if TYPE_CHECKING:
+    from crs_cc.cli.summary import Run
+    from crs_cc.runtime.diagnosis.active_call import ActiveCall
+    from crs_cc.session.result import RobotResult
+
+LONG_S: Final = 5.0
+"""A program that has not called its robot for so long may have lost its way."""
+
+MOST_NAMES: Final = 3
+MOST_LINES: Final = 5
+
+
+def unfinished(run: Run) -> Iterator[str]:
+    """Gives a line for each place where programs stand, the first few."""
+    alike: dict[tuple[str, str], list[RobotResult]] = {}
+    for robot, call in zip(run.result.robots, run.calls, strict=True):
+        if call is not None:
+            silence = _silence(robot)
+            alike.setdefault((_place(call, alone=len(run.calls) == 1), silence), []).append(robot)
+    for (place, silence), robots in list(alike.items())[:MOST_LINES]:
+        verb = "is" if len(robots) == 1 else "are"
+        yield f"{_names(robots)} {verb} {place}{silence}"
+    if len(alike) > MOST_LINES:
+        yield f"... and {len(alike) - MOST_LINES} more places"
+
+
+def _place(call: ActiveCall, *, alone: bool) -> str:
+    """Says where a program stands; with the function's arguments, if it is the only one."""
+    text = str(call) if alone else f"{call.function}()"
+    return f"in {printable(text)} at {printable(str(call.location))}"
+
+
+def _silence(robot: RobotResult) -> str:
+    if robot.robot_call_s is None:
+        return ", without a call of its robot so far" if robot.time_s > LONG_S else ""
+    if robot.time_s - robot.robot_call_s > LONG_S:
+        return f", without a call of its robot since {robot.robot_call_s:.2f} s"
+    return ""
+
+
+def _names(robots: list[RobotResult]) -> str:
+    names = [printable(robot.id) for robot in robots[:MOST_NAMES]]
+    more = len(robots) - len(names)
+    return ", ".join(names) + (f" and {more} more" if more else "")
