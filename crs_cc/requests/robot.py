@@ -248,6 +248,18 @@ ROBOT_REQUESTS: Final = (
         arguments(("size", "bytes", "byte"), ("data", "the packet", "1")),
         results=(*_DONE, *arguments(("size", "bytes", "byte"), ("data", "the answer", "1"))),
     ),
+    _robot(
+        "SONAR", 160, "int sonarSensorCheck(void)", "reads all sonars as the CRS report has them",
+        arguments(("i[0]", "1 to fire all of them now, 0 for what they told last", "1")),
+        results=(
+            *_DONE,
+            *arguments(("size", "64", "byte"), ("data", "16 int32, -1 for no echo", _LENGTH)),
+        ),
+    ),
+    _robot("HEAT", 161, "int heatSensorCheck(void)", "senses the heat of all things near",
+           results=(*_DONE, *arguments(("i[0]", "the heat", "1")))),
+    _robot("TAG", 162, "int tagTarget(void)", "takes the heat from all things near",
+           results=(*_DONE, *arguments(("i[0]", "how many things lost heat", "1")))),
 )  # fmt: skip
 """Every request that a robot, or the simulator it lives in, answers."""
 

@@ -14,9 +14,9 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.requests import CODES, STATE_REPLIES
-from crs_cc.sim.actuators import drive
+from crs_cc.sim.actuators import drive, tag
 from crs_cc.sim.equipment import Equipment
-from crs_cc.sim.sensors import odometry, sonar
+from crs_cc.sim.sensors import heat, odometry, sonar
 from crs_cc.sim.state import EnvState
 
 BoolArray = npt.NDArray[np.bool_]
@@ -103,15 +103,18 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("QUIT_SERVER", refuse),
         ("CREATE", refuse),
         ("SPECIAL", refuse),
+        ("SONAR", tell),
+        ("HEAT", heat.sense),
+        ("TAG", tag.tag),
     )
 }
 """The handler of each request that a robot answers."""
 
-FIRES_SONARS: Final = (STATE_REPLIES | {CODES["GET_SN"]}) - {
+FIRES_SONARS: Final = (STATE_REPLIES | {CODES["GET_SN"], CODES["SONAR"]}) - {
     CODES[name] for name in ("CONNECT", "DISCONNECT", "GET_BP", "GET_RC", "GET_RV")
 }
 """Requests whose reply carries fresh sonar readings: all that are answered with the whole state
-(vendor source `Ndirect.c` 2.7), and `get_sn`."""
+(vendor source `Ndirect.c` 2.7), `get_sn`, and the report's `sonarSensorCheck`."""
 
 WAITS: Final = frozenset({CODES["WS"]})
 """Requests that can make a robot wait."""

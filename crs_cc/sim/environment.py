@@ -36,7 +36,7 @@ from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.physics import Contacts, Physics, PhysicsSnapshot
 from crs_cc.sim.scene import Scene
-from crs_cc.sim.sensors import bumper
+from crs_cc.sim.sensors import bumper, sonar
 from crs_cc.sim.sensors.sonar import SonarRing
 from crs_cc.sim.state import EnvState
 from crs_cc.sim.state_vector import state_vector
@@ -226,6 +226,8 @@ class Environment:
         if code in STATE_REPLIES:
             messages["size"] = _STATE_BYTES
             messages["data"][:, :_STATE_BYTES] = states.astype("<i4").view(np.uint8)
+        elif code == CODES["SONAR"]:
+            sonar.tell_tenths(self.state, rows, messages)
         self._served.append(Served(code, rows, at_s, arguments, results, states))
 
     def _touch(self, contacts: Contacts) -> Contacts:

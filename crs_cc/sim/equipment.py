@@ -9,13 +9,14 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.model import WorldModel
+from crs_cc.sim.things import Things
 
 FloatArray = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
 class Equipment:
-    """Constants of all robots; each array has shape (robots,).
+    """Constants of all robots; each array has shape (robots,), those of `things` apart.
 
     Attributes:
         timestep_s: the world's timestep [s].
@@ -23,6 +24,9 @@ class Equipment:
         speed_limit_mps: the fastest that a wheel can run.
         ramp_limit_mps2: the fastest that its speed can change.
         switches: number of bumper switches.
+        heat_range_m: how far the heat sensor senses, 0 where there is none.
+        tag_range_m: how far heat is taken away.
+        things: the shapes of all things.
     """
 
     timestep_s: float
@@ -30,6 +34,9 @@ class Equipment:
     speed_limit_mps: FloatArray
     ramp_limit_mps2: FloatArray
     switches: npt.NDArray[np.int64]
+    heat_range_m: FloatArray
+    tag_range_m: FloatArray
+    things: Things
 
     @classmethod
     def of(cls, world: WorldModel) -> Self:
@@ -41,4 +48,7 @@ class Equipment:
             np.array([model.drive.speed_limit_mps for model in models]),
             np.array([model.drive.acceleration_limit_mps2 for model in models]),
             np.array([model.bumper_switches for model in models], dtype=np.int64),
+            np.array([model.heat.range_m for model in models]),
+            np.array([model.heat.tag_range_m for model in models]),
+            Things.of(world),
         )

@@ -89,23 +89,28 @@ class Wall:
 
 @dataclass(frozen=True, slots=True)
 class Box:
-    """A rectangular object; `length_m` lies along the heading of its pose, `width_m` across."""
+    """A rectangular object; `length_m` lies along the heading of its pose, `width_m` across.
+
+    How hot it is at the start is `heat`, as `sensors.heat` senses it.
+    """
 
     id: str
     pose: Pose
     length_m: float
     width_m: float
     mass_kg: float = FIXED_KG
+    heat: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
 class Cylinder:
-    """A round object."""
+    """A round object; `heat` as of a box."""
 
     id: str
     pose: Pose
     radius_m: float
     mass_kg: float = FIXED_KG
+    heat: float = 0.0
 
 
 Solid: TypeAlias = Wall | Box | Cylinder
@@ -128,6 +133,7 @@ class Robot:
         program: the C file that it runs, as a path that can be opened; empty when the world
             does not say.
         arguments: what the program gets in `argv`, behind its own name.
+        heat: how hot it is at the start, as of a box.
     """
 
     id: str
@@ -135,6 +141,7 @@ class Robot:
     start: Pose = Pose()
     program: str = ""
     arguments: tuple[str, ...] = ()
+    heat: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -57,9 +57,9 @@ class Kind:
         if match is None or factor is None:
             shown = text if len(text) <= _LONGEST else text[:_LONGEST] + "..."
             names = ", ".join(name for name, _ in self.units)
+            unit = f" and one of {names}" if names else ""
             raise ValueError(
-                f"{shown!r} is not {self.name}: write a number and one of {names}, "
-                f"as in {self.example}"
+                f"{shown!r} is not {self.name}: write a number{unit}, as in {self.example}"
             )
         value = float(match[1]) * factor
         if abs(value) > self.limit:
@@ -87,3 +87,5 @@ FORCE: Final = Kind("a force", (("N", 1.0),), "N", "60N", 1e6)
 FREQUENCY: Final = Kind(
     "a frequency", (("Hz", 1.0), ("kHz", 1e3), ("MHz", 1e6), ("GHz", 1e9)), "Hz", "50MHz", 1e12
 )
+HEAT: Final = Kind("a heat", (("", 1.0),), "", "1", 1e6)
+"""How hot a thing is, without unit."""

@@ -7,7 +7,7 @@ from typing import Final
 from crs_cc.requests import REQUESTS
 from crs_cc.sim.document import Element, Reader
 from crs_cc.sim.quantity import ACCELERATION, ANGLE, FORCE, FREQUENCY, LENGTH, MASS, SPEED, TIME
-from crs_cc.sim.robot_model import Drive, RobotModel, Sonar
+from crs_cc.sim.robot_model import Drive, Heat, RobotModel, Sonar
 
 MAX_SONARS: Final = 16
 """The vendor's `State` array has 16 places for sonars (vendor header `Nclient.h` 1.29)."""
@@ -36,6 +36,7 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         sonar_order=_sonar_order(root.first("sonars"), sonars, reader),
         sonar_noise_m=reader.not_negative(root.first("sonars"), "noise", LENGTH),
         bumper_switches=reader.whole(root.first("bumpers"), "switches", 1, MAX_SWITCHES),
+        heat=_heat(root.first("heat"), reader),
         link_s=_link(root.first("link"), reader),
         host_speed_hz=reader.positive(root.first("host"), "speed", FREQUENCY, 5e7),
     )
@@ -83,6 +84,11 @@ def _sonar_order(element: Element, sonars: tuple[Sonar, ...], reader: Reader) ->
         if number not in known:
             reader.error(element, f"order names sonar {number}, which the robot does not have")
     return order
+
+
+def _heat(element: Element, reader: Reader) -> Heat:
+    range_m = reader.not_negative(element, "range", LENGTH)
+    return Heat(range_m, reader.not_negative(element, "tag-range", LENGTH, range_m))
 
 
 def _link(element: Element, reader: Reader) -> tuple[tuple[str, float], ...]:

@@ -71,6 +71,19 @@ class Drive:
 
 
 @dataclass(frozen=True, slots=True)
+class Heat:
+    """What senses heat, and takes it away.
+
+    Attributes:
+        range_m: how far it senses, from the robot's middle; 0 when there is no such sensor.
+        tag_range_m: how far it takes heat away.
+    """
+
+    range_m: float = 0.0
+    tag_range_m: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
 class RobotModel:
     """What a kind of robot is made of, as its definition file says.
 
@@ -84,6 +97,7 @@ class RobotModel:
         sonar_noise_m: standard deviation of a sonar's error.
         bumper_switches: number of equal switches around the body; switch 0 is centred ahead and
             they count counter-clockwise.
+        heat: its heat sensor.
         link_s: time that each command takes on the line between host and robot, by name.
         host_speed_hz: how many IR instructions the host computer runs in a second.
     """
@@ -96,5 +110,6 @@ class RobotModel:
     sonar_order: tuple[int, ...] = ()
     sonar_noise_m: float = 0.0
     bumper_switches: int = 0
+    heat: Heat = Heat()
     link_s: tuple[tuple[str, float], ...] = ()
     host_speed_hz: float = 5e7

@@ -28,6 +28,7 @@ from crs_cc.sim.physics import Bodies
 from crs_cc.sim.scene import Scene
 from crs_cc.sim.states.bumper import BumperState
 from crs_cc.sim.states.drive import DriveState
+from crs_cc.sim.states.heat import HeatState
 from crs_cc.sim.states.odometry import OdometryState
 from crs_cc.sim.states.sonar import SonarState
 
@@ -51,6 +52,7 @@ class EnvState:
         odometry: where each robot believes to be.
         sonar: the sonars' readings.
         bumpers: the switches that are pressed.
+        heat: how hot things are.
         connected: whether the program has connected.
         asked: the message of the request that a robot waits for, of dtype `MESSAGE`, zero for
             robots that do not wait.
@@ -68,6 +70,7 @@ class EnvState:
     odometry: OdometryState
     sonar: SonarState
     bumpers: BumperState
+    heat: HeatState
     connected: BoolArray
     asked: npt.NDArray[np.void]
     touching: WholeArray
@@ -79,7 +82,8 @@ class EnvState:
     def at_start(cls, world: WorldModel) -> Self:
         """Gives the state before the first cycle: everything rests, odometry at 0."""
         count = len(world.robots)
-        bodies = Bodies.at_start(Scene(world))
+        scene = Scene(world)
+        bodies = Bodies.at_start(scene)
         heading_rad = bodies.angle_rad[:count].copy()
         return cls(
             cycle=0,
@@ -89,6 +93,7 @@ class EnvState:
             odometry=OdometryState.at_start(world),
             sonar=SonarState.at_start(world),
             bumpers=BumperState.at_start(world),
+            heat=HeatState.at_start(world, scene),
             connected=np.zeros(count, dtype=np.bool_),
             asked=np.zeros(count, MESSAGE),
             touching=_whole(0),

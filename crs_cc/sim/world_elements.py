@@ -11,7 +11,7 @@ from typing import Final, TypeAlias, TypeVar
 from crs_cc.sim.document import Element, Reader
 from crs_cc.sim.model import FIXED_KG, Area, Box, Cylinder, Pose, Robot, Wall, WorldModel
 from crs_cc.sim.placement import misplaced
-from crs_cc.sim.quantity import ANGLE, LENGTH, MASS, TIME
+from crs_cc.sim.quantity import ANGLE, HEAT, LENGTH, MASS, TIME
 from crs_cc.sim.robot_model import RobotModel
 
 SHORTEST_TIMESTEP_S: Final = 0.001
@@ -54,6 +54,7 @@ def world_model(
                 _pose(element, reader),
                 _program(element, folder, reader),
                 tuple(argument.text for argument in element.all("argument")),
+                reader.not_negative(element, "heat", HEAT),
             )
             for element in root.all("robot")
         ),
@@ -139,6 +140,7 @@ def _box(element: Element, reader: Reader) -> Box:
         _size(element, "length", reader),
         _size(element, "width", reader),
         reader.positive(element, "mass", MASS, FIXED_KG),
+        reader.not_negative(element, "heat", HEAT),
     )
 
 
@@ -148,6 +150,7 @@ def _cylinder(element: Element, reader: Reader) -> Cylinder:
         _pose(element, reader),
         _size(element, "radius", reader),
         reader.positive(element, "mass", MASS, FIXED_KG),
+        reader.not_negative(element, "heat", HEAT),
     )
 
 

@@ -64,6 +64,24 @@ def test_nothing_within_range_reads_255():
     assert sonars('<wall x1="262.5in" y1="-9m" x2="262.5in" y2="9m" thickness="1in"/>')[0] == 254
 
 
+def tenths(driver: Driver, *, fire: int) -> list[int]:
+    """Gives the readings as the CRS report has them."""
+    message, _ = driver.post("SONAR", fire)
+    assert (message["result"], message["size"]) == (1, 64)
+    return message["data"][:64].view("<i4").tolist()
+
+
+def test_the_report_reads_tenths_of_inches_and_minus_1_for_nothing():
+    driver = Driver.of(open_world('<robot x="0" y="0"/><cylinder x="50.3in" y="0" radius="10in"/>'))
+    readings = tenths(driver, fire=1)
+    assert readings[0] == 323
+    assert readings[2:15] == [-1] * 13
+    assert tenths(driver, fire=0) == readings
+    driver.ask("CONF_SN", 15, data=bytes([4, 5]))
+    assert tenths(driver, fire=0) == [-1] * 16, "sonar 0 is not in the firing order any more"
+    assert tenths(driver, fire=1) == readings
+
+
 def test_a_thing_that_touches_the_shell_reads_0():
     assert sonars('<cylinder x="18in" y="0" radius="10in"/>')[0] == 0
 

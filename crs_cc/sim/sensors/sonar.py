@@ -24,7 +24,7 @@ from crs_cc.sim.rays import Fan
 from crs_cc.sim.robot_elements import MAX_SONARS
 from crs_cc.sim.states.sonar import NO_ECHO
 from crs_cc.sim.surroundings import Surroundings
-from crs_cc.units import m_to_inch
+from crs_cc.units import m_to_inch, m_to_tenths_inch
 
 if TYPE_CHECKING:
     from crs_cc.sim.equipment import Equipment
@@ -75,6 +75,7 @@ class SonarRing:
         distance_m += self._errors_m(state, rows)
         inches = np.clip(np.rint(m_to_inch(distance_m)), 0, NO_ECHO)
         state.sonar.reading_in[rows] = inches.astype(np.int32)
+        state.sonar.echo_m[rows] = distance_m
         state.sonar.cycle[rows] = state.cycle
         state.sonar.count[rows] += 1
 
@@ -102,6 +103,19 @@ def conf_sn(
     fires[robot, order[robot, element]] = True
     state.sonar.on[rows[good]] = fires[good]
     return good
+
+
+def tell_tenths(state: EnvState, rows: IndexArray, messages: Messages) -> None:
+    """Puts readings as the CRS report has them into replies: 0.1 in, -1 for no echo.
+
+    Those of all sonars, or with `i[0]` = 0 of those in the firing order alone.
+    """
+    echo_m = np.maximum(state.sonar.echo_m[rows], 0.0)
+    heard = np.isfinite(echo_m) & (state.sonar.on[rows] | (messages["i"][:, :1] != 0))
+    tenths = np.rint(m_to_tenths_inch(np.where(heard, echo_m, 0.0)))
+    told = np.where(heard, tenths, -1).astype("<i4")
+    messages["size"] = told.itemsize * MAX_SONARS
+    messages["data"][:, : told.itemsize * MAX_SONARS] = told.view(np.uint8)
 
 
 def _fan(model: RobotModel) -> Fan:

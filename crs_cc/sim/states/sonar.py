@@ -24,13 +24,15 @@ class SonarState:
 
     Attributes:
         on: the sonars in the firing order, (robots, 16).
-        reading_in: what each measured last [in], (robots, 16).
+        reading_in: what each told last [in], (robots, 16).
+        echo_m: how far away its last echo came from [m], infinite for none, (robots, 16).
         cycle: the cycle of these readings, -1 before the first, (robots,).
         count: how many readings were taken, (robots,).
     """
 
     on: BoolArray
     reading_in: npt.NDArray[np.int32]
+    echo_m: npt.NDArray[np.float64]
     cycle: npt.NDArray[np.int64]
     count: npt.NDArray[np.int64]
 
@@ -44,6 +46,7 @@ class SonarState:
         return cls(
             on,
             np.full((count, MAX_SONARS), NO_ECHO, dtype=np.int32),
+            np.full((count, MAX_SONARS), np.inf),
             np.full(count, -1, dtype=np.int64),
             np.zeros(count, dtype=np.int64),
         )

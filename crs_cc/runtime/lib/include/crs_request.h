@@ -78,6 +78,9 @@ struct __crs_message {
 #define CRS_QUIT_SERVER 153
 #define CRS_CREATE 154
 #define CRS_SPECIAL 155
+#define CRS_SONAR 160
+#define CRS_HEAT 161
+#define CRS_TAG 162
 
 /* Posts the message and gives the reply's result. */
 int __crs_request(int code, struct __crs_message *message);

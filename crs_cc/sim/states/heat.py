@@ -1,0 +1,31 @@
+"""How hot things are."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.model import Wall, WorldModel
+from crs_cc.sim.scene import Scene
+
+
+@dataclass(slots=True)
+class HeatState:
+    """How hot all things are.
+
+    Attributes:
+        left: the heat of each thing, in the order of `Scene.names`: robots, what can be pushed,
+            what cannot; shape (things,).
+    """
+
+    left: npt.NDArray[np.float64]
+
+    @classmethod
+    def at_start(cls, world: WorldModel, scene: Scene) -> Self:
+        """Gives the heat that the world file gives to each thing; walls have none."""
+        things = (*world.robots, *scene.pushables, *scene.fixed_solids)
+        heats = [0.0 if isinstance(thing, Wall) else thing.heat for thing in things]
+        return cls(np.array(heats, dtype=np.float64))

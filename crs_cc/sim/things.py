@@ -1,0 +1,100 @@
+"""The shapes of all things, and how far a point is from them.
+
+A thing is a rectangle with a margin around it: of a box the margin is 0, of what is round the
+rectangle is a point and the margin its radius.
+
+>>> from crs_cc.sim.model import Area, Box, Cylinder, Pose, WorldModel
+>>> desk, bin = Box("desk", Pose(3.0, 0.0), 2.0, 1.0), Cylinder("bin", Pose(0.0, 4.0), 0.5)
+>>> area = Area(-5, -5, 10, 10, edge_m=0)
+>>> things = Things.of(WorldModel("w", area, boxes=(desk,), cylinders=(bin,)))
+>>> things.distance_m(things.fixed, np.array([0, 1]), np.zeros(2), np.zeros(2)).tolist()
+[2.0, 3.5]
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.model import Box, Cylinder, Robot, Solid, Wall, WorldModel
+from crs_cc.sim.scene import Scene
+
+if TYPE_CHECKING:
+    from crs_cc.sim.physics import Bodies
+
+FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.intp]
+
+
+@dataclass(frozen=True, slots=True)
+class Things:
+    """The shapes of all things, in the order of `Scene.names`.
+
+    Attributes:
+        half_m: half the length and width of the rectangle, (things, 2).
+        margin_m: how far the thing reaches beyond it, (things,).
+        fixed: x, y [m] and heading [rad] of the things that never move, the last ones, (fixed, 3).
+    """
+
+    half_m: FloatArray
+    margin_m: FloatArray
+    fixed: FloatArray
+
+    @classmethod
+    def of(cls, world: WorldModel) -> Self:
+        """Gives the things of a world; walls are points, as nobody asks for them."""
+        scene = Scene(world)
+        things = (*world.robots, *scene.pushables, *scene.fixed_solids)
+        shapes = np.array([_shape(thing) for thing in things], dtype=np.float64).reshape(-1, 3)
+        fixed = [_pose(thing) for thing in scene.fixed_solids]
+        return cls(shapes[:, :2], shapes[:, 2], np.array(fixed, dtype=np.float64).reshape(-1, 3))
+
+    @property
+    def reach_m(self) -> FloatArray:
+        """How far each thing reaches from its middle, (things,)."""
+        return np.hypot(self.half_m[:, 0], self.half_m[:, 1]) + self.margin_m
+
+    def poses(self, bodies: Bodies) -> FloatArray:
+        """Gives x, y [m] and heading [rad] of all things, (things, 3)."""
+        moving = np.column_stack([bodies.position_m, bodies.angle_rad])
+        return np.concatenate([moving, self.fixed])
+
+    def distance_m(
+        self, poses: FloatArray, things: IndexArray, x_m: FloatArray, y_m: FloatArray
+    ) -> FloatArray:
+        """Gives the distance from points to the nearest point of things, 0 or less inside.
+
+        Args:
+            poses: of all things, see `poses`.
+            things: a thing for each point, (k,).
+            x_m: the points, (k,).
+            y_m: the same.
+        """
+        pose = poses[things]
+        east_m, north_m = x_m - pose[:, 0], y_m - pose[:, 1]
+        cos, sin = np.cos(pose[:, 2]), np.sin(pose[:, 2])
+        ahead_m = np.abs(cos * east_m + sin * north_m) - self.half_m[things, 0]
+        aside_m = np.abs(cos * north_m - sin * east_m) - self.half_m[things, 1]
+        outside_m = np.hypot(np.maximum(ahead_m, 0.0), np.maximum(aside_m, 0.0))
+        return np.asarray(outside_m - self.margin_m[things])
+
+
+def _shape(thing: Robot | Solid) -> tuple[float, float, float]:
+    """Gives half the length, half the width, and the margin [m]."""
+    match thing:
+        case Box():
+            return thing.length_m / 2, thing.width_m / 2, 0.0
+        case Cylinder():
+            return 0.0, 0.0, thing.radius_m
+        case Robot():
+            return 0.0, 0.0, thing.model.radius_m
+    return 0.0, 0.0, 0.0
+
+
+def _pose(thing: Solid) -> tuple[float, float, float]:
+    if isinstance(thing, Wall):
+        return thing.x1_m, thing.y1_m, 0.0
+    return thing.pose.x_m, thing.pose.y_m, thing.pose.heading_rad

@@ -1,0 +1,132 @@
+"""Heat: what warms a robot's sensor, and what tagging leaves of it."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from crs_cc.errors import WorldError
+from crs_cc.sim.world_xml import load_world
+from tests.sim.driver import SCOUT_RADIUS_M, Driver, open_world, world_of
+
+
+def heat(driver: Driver, robot: int = 0) -> int:
+    message, _ = driver.post("HEAT", robot=robot)
+    assert message["result"] == 1
+    return int(message["i"][0])
+
+
+def of(things: str, robot: str = '<robot x="0" y="0"/>') -> Driver:
+    return Driver.of(open_world(robot + things))
+
+
+def test_where_nothing_is_hot_the_sensor_reads_0():
+    assert heat(of('<cylinder x="1m" y="0" radius="20cm"/>')) == 0
+
+
+def test_the_heat_of_all_things_in_range_is_added_whatever_their_distance():
+    stove = '<cylinder x="{}m" y="0" radius="20cm" heat="{}"/>'
+    assert heat(of(stove.format(1, 1))) == 1
+    assert heat(of(stove.format(-3, 1))) == 1
+    assert heat(of(stove.format(1, 1) + stove.format(-3, 2.5) + stove.format(9, 5))) == 4
+
+
+@pytest.mark.parametrize(
+    ("thing", "edge_m"),
+    [
+        ('<cylinder x="{}m" y="0" radius="50cm" heat="1"/>', 0.5),
+        ('<box x="{}m" y="0" length="2m" width="1m" heat="1"/>', 1.0),
+        ('<box x="{}m" y="0" heading="90" length="2m" width="1m" heat="1" mass="9kg"/>', 0.5),
+        ('<box x="0" y="{}m" length="2m" width="1m" heat="1"/>', 0.5),
+        ('<robot x="0" y="{}m" heat="1"/>', SCOUT_RADIUS_M),
+    ],
+)
+def test_the_nearest_point_decides(thing: str, edge_m: float):
+    assert heat(of(thing.format(3 + edge_m - 0.01))) == 1
+    assert heat(of(thing.format(3 + edge_m + 0.01))) == 0
+
+
+def test_walls_do_not_stop_heat():
+    wall = '<wall x1="50cm" y1="-5m" x2="50cm" y2="5m"/>'
+    assert heat(of(wall + '<cylinder x="1m" y="0" radius="20cm" heat="1"/>')) == 1
+
+
+def test_robots_warm_each_other_but_not_themselves():
+    driver = of("", '<robot x="0" y="0" heat="3"/><robot x="1m" y="0" heat="4"/>')
+    assert (heat(driver, 0), heat(driver, 1)) == (4, 3)
+
+
+def test_tagging_takes_the_heat_from_all_things_in_range_for_all_robots():
+    things = '<cylinder x="2m" y="0" radius="20cm" heat="1"/><robot x="1m" y="0" heat="1"/>'
+    far = '<cylinder x="5m" y="0" radius="20cm" heat="7"/>'
+    driver = of(things + far, '<robot x="0" y="0" heat="2"/>')
+    assert heat(driver, 0) == 2
+    message, _ = driver.post("TAG")
+    assert (message["result"], message["i"][0]) == (1, 2)
+    assert driver.state.heat.left.tolist() == [2.0, 0.0, 0.0, 7.0]
+    assert heat(driver, 0) == 0
+    assert heat(driver, 1) == 2, "its own heat stays with the one who tags"
+    message, _ = driver.post("TAG")
+    assert message["i"][0] == 0
+
+
+def test_heat_moves_with_what_is_pushed():
+    box = '<box x="5m" y="5m" length="40cm" width="40cm" mass="1kg" heat="1"/>'
+    driver = Driver.of(world_of(box + '<robot x="3m" y="5m"/><robot x="9m" y="5m"/>'))
+    assert heat(driver, 1) == 0
+    driver.ask("VM", 300, 300)
+    driver.run_s(5)
+    assert driver.state.bodies.position_m[2, 0] > 6
+    assert heat(driver, 1) == 1
+
+
+def test_many_robots_feel_what_each_would_alone():
+    generator = np.random.default_rng(7)
+    places = generator.uniform(0.5, 19.5, (60, 2))
+    things = "".join(
+        f'<robot x="{x:.3f}m" y="{y:.3f}m" heat="{1 + number % 3}"/>'
+        for number, (x, y) in enumerate(places.round(3))
+        if all(np.hypot(*(places[:number] - (x, y)).T) > 0.5)
+    )
+    driver = Driver.of(world_of(things, 'length="20m" width="20m" edge="0"'))
+    state = driver.state
+    for robot in range(len(state.x_m)):
+        apart_m = np.hypot(state.x_m - state.x_m[robot], state.y_m - state.y_m[robot])
+        near = apart_m <= 3 + SCOUT_RADIUS_M
+        near[robot] = False
+        assert heat(driver, robot) == state.heat.left[near].sum()
+
+
+def test_heat_is_part_of_a_snapshot_and_of_the_hash():
+    driver = of('<cylinder x="2m" y="0" radius="20cm" heat="1"/>')
+    before, hash_before = driver.environment.snapshot(), driver.environment.hash()
+    driver.post("TAG")
+    assert driver.environment.hash() != hash_before
+    driver.environment.restore(before)
+    assert driver.environment.hash() == hash_before
+    assert heat(driver) == 1
+
+
+def test_a_robot_without_the_sensor_refuses(tmp_path):
+    bare = """<robot-definition version="1" name="bare"><body radius="10cm" mass="3kg"/>
+        <drive wheel-base="20cm" speed-limit="1m/s" acceleration-limit="1m/s2" speed="1m/s"
+               acceleration="1m/s2"/>{}</robot-definition>"""
+    (tmp_path / "bare.xml").write_text(bare.format(""))
+    (tmp_path / "hot.xml").write_text(bare.format('<heat range="2m" tag-range="1m"/>'))
+    world = """<world version="1"><area length="9m" width="9m"/>
+        <robot x="2m" y="2m" definition="bare.xml"/><robot x="4m" y="2m" definition="hot.xml"/>
+        <cylinder x="5.5m" y="2m" radius="20cm" heat="1"/></world>"""
+    (tmp_path / "world.xml").write_text(world)
+    driver = Driver.of(load_world(tmp_path / "world.xml"))
+    for request in ("HEAT", "TAG"):
+        message, _ = driver.post(request, robot=0)
+        assert (message["result"], message["i"][0]) == (0, 0)
+    assert heat(driver, 1) == 1
+    message, _ = driver.post("TAG", robot=1)
+    assert (message["result"], message["i"][0]) == (1, 0), "as near as 1m is nothing hot"
+
+
+@pytest.mark.parametrize("heat_", ["-1", "warm", "1m", "1e9"])
+def test_heat_is_a_number_that_is_not_negative(heat_: str):
+    with pytest.raises(WorldError, match="heat"):
+        of(f'<cylinder x="2m" y="0" radius="20cm" heat="{heat_}"/>')
