@@ -23,6 +23,7 @@ from crs_cc.ir.program import (
     Function,
     Instruction,
     Load,
+    MemoryType,
     Program,
     Relocation,
     Store,
@@ -88,6 +89,7 @@ def link(units: Sequence[Program], library: Library, diagnostics: Diagnostics) -
         work.extend(references(found))
     if not diagnostics.errors:
         _check_uses(whole, diagnostics)
+        _check_arguments(whole, diagnostics)
     if diagnostics.errors:
         raise CompileError(diagnostics.errors)
     return whole
@@ -115,6 +117,51 @@ def _check_uses(whole: Program, diagnostics: Diagnostics) -> None:
                 by_library = in_library(instruction.location)
                 place = defined if by_library else instruction.location
                 diagnostics.error(place, text, f"it is defined at {defined}")
+
+
+def _check_arguments(whole: Program, diagnostics: Diagnostics) -> None:
+    """Warns of arguments that no prototype converted to what the called function takes."""
+    for function in whole.functions.values():
+        if in_library(function.location):
+            continue
+        for block in function.blocks:
+            call = block.terminator
+            if isinstance(call, Call) and isinstance(call.callee, str):
+                callee = whole.functions.get(call.callee)
+                if callee is not None:
+                    _compare_arguments(call, callee, diagnostics)
+
+
+def _compare_arguments(call: Call, callee: Function, diagnostics: Diagnostics) -> None:
+    pairs = zip(call.arguments, callee.parameters, strict=False)
+    for number, (argument, parameter) in enumerate(pairs, start=1):
+        passed, taken = _passed_as(argument.memory), _passed_as(parameter.memory)
+        if passed != taken:
+            text = f"argument {number} is passed as {passed}, but '{callee.name}' takes {taken}"
+            hint = "without a prototype nothing converts it; " + _where_defined(callee)
+            diagnostics.warning(call.location, text, hint)
+            return
+
+
+def _passed_as(memory: MemoryType | None) -> str:
+    """Gives what a value is among arguments, where everything takes 4 bytes or more."""
+    match memory:
+        case None:
+            return "a struct"
+        case "f64":
+            return "a double"
+        case "f32":
+            return "a float"
+        case "i64":
+            return "a long long"
+        case _:
+            return "an integer"
+
+
+def _where_defined(callee: Function) -> str:
+    if in_library(callee.location):
+        return "include the header that declares it"
+    return f"it is defined at {callee.location}"
 
 
 def join(units: Sequence[Program], diagnostics: Diagnostics) -> Program:

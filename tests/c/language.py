@@ -148,6 +148,7 @@ FEATURES: dict[str, dict[str, str]] = {
     "What is C, but hardly meant": {
         "formats against arguments": "warned/formats/printf",
         "formats against what is read into": "warned/formats/scanf",
+        "arguments that no prototype converts": "warned/calls/no_prototype",
         "values nobody uses": "warned/values/unused",
         "indices outside the array": "warned/values/indices",
         "variables without a value": "warned/paths/uninitialised",
