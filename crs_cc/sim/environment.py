@@ -36,10 +36,11 @@ from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.physics import Contacts, Physics, PhysicsSnapshot
 from crs_cc.sim.scene import Scene
-from crs_cc.sim.sensors import bumper, sonar
+from crs_cc.sim.sensors import sonar
+from crs_cc.sim.sensors.bumper import Bumpers
 from crs_cc.sim.sensors.sonar import SonarRing
 from crs_cc.sim.state import EnvState
-from crs_cc.sim.state_vector import state_vector
+from crs_cc.sim.state_vector import configuration, state_vector
 from crs_cc.sim.step import Served, Step, slices_of
 from crs_cc.sim.surroundings import Surroundings
 
@@ -88,6 +89,7 @@ class Environment:
         self._names = scene.names
         self._equipment = Equipment.of(world)
         self._physics = Physics(world, scene, self.state.bodies)
+        self._bumpers = Bumpers(world)
         self._sonars = SonarRing(world, seed)
         self._around = Surroundings(scene, self._sonars.fans)
         self._served: list[Served] = []
@@ -241,9 +243,13 @@ class Environment:
         np.add.at(state.collisions, robot[began], 1)
         bearing_rad = np.arctan2(contacts.y_m - state.y_m[robot], contacts.x_m - state.x_m[robot])
         bearing_rad -= state.heading_rad[robot]
-        state.bumpers.pressed[:] = 0
-        bits = bumper.pressed(bearing_rad, self._equipment.switches[robot])
-        np.bitwise_or.at(state.bumpers.pressed, robot, bits)
+        before = state.bumpers.pressed
+        pressed = np.zeros_like(before)
+        np.bitwise_or.at(pressed, robot, self._bumpers.pressed(robot, bearing_rad))
+        state.bumpers.pressed = pressed
+        hit = np.flatnonzero(pressed & ~before)
+        if len(hit):
+            state.bumpers.hit.note(hit, self.end_s, configuration(state, hit))
         return Contacts(
             robot[began], contacts.other[began], contacts.x_m[began], contacts.y_m[began]
         )

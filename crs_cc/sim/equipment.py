@@ -23,7 +23,6 @@ class Equipment:
         wheel_base_m: distance between the wheels.
         speed_limit_mps: the fastest that a wheel can run.
         ramp_limit_mps2: the fastest that its speed can change.
-        switches: number of bumper switches.
         heat_range_m: how far the heat sensor senses, 0 where there is none.
         tag_range_m: how far heat is taken away.
         things: the shapes of all things.
@@ -33,7 +32,6 @@ class Equipment:
     wheel_base_m: FloatArray
     speed_limit_mps: FloatArray
     ramp_limit_mps2: FloatArray
-    switches: npt.NDArray[np.int64]
     heat_range_m: FloatArray
     tag_range_m: FloatArray
     things: Things
@@ -47,7 +45,6 @@ class Equipment:
             np.array([model.drive.wheel_base_m for model in models]),
             np.array([model.drive.speed_limit_mps for model in models]),
             np.array([model.drive.acceleration_limit_mps2 for model in models]),
-            np.array([model.bumper_switches for model in models], dtype=np.int64),
             np.array([model.heat.range_m for model in models]),
             np.array([model.heat.tag_range_m for model in models]),
             Things.of(world),

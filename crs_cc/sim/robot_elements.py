@@ -5,15 +5,13 @@ from __future__ import annotations
 from typing import Final
 
 from crs_cc.requests import REQUESTS
+from crs_cc.sim import sensor_elements
 from crs_cc.sim.document import Element, Reader
 from crs_cc.sim.quantity import ACCELERATION, ANGLE, FORCE, FREQUENCY, LENGTH, MASS, SPEED, TIME
 from crs_cc.sim.robot_model import Drive, Heat, RobotModel, Sonar
 
 MAX_SONARS: Final = 16
 """The vendor's `State` array has 16 places for sonars (vendor header `Nclient.h` 1.29)."""
-
-MAX_SWITCHES: Final = 24
-"""The bumpers' state is 3 bytes wide (vendor source `Ndirect.c` 2.7)."""
 
 _BITS_PER_BYTE: Final = 10  # one start bit, eight data bits, one stop bit
 _MOST_BYTES: Final = 65_535
@@ -35,8 +33,8 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         sonars=sonars,
         sonar_order=_sonar_order(root.first("sonars"), sonars, reader),
         sonar_noise_m=reader.not_negative(root.first("sonars"), "noise", LENGTH),
-        bumper_switches=reader.whole(root.first("bumpers"), "switches", 1, MAX_SWITCHES),
         heat=_heat(root.first("heat"), reader),
+        bumpers=sensor_elements.bumpers(root, reader),
         link_s=_link(root.first("link"), reader),
         host_speed_hz=reader.positive(root.first("host"), "speed", FREQUENCY, 5e7),
     )

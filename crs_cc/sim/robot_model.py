@@ -14,6 +14,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from crs_cc.sim.sensor_model import Switch
+
 
 @dataclass(frozen=True, slots=True)
 class Sonar:
@@ -95,9 +97,8 @@ class RobotModel:
         sonars: its sonars, by rising id.
         sonar_order: firing order until the program sets another.
         sonar_noise_m: standard deviation of a sonar's error.
-        bumper_switches: number of equal switches around the body; switch 0 is centred ahead and
-            they count counter-clockwise.
         heat: its heat sensor.
+        bumpers: the switches of its bumpers.
         link_s: time that each command takes on the line between host and robot, by name.
         host_speed_hz: how many IR instructions the host computer runs in a second.
     """
@@ -109,7 +110,7 @@ class RobotModel:
     sonars: tuple[Sonar, ...] = ()
     sonar_order: tuple[int, ...] = ()
     sonar_noise_m: float = 0.0
-    bumper_switches: int = 0
     heat: Heat = Heat()
+    bumpers: tuple[Switch, ...] = ()
     link_s: tuple[tuple[str, float], ...] = ()
     host_speed_hz: float = 5e7

@@ -33,6 +33,7 @@ CONF_Y: Final = 35  # [0.1 in]
 CONF_STEER: Final = 36  # [0.1 deg], 0 to 3599
 VEL_RIGHT: Final = 38  # [0.1 in/s]
 VEL_LEFT: Final = 39  # [0.1 in/s]
+VEL_TURRET: Final = 40  # [0.1 deg/s]
 MOTOR_STATUS: Final = 41  # bit 0 right wheel moves, bit 1 left wheel moves
 
 _REAL_TIME: Final = 10
@@ -56,6 +57,11 @@ def state_vector(state: EnvState, rows: IndexArray) -> npt.NDArray[np.int32]:
     moves = speed_mps != 0.0
     vector[:, MOTOR_STATUS] = moves[:, 0] + 2 * moves[:, 1]
     return vector
+
+
+def configuration(state: EnvState, rows: IndexArray) -> npt.NDArray[np.int32]:
+    """Gives the part of `State` that tells where robots are and how fast, shape (k, 7)."""
+    return state_vector(state, rows)[:, CONF_X : VEL_TURRET + 1]
 
 
 def _whole(value: npt.NDArray[np.float64]) -> npt.NDArray[np.int32]:

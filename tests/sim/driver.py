@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import numpy as np
 
 from crs_cc.requests import CODES, MESSAGE
+from crs_cc.sim import world_xml
 from crs_cc.sim.environment import Environment
 from crs_cc.sim.step import Step
-from crs_cc.sim.world_xml import parse_world
+from crs_cc.sim.world_xml import load_world, parse_world
 
 INCH = 0.0254
 SCOUT_RADIUS_M = 8 * INCH
@@ -74,3 +76,20 @@ class Driver:
 def told(message) -> np.ndarray:
     """Gives the `State` that a reply carries."""
     return message["data"][:180].view("<i4").copy()
+
+
+def own_world(folder, *changes: tuple[str, str], things: str = "", timestep: str = "50ms"):
+    """Gives a wide world of robots whose definition is the Scout's with changes.
+
+    In `things`, `<robot` stands for such a robot; without `things` there is one at the origin.
+    """
+    text = (Path(world_xml.__file__).parent / "robots" / "scout.xml").read_text()
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new)
+    (folder / "own.xml").write_text(text)
+    things = (things or '<robot x="0" y="0"/>').replace("<robot", '<robot definition="own.xml"')
+    area = '<area length="2000m" width="2000m" origin="centre" edge="0"/>'
+    path = folder / "world.xml"
+    path.write_text(f'<world version="1" timestep="{timestep}">{area}{things}</world>')
+    return load_world(path)

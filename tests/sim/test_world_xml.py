@@ -419,7 +419,7 @@ def test_mistakes_in_a_robot_definition_are_told_with_their_own_place(tmp_path):
     assert all(message.startswith(f"{own}:") for message in found[1:])
     told = "\n".join(found)
     for expected in ("a second sensor with the id 2", "body, radius", "'FLY' is no command",
-                     "bumpers, switches: '99' is not a whole number, 1 to 24",
+                     "ring, switches: '99' is not a whole number, 1 to 24",
                      "order names sonar 3"):  # fmt: skip
         assert expected in told
 

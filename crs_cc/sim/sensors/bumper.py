@@ -1,41 +1,71 @@
-"""The bumper ring: equal switches around the body, pressed by what touches them.
+"""The bumpers: switches around the body, pressed by what touches them.
 
-    switch = floor((bearing + half a switch) / a switch)
+    pressed when -span / 2 <= bearing of the contact - bearing of the switch < span / 2
 
-with the bearing of the contact from ahead, counter-clockwise; so switch 0 is centred ahead and the
-switches count like the sonars. Switch n is bit n of `State[33]`, which is 3 bytes wide. The vendor
-does not say how the Scout's switches lie; this layout was chosen by us (see `robots/scout.xml`).
+with bearings from ahead, counter-clockwise, as seen from the middle of the robot. So where switches
+follow each other without a gap, each contact presses one; between switches with gaps it presses
+none, where their spans overlap it presses both. Which bit of `State[33]` a switch sets is said by
+the robot definition (vendor header `Nclient.h` 1.29 names no layout, and every known Scout program
+asks for "not 0" only). Source of the geometry: Player's driver of the Nomad 200, whose 20 switches
+lie 18 degrees apart.
 
-A switch is pressed at a cycle's start when something touched it in the cycle before. No degradation
-yet.
-
->>> eight = np.array([8, 8, 8])
->>> pressed(np.array([0.0, math.pi / 2, -0.3]), eight).tolist()    # ahead, left, ahead right
-[1, 4, 1]
+A switch is pressed at a cycle's start when something touched it in the cycle before, whether or not
+the wheels turn. It has no degradation.
 """
 
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 import numpy.typing as npt
 
 if TYPE_CHECKING:
-    pass
+    from crs_cc.sim.model import WorldModel
+    from crs_cc.sim.robot_model import RobotModel
 
 FloatArray = npt.NDArray[np.float64]
-WholeArray = npt.NDArray[np.int64]
+IndexArray = npt.NDArray[np.intp]
+
+_TURN: Final = 2 * math.pi
+_ON_EDGE_RAD: Final = 1e-9  # rounding must not let a contact slip between two switches that meet
 
 
-def pressed(bearing_rad: FloatArray, switches: WholeArray) -> npt.NDArray[np.int32]:
-    """Gives the bit of the switch at each bearing.
+class Bumpers:
+    """The switches of all robots of a world.
 
-    Args:
-        bearing_rad: bearings of contacts in the robot frame.
-        switches: how many switches the robot has; 0 for no bumpers.
+    >>> from crs_cc.sim.world_xml import empty_world
+    >>> bumpers = Bumpers(empty_world())        # a Scout: eight switches, the first one ahead
+    >>> bumpers.pressed(np.array([0, 0, 0]), np.array([0.0, math.pi / 2, -0.3])).tolist()
+    [1, 4, 1]
     """
-    number = np.floor(bearing_rad * switches / (2 * math.pi) + 0.5).astype(np.int64)
-    bits = np.left_shift(1, number % np.maximum(switches, 1))
-    return np.where(switches > 0, bits, 0).astype(np.int32)
+
+    def __init__(self, world: WorldModel) -> None:
+        models = [robot.model for robot in world.robots]
+        kinds = list(dict.fromkeys(models))
+        self._kind = np.array([kinds.index(model) for model in models], dtype=np.intp)
+        most = max((len(model.bumpers) for model in kinds), default=0)
+        table = np.zeros((len(kinds), most, 3))  # robots with fewer switches have some without span
+        for row, model in zip(table, kinds, strict=True):
+            row[: len(model.bumpers)] = _switches(model)
+        self._bearing_rad, self._span_rad = table[..., 0], table[..., 1]
+        self._bit = table[..., 2].astype(np.int32)
+
+    def pressed(self, robots: IndexArray, bearing_rad: FloatArray) -> npt.NDArray[np.int32]:
+        """Gives the bits of the switches that contacts press, shape (k,).
+
+        Args:
+            robots: which robot each contact is of, k of them.
+            bearing_rad: where it touches that robot, shape (k,).
+        """
+        kinds = self._kind[robots]
+        span_rad = self._span_rad[kinds]
+        into_rad = bearing_rad[:, None] - self._bearing_rad[kinds] + span_rad / 2 + _ON_EDGE_RAD
+        bits = np.where(into_rad % _TURN < span_rad, self._bit[kinds], 0)
+        return np.asarray(np.bitwise_or.reduce(bits, axis=1))
+
+
+def _switches(model: RobotModel) -> FloatArray:
+    rows = [(switch.bearing_rad, switch.span_rad, 1 << switch.bit) for switch in model.bumpers]
+    return np.array(rows, dtype=np.float64).reshape(-1, 3)

@@ -1,4 +1,4 @@
-"""Which switches are pressed."""
+"""Which switches are pressed, and when the last one was."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.model import WorldModel
+from crs_cc.sim.states.moments import Moments
 
 
 @dataclass(slots=True)
@@ -16,12 +17,15 @@ class BumperState:
     """The switches of all robots.
 
     Attributes:
-        pressed: which are pressed, bit n for switch n, (robots,).
+        pressed: which are pressed, bit by bit as in `State[33]`, (robots,).
+        hit: when a switch was pressed last that was not pressed before.
     """
 
     pressed: npt.NDArray[np.int32]
+    hit: Moments
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
         """Gives switches that nothing presses."""
-        return cls(np.zeros(len(world.robots), dtype=np.int32))
+        count = len(world.robots)
+        return cls(np.zeros(count, dtype=np.int32), Moments.never(count))

@@ -1,0 +1,40 @@
+"""From the elements of a robot definition file to the models of its sensors."""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+from crs_cc.sim.document import Element, Reader
+from crs_cc.sim.quantity import ANGLE
+from crs_cc.sim.sensor_model import Switch
+
+BUMPER_BITS: Final = 24
+"""The bumpers' state is 3 bytes wide (vendor source `Ndirect.c` 2.7)."""
+
+_TURN: Final = 2 * math.pi
+_CLOCKWISE: Final = "clockwise"
+
+
+def bumpers(root: Element, reader: Reader) -> tuple[Switch, ...]:
+    """Gives the switches of all rings; mistakes go to the reader."""
+    rings = root.first("bumpers").all("ring")
+    return tuple(switch for ring in rings for switch in _ring(ring, reader))
+
+
+def _ring(ring: Element, reader: Reader) -> list[Switch]:
+    count = reader.whole(ring, "switches", 1, BUMPER_BITS, absent=1)
+    spacing_rad = reader.positive(ring, "spacing", ANGLE, _TURN / count)
+    span_rad = reader.positive(ring, "span", ANGLE, spacing_rad)
+    first_rad = reader.quantity(ring, "first", ANGLE)
+    side = -1 if ring.attributes.get("direction") == _CLOCKWISE else 1
+    bits = [int(bit) for bit in ring.attributes.get("bits", "").split()] or list(range(count))
+    if len(bits) != count:
+        reader.error(ring, f"bits gives {len(bits)} numbers for {count} switches")
+    for bit in bits:
+        if bit >= BUMPER_BITS:
+            reader.error(ring, f"bits has {bit}; the last one is {BUMPER_BITS - 1}")
+    return [
+        Switch(bit, (first_rad + side * number * spacing_rad) % _TURN, span_rad)
+        for number, bit in enumerate(bits)
+    ]

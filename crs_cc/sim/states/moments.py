@@ -1,0 +1,45 @@
+"""When and where something was measured last, for the vendor's `PosData`.
+
+>>> moments = Moments.never(2)
+>>> moments.note(np.array([1]), np.array([0.5]), np.array([[10, 0, 900, 900, 0, 0, 0]]))
+>>> moments.at_s.tolist(), moments.configuration[1, 2]
+([-1.0, 0.5], np.int32(900))
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final, Self
+
+import numpy as np
+import numpy.typing as npt
+
+FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.intp]
+
+_CONFIGURATION: Final = 7  # x, y, heading, turret, and the speeds of three axes
+
+
+@dataclass(slots=True)
+class Moments:
+    """The last measurement of each of some robots.
+
+    Attributes:
+        at_s: when it was; below 0 for never, shape (n,).
+        configuration: the robot's position and speeds then, as in `State[34]` to `[40]`, (n, 7).
+    """
+
+    at_s: FloatArray
+    configuration: npt.NDArray[np.int32]
+
+    @classmethod
+    def never(cls, count: int) -> Self:
+        """Gives robots that have not measured yet."""
+        return cls(np.full(count, -1.0), np.zeros((count, _CONFIGURATION), dtype=np.int32))
+
+    def note(
+        self, rows: IndexArray, at_s: FloatArray | float, configuration: npt.NDArray[np.integer]
+    ) -> None:
+        """Notes a measurement of some robots."""
+        self.at_s[rows] = at_s
+        self.configuration[rows] = configuration
