@@ -90,7 +90,8 @@ def _preprocess(
         diagnostics.error(place, "macros expand to far more than was written", hint)
     except StopError:
         pass  # the reason is among the diagnostics
-    return replace(run.writer.finish(run.state.report.places), macros=tuple(run.state.macros))
+    result = run.writer.finish(run.state.report.places)
+    return replace(result, macros=tuple(run.state.macros), uses=run.state.uses)
 
 
 class _Run:

@@ -23,6 +23,7 @@ from crs_cc.frontend.check import Unit
 from crs_cc.frontend.check_unit import check_unit
 from crs_cc.frontend.hopeless import GiveUp
 from crs_cc.frontend.lower_unit import lower_unit
+from crs_cc.frontend.macro_notes import add_macro_notes
 from crs_cc.frontend.options import Options
 from crs_cc.frontend.parse import parse
 from crs_cc.frontend.preprocess import preprocess, preprocess_text
@@ -76,11 +77,13 @@ def _unit(name: str, options: Options, diagnostics: Diagnostics) -> Unit:
 
 def _compile(preprocessed: Callable[[], Preprocessed], unit: Unit) -> Program:
     diagnostics = unit.diagnostics
+    sources: list[Preprocessed] = []
     programs: list[Program] = []
     diagnostics.stage = "preprocessing"
 
     def work() -> None:
-        programs.append(_stages(unit, preprocessed()))
+        sources.append(preprocessed())
+        programs.append(_stages(unit, sources[0]))
 
     try:
         _with_deep_stack(work)
@@ -91,6 +94,8 @@ def _compile(preprocessed: Callable[[], Preprocessed], unit: Unit) -> Program:
     diagnostics.sort()
     diagnostics.shorten(MOST_SHOWN)
     if diagnostics.errors:
+        if sources:
+            add_macro_notes(diagnostics, sources[0], unit.headers)
         raise CompileError(diagnostics.errors)
     return programs[0]
 

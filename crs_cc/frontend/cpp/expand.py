@@ -25,11 +25,15 @@ from dataclasses import dataclass, field
 from crs_cc.frontend.cpp.budget import Budget
 from crs_cc.frontend.cpp.macros import DEFINED, Macro
 from crs_cc.frontend.cpp.report import Report
+from crs_cc.frontend.cpp.source_text import Place
 from crs_cc.frontend.cpp.substitute import substitute
 from crs_cc.frontend.cpp.tokens import NAME, Token
 
 MoreTokens = Callable[[], list[Token] | None]
 """Gives the tokens of the next line, and none at the end of the file."""
+
+MacroUses = dict[Place, list[Macro]]
+"""The macros that were replaced at a place: the one that was called, and those in its body."""
 
 
 def expand(
@@ -38,6 +42,8 @@ def expand(
     budget: Budget,
     report: Report,
     more: MoreTokens | None = None,
+    *,
+    uses: MacroUses | None = None,
 ) -> list[Token]:
     """Replaces all macros in tokens.
 
@@ -47,11 +53,13 @@ def expand(
         budget: what pays for it.
         report: hears of wrong calls.
         more: gives the next line when a call does not end on this one.
+        uses: takes note of what is replaced.
 
     Raises:
         ExhaustedError: the budget is used up.
     """
-    return _Expansion(macros, budget, report, more).run(tokens)
+    uses = {} if uses is None else uses
+    return _Expansion(macros, budget, report, more, uses=uses).run(tokens)
 
 
 @dataclass(slots=True)
@@ -93,11 +101,14 @@ class _Expansion:
         budget: Budget,
         report: Report,
         more: MoreTokens | None,
+        *,
+        uses: MacroUses,
     ) -> None:
         self.macros = macros
         self.budget = budget
         self.report = report
         self.more = more
+        self.uses = uses
         self.active: set[str] = set()
 
     def run(self, tokens: Sequence[Token]) -> list[Token]:
@@ -249,6 +260,7 @@ class _Expansion:
             budget=self.budget,
             report=self.report,
         )
+        self.uses.setdefault(name.place, []).append(call.macro)
         if tokens:
             job.contexts.append(_Context(iter(tokens), name.text))
             self.active.add(name.text)

@@ -13,10 +13,11 @@ r"""The preprocessed program, with a map back to the user's files.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Final
 
+from crs_cc.frontend.cpp.macros import Macro
 from crs_cc.frontend.cpp.source_text import Place, Places
 from crs_cc.frontend.cpp.tokens import NAME, NUMBER, PUNCTUATOR, Token
 from crs_cc.source import Location
@@ -37,6 +38,7 @@ class Preprocessed:
     Attributes:
         text: the program, for the parser.
         macros: the names of the macros at its end.
+        uses: the macros that were replaced, by the place.
     """
 
     text: str
@@ -44,6 +46,7 @@ class Preprocessed:
     _lines: list[Place | _TokenLine]
     _places: Places
     macros: tuple[str, ...] = ()
+    uses: Mapping[Place, Sequence[Macro]] = field(default_factory=dict)
 
     def location(self, line: int, column: int) -> Location:
         """Gives the place in the user's files of a place in `text`.
@@ -67,6 +70,14 @@ class Preprocessed:
             return self._places.location(mapped.places[index])
         offset = min(max(column, 1) - 1, len(self._rows[row]))
         return self._places.location(mapped + offset)
+
+    def macro_uses(self) -> dict[Location, Sequence[Macro]]:
+        """Gives the macros that were replaced, by the location of the one that was called."""
+        return {self._places.location(place): macros for place, macros in self.uses.items()}
+
+    def definition(self, macro: Macro) -> Location:
+        """Gives where a macro is defined."""
+        return self._places.location(macro.place)
 
 
 _AS_SPACE: Final = str.maketrans("\v\f", "  ")

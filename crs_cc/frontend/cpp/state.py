@@ -21,7 +21,7 @@ from typing import Final
 
 from crs_cc.frontend.cpp import gnu
 from crs_cc.frontend.cpp.budget import Budget
-from crs_cc.frontend.cpp.expand import MoreTokens, expand
+from crs_cc.frontend.cpp.expand import MacroUses, MoreTokens, expand
 from crs_cc.frontend.cpp.includes import Header, Headers, Refusal, read_regular_file
 from crs_cc.frontend.cpp.macros import DEFINED, Macro
 from crs_cc.frontend.cpp.reader import Reader
@@ -60,6 +60,7 @@ class State:
         strict: whether the program is written in ISO C, with trigraphs.
         kept_macros: what `#pragma push_macro` keeps of each name.
         pending: tokens that a directive puts into the program.
+        uses: the macros that the program uses, by the place.
     """
 
     report: Report
@@ -73,6 +74,7 @@ class State:
     strict: bool = False
     kept_macros: dict[str, list[Macro | None]] = field(default_factory=dict)
     pending: list[Token] = field(default_factory=list)
+    uses: MacroUses = field(default_factory=dict)
     _texts: dict[Path, SourceText] = field(default_factory=dict)
 
     @property
@@ -97,7 +99,7 @@ class State:
 
     def expand(self, tokens: Sequence[Token], more: MoreTokens | None = None) -> list[Token]:
         """Replaces all macros in tokens; `more` gives the next lines for a call that goes on."""
-        return expand(tokens, self.macros, self.budget, self.report, more)
+        return expand(tokens, self.macros, self.budget, self.report, more, uses=self.uses)
 
     def expand_condition(self, tokens: Sequence[Token]) -> list[Token]:
         """Replaces all macros in the expression of `#if`, but no operands of `defined`."""
