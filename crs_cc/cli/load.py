@@ -11,7 +11,7 @@ import click
 from crs_cc.cli.compiler_options import gathered, merged
 from crs_cc.cli.inputs import demand_readable
 from crs_cc.session.build import build_executable
-from crs_cc.sim.world_xml import empty_world, load_world
+from crs_cc.sim.world_xml import empty_world, known_robots, load_world
 from crs_cc.source import Diagnostics, Location
 
 if TYPE_CHECKING:
@@ -66,12 +66,15 @@ def load(options: RunOptions, diagnostics: Diagnostics) -> Loaded:
 
 
 def _world(options: RunOptions) -> WorldModel:
-    path = options.inputs.world
+    path, robot = options.inputs.world, options.robot
+    if robot not in known_robots() and not robot.endswith(".xml"):
+        names = ", ".join(known_robots())
+        raise click.UsageError(f"unknown robot '{robot}': known are {names}, and files (.xml).")
     if path is None:
-        world = empty_world(options.setup)
+        world = empty_world(options.setup, robot)
     else:
         demand_readable(path)
-        world = load_world(path, options.setup)
+        world = load_world(path, options.setup, robot)
     return world.with_ideal_link() if options.link == "ideal" else world
 
 

@@ -36,6 +36,7 @@ class RunOptions:
         outputs: the folder that takes the files that the programs write; None to drop them.
         client: which of the vendor's client libraries the programs find.
         link: `ideal` for commands that take no time on the line between host and robot.
+        robot: the kind of the robots of which the world says none: a name, or a definition file.
         setup: the setup of all robots, such as `noisy`; empty for what the world says.
         trace_requests: show the request queue.
         as_json: give the results as JSON on stdout.
@@ -55,6 +56,7 @@ class RunOptions:
     outputs: Path | None = None
     client: Client = "nclient"
     link: Literal["serial", "ideal"] = "serial"
+    robot: str = "scout"
     setup: str = ""
     trace_requests: bool = False
     as_json: bool = False
@@ -132,6 +134,13 @@ def _time(_ctx: click.Context, _option: click.Parameter, time_s: float | None) -
     type=click.Path(file_okay=False, path_type=Path),
     metavar="DIR",
     help="Keep the files that the programs write; of several robots in DIR/ROBOT.",
+)
+@click.option(
+    "--robot",
+    default="scout",
+    show_default=True,
+    metavar="NAME|FILE.xml",
+    help="The kind of robot where the world file says none, such as nomad200.",
 )
 @click.option(
     "--setup",

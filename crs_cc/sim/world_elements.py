@@ -21,8 +21,8 @@ _TOO_SMALL_M: Final = 0.001
 _ID: Final = re.compile(r"[A-Za-z_][A-Za-z0-9_.\-]{0,63}")
 
 Thing = TypeVar("Thing")
-FindModel: TypeAlias = Callable[[Element, str], RobotModel]
-"""Gives the robot model with a name; notes it as a mistake of the element when there is none."""
+FindModel: TypeAlias = Callable[[Element], RobotModel]
+"""Gives the model of a robot; notes it as a mistake of the element when there is none."""
 
 
 def world_model(
@@ -50,7 +50,7 @@ def world_model(
         robots=tuple(
             Robot(
                 element.attributes["id"],
-                find_model(element, element.attributes.get("definition", "scout")),
+                find_model(element),
                 _pose(element, reader),
                 _program(element, folder, reader),
                 tuple(argument.text for argument in element.all("argument")),

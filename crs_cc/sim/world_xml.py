@@ -39,6 +39,9 @@ from crs_cc.source import Diagnostic, Diagnostics, Location
 
 MAX_BYTES: Final = 16 * 1024 * 1024
 
+SCOUT: Final = "scout"
+"""The kind of robot where nothing else is said."""
+
 IDEAL: Final = "ideal"
 """The setup that every robot definition has: the definition as it stands."""
 
@@ -55,31 +58,33 @@ _EMPTY_WORLD: Final = b"""<world version="1" name="empty">
 </world>"""
 
 
-def load_world(path: Path, setup: str = "") -> WorldModel:
+def load_world(path: Path, setup: str = "", robot: str = SCOUT) -> WorldModel:
     """Gives the world that a file describes.
 
     Args:
         path: the file.
         setup: the setup of all robots, such as `noisy`; by default what the file says.
+        robot: the kind of the robots of which the file says none: a name that comes with crs, or
+            the path of a definition file.
 
     Raises:
         WorldError: the file cannot be read, or is wrong; all mistakes are told at once.
     """
-    return _parse_world(_read_file(path), str(path), path.stem, path.parent, setup)
+    return _World(path.stem, str(path), path.parent, setup, robot).parse(_read_file(path))
 
 
-def parse_world(text: bytes, name: str, setup: str = "") -> WorldModel:
+def parse_world(text: bytes, name: str, setup: str = "", robot: str = SCOUT) -> WorldModel:
     """Gives the world that a text describes; `name` stands for it in messages.
 
     Raises:
         WorldError: the text is wrong; all mistakes are told at once.
     """
-    return _parse_world(text, name, name, None, setup)
+    return _World(name, name, None, setup, robot).parse(text)
 
 
-def empty_world(setup: str = "") -> WorldModel:
-    """Gives the built-in world: one Scout at the origin, wide and empty."""
-    return parse_world(_EMPTY_WORLD, "empty", setup)
+def empty_world(setup: str = "", robot: str = SCOUT) -> WorldModel:
+    """Gives the built-in world: one robot at the origin, wide and empty."""
+    return parse_world(_EMPTY_WORLD, "empty", setup, robot)
 
 
 def load_robot(path: Path, setup: str = "") -> RobotModel:
@@ -106,28 +111,41 @@ def known_robots() -> list[str]:
     return sorted(path.stem for path in _ROBOTS.glob("*.xml"))
 
 
-def _parse_world(text: bytes, file: str, name: str, folder: Path | None, setup: str) -> WorldModel:
-    diagnostics = Diagnostics(lines={file: _lines(text)})
-    root = _elements(text, "world.xsd", file, diagnostics)
-    reader = Reader(file, diagnostics)
-    definitions = _Definitions(folder, reader, setup)
-    world = world_model(root, name, folder, reader, definitions.find)
-    diagnostics.messages = _by_line(diagnostics.messages, file)
-    _raise_errors(diagnostics)
-    return world
-
-
 @dataclass(slots=True)
-class _Definitions:
-    """The robot definitions that a world uses, each read once for each setup."""
+class _World:
+    """A world file that is being read, and the robot definitions that it uses, each read once.
 
+    Attributes:
+        name: the world's name, if the file gives none.
+        file: what to call it in messages.
+        folder: where definitions and programs are looked for; None when it came from no file.
+        setup: the setup of all robots; empty for what the file says.
+        robot: the kind of the robots of which the file says none, by name or path.
+    """
+
+    name: str
+    file: str
     folder: Path | None
-    reader: Reader
     setup: str
-    found: dict[tuple[str, str], RobotModel | None] = field(default_factory=dict)
+    robot: str
+    reader: Reader = field(init=False)
+    found: dict[tuple[str | Path, str], RobotModel | None] = field(default_factory=dict)
 
-    def find(self, element: Element, name: str) -> RobotModel:
+    def parse(self, text: bytes) -> WorldModel:
+        diagnostics = Diagnostics(lines={self.file: _lines(text)})
+        root = _elements(text, "world.xsd", self.file, diagnostics)
+        self.reader = Reader(self.file, diagnostics)
+        world = world_model(root, self.name, self.folder, self.reader, self._model)
+        diagnostics.messages = _by_line(diagnostics.messages, self.file)
+        _raise_errors(diagnostics)
+        return world
+
+    def _model(self, element: Element) -> RobotModel:
+        """Gives the model of a robot; notes it as a mistake of the element when there is none."""
         setup = self.setup or element.attributes.get("setup", "")
+        name: str | Path = element.attributes.get("definition", "")
+        if not name:
+            name = self.robot if self.robot in known_robots() else Path(self.robot)
         if (name, setup) not in self.found:
             self.found[name, setup] = self._load(element, name, setup)
         model = self.found[name, setup]
@@ -136,8 +154,8 @@ class _Definitions:
             return _STAND_IN
         return model
 
-    def _load(self, element: Element, name: str, setup: str) -> RobotModel | None:
-        path = self._path(name)
+    def _load(self, element: Element, name: str | Path, setup: str) -> RobotModel | None:
+        path = name if isinstance(name, Path) else self._path(name)
         if path is None:
             self.reader.error(
                 element,
@@ -148,7 +166,7 @@ class _Definitions:
         try:
             return load_robot(path, setup)
         except WorldError as wrong:
-            self.reader.error(element, f"robot definition {name!r} cannot be used")
+            self.reader.error(element, f"robot definition {str(name)!r} cannot be used")
             self.reader.diagnostics.messages.extend(wrong.diagnostics)
             return None
 

@@ -16,6 +16,7 @@ from pathlib import Path
 import pytest
 from lxml import etree
 
+import crs_cc.sim
 from crs_cc.cli.main import main
 
 PAIR = """<world version="1" name="pair"><area length="6m" width="4m"/>
@@ -446,6 +447,24 @@ def test_an_ideal_link_lets_a_program_run_faster(capfd: pytest.CaptureFixture[st
         assert main(["run", "drive.c", "--link", link, "--json"]) == 0
         ends_s.append(json.loads(capfd.readouterr().out)["robots"][0]["time_s"])
     assert ends_s[1] < ends_s[0]
+
+
+def test_an_unknown_robot_is_told_with_those_there_are(capfd: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "drive.c", "--robot", "marvin"]) == 2
+    assert "scout" in capfd.readouterr().err
+
+
+def test_a_robot_can_be_of_ones_own_making(capfd: pytest.CaptureFixture[str]) -> None:
+    text = (Path(crs_cc.sim.__file__).parent / "robots" / "scout.xml").read_text()
+    Path("slow.xml").write_text(text.replace('speed="10in/s"', 'speed="1in/s"'))
+    for world, ends_s in (((), 5), (("pair.xml",), 5)):
+        assert main(["run", "drive.c", *world, "--robot", "slow.xml", "--json"]) == 0
+        assert json.loads(capfd.readouterr().out)["robots"][0]["time_s"] > ends_s
+
+
+def test_a_robot_definition_that_is_not_there_is_named(capfd: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "drive.c", "--robot", "none.xml"]) == 122
+    assert "none.xml: error: cannot be read" in capfd.readouterr().err
 
 
 def test_an_unknown_setup_is_told_with_those_there_are(capfd: pytest.CaptureFixture[str]) -> None:
