@@ -175,3 +175,19 @@ def keeps_behind(drive: Drive) -> None:
     apart_in = np.hypot(*(drive.paths[:, 0] - drive.paths[:, 1]).T) / INCH_M - 2 * 8
     assert apart_in.min() > 10
     assert apart_in.max() < 50
+
+
+def goes_as_commanded(drive: Drive) -> None:
+    """What the server publishes, in metres and radians, is what is so; it ends by a signal."""
+    touches_nothing(drive)
+    rows = re.findall(r"^ *\d+\.\d\d +(-?\d+\.\d+) +(-?\S+) +(-?\S+) +", drive.text, re.MULTILINE)
+    x_m, y_m, heading_rad = map(float, rows[-1])
+    assert drive.places[-1] - drive.places[0] == pytest.approx([x_m, y_m], abs=0.03)
+    assert heading_rad == pytest.approx(-np.pi / 6, abs=0.15)
+    assert drive.text.count("no command for 1 s: stopped\n") == 2
+    (signal, way_m, turned_rad) = drive.numbers(
+        r"signal (\d+): driven (\S+) m, turned by (\S+) rad"
+    )
+    assert signal == 14
+    assert way_m == pytest.approx(drive.robot.distance_m, abs=0.05)
+    assert turned_rad == pytest.approx(heading_rad, abs=0.1)

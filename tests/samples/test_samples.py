@@ -91,6 +91,7 @@ RUNS = [
     Run("log_drive", "room", properties.reads_what_it_wrote, slow=False),
     Run("mission", "studio", properties.comes_home, reads=("samples/scout_c/mission.txt",)),
     Run("convoy", "convoy", properties.keeps_behind),
+    Run("drivers/carmen_like", "studio", properties.goes_as_commanded),
 ]
 
 
