@@ -180,7 +180,7 @@ class Runner:
             Trip(robot, self.tracks.path(number), float(state.heading_rad[number]))
             for number, robot in enumerate(world.robots)
         ]
-        programs = dict.fromkeys(Path(robot.program).name for robot in run.result.robots)
+        programs = dict.fromkeys(f"{Path(row[0]).name}.c" for row in self._loaded.arguments)
         where = Path(run.world).name if run.world else "an empty world"
         title = f"{', '.join(programs)} in {where}"
         collisions = sum(robot.collisions for robot in run.result.robots)

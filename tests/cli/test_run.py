@@ -275,6 +275,13 @@ def test_the_picture_shows_the_way(capfd: pytest.CaptureFixture[str]) -> None:
     assert "drive.c in pair.xml" in [row.text for row in root.iter("{*}text")]
 
 
+def test_the_picture_of_a_program_of_several_files_names_the_first() -> None:
+    Path("main.c").write_text("int answer(void);\nint main(void) { return answer(); }\n")
+    Path("part.c").write_text("int answer(void) { return 0; }\n")
+    assert main(["run", "main.c", "part.c", "--plot", "way.svg"]) == 0
+    assert "main.c in an empty world" in Path("way.svg").read_text()
+
+
 @pytest.mark.parametrize(
     ("picture", "message"),
     [
