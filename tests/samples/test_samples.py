@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
 from collections.abc import Callable
@@ -59,12 +60,28 @@ class Run:
             return [str(file.relative_to(SAMPLES)) for file in files]
         return [f"{self.sample}.c"]
 
+    def world_file(self) -> Path:
+        """Gives the file of its world."""
+        own = SAMPLES / self.sample / f"{self.world}.xml"
+        return own if own.exists() else WORLDS / f"{self.world}.xml"
+
+    def command(self) -> str:
+        """Gives the line that a user types for it."""
+        sample, world = SAMPLES / self.sample, self.world_file()
+        c_files = [f"{sample}/*.c" if sample.is_dir() else f"{sample}.c"]
+        if world.parent == sample:
+            c_files = []
+        options = [] if self.standard == "gnu17" else [f"-std={self.standard}"]
+        words = ["crs", "run", *options, *c_files, str(world)]
+        words += [f"--file {name}" for name in self.reads]
+        words += ["--", *self.arguments] if self.arguments else []
+        return " ".join(words).replace(f"{ROOT}/", "")
+
     def drive(self) -> Drive:
         """Runs it."""
-        worlds = [folder / f"{self.world}.xml" for folder in (SAMPLES / self.sample, WORLDS)]
         return Drive(
             self.program(),
-            load_world(next(path for path in worlds if path.exists())),
+            load_world(self.world_file()),
             arguments=self.arguments,
             files={name: (ROOT / name).read_bytes() for name in self.reads},
             standard=self.standard,
@@ -112,6 +129,15 @@ def test_every_sample_is_run_and_every_output_belongs_to_a_run() -> None:
     samples = {path.relative_to(SAMPLES) for path in SAMPLES.rglob("*.c")}
     assert samples == {Path(name) for run in RUNS for name in run.program()}
     assert {path.name for path in HERE.glob("*.out")} == {f"{run.name}.out" for run in RUNS}
+
+
+def test_the_readme_shows_the_commands_of_all_runs_and_no_others() -> None:
+    readme = (SAMPLES.parent / "README.md").read_text()
+    assert sorted(re.findall(r"^crs .*", readme, re.MULTILINE)) == sorted(
+        run.command() for run in RUNS
+    )
+    for name in re.findall(r"\]\(([^)]+)\)", readme):
+        assert (SAMPLES.parent / name).exists(), name
 
 
 def starting_at(world: WorldModel, x_m: float, y_m: float, heading_rad: float) -> WorldModel:
