@@ -16,8 +16,8 @@ import numpy as np
 
 from crs_cc.cli.svg import Page, Point, View
 from crs_cc.cli.tracks import FloatArray, simplified
-from crs_cc.sim.model import Box, Cylinder, Robot, Solid, Wall, WorldModel, is_pushable
-from crs_cc.sim.scene import box_corners_m
+from crs_cc.sim.model import Cylinder, Robot, Solid, Thing, Wall, WorldModel, is_pushable
+from crs_cc.sim.scene import corners_m
 
 _LONG_SIDE_PX: Final = 760.0
 _SHORT_SIDE_PX: Final = 240.0
@@ -73,7 +73,7 @@ class Picture:
     world: WorldModel
     trips: Sequence[Trip]
     contacts: Sequence[tuple[int, float, float]] = ()
-    pushed: Sequence[Box | Cylinder] = ()
+    pushed: Sequence[Thing] = ()
 
     def render(self) -> bytes:
         """Gives the picture as SVG."""
@@ -159,17 +159,17 @@ class _Drawing:
         for thing in self.picture.pushed:
             self._standing(thing)
 
-    def _standing(self, thing: Box | Cylinder) -> None:
+    def _standing(self, thing: Thing) -> None:
         paint = _MOVABLE if is_pushable(thing) else _FIXED
         with self.page.group(fill=paint, stroke=_INK, stroke_width=0.8):
             self._thing(thing)
 
-    def _thing(self, thing: Box | Cylinder) -> None:
+    def _thing(self, thing: Thing) -> None:
         if isinstance(thing, Cylinder):
             centre = self.view.point(thing.pose.x_m, thing.pose.y_m)
             self.page.circle(centre, self.view.length(thing.radius_m))
         else:
-            corners = [self.view.point(*corner) for corner in box_corners_m(thing).tolist()]
+            corners = [self.view.point(*corner) for corner in corners_m(thing).tolist()]
             self.page.polygon(corners, stroke_linejoin="round")
 
     def _wall(self, wall: Wall) -> None:
@@ -320,4 +320,4 @@ def _outline(solid: Solid) -> FloatArray:
     if isinstance(solid, Cylinder):
         centre = np.array([[solid.pose.x_m, solid.pose.y_m]])
         return np.vstack([centre - solid.radius_m, centre + solid.radius_m])
-    return box_corners_m(solid)
+    return corners_m(solid)

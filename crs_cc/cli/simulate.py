@@ -24,7 +24,7 @@ from crs_cc.cli.summary import Run, as_json, exit_status
 from crs_cc.cli.tracks import Tracks
 from crs_cc.errors import CrsError
 from crs_cc.session.session import Session
-from crs_cc.sim.model import Box, Cylinder, Pose
+from crs_cc.sim.model import Pose, Thing
 from crs_cc.sim.scene import Scene
 from crs_cc.source import Diagnostics
 
@@ -188,7 +188,7 @@ class Runner:
         subtitle += f"{collisions} collision{'' if collisions == 1 else 's'}"
         return Picture(title, subtitle, world, trips, self.tracks.contacts, self._pushed())
 
-    def _pushed(self) -> list[Box | Cylinder]:
+    def _pushed(self) -> list[Thing]:
         """Gives the things that were moved, where they are now."""
         bodies = self.session.environment.state.bodies
         scene = Scene(self._loaded.world)

@@ -9,7 +9,10 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from crs_cc.sim.model import Box, Cylinder
+import numpy as np
+
+from crs_cc.sim.model import Box, Cylinder, Thing
+from crs_cc.sim.polygon import area_m2, second_moment_m4
 
 FLOOR_FRICTION: Final = 0.4
 """Friction of things on the floor; chosen by us, about that of cardboard on linoleum."""
@@ -18,24 +21,31 @@ GRAVITY_MPS2: Final = 9.80665
 """Standard gravity (3rd General Conference on Weights and Measures, 1901)."""
 
 
-def friction_n(thing: Box | Cylinder) -> float:
+def friction_n(thing: Thing) -> float:
     """Gives the force below which a thing does not move."""
     return FLOOR_FRICTION * GRAVITY_MPS2 * thing.mass_kg
 
 
-def friction_nm(thing: Box | Cylinder) -> float:
+def friction_nm(thing: Thing) -> float:
     """Gives the torque below which a thing does not turn.
 
-    The mean distance from the middle of a disc is two thirds of its radius; a box is taken for a
-    disc of the same area.
+    The mean distance from the middle of a disc is two thirds of its radius; anything else is
+    taken for a disc of the same area.
     """
     if isinstance(thing, Cylinder):
         return friction_n(thing) * 2 / 3 * thing.radius_m
-    return friction_n(thing) * 2 / 3 * math.sqrt(thing.length_m * thing.width_m / math.pi)
+    if isinstance(thing, Box):
+        floor_m2 = thing.length_m * thing.width_m
+    else:
+        floor_m2 = area_m2(np.array(thing.corners_m))
+    return friction_n(thing) * 2 / 3 * math.sqrt(floor_m2 / math.pi)
 
 
-def moment_kgm2(thing: Box | Cylinder) -> float:
+def moment_kgm2(thing: Thing) -> float:
     """Gives a thing's moment of inertia about its middle: that of a disc or of a plate."""
     if isinstance(thing, Cylinder):
         return thing.mass_kg * thing.radius_m**2 / 2
-    return thing.mass_kg * (thing.length_m**2 + thing.width_m**2) / 12
+    if isinstance(thing, Box):
+        return thing.mass_kg * (thing.length_m**2 + thing.width_m**2) / 12
+    corners_m = np.array(thing.corners_m)
+    return thing.mass_kg * second_moment_m4(corners_m) / area_m2(corners_m)

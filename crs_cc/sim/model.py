@@ -1,9 +1,9 @@
 """What a world is: constant data, apart from everything that changes while it runs.
 
-A `WorldModel` says what stands where before the first timestep: walls, boxes, cylinders, and
-robots, each with the `RobotModel` that says what it is made of. `world_xml` reads it from a file,
-`environment.Environment` is made from it and never changes it. All of it is frozen, compares and
-hashes by content, and pickles.
+A `WorldModel` says what stands where before the first timestep: walls, boxes, cylinders, polygons,
+and robots, each with the `RobotModel` that says what it is made of. `world_xml` reads it from a
+file, `environment.Environment` is made from it and never changes it. All of it is frozen, compares
+and hashes by content, and pickles.
 
 Units: metres, seconds, kilograms, radians. World frame: x to the right, y up, angles
 counter-clockwise from x. Robot frame: x ahead, y to the left, origin midway between the wheels.
@@ -28,9 +28,13 @@ True
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Final, TypeAlias
+from typing import Final, Self, TypeAlias
 
+import numpy as np
+
+from crs_cc.sim.polygon import area_m2, centroid_m
 from crs_cc.sim.robot_model import RobotModel
 
 FIXED_KG: Final = math.inf
@@ -113,7 +117,40 @@ class Cylinder:
     heat: float = 0.0
 
 
-Solid: TypeAlias = Wall | Box | Cylinder
+@dataclass(frozen=True, slots=True)
+class Polygon:
+    """An object with straight sides.
+
+    Attributes:
+        id: its name.
+        pose: its place, the middle of its area, and how far it is turned.
+        corners_m: x and y of each corner from there as it stands when it is not turned,
+            counter-clockwise.
+        mass_kg: its mass.
+    """
+
+    id: str
+    pose: Pose
+    corners_m: tuple[tuple[float, float], ...]
+    mass_kg: float = FIXED_KG
+
+    @classmethod
+    def of(
+        cls, name: str, corners_m: Sequence[tuple[float, float]], mass_kg: float = FIXED_KG
+    ) -> Self:
+        """Makes a polygon of its corners in the world frame, in either order."""
+        corners = np.array(corners_m)
+        if area_m2(corners) < 0.0:
+            corners = corners[::-1]
+        x_m, y_m = centroid_m(corners).tolist()
+        own = tuple((x - x_m, y - y_m) for x, y in corners.tolist())
+        return cls(name, Pose(x_m, y_m), own, mass_kg)
+
+
+Thing: TypeAlias = Box | Cylinder | Polygon
+"""What can be pushed, if it has a mass."""
+
+Solid: TypeAlias = Wall | Thing
 """What a robot can run into, other robots apart."""
 
 
@@ -153,6 +190,7 @@ class WorldModel:
     walls: tuple[Wall, ...] = ()
     boxes: tuple[Box, ...] = ()
     cylinders: tuple[Cylinder, ...] = ()
+    polygons: tuple[Polygon, ...] = ()
     robots: tuple[Robot, ...] = ()
     timestep_s: float = 0.05
 
@@ -179,4 +217,6 @@ class WorldModel:
 
     def solids(self) -> tuple[Solid, ...]:
         """Gives everything that a robot can run into, other robots apart."""
-        return (*self.edge_walls(), *self.walls, *self.boxes, *self.cylinders)
+        return (
+            *self.edge_walls(), *self.walls, *self.boxes, *self.cylinders, *self.polygons
+        )  # fmt: skip

@@ -9,6 +9,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
@@ -18,6 +20,8 @@ FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]
 
 _ROUNDING: Final = 1e-9  # lets no point that is just within reach fall into a cell beyond
+_AT_ONCE: Final = 256  # queries for which pairs are listed together,
+_PAIRS_AT_ONCE: Final = 2_000_000  # or fewer, if they might be near to so many points
 _SPAN: Final = 2  # cells within reach to each side; more are smaller and hold fewer false pairs
 
 
@@ -80,3 +84,47 @@ class CellList:
         columns = np.minimum(np.maximum(columns, 0), last)
         rows = np.minimum(np.maximum(rows, 0), last)
         return columns.astype(np.intp), rows.astype(np.intp)
+
+
+@dataclass(frozen=True, slots=True)
+class Discs:
+    """Discs in the plane; each array has shape (discs,)."""
+
+    x_m: FloatArray
+    y_m: FloatArray
+    radius_m: FloatArray
+
+    def take(self, which: IndexArray) -> Discs:
+        """Gives some of them."""
+        return Discs(self.x_m[which], self.y_m[which], self.radius_m[which])
+
+    def by_size(self) -> Iterator[IndexArray]:
+        """Gives the numbers of those that are about equally large, size after size."""
+        sizes = np.frexp(self.radius_m)[1]
+        for size in np.unique(sizes):
+            yield np.flatnonzero(sizes == size)
+
+
+def overlapping(discs: Discs, others: Discs) -> Iterator[tuple[IndexArray, IndexArray]]:
+    """Gives pairs of a disc and another one that overlap, or touch but for rounding, bit by bit.
+
+    >>> few = Discs(np.array([0.0, 5.0]), np.zeros(2), np.array([1.0, 0.1]))
+    >>> [(int(a), int(b)) for found in overlapping(few, few) for a, b in zip(*found)]
+    [(1, 1), (0, 0)]
+    """
+    for mine in discs.by_size():
+        queries = discs.take(mine)
+        for theirs in others.by_size():
+            points = others.take(theirs)
+            reach_m = float(queries.radius_m.max() + points.radius_m.max())
+            cells = CellList(points.x_m, points.y_m, reach_m)
+            count = max(1, min(_AT_ONCE, _PAIRS_AT_ONCE // len(theirs)))
+            for first in range(0, len(mine), count):
+                part = slice(first, first + count)
+                query, point = cells.near(queries.x_m[part], queries.y_m[part])
+                query += first
+                x_m = queries.x_m[query] - points.x_m[point]
+                y_m = queries.y_m[query] - points.y_m[point]
+                near_m = (queries.radius_m[query] + points.radius_m[point]) * (1 + _ROUNDING)
+                near = x_m * x_m + y_m * y_m <= near_m * near_m
+                yield mine[query[near]], theirs[point[near]]

@@ -28,8 +28,9 @@ from pymunk import batch
 
 from crs_cc.sim.clearance import clearance_m
 from crs_cc.sim.friction import friction_n, friction_nm, moment_kgm2
-from crs_cc.sim.model import Box, Cylinder, Solid, Wall, WorldModel
-from crs_cc.sim.scene import Scene, box_corners_m
+from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Thing, Wall, WorldModel
+from crs_cc.sim.polygon import triangles
+from crs_cc.sim.scene import Scene, corners_m, own_corners_m
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
@@ -241,11 +242,11 @@ class Physics:
             body = pymunk.Body(thing.mass_kg, moment_kgm2(thing))
             body.position = next(places)
             bodies.append(body)
-            _add(space, body, _thing_shape(body, thing))
+            _add(space, body, *_thing_shapes(body, thing))
         for solid in self._scene.fixed_solids:
             body = pymunk.Body(body_type=pymunk.Body.STATIC)
             bodies.append(body)
-            _add(space, body, _fixed_shape(body, solid))
+            _add(space, body, *_fixed_shapes(body, solid))
         bodies.append(pymunk.Body(body_type=pymunk.Body.STATIC))
         space.add(bodies[-1])
         for body, thing in zip(bodies[self._robots :], self._scene.pushables, strict=False):
@@ -336,13 +337,14 @@ class Physics:
         return Contacts(pairs[mine, 0], pairs[mine, 1], places[mine, 0], places[mine, 1])
 
 
-def _add(space: pymunk.Space, body: pymunk.Body, shape: pymunk.Shape) -> None:
-    shape.friction = SURFACE_FRICTION
-    space.add(body, shape)
+def _add(space: pymunk.Space, body: pymunk.Body, *shapes: pymunk.Shape) -> None:
+    for shape in shapes:
+        shape.friction = SURFACE_FRICTION
+    space.add(body, *shapes)
 
 
 def _floor_friction(
-    floor: pymunk.Body, body: pymunk.Body, thing: Box | Cylinder
+    floor: pymunk.Body, body: pymunk.Body, thing: Thing
 ) -> tuple[pymunk.Constraint, pymunk.Constraint]:
     """Gives joints that hold a thing's velocity and spin at 0 as far as friction can."""
     slide = pymunk.PivotJoint(floor, body, (0.0, 0.0), (0.0, 0.0))
@@ -352,16 +354,28 @@ def _floor_friction(
     return slide, turn
 
 
-def _thing_shape(body: pymunk.Body, thing: Box | Cylinder) -> pymunk.Shape:
-    if isinstance(thing, Box):
-        return pymunk.Poly.create_box(body, (thing.length_m, thing.width_m))
-    return pymunk.Circle(body, thing.radius_m)
+def _thing_shapes(body: pymunk.Body, thing: Thing) -> list[pymunk.Shape]:
+    """Gives the shapes of what can be pushed, in the frame of its body."""
+    if isinstance(thing, Cylinder):
+        return [pymunk.Circle(body, thing.radius_m)]
+    return _straight_shapes(body, thing, own_corners_m(thing))
 
 
-def _fixed_shape(body: pymunk.Body, solid: Solid) -> pymunk.Shape:
+def _fixed_shapes(body: pymunk.Body, solid: Solid) -> list[pymunk.Shape]:
+    """Gives the shapes of what stands, in the world frame."""
     if isinstance(solid, Wall):
         ends = (solid.x1_m, solid.y1_m), (solid.x2_m, solid.y2_m)
-        return pymunk.Segment(body, *ends, solid.thickness_m / 2)
-    if isinstance(solid, Box):
-        return pymunk.Poly(body, [(float(x), float(y)) for x, y in box_corners_m(solid)])
-    return pymunk.Circle(body, solid.radius_m, (solid.pose.x_m, solid.pose.y_m))
+        return [pymunk.Segment(body, *ends, solid.thickness_m / 2)]
+    if isinstance(solid, Cylinder):
+        return [pymunk.Circle(body, solid.radius_m, (solid.pose.x_m, solid.pose.y_m))]
+    return _straight_shapes(body, solid, corners_m(solid))
+
+
+def _straight_shapes(
+    body: pymunk.Body, thing: Box | Polygon, corners: FloatArray
+) -> list[pymunk.Shape]:
+    """Gives the shapes of a box or polygon; pymunk's polygons are convex."""
+    if isinstance(thing, Box):
+        return [pymunk.Poly(body, [(x, y) for x, y in corners.tolist()])]
+    pieces = corners[triangles(corners)].tolist()
+    return [pymunk.Poly(body, [(x, y) for x, y in piece]) for piece in pieces]

@@ -14,39 +14,47 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from itertools import chain, islice
 from typing import Final
 
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.model import Box, Solid, Wall, WorldModel
-from crs_cc.sim.neighbours import CellList
+from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Wall, WorldModel
+from crs_cc.sim.neighbours import Discs, overlapping
+from crs_cc.sim.scene import corners_m
 
 FloatArray = npt.NDArray[np.float64]
 
 TOLERANCE_M: Final = 1e-6
 
 
-def misplaced(world: WorldModel) -> list[tuple[int, str]]:
-    """Gives the index of each robot that stands where it cannot, and what is wrong."""
+def misplaced(world: WorldModel, most: int | None = None) -> list[tuple[int, str]]:
+    """Gives the index of each robot that stands where it cannot, and what is wrong.
+
+    Args:
+        world: the world.
+        most: how many complaints are enough; by default all are told.
+    """
     robots = world.robots
     if not robots:
         return []
     x_m = np.array([robot.start.x_m for robot in robots])
     y_m = np.array([robot.start.y_m for robot in robots])
-    radius_m = np.array([robot.model.radius_m for robot in robots])
+    places = Discs(x_m, y_m, np.array([robot.model.radius_m for robot in robots]))
     ids = [robot.id for robot in robots]
-    return [
-        *_outside(world, ids, x_m, y_m, radius_m),
-        *_inside(world, ids, x_m, y_m, radius_m),
-        *_overlapping(ids, x_m, y_m, radius_m),
-    ]
+    complaints = chain(
+        _outside(world, ids, places), _inside(world, ids, places), _overlapping(ids, places)
+    )
+    return list(islice(complaints, most))
 
 
 def clearance_m(solid: Solid, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
     """Gives how far points lie from a solid [m]; 0 or less inside."""
     if isinstance(solid, Wall):
         return _from_wall_m(solid, x_m, y_m)
+    if isinstance(solid, Polygon):
+        return _from_polygon_m(solid, x_m, y_m)
     across_x, across_y = x_m - solid.pose.x_m, y_m - solid.pose.y_m
     if isinstance(solid, Box):
         return _from_box_m(solid, across_x, across_y)
@@ -71,33 +79,71 @@ def _from_box_m(box: Box, across_x: FloatArray, across_y: FloatArray) -> FloatAr
     return np.asarray(outside + np.minimum(np.maximum(beyond_x, beyond_y), 0.0))
 
 
-def _outside(
-    world: WorldModel, ids: list[str], x_m: FloatArray, y_m: FloatArray, radius_m: FloatArray
-) -> Iterator[tuple[int, str]]:
-    area, reach_m = world.area, radius_m - TOLERANCE_M
+def _from_polygon_m(polygon: Polygon, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
+    """Gives the distance from the nearest side, negative inside.
+
+    A point is inside where a line to the right of it meets an odd number of sides (Shimrat,
+    "Algorithm 112: position of point relative to polygon", 1962).
+    """
+    starts = corners_m(polygon)
+    nearest_m = np.full(np.shape(x_m), np.inf)
+    inside = np.zeros(np.shape(x_m), dtype=np.bool_)
+    for (ax, ay), (bx, by) in zip(starts, np.roll(starts, -1, axis=0), strict=True):
+        along_x, along_y, across_x, across_y = bx - ax, by - ay, x_m - ax, y_m - ay
+        share = (across_x * along_x + across_y * along_y) / (along_x**2 + along_y**2)
+        share = np.clip(share, 0.0, 1.0)
+        side_m = np.hypot(across_x - share * along_x, across_y - share * along_y)
+        nearest_m = np.minimum(nearest_m, side_m)
+        if ay != by:
+            spans = (ay > y_m) != (by > y_m)
+            inside ^= spans & (across_x < along_x * across_y / along_y)
+    return np.where(inside, -nearest_m, nearest_m)
+
+
+def _outside(world: WorldModel, ids: list[str], robots: Discs) -> Iterator[tuple[int, str]]:
+    area, reach_m = world.area, robots.radius_m - TOLERANCE_M
+    x_m, y_m = robots.x_m, robots.y_m
     inside = (x_m - reach_m >= area.x_min_m) & (x_m + reach_m <= area.x_max_m)
     inside &= (y_m - reach_m >= area.y_min_m) & (y_m + reach_m <= area.y_max_m)
     for robot in np.flatnonzero(~inside):
         yield int(robot), f"robot {ids[robot]!r} stands outside the world or in its edge"
 
 
-def _inside(
-    world: WorldModel, ids: list[str], x_m: FloatArray, y_m: FloatArray, radius_m: FloatArray
-) -> Iterator[tuple[int, str]]:
-    solids: tuple[Solid, ...] = (*world.walls, *world.boxes, *world.cylinders)
-    for solid in solids:
-        kind = type(solid).__name__.lower()
-        for robot in np.flatnonzero(clearance_m(solid, x_m, y_m) < radius_m - TOLERANCE_M):
-            yield int(robot), f"robot {ids[robot]!r} stands inside {kind} {solid.id!r}"
+def _inside(world: WorldModel, ids: list[str], robots: Discs) -> Iterator[tuple[int, str]]:
+    solids = world.solids()[len(world.edge_walls()) :]
+    if not solids:
+        return
+    around = Discs(*np.array([_disc_around(solid) for solid in solids]).T)
+    for solid_of, robot_of in overlapping(around, robots):
+        for number in np.unique(solid_of).tolist():
+            near, solid = np.sort(robot_of[solid_of == number]), solids[number]
+            room_m = clearance_m(solid, robots.x_m[near], robots.y_m[near])
+            kind = type(solid).__name__.lower()
+            for robot in near[room_m < robots.radius_m[near] - TOLERANCE_M]:
+                yield int(robot), f"robot {ids[robot]!r} stands inside {kind} {solid.id!r}"
 
 
-def _overlapping(
-    ids: list[str], x_m: FloatArray, y_m: FloatArray, radius_m: FloatArray
-) -> Iterator[tuple[int, str]]:
-    reach_m = 2 * float(radius_m.max())
-    first, second = CellList(x_m, y_m, reach_m).near(x_m, y_m)
-    first, second = first[first < second], second[first < second]
-    distance_m = np.hypot(x_m[first] - x_m[second], y_m[first] - y_m[second])
-    overlap = distance_m < radius_m[first] + radius_m[second] - TOLERANCE_M
-    for robot, other in zip(second[overlap], first[overlap], strict=True):
-        yield int(robot), f"robot {ids[robot]!r} stands inside robot {ids[other]!r}"
+def _disc_around(solid: Solid) -> tuple[float, float, float]:
+    """Gives x, y and radius [m] of a disc that covers a solid."""
+    if isinstance(solid, Wall):
+        x_m, y_m = (solid.x1_m + solid.x2_m) / 2, (solid.y1_m + solid.y2_m) / 2
+        length_m = math.hypot(solid.x2_m - solid.x1_m, solid.y2_m - solid.y1_m)
+        return x_m, y_m, (length_m + solid.thickness_m) / 2
+    x_m, y_m = solid.pose.x_m, solid.pose.y_m
+    if isinstance(solid, Cylinder):
+        return x_m, y_m, solid.radius_m
+    if isinstance(solid, Box):
+        return x_m, y_m, math.hypot(solid.length_m, solid.width_m) / 2
+    return x_m, y_m, max(math.hypot(*corner) for corner in solid.corners_m)
+
+
+def _overlapping(ids: list[str], robots: Discs) -> Iterator[tuple[int, str]]:
+    for first, second in overlapping(robots, robots):
+        before = first < second
+        one, other = first[before], second[before]
+        distance_m = np.hypot(
+            robots.x_m[one] - robots.x_m[other], robots.y_m[one] - robots.y_m[other]
+        )
+        overlap = distance_m < robots.radius_m[one] + robots.radius_m[other] - TOLERANCE_M
+        for inner, outer in zip(other[overlap], one[overlap], strict=True):
+            yield int(inner), f"robot {ids[inner]!r} stands inside robot {ids[outer]!r}"

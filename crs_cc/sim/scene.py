@@ -1,11 +1,10 @@
 """Everything that blocks a beam, as line segments and circles: the world's outlines.
 
-A wall is two parallel segments with a circle at each end, a box four segments, a cylinder or a
-robot a circle. Segments run so that their solid lies to the left of them: seen from outside,
+A wall is two parallel segments with a circle at each end, a box or polygon its sides, a cylinder
+or a robot a circle. Segments run so that their solid lies to the left of them: seen from outside,
 only those that have the viewer to their right are in front.
 
-Bodies that move are numbered in one order everywhere: the robots, then the boxes and cylinders
-that can be pushed.
+Bodies that move are numbered in one order everywhere: the robots, then what can be pushed.
 
 >>> from crs_cc.sim.model import Area, Box, Pose, WorldModel
 >>> world = WorldModel("w", Area(0, 0, 4, 4, edge_m=0), boxes=(Box("b", Pose(1, 1), 2, 1),))
@@ -15,14 +14,14 @@ that can be pushed.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.model import Box, Cylinder, Pose, Solid, Wall, WorldModel, is_pushable
+from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Thing, Wall, WorldModel, is_pushable
 
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]
@@ -62,7 +61,7 @@ class Scene:
     def __init__(self, world: WorldModel) -> None:
         solids = world.solids()
         self.robots = len(world.robots)
-        self.pushables: tuple[Box | Cylinder, ...] = tuple(
+        self.pushables: tuple[Thing, ...] = tuple(
             solid for solid in solids if not isinstance(solid, Wall) and is_pushable(solid)
         )
         self.fixed_solids = tuple(solid for solid in solids if not is_pushable(solid))
@@ -72,7 +71,7 @@ class Scene:
         poses = [robot.start for robot in world.robots] + [thing.pose for thing in self.pushables]
         rows = [(pose.x_m, pose.y_m, pose.heading_rad) for pose in poses]
         self.start = np.array(rows, dtype=np.float64).reshape(-1, 3)
-        self._boxes = _Boxes(self.pushables, first_body=len(world.robots))
+        self._sides = _Sides(enumerate(self.pushables, len(world.robots)))
         radii = [robot.model.radius_m for robot in world.robots]
         round_bodies = list(range(len(radii)))
         for body, thing in enumerate(self.pushables, len(radii)):
@@ -90,36 +89,42 @@ class Scene:
             angle_rad: how they are turned, shape (bodies,).
         """
         circles = np.column_stack([position_m[self._round_bodies], self._radii_m])
-        return Outlines(self._boxes.segments(position_m, angle_rad), circles, self._round_bodies)
+        return Outlines(self._sides.segments(position_m, angle_rad), circles, self._round_bodies)
 
 
-class _Boxes:
-    """The corners of the boxes that can be pushed, in their own frames."""
+class _Sides:
+    """The sides of boxes and polygons, in the frames of their bodies."""
 
-    def __init__(self, pushables: Sequence[Box | Cylinder], first_body: int) -> None:
-        pairs = [
-            (body, thing)
-            for body, thing in enumerate(pushables, first_body)
-            if isinstance(thing, Box)
-        ]
-        self.bodies = np.array([body for body, _ in pairs], dtype=np.intp)
-        halves = np.array([(box.length_m / 2, box.width_m / 2) for _, box in pairs])
-        signs = np.array([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
-        self.corners_m = halves.reshape(-1, 1, 2) * signs
+    def __init__(self, bodies: Iterable[tuple[int, Thing]]) -> None:
+        pairs = [(body, thing) for body, thing in bodies if not isinstance(thing, Cylinder)]
+        corners = [own_corners_m(thing) for _, thing in pairs]
+        numbers = [np.full(len(rows), body) for (body, _), rows in zip(pairs, corners, strict=True)]
+        none = np.zeros((0, 2))
+        self._bodies = np.concatenate([np.zeros(0, dtype=np.intp), *numbers])
+        self._starts_m = np.concatenate([none, *corners])
+        self._ends_m = np.concatenate([none, *(np.roll(rows, -1, axis=0) for rows in corners)])
 
     def segments(self, position_m: FloatArray, angle_rad: FloatArray) -> FloatArray:
-        cos, sin = np.cos(angle_rad[self.bodies]), np.sin(angle_rad[self.bodies])
-        x, y = self.corners_m[..., 0], self.corners_m[..., 1]
-        cos, sin = cos[:, None], sin[:, None]
-        corners = np.stack([cos * x - sin * y, sin * x + cos * y], axis=-1)
-        corners += position_m[self.bodies][:, None, :]
-        return _with_length(np.concatenate([corners, np.roll(corners, -1, axis=1)], axis=2))
+        cos, sin = np.cos(angle_rad[self._bodies]), np.sin(angle_rad[self._bodies])
+        columns = []
+        for ends_m in (self._starts_m, self._ends_m):
+            x, y = ends_m.T
+            turned = np.column_stack([cos * x - sin * y, sin * x + cos * y])
+            columns.append(turned + position_m[self._bodies])
+        return _with_length(np.concatenate(columns, axis=1))
 
 
-def box_corners_m(box: Box) -> FloatArray:
-    """Gives the corners of a box in the world frame, counter-clockwise, shape (4, 2)."""
-    segments = _box_segments(box)
-    return segments[:, :2]
+def own_corners_m(thing: Box | Polygon) -> FloatArray:
+    """Gives the corners of a thing in its own frame, counter-clockwise, shape (corners, 2)."""
+    if isinstance(thing, Polygon):
+        return np.array(thing.corners_m)
+    x, y = thing.length_m / 2, thing.width_m / 2
+    return np.array([(-x, -y), (x, -y), (x, y), (-x, y)])
+
+
+def corners_m(thing: Box | Polygon) -> FloatArray:
+    """Gives the corners of a thing in the world frame, counter-clockwise, shape (corners, 2)."""
+    return _thing_segments(thing)[:, :2]
 
 
 def _fixed_outlines(solids: Sequence[Solid]) -> Outlines:
@@ -130,10 +135,10 @@ def _fixed_outlines(solids: Sequence[Solid]) -> Outlines:
             segments.append(_wall_segments(solid))
             circles.append((solid.x1_m, solid.y1_m, solid.thickness_m / 2))
             circles.append((solid.x2_m, solid.y2_m, solid.thickness_m / 2))
-        elif isinstance(solid, Box):
-            segments.append(_box_segments(solid))
-        else:
+        elif isinstance(solid, Cylinder):
             circles.append((solid.pose.x_m, solid.pose.y_m, solid.radius_m))
+        else:
+            segments.append(_thing_segments(solid))
     return Outlines(
         np.concatenate(segments) if segments else np.zeros((0, 5)),
         np.array(circles).reshape(-1, 3),
@@ -149,13 +154,11 @@ def _wall_segments(wall: Wall) -> FloatArray:
     return _with_length(np.array(sides))
 
 
-def _box_segments(box: Box) -> FloatArray:
-    pose: Pose = box.pose
-    boxes = _Boxes((box,), first_body=0)
-    return boxes.segments(np.array([[pose.x_m, pose.y_m]]), np.array([pose.heading_rad]))
+def _thing_segments(thing: Box | Polygon) -> FloatArray:
+    pose, sides = thing.pose, _Sides([(0, thing)])
+    return sides.segments(np.array([[pose.x_m, pose.y_m]]), np.array([pose.heading_rad]))
 
 
 def _with_length(ends_m: FloatArray) -> FloatArray:
-    ends_m = ends_m.reshape(-1, 4)
     length_m = np.hypot(ends_m[:, 2] - ends_m[:, 0], ends_m[:, 3] - ends_m[:, 1])
     return np.column_stack([ends_m, length_m])

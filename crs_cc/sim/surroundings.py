@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.covered import Rectangles
+from crs_cc.sim.covered import Pieces
 from crs_cc.sim.obstacles import Obstacles
 from crs_cc.sim.rays import Fan, nearest
 from crs_cc.sim.scene import Scene
@@ -51,7 +51,7 @@ class Surroundings:
         self._scene = scene
         reach_m = max(reach_m, _SHORTEST_REACH_M)
         self._obstacles = Obstacles(scene.fixed, moving, reach_m, start_m)
-        self._rectangles = Rectangles(scene, start_m)
+        self._pieces = Pieces(scene, start_m)
         self._placed = -1
 
     def forget(self) -> None:
@@ -76,8 +76,8 @@ class Surroundings:
         if self._placed != state.cycle:
             bodies = state.bodies
             self._obstacles.place(self._scene.moving(bodies.position_m, bodies.angle_rad))
-            self._rectangles.place(bodies.position_m, bodies.angle_rad)
+            self._pieces.place(bodies.position_m, bodies.angle_rad)
             self._placed = state.cycle
         distance_m = nearest(fan, poses, self._obstacles, own=own)
-        distance_m[self._rectangles.cover(fan, poses)] = 0.0
+        distance_m[self._pieces.cover(fan, poses)] = 0.0
         return distance_m

@@ -45,7 +45,7 @@ class Things:
 
     @classmethod
     def of(cls, world: WorldModel) -> Self:
-        """Gives the things of a world; walls are points, as nobody asks for them."""
+        """Gives the things of a world; walls and polygons are points, as nobody asks for them."""
         scene = Scene(world)
         things = (*world.robots, *scene.pushables, *scene.fixed_solids)
         shapes = np.array([_shape(thing) for thing in things], dtype=np.float64).reshape(-1, 3)

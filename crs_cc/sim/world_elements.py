@@ -8,15 +8,31 @@ from dataclasses import replace
 from pathlib import Path, PurePosixPath
 from typing import Final, TypeAlias, TypeVar
 
-from crs_cc.sim.document import Element, Reader
-from crs_cc.sim.model import FIXED_KG, Area, Box, Cylinder, Pose, Robot, Wall, WorldModel
+import numpy as np
+
+from crs_cc.sim.document import MAX_MESSAGES, Element, Reader
+from crs_cc.sim.model import (
+    FIXED_KG,
+    Area,
+    Box,
+    Cylinder,
+    Polygon,
+    Pose,
+    Robot,
+    Wall,
+    WorldModel,
+)
 from crs_cc.sim.placement import misplaced
+from crs_cc.sim.polygon import complaint
 from crs_cc.sim.quantity import ANGLE, HEAT, LENGTH, MASS, TIME
 from crs_cc.sim.robot_model import RobotModel
 
 SHORTEST_TIMESTEP_S: Final = 0.001
 LONGEST_TIMESTEP_S: Final = 0.1
 MAX_THINGS: Final = 100_000
+MAX_CORNERS: Final = 250
+_POINTS_FORM: Final = "write x,y of each corner, spaces between corners only: 1m,0 2m,0 2m,50cm"
+_STAND_IN: Final = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
 _TOO_SMALL_M: Final = 0.001
 _ID: Final = re.compile(r"[A-Za-z_][A-Za-z0-9_.\-]{0,63}")
 
@@ -47,6 +63,7 @@ def world_model(
         walls=tuple(_wall(element, reader) for element in root.all("wall")),
         boxes=tuple(_box(element, reader) for element in root.all("box")),
         cylinders=tuple(_cylinder(element, reader) for element in root.all("cylinder")),
+        polygons=tuple(_polygon(element, reader) for element in root.all("polygon")),
         robots=tuple(
             Robot(
                 element.attributes["id"],
@@ -96,11 +113,12 @@ def _check(world: WorldModel, root: Element, reader: Reader) -> None:
         walls=_readable(world.walls, root.all("wall")),
         boxes=_readable(world.boxes, root.all("box")),
         cylinders=_readable(world.cylinders, root.all("cylinder")),
+        polygons=_readable(world.polygons, root.all("polygon")),
         robots=_readable(world.robots, root.all("robot")),
     )
     robots = [element for element in root.all("robot") if not element.broken]
-    for robot, complaint in misplaced(readable):
-        reader.error(robots[robot], complaint)
+    for robot, wrong in misplaced(readable, MAX_MESSAGES + 1):
+        reader.error(robots[robot], wrong)
 
 
 def _readable(things: tuple[Thing, ...], elements: Iterable[Element]) -> tuple[Thing, ...]:
@@ -152,6 +170,34 @@ def _cylinder(element: Element, reader: Reader) -> Cylinder:
         reader.positive(element, "mass", MASS, FIXED_KG),
         reader.not_negative(element, "heat", HEAT),
     )
+
+
+def _polygon(element: Element, reader: Reader) -> Polygon:
+    corners = _corners(element, reader)
+    name = element.attributes["id"]
+    if not element.broken and (wrong := complaint(np.array(corners).reshape(-1, 2))):
+        reader.error(element, f"polygon {name!r}: {wrong}")
+        element.broken = True
+    if element.broken:
+        corners = _STAND_IN
+    return Polygon.of(name, corners, reader.positive(element, "mass", MASS, FIXED_KG))
+
+
+def _corners(element: Element, reader: Reader) -> list[tuple[float, float]]:
+    """Gives the corners that `points` lists: x,y x,y ..."""
+    words = element.attributes["points"].split()
+    if len(words) > MAX_CORNERS:
+        reader.refuse(element, f"points: more than {MAX_CORNERS} corners")
+        return []
+    pairs = [word.split(",") for word in words]
+    if any(len(pair) != 2 or "" in pair for pair in pairs):
+        reader.refuse(element, f"points: {_POINTS_FORM}")
+        return []
+    try:
+        return [(LENGTH.parse(x), LENGTH.parse(y)) for x, y in pairs]
+    except ValueError as wrong:
+        reader.refuse(element, f"points: {wrong}")
+        return []
 
 
 def _pose(element: Element, reader: Reader) -> Pose:

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from crs_cc.sim import covered
-from crs_cc.sim.covered import Rectangles
+from crs_cc.sim.covered import Pieces
 from crs_cc.sim.environment import Environment
-from crs_cc.sim.model import Area, Box, Pose, Wall, WorldModel
+from crs_cc.sim.model import Area, Box, Polygon, Pose, Wall, WorldModel
+from crs_cc.sim.placement import clearance_m
 from crs_cc.sim.rays import Fan
 from crs_cc.sim.scene import Scene
 from crs_cc.sim.sensors.sonar import SonarRing
@@ -31,6 +32,8 @@ THINGS = {  # all have their near side at x = 2 m
         '<wall x1="2.07m" y1="0m" x2="2.07m" y2="3m" thickness="10cm"/>'
     ),
     "box thicker than the range": '<box x="6m" y="1.5m" length="8m" width="3m"/>',
+    "polygon": '<polygon points="2m,1.2m 2.3m,1.2m 2.3m,1.8m 2m,1.8m 2m,1.5m"/>',
+    "pushable polygon": '<polygon points="2m,1.2m 2.6m,1.5m 2m,1.8m" mass="50kg"/>',
     "cylinder": '<cylinder x="2.3m" y="1.5m" radius="30cm"/>',
     "robot": f'<robot x="{2 + SCOUT_RADIUS_M}m" y="1.5m"/>',
 }
@@ -80,6 +83,7 @@ OBSTACLES = {
     "thin box": '<box x="2m" y="1.5m" length="2cm" width="60cm"/>',
     "wall": '<wall x1="2m" y1="0.5m" x2="2m" y2="2.5m" thickness="2cm"/>',
     "turned wall": '<wall x1="2.4m" y1="0m" x2="1.6m" y2="3m" thickness="10cm"/>',
+    "polygon": '<polygon points="1.9m,0.9m 2.2m,1.5m 1.9m,2.1m 1.7m,1.5m"/>',
     "edge wall": "",
 }
 
@@ -117,20 +121,32 @@ def test_a_robot_that_pushes_a_box_reads_0_all_the_way():
 
 
 def crowd() -> tuple[WorldModel, np.ndarray]:
-    """Gives many boxes and walls, half of the boxes pushable, and places of robots among them."""
+    """Gives many things, half of them pushable, and places of robots among them."""
     rng = np.random.default_rng(5)
     boxes = tuple(
         Box(f"b{n}", Pose(*rng.uniform(0, 20, 2), rng.uniform(0, 7)), *rng.uniform(0.02, 2, 2),
             mass_kg=5.0 if n % 2 else math.inf)
         for n in range(80)
     )  # fmt: skip
+    polygons = tuple(
+        Polygon.of(f"p{n}", rng.uniform(0, 20, 2) + star(rng), 5.0 if n % 2 else math.inf)
+        for n in range(40)
+    )
     walls = tuple(Wall(f"w{n}", *rng.uniform(0, 20, 4), rng.uniform(0.02, 1)) for n in range(20))
     poses = np.column_stack([rng.uniform(0, 20, (200, 2)), rng.uniform(0, 7, 200)])
-    return WorldModel("w", Area(0, 0, 20, 20), walls, boxes), poses
+    return WorldModel("w", Area(0, 0, 20, 20), walls, boxes, (), polygons), poses
 
 
-def inside(x: float, y: float, solid: Box | Wall) -> bool:
-    """Tells whether a place is in a box, or in a wall without its round ends."""
+def star(rng: np.random.Generator) -> np.ndarray:
+    """Gives the corners of a polygon with dents around the origin."""
+    angles = np.arange(9) * math.tau / 9
+    return rng.uniform(0.3, 1.5, (9, 1)) * np.column_stack([np.cos(angles), np.sin(angles)])
+
+
+def inside(x: float, y: float, solid: Box | Wall | Polygon) -> bool:
+    """Tells whether a place is in a thing, or in a wall without its round ends."""
+    if isinstance(solid, Polygon):
+        return bool(clearance_m(solid, np.array(x), np.array(y)) <= 0)
     if isinstance(solid, Box):
         x, y = x - solid.pose.x_m, y - solid.pose.y_m
         cos, sin = math.cos(solid.pose.heading_rad), math.sin(solid.pose.heading_rad)
@@ -151,9 +167,9 @@ def test_many_robots_among_many_things_are_covered_as_each_pair_says(few, monkey
     scene = Scene(world)
     ring = [(0.2 * math.cos(a), 0.2 * math.sin(a), a, 0.1, 6.0) for a in (4.0, 0.5, 2.0)]
     fan = Fan.of(ring)
-    rectangles = Rectangles(scene, fan.start_m)
-    rectangles.place(scene.start[::-1, :2], scene.start[::-1, 2])  # each where another began
-    rectangles.place(scene.start[:, :2], scene.start[:, 2])
+    pieces = Pieces(scene, fan.start_m)
+    pieces.place(scene.start[::-1, :2], scene.start[::-1, 2])  # each where another began
+    pieces.place(scene.start[:, :2], scene.start[:, 2])
     expected = [
         [
             any(
@@ -164,5 +180,5 @@ def test_many_robots_among_many_things_are_covered_as_each_pair_says(few, monkey
         ]
         for x, y, turn in poses
     ]
-    assert rectangles.cover(fan, poses).tolist() == expected
+    assert pieces.cover(fan, poses).tolist() == expected
     assert 0.1 < np.mean(expected) < 0.9

@@ -156,6 +156,26 @@ def test_a_box_that_is_pushed_off_its_middle_turns():
     assert bench.bodies.angle_rad[1] > 0.1
 
 
+def test_a_polygon_is_pushed_as_a_box_of_the_same_shape():
+    box, corners = push_box("5kg"), "2.8m,4.8m 3.2m,4.8m 3.2m,5.2m 2.8m,5.2m"
+    polygon = Bench(world_of(f'<polygon points="{corners}" mass="5kg"/><robot x="2m" y="5m"/>'))
+    for _ in range(80):
+        polygon.push((0.3 * DT, 0.0))
+    assert polygon.bodies.position_m == pytest.approx(box.bodies.position_m, abs=0.01)
+
+
+def test_a_robot_goes_into_the_dent_of_a_polygon_and_no_further():
+    bench = Bench(
+        world_of(
+            '<polygon points="2m,3m 4m,4.6m 4m,5.4m 2m,7m 6m,7m 6m,3m"/><robot x="2m" y="5m"/>'
+        )
+    )
+    contacts = [bench.push((0.5 * DT, 0.0)) for _ in range(100)]
+    assert bench.depth_m() == pytest.approx(0, abs=0.001)
+    assert bench.bodies.position_m[0] == pytest.approx((4 - SCOUT_RADIUS_M, 5), abs=0.001)
+    assert contacts[-1].other.tolist() == [bench.scene.names.index("polygon0")]
+
+
 def test_a_box_between_a_robot_and_a_wall_holds_the_robot():
     bench = Bench(
         world_of(

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from crs_cc.sim import rays
-from crs_cc.sim.model import Area, Box, Cylinder, Pose, Robot, Wall, WorldModel
+from crs_cc.sim.model import Area, Box, Cylinder, Polygon, Pose, Robot, Wall, WorldModel
 from crs_cc.sim.obstacles import Obstacles
 from crs_cc.sim.placement import misplaced
 from crs_cc.sim.rays import Fan, nearest
@@ -24,6 +24,7 @@ def measure(*things, beams=((0.0, 0.0, 0.0, TEN_DEG, 8.0),), pose=(0.0, 0.0, 0.0
         walls=tuple(thing for thing in things if isinstance(thing, Wall)),
         boxes=tuple(thing for thing in things if isinstance(thing, Box)),
         cylinders=tuple(thing for thing in things if isinstance(thing, Cylinder)),
+        polygons=tuple(thing for thing in things if isinstance(thing, Polygon)),
         robots=tuple(thing for thing in things if isinstance(thing, Robot)),
     )
     scene, fan = Scene(world), Fan.of(beams)
@@ -77,6 +78,12 @@ BY_HAND = {
     "the corner of a box": (Box("b", Pose(3, 0, math.pi / 4), 1, 1), 3 - math.sqrt(0.5)),
     "the corner of a box, aside but within the cone": (
         Box("b", Pose(3 + 0.5, 0.2 + 0.5), 1, 1), math.hypot(3, 0.2)
+    ),
+    "the side of a polygon": (Polygon.of("p", ((2, -2), (3, 0), (2, 2))), 2.0),
+    "the dent of a polygon": (
+        Polygon.of("p", ((2, 3), (4, 0), (2, -3), (6, -3), (6, 3))),
+        # The dent's side runs from 4, 0 to 2, 3; the beam's side meets it where y = x tan 10.
+        6 / (1.5 + math.tan(TEN_DEG)) / math.cos(TEN_DEG),
     ),
     "a robot": (Robot("r", RobotModel("m", 0.25, Drive(0.3)), Pose(2, 0)), 1.75),
 }  # fmt: skip
@@ -143,10 +150,10 @@ def crowd(robots: int, seed: int) -> WorldModel:
     walls = tuple(Wall(f"w{n}", *row, 0.1) for n, row in enumerate(ends))
     cylinders = tuple(Cylinder(f"c{n}", pose(), 0.15) for n in range(robots // 8))
     kept = [Robot(f"r{n}", model, pose()) for n in range(robots)]
-    world = WorldModel("w", Area(0, 0, size_m, size_m), walls, boxes, cylinders, tuple(kept))
+    world = WorldModel("w", Area(0, 0, size_m, size_m), walls, boxes, cylinders, robots=tuple(kept))
     bad = {robot for robot, _ in misplaced(world)}
     kept = [robot for number, robot in enumerate(kept) if number not in bad]
-    return WorldModel("w", world.area, walls, boxes, cylinders, tuple(kept))
+    return WorldModel("w", world.area, walls, boxes, cylinders, robots=tuple(kept))
 
 
 def look_around(world: WorldModel, fan: Fan):

@@ -5,11 +5,13 @@ import pickle
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 from lxml import etree
 
 from crs_cc.errors import WorldError
 from crs_cc.sim.model import Area, Box, Cylinder, Pose, Wall
+from crs_cc.sim.scene import corners_m
 from crs_cc.sim.world_xml import (
     MAX_BYTES,
     empty_world,
@@ -56,6 +58,7 @@ def test_all_parts_of_a_world_are_read_with_their_units():
             '<wall id="screen" x1="-10in" y1="0" x2="10in" y2="0.5m" thickness="5cm"/>',
             '<box id="crate" x="1m" y="0" heading="90" length="30cm" width="0.2" mass="2000g"/>',
             '<cylinder x="-1m" y="0m" radius="1e-1"/>',
+            '<polygon points="1m,-50cm  1ft,-0.8 1m,-80cm" mass="1"/>',
             '<robot id="r" x="0" y="-0.5" heading="1.57rad">',
             "<argument> one two </argument><argument/></robot>",
             version='version="1" name="full" timestep="20ms"',
@@ -69,6 +72,12 @@ def test_all_parts_of_a_world_are_read_with_their_units():
     assert world.walls == (Wall("screen", -0.254, 0.0, 0.254, 0.5, 0.05),)
     assert world.boxes == (Box("crate", Pose(1.0, 0.0, math.pi / 2), 0.3, 0.2, 2.0),)
     assert world.cylinders == (Cylinder("cylinder0", Pose(-1.0, 0.0), 0.1),)
+    assert [polygon.id for polygon in world.polygons] == ["polygon0"]
+    assert world.polygons[0].mass_kg == 1.0
+    foot_m = 12 * 0.0254
+    assert corners_m(world.polygons[0]) == pytest.approx(
+        np.array([(1.0, -0.8), (1.0, -0.5), (foot_m, -0.8)])[[1, 2, 0]]
+    )
     robot = world.robots[0]
     assert (robot.id, robot.start) == ("r", Pose(0.0, -0.5, 1.57))
     assert robot.arguments == ("one two", "")
@@ -138,8 +147,52 @@ BROKEN = {
         (AREA, "<wal/>", ROBOT),
         (
             "w.xml:3: error: <wal> is not expected here; "
-            "expected <wall> or <box> or <cylinder> or <robot>"
+            "expected <wall> or <box> or <cylinder> or <polygon> or <robot>"
         ),
+    ),
+    "polygon of too few corners": (
+        (AREA, ROBOT, '<polygon points="1,1 2,1"/>'),
+        "w.xml:4: error: polygon 'polygon0': fewer than 3 corners",
+    ),
+    "polygon whose sides cross": (
+        (AREA, ROBOT, '<polygon id="bow" points="1,1 2,2 1,2 2,1"/>'),
+        (
+            "w.xml:4: error: polygon 'bow': "
+            "the side from corner 1 to 2 meets the side from corner 3 to 4"
+        ),
+    ),
+    "flat polygon": (
+        (AREA, ROBOT, '<polygon points="1,1 2,1 3,1"/>'),
+        (
+            "w.xml:4: error: polygon 'polygon0': "
+            "the side from corner 2 to 3 meets the side from corner 3 to 1"
+        ),
+    ),
+    "polygon with a corner twice": (
+        (AREA, ROBOT, '<polygon points="1,1 2,1 2,1 2,2"/>'),
+        "w.xml:4: error: polygon 'polygon0': corners 2 and 3 are less than 1mm apart",
+    ),
+    "points in another form": (
+        (AREA, ROBOT, '<polygon points="1, 1 2, 1"/>'),
+        (
+            "w.xml:4: error: polygon, points: "
+            "write x,y of each corner, spaces between corners only: 1m,0 2m,0 2m,50cm"
+        ),
+    ),
+    "points that are no lengths": (
+        (AREA, ROBOT, '<polygon points="1,1 2,1 2,far"/>'),
+        (
+            "w.xml:4: error: polygon, points: 'far' is not a length: "
+            "write a number and one of m, cm, mm, in, ft, as in 1.5m"
+        ),
+    ),
+    "too many corners": (
+        (AREA, ROBOT, f'<polygon points="{"1,1 " * 251}"/>'),
+        "w.xml:4: error: polygon, points: more than 250 corners",
+    ),
+    "robot inside a polygon": (
+        (AREA, ROBOT, '<polygon points="2.5,1.5 3.5,1.5 3.5,2.5 2.5,2.5"/>'),
+        "w.xml:3: error: robot 'robot0' stands inside polygon 'polygon0'",
     ),
     "missing attribute": (
         (AREA, ROBOT, '<wall x1="1" y1="1" x2="2"/>'),
@@ -323,6 +376,12 @@ def test_robots_that_only_touch_are_let_be():
 
 def test_thousands_of_mistakes_are_cut_short():
     found = messages_of(lines(AREA, *['<robot x="far" y="1"/>'] * 5000))
+    assert len(found) == 101
+    assert found[-1] == "w.xml: error: more mistakes than are shown here"
+
+
+def test_thousands_of_robots_on_one_spot_are_cut_short():
+    found = messages_of(lines(AREA, *['<robot x="1" y="1"/>'] * 5000))
     assert len(found) == 101
     assert found[-1] == "w.xml: error: more mistakes than are shown here"
 

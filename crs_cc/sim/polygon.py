@@ -1,0 +1,164 @@
+"""Polygons: whether corners make one, and the triangles that it is made of.
+
+A polygon is simple: its sides meet only where two neighbours share a corner. Triangles come by
+cutting off ears (Meisters, "Polygons have ears", 1975): every simple polygon has two corners whose
+neighbours see each other across the inside.
+
+>>> hook = np.array([(0, 0), (4, 0), (4, 3), (2, 1), (0, 3)], dtype=float)
+>>> area_m2(hook), complaint(hook)
+(8.0, '')
+>>> triangles(hook).tolist()
+[[1, 2, 3], [3, 4, 0], [0, 1, 3]]
+>>> complaint(hook[[0, 2, 1, 3, 4]])
+'the side from corner 1 to 2 meets the side from corner 4 to 5'
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.intp]
+
+SHORTEST_M: Final = 1e-3
+"""The shortest side, and the narrowest waist, that a polygon may have."""
+
+_FLAT_M2: Final = 1e-12  # twice the area of a triangle without an inside
+
+
+def area_m2(corners_m: FloatArray) -> float:
+    """Gives the area, negative when the corners run clockwise (shoelace formula)."""
+    x, y = (corners_m - corners_m[0]).T
+    return float((x * np.roll(y, -1) - np.roll(x, -1) * y).sum() / 2)
+
+
+def centroid_m(corners_m: FloatArray) -> FloatArray:
+    """Gives the middle of the area, shape (2,)."""
+    x, y = (corners_m - corners_m[0]).T
+    next_x, next_y = np.roll(x, -1), np.roll(y, -1)
+    cross = x * next_y - next_x * y
+    sums = np.array([((x + next_x) * cross).sum(), ((y + next_y) * cross).sum()])
+    return np.asarray(corners_m[0] + sums / (3 * cross.sum()))
+
+
+def second_moment_m4(corners_m: FloatArray) -> float:
+    """Gives the polar second moment of the area about the origin."""
+    x, y = corners_m.T
+    next_x, next_y = np.roll(x, -1), np.roll(y, -1)
+    cross = x * next_y - next_x * y
+    squares = x * x + x * next_x + next_x * next_x + y * y + y * next_y + next_y * next_y
+    return float((cross * squares).sum() / 12)
+
+
+def complaint(corners_m: FloatArray) -> str:
+    """Says what keeps corners, in either order, from being a polygon; nothing if nothing does."""
+    count = len(corners_m)
+    if count < 3:
+        return "fewer than 3 corners"
+    ends_m = np.roll(corners_m, -1, axis=0)
+    length_m = np.hypot(*(ends_m - corners_m).T)
+    if length_m.min() < SHORTEST_M:
+        corner = int(length_m.argmin())
+        return f"corners {corner + 1} and {_next(corner, count) + 1} are less than 1mm apart"
+    if (pair := _meeting(corners_m, ends_m)) is not None:
+        first, second = ((side + 1, _next(side, count) + 1) for side in pair)
+        return "the side from corner {} to {} meets the side from corner {} to {}".format(
+            *first, *second
+        )
+    return ""
+
+
+def triangles(corners_m: FloatArray) -> IndexArray:
+    """Gives the triangles of a polygon whose corners run counter-clockwise.
+
+    Returns:
+        numbers of three corners each, counter-clockwise, shape (n, 3).
+    """
+    left = list(range(len(corners_m)))
+    found: list[list[int]] = []
+    at = 0
+    while len(left) > 3:
+        at = _ear(corners_m[left], at)
+        _cut(corners_m, [left[at - 1], left[at], left[(at + 1) % len(left)]], found)
+        del left[at]
+        at %= len(left)
+    _cut(corners_m, left, found)
+    return np.array(found, dtype=np.intp).reshape(-1, 3)
+
+
+def _next(corner: int, count: int) -> int:
+    return (corner + 1) % count
+
+
+def _cut(corners_m: FloatArray, ear: list[int], found: list[list[int]]) -> None:
+    """Takes an ear that has an inside; corners on a straight side have none."""
+    a, b, c = corners_m[ear]
+    if _turn(a, b, c) > _FLAT_M2:
+        found.append(ear)
+
+
+def _ear(corners_m: FloatArray, start: int) -> int:
+    """Gives the first corner from `start` on that can be cut off."""
+    before, after = np.roll(corners_m, 1, axis=0), np.roll(corners_m, -1, axis=0)
+    turns = _turn(before, corners_m, after)
+    around = np.roll(np.arange(len(corners_m)), -start)
+    dents = corners_m[turns < _FLAT_M2]
+    for corner in around[turns[around] >= -_FLAT_M2].tolist():
+        a, b, c = before[corner], corners_m[corner], after[corner]
+        if turns[corner] <= _FLAT_M2 or not _inside(dents, a, b, c):
+            return int(corner)
+    return int(turns.argmax())  # only rounding can lead here
+
+
+def _inside(points: FloatArray, a: FloatArray, b: FloatArray, c: FloatArray) -> bool:
+    """Tells whether any point but its corners lies in or on a triangle."""
+    within = (_turn(a, b, points) >= 0) & (_turn(b, c, points) >= 0) & (_turn(c, a, points) >= 0)
+    for corner in (a, b, c):
+        within &= (points != corner).any(axis=1)
+    return bool(within.any())
+
+
+def _turn(a: FloatArray, b: FloatArray, c: FloatArray) -> FloatArray:
+    """Gives twice the area of triangles, positive where a, b, c turn left."""
+    ab, ac = b - a, c - a
+    return np.asarray(ab[..., 0] * ac[..., 1] - ab[..., 1] * ac[..., 0])
+
+
+def _meeting(starts_m: FloatArray, ends_m: FloatArray) -> tuple[int, int] | None:
+    """Gives two sides that come too near to each other, neighbours at their common corner apart."""
+    count = len(starts_m)
+    for side in range(count):
+        a, b, c = starts_m[side], ends_m[side], ends_m[_next(side, count)]
+        if _folds(a, b, c):
+            return side, _next(side, count)
+        far = slice(side + 2, count - 1 if side == 0 else count)
+        near = np.flatnonzero(_apart_m(a, b, starts_m[far], ends_m[far]) < SHORTEST_M)
+        if len(near):
+            return side, side + 2 + int(near[0])
+    return None
+
+
+def _folds(a: FloatArray, b: FloatArray, c: FloatArray) -> bool:
+    """Tells whether the sides from a to b and from b to c lie on each other."""
+    if (a - b) @ (c - b) <= 0:
+        return False
+    ends = (a, c) if np.hypot(*(a - b)) < np.hypot(*(c - b)) else (c, a)
+    return float(_to_segment_m(ends[0], b, ends[1])) < SHORTEST_M
+
+
+def _apart_m(a: FloatArray, b: FloatArray, c: FloatArray, d: FloatArray) -> FloatArray:
+    """Gives the distance of the segment from a to b from those from c to d."""
+    crossing = (_turn(a, b, c) * _turn(a, b, d) < 0) & (_turn(c, d, a) * _turn(c, d, b) < 0)
+    ends = [_to_segment_m(a, c, d), _to_segment_m(b, c, d)]
+    ends += [_to_segment_m(c, a, b), _to_segment_m(d, a, b)]
+    return np.where(crossing, 0.0, np.minimum.reduce(ends))
+
+
+def _to_segment_m(point: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
+    along, across = end - start, point - start
+    share = (along * across).sum(axis=-1) / (along * along).sum(axis=-1)
+    nearest = start + np.clip(share, 0.0, 1.0)[..., None] * along
+    return np.asarray(np.hypot(*np.moveaxis(point - nearest, -1, 0)))
