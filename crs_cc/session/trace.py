@@ -8,9 +8,13 @@ timestep, and which requests were answered, each with the instant at which the p
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
+from typing import Final
 
-from crs_cc.sim.step import Answer, RobotSlice, Step, describe_slice
+from crs_cc.sim.step import Answer, AxisSlice, RobotSlice, Step, describe_slice
+
+_TURNING: Final = frozenset({"steering", "turret"})
 
 
 class Trace:
@@ -36,19 +40,31 @@ class Trace:
 def line(slice_: RobotSlice) -> str:
     """Gives one robot's timestep as text.
 
-    >>> line(RobotSlice("PR", 3, 21, 0.0127, 0.0127, (0.0381, 0.0381), (0.254, 0.254), True, ()))
+    >>> wheels = (AxisSlice(name, 0.0127, 0.0381, 0.254) for name in ("right", "left"))
+    >>> line(RobotSlice("PR", 3, 21, tuple(wheels), True, ()))
     'PR 3/21  right 0.0127 m  left 0.0127 m  done 0.0381,0.0381 of 0.2540,0.2540 m  waits'
+    >>> line(RobotSlice("VM", 1, None, (AxisSlice("turret", math.pi / 2, 9.0, None),), False, ()))
+    'VM 1/-  turret 90.00 deg'
     """
     parts = [f"{slice_.command or '-'}{_count(slice_)}"]
-    parts.append(f"right {slice_.right_m:.4f} m  left {slice_.left_m:.4f} m")
-    if slice_.total_m is not None and slice_.command:
-        done = ",".join(f"{way_m:.4f}" for way_m in slice_.travelled_m)
-        total = ",".join(f"{way_m:.4f}" for way_m in slice_.total_m)
-        parts.append(f"done {done} of {total} m")
+    parts += [f"{axis.name} {_way(axis, axis.way)} {_unit(axis)}" for axis in slice_.axes]
+    if slice_.command and all(axis.total is not None for axis in slice_.axes):
+        done = ",".join(_way(axis, axis.travelled) for axis in slice_.axes)
+        total = ",".join(_way(axis, axis.total or 0.0) for axis in slice_.axes)
+        units = dict.fromkeys(_unit(axis) for axis in slice_.axes)
+        parts.append(f"done {done} of {total} {','.join(units)}")
     if slice_.waiting:
         parts.append("waits")
     parts += [_answer(answer) for answer in slice_.answers]
     return "  ".join(parts)
+
+
+def _unit(axis: AxisSlice) -> str:
+    return "deg" if axis.name in _TURNING else "m"
+
+
+def _way(axis: AxisSlice, way: float) -> str:
+    return f"{math.degrees(way):.2f}" if axis.name in _TURNING else f"{way:.4f}"
 
 
 def _count(slice_: RobotSlice) -> str:

@@ -50,7 +50,6 @@ IndexArray = npt.NDArray[np.intp]
 Messages = npt.NDArray[np.void]
 
 _ALL: Final = slice(None)
-_TURN: Final = 2 * np.pi
 _STATE_BYTES: Final = 4 * NUM_STATE
 
 
@@ -93,6 +92,7 @@ class Environment:
         self._sonars = SonarRing(world, seed)
         self._around = Surroundings(scene, self._sonars.fans)
         self._served: list[Served] = []
+        self._axes = tuple(robot.model.drive.axis_names for robot in world.robots)
         self._link_s = [dict(robot.model.link_s) for robot in world.robots]
 
     @property
@@ -163,12 +163,12 @@ class Environment:
         state = self.state
         robots = len(state.drive.clock_s)
         drive.advance(state, self._equipment, _ALL, np.full(robots, self.end_s))
-        slices = slices_of(state, self.timestep_s)
+        slices = slices_of(state, self._axes, self.timestep_s)
         before_m = state.bodies.position_m[:robots].copy()
         contacts = self._physics.step(state.bodies, state.drive.moved_m)
         went_m = state.bodies.position_m[:robots] - before_m
         state.distance_m += np.hypot(went_m[:, 0], went_m[:, 1])
-        state.heading_rad = state.drive.facing_rad % _TURN
+        drive.face(state, self._equipment)
         began = self._touch(contacts)
         cycle, time_s, served = state.cycle, self.time_s, tuple(self._served)
         self._begin_cycle()
@@ -222,7 +222,7 @@ class Environment:
         """Writes replies over messages."""
         if code in FIRES_SONARS:
             self._sonars.read(self.state, self._around, rows[good])
-        states = state_vector(self.state, rows)
+        states = state_vector(self.state, self._equipment, rows)
         messages["result"][~good] = 0
         results = messages["result"].copy()
         if code in STATE_REPLIES:
@@ -242,14 +242,15 @@ class Environment:
         state.touching = keys.astype(np.int64)
         np.add.at(state.collisions, robot[began], 1)
         bearing_rad = np.arctan2(contacts.y_m - state.y_m[robot], contacts.x_m - state.x_m[robot])
-        bearing_rad -= state.heading_rad[robot]
+        bearing_rad -= state.base_rad[robot]
         before = state.bumpers.pressed
         pressed = np.zeros_like(before)
         np.bitwise_or.at(pressed, robot, self._bumpers.pressed(robot, bearing_rad))
         state.bumpers.pressed = pressed
         hit = np.flatnonzero(pressed & ~before)
         if len(hit):
-            state.bumpers.hit.note(hit, self.end_s, configuration(state, hit))
+            where = configuration(state, self._equipment, hit)
+            state.bumpers.hit.note(hit, self.end_s, where)
         return Contacts(
             robot[began], contacts.other[began], contacts.x_m[began], contacts.y_m[began]
         )
@@ -258,7 +259,7 @@ class Environment:
         state = self.state
         state.cycle += 1
         state.drive.moved_m = np.zeros_like(state.drive.moved_m)  # the physics keeps the old array
-        state.drive.slice_m[:] = 0.0
+        state.drive.slice[:] = 0.0
         state.drive.facing_rad[:] = state.heading_rad
         self._served = []
 

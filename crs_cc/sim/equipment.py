@@ -9,29 +9,45 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.model import WorldModel
+from crs_cc.sim.robot_model import STILL, Drive
 from crs_cc.sim.things import Things
+from crs_cc.units import tenths_deg_to_rad, tenths_inch_to_m
 
 FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True)
 class Equipment:
-    """Constants of all robots; each array has shape (robots,), those of `things` apart.
+    """Constants of all robots; each array has shape (robots,) or (robots, 3) for three axes.
+
+    Those of `things` apart.
 
     Attributes:
         timestep_s: the world's timestep [s].
-        wheel_base_m: distance between the wheels.
-        speed_limit_mps: the fastest that a wheel can run.
-        ramp_limit_mps2: the fastest that its speed can change.
+        unit: size of the vendor's unit of each axis, 0.1 in [m] or 0.1 deg [rad]; 0 for an axis
+            that is not there, so that every command to it means 0.
+        speed_limit: the fastest that an axis can run; 1 for one that is not there.
+        ramp_limit: the fastest that its speed can change; 1 for one that is not there.
+        forward: way of the robot for each unit of each axis' way.
+        turn: by how much the wheels' direction turns for each unit of each axis' way [rad].
+        synchro: whether the robot has a synchro drive, whose base never turns.
+        turret: whether it has a turret of its own.
+        turrets: whether any robot has.
         heat_range_m: how far the heat sensor senses, 0 where there is none.
         tag_range_m: how far heat is taken away.
         things: the shapes of all things.
     """
 
     timestep_s: float
-    wheel_base_m: FloatArray
-    speed_limit_mps: FloatArray
-    ramp_limit_mps2: FloatArray
+    unit: FloatArray
+    speed_limit: FloatArray
+    ramp_limit: FloatArray
+    forward: FloatArray
+    turn: FloatArray
+    synchro: BoolArray
+    turret: BoolArray
+    turrets: bool
     heat_range_m: FloatArray
     tag_range_m: FloatArray
     things: Things
@@ -40,12 +56,41 @@ class Equipment:
     def of(cls, world: WorldModel) -> Self:
         """Gives the equipment of a world's robots."""
         models = [robot.model for robot in world.robots]
+        drives = [model.drive for model in models]
+        axes = [[axis or STILL for axis in drive.axes] for drive in drives]
         return cls(
             world.timestep_s,
-            np.array([model.drive.wheel_base_m for model in models]),
-            np.array([model.drive.speed_limit_mps for model in models]),
-            np.array([model.drive.acceleration_limit_mps2 for model in models]),
+            _rows([_units(drive) for drive in drives]),
+            _rows([[axis.speed_limit for axis in three] for three in axes]),
+            _rows([[axis.acceleration_limit for axis in three] for three in axes]),
+            _rows([_forward(drive) for drive in drives]),
+            _rows([_turn(drive) for drive in drives]),
+            np.array([drive.steering is not None for drive in drives], dtype=np.bool_),
+            np.array([drive.turret is not None for drive in drives], dtype=np.bool_),
+            any(drive.turret is not None for drive in drives),
             np.array([model.heat.range_m for model in models]),
             np.array([model.heat.tag_range_m for model in models]),
             Things.of(world),
         )
+
+
+def _units(drive: Drive) -> list[float]:
+    way, angle = tenths_inch_to_m(1.0), tenths_deg_to_rad(1.0)
+    units = [way, way, 0.0] if drive.steering is None else [way, angle, angle]
+    return [unit if axis else 0.0 for unit, axis in zip(units, drive.axes, strict=True)]
+
+
+def _forward(drive: Drive) -> list[float]:
+    """A differential drive goes the mean of its wheels' ways, a synchro drive that of axis 1."""
+    return [0.5, 0.5, 0.0] if drive.steering is None else [1.0, 0.0, 0.0]
+
+
+def _turn(drive: Drive) -> list[float]:
+    """A differential drive turns by the wheels' difference over their distance."""
+    if drive.steering is None:
+        return [1 / drive.wheel_base_m, -1 / drive.wheel_base_m, 0.0]
+    return [0.0, 1.0, 0.0]
+
+
+def _rows(values: list[list[float]]) -> FloatArray:
+    return np.array(values, dtype=np.float64).reshape(-1, 3)

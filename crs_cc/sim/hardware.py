@@ -1,22 +1,23 @@
-"""The hardware simulator: motion commands become wheel motion, cut into slices of a timestep.
+"""The hardware simulator: motion commands become motion of axes, cut into slices of a timestep.
 
-Each wheel follows a profile of three phases with constant acceleration: it ramps from the speed it
+Each axis follows a profile of three phases with constant acceleration: it ramps from the speed it
 has to a cruising speed, cruises, and brakes to a standstill (the last two may last no time; a
 speed command cruises for ever). A new command replaces the profile from the speed reached. The
 way since the command is a closed formula of the time since the command, so slices are differences
 of that formula, whatever their length, and their sum is the whole way.
 
-All arrays have one row for each robot and two columns: right wheel (the vendor's axis 1), left
-wheel (axis 2). Metres and seconds.
+All arrays have one row for each robot and three columns, the vendor's axes: right wheel, left
+wheel, nothing for a differential drive; translation, steering, turret for a synchro drive. Wheels
+and translation count in metres, steering and turret in radians; times in seconds.
 
->>> wheels = Wheels.standing(robots=1)
->>> plan_move(wheels, ALL, np.array([0.0]), np.array([[1.0, -1.0]]), limit_mps=0.5, ramp_mps2=1.0)
->>> wheels.end_s()                       # 0.5 s ramp, 1.5 s cruise, 0.5 s brake
-array([[2.5, 2.5]])
->>> advance(wheels, ALL, np.array([0.5]))
-array([[ 0.125, -0.125]])
->>> advance(wheels, ALL, np.array([9.0])) + [0.125, -0.125]
-array([[ 1., -1.]])
+>>> axes = Axes.standing(robots=1)
+>>> plan_move(axes, ALL, np.array([0.0]), np.array([[1.0, -1.0, 0.0]]), limit=0.5, ramp=1.0)
+>>> axes.end_s()                         # 0.5 s ramp, 1.5 s cruise, 0.5 s brake
+array([[2.5, 2.5, 0. ]])
+>>> advance(axes, ALL, np.array([0.5]))
+array([[ 0.125, -0.125,  0.   ]])
+>>> advance(axes, ALL, np.array([9.0])) + [0.125, -0.125, 0.0]
+array([[ 1., -1.,  0.]])
 """
 
 from __future__ import annotations
@@ -34,169 +35,175 @@ Rows: TypeAlias = "npt.NDArray[np.intp] | slice"
 
 ALL: Final = slice(None)
 
-_NO_WAY_M: Final = 1e-12  # shorter ways are rounding errors
+AXES: Final = 3
+"""How many axes a robot has (vendor header `Nclient.h` 1.29)."""
+
+_NO_WAY: Final = 1e-12  # shorter ways are rounding errors
 
 
 @dataclass(slots=True)
-class Wheels:
-    """The profiles of all wheels and how far along they are; each array has shape (robots, 2).
+class Axes:
+    """The profiles of all axes and how far along they are; each array has shape (robots, 3).
 
     Attributes:
         start_s: when the profile began.
-        first_mps: speed at its beginning.
-        ramp_mps2: acceleration of the ramp, with sign.
+        first: speed at its beginning.
+        ramp: acceleration of the ramp, with sign.
         ramp_s: how long the ramp takes.
-        cruise_mps: speed behind the ramp, with sign.
+        cruise: speed behind the ramp, with sign.
         cruise_s: how long it lasts; infinite for a speed command.
         brake_s: how long the braking takes.
-        total_m: the whole way; NaN for a speed command other than 0.
-        travelled_m: the way so far.
-        speed_mps: the speed now.
+        total: the whole way; NaN for a speed command other than 0.
+        travelled: the way so far.
+        speed: the speed now.
     """
 
     start_s: FloatArray
-    first_mps: FloatArray
-    ramp_mps2: FloatArray
+    first: FloatArray
+    ramp: FloatArray
     ramp_s: FloatArray
-    cruise_mps: FloatArray
+    cruise: FloatArray
     cruise_s: FloatArray
     brake_s: FloatArray
-    total_m: FloatArray
-    travelled_m: FloatArray
-    speed_mps: FloatArray
+    total: FloatArray
+    travelled: FloatArray
+    speed: FloatArray
 
     @classmethod
     def standing(cls, robots: int) -> Self:
-        """Gives wheels that stand still."""
-        return cls(*(np.zeros((robots, 2)) for _ in fields(cls)))
+        """Gives axes that stand still."""
+        return cls(*(np.zeros((robots, AXES)) for _ in fields(cls)))
 
     def end_s(self, rows: Rows = ALL) -> FloatArray:
-        """Gives when each wheel will stand still [s]: infinite when it goes on for ever."""
+        """Gives when each axis will stand still [s]: infinite when it goes on for ever."""
         end_s = self.start_s[rows] + self.ramp_s[rows]
         return np.asarray(end_s + self.cruise_s[rows] + self.brake_s[rows])
 
 
 def plan_speed(
-    wheels: Wheels,
+    axes: Axes,
     rows: Rows,
     now_s: FloatArray,
-    target_mps: FloatArray,
+    target: FloatArray,
     *,
-    ramp_mps2: FloatArray | float,
+    ramp: FloatArray | float,
     which: BoolArray | bool = True,
 ) -> None:
-    """Lets wheels ramp to a speed and keep it.
+    """Lets axes ramp to a speed and keep it.
 
     Args:
-        wheels: their profiles; must have been advanced to `now_s`.
+        axes: their profiles; must have been advanced to `now_s`.
         rows: which robots, k of them.
         now_s: when the command comes, shape (k,).
-        target_mps: the speed wanted, shape (k, 2).
-        ramp_mps2: acceleration, greater than 0.
-        which: the wheels that are meant, shape (k, 2).
+        target: the speed wanted, shape (k, 3).
+        ramp: acceleration, greater than 0.
+        which: the axes that are meant, shape (k, 3).
     """
-    first_mps = wheels.speed_mps[rows]
-    ramp_s = np.abs(target_mps - first_mps) / ramp_mps2
-    stops = target_mps == 0.0
+    first = axes.speed[rows]
+    ramp_s = np.abs(target - first) / ramp
+    stops = target == 0.0
     _replace(
-        wheels,
+        axes,
         rows,
         which,
-        start_s=np.broadcast_to(now_s[:, None], first_mps.shape),
-        first_mps=first_mps,
-        ramp_mps2=np.sign(target_mps - first_mps) * ramp_mps2,
+        start_s=np.broadcast_to(now_s[:, None], first.shape),
+        first=first,
+        ramp=np.sign(target - first) * ramp,
         ramp_s=ramp_s,
-        cruise_mps=target_mps,
+        cruise=target,
         cruise_s=np.where(stops, 0.0, np.inf),
-        brake_s=np.zeros_like(first_mps),
-        total_m=np.where(stops, first_mps * ramp_s / 2, np.nan),
+        brake_s=np.zeros_like(first),
+        total=np.where(stops, first * ramp_s / 2, np.nan),
     )
 
 
 def plan_move(
-    wheels: Wheels,
+    axes: Axes,
     rows: Rows,
     now_s: FloatArray,
-    way_m: FloatArray,
+    way: FloatArray,
     *,
-    limit_mps: FloatArray | float,
-    ramp_mps2: FloatArray | float,
+    limit: FloatArray | float,
+    ramp: FloatArray | float,
     which: BoolArray | bool = True,
 ) -> None:
-    """Lets wheels go a way, forwards or backwards, and stop exactly at its end.
+    """Lets axes go a way, forwards or backwards, and stop exactly at its end.
 
-    A wheel that is too fast to stop in time brakes, and comes back.
+    An axis that is too fast to stop in time brakes, and comes back.
 
     Args:
-        wheels: their profiles; must have been advanced to `now_s`.
+        axes: their profiles; must have been advanced to `now_s`.
         rows: which robots, k of them.
         now_s: when the command comes, shape (k,).
-        way_m: the way relative to here, shape (k, 2).
-        limit_mps: highest speed, greater than 0.
-        ramp_mps2: acceleration, greater than 0.
-        which: the wheels that are meant, shape (k, 2).
+        way: the way relative to here, shape (k, 3).
+        limit: highest speed, greater than 0.
+        ramp: acceleration, greater than 0.
+        which: the axes that are meant, shape (k, 3).
     """
-    # Seen along `side`, braking at once ends at the goal or before it; so the wheel has time to
+    # Seen along `side`, braking at once ends at the goal or before it; so the axis has time to
     # reach a peak: from v to p to 0 takes the way (p^2 - v^2) / 2a + p^2 / 2a.
-    first_mps = wheels.speed_mps[rows]
-    spare_m = way_m - first_mps * np.abs(first_mps) / (2 * ramp_mps2)
-    side = np.where(np.abs(spare_m) > _NO_WAY_M, np.sign(spare_m), np.sign(first_mps))
-    speed, way = side * first_mps, side * way_m
-    peak = np.sqrt(np.maximum(ramp_mps2 * way + speed * speed / 2, 0.0))
-    peak = np.where(np.abs(spare_m) > _NO_WAY_M, np.minimum(peak, limit_mps), speed)
-    ramp_s = np.abs(peak - speed) / ramp_mps2
-    brake_s = peak / ramp_mps2
-    cruise_m = way - (speed + peak) / 2 * ramp_s - peak * brake_s / 2
-    cruises = (cruise_m > 0.0) & (peak > 0.0)
+    first = axes.speed[rows]
+    spare = way - first * np.abs(first) / (2 * ramp)
+    side = np.where(np.abs(spare) > _NO_WAY, np.sign(spare), np.sign(first))
+    speed, ahead = side * first, side * way
+    peak = np.sqrt(np.maximum(ramp * ahead + speed * speed / 2, 0.0))
+    peak = np.where(np.abs(spare) > _NO_WAY, np.minimum(peak, limit), speed)
+    ramp_s = np.abs(peak - speed) / ramp
+    brake_s = peak / ramp
+    cruise = ahead - (speed + peak) / 2 * ramp_s - peak * brake_s / 2
+    cruises = (cruise > 0.0) & (peak > 0.0)
     _replace(
-        wheels,
+        axes,
         rows,
         which,
-        start_s=np.broadcast_to(now_s[:, None], first_mps.shape),
-        first_mps=first_mps,
-        ramp_mps2=side * np.sign(peak - speed) * ramp_mps2,
+        start_s=np.broadcast_to(now_s[:, None], first.shape),
+        first=first,
+        ramp=side * np.sign(peak - speed) * ramp,
         ramp_s=ramp_s,
-        cruise_mps=side * peak,
-        cruise_s=np.divide(cruise_m, peak, out=np.zeros_like(peak), where=cruises),
+        cruise=side * peak,
+        cruise_s=np.divide(cruise, peak, out=np.zeros_like(peak), where=cruises),
         brake_s=brake_s,
-        total_m=way_m,
+        total=way,
     )
 
 
-def advance(wheels: Wheels, rows: Rows, to_s: FloatArray) -> FloatArray:
-    """Turns wheels on to an instant, not before the last one.
+def advance(axes: Axes, rows: Rows, to_s: FloatArray) -> FloatArray:
+    """Turns axes on to an instant, not before the last one.
 
     Args:
-        wheels: their profiles.
+        axes: their profiles.
         rows: which robots, k of them.
         to_s: the instant of each robot, shape (k,).
 
     Returns:
-        the way that each wheel went [m], shape (k, 2): the slice.
+        the way that each axis went, shape (k, 3): the slice.
     """
-    since_s = to_s[:, None] - wheels.start_s[rows]
-    ramp_s, cruise_s, brake_s = wheels.ramp_s[rows], wheels.cruise_s[rows], wheels.brake_s[rows]
-    first_mps, cruise_mps = wheels.first_mps[rows], wheels.cruise_mps[rows]
-    ramp_mps2 = wheels.ramp_mps2[rows]
-    ramping_s = np.minimum(since_s, ramp_s)
-    cruising_s = np.minimum(np.maximum(since_s - ramp_s, 0.0), cruise_s)
-    braking_s = np.minimum(np.maximum(since_s - ramp_s - cruise_s, 0.0), brake_s)
-    slowing = np.divide(cruise_mps, brake_s, out=np.zeros_like(brake_s), where=brake_s > 0.0)
-    travelled_m = (first_mps + ramp_mps2 * ramping_s / 2) * ramping_s
-    travelled_m += cruise_mps * (cruising_s + braking_s) - slowing * braking_s * braking_s / 2
-    speed_mps = np.where(since_s < ramp_s, first_mps + ramp_mps2 * ramping_s, cruise_mps)
-    speed_mps -= slowing * braking_s
+    since_s = to_s[:, None] - axes.start_s[rows]
+    ramp_s, cruise_s, brake_s = axes.ramp_s[rows], axes.cruise_s[rows], axes.brake_s[rows]
     stands = since_s >= ramp_s + cruise_s + brake_s
-    travelled_m = np.where(stands, wheels.total_m[rows], travelled_m)
-    slice_m = travelled_m - wheels.travelled_m[rows]
-    wheels.travelled_m[rows] = travelled_m
-    wheels.speed_mps[rows] = np.where(stands, 0.0, speed_mps)
-    return np.asarray(slice_m)
+    travelled: FloatArray = axes.total[rows]
+    speed = np.zeros_like(travelled)
+    if not stands.all():
+        first, ramp, cruise = axes.first[rows], axes.ramp[rows], axes.cruise[rows]
+        ramping_s = np.minimum(since_s, ramp_s)
+        behind_s = np.maximum(since_s - ramp_s, 0.0)
+        cruising_s = np.minimum(behind_s, cruise_s)
+        braking_s = np.minimum(behind_s - cruising_s, brake_s)
+        slowing = np.divide(cruise, brake_s, out=np.zeros_like(brake_s), where=brake_s > 0.0)
+        way = (first + ramp * ramping_s / 2) * ramping_s
+        way += cruise * (cruising_s + braking_s) - slowing * braking_s * braking_s / 2
+        now = np.where(since_s < ramp_s, first + ramp * ramping_s, cruise) - slowing * braking_s
+        travelled = np.where(stands, travelled, way)
+        speed = np.where(stands, 0.0, now)
+    slice_ = travelled - axes.travelled[rows]
+    axes.travelled[rows] = travelled
+    axes.speed[rows] = speed
+    return np.asarray(slice_)
 
 
-def _replace(wheels: Wheels, rows: Rows, which: BoolArray | bool, **profile: FloatArray) -> None:
-    """Writes new profiles over the old ones of the wheels that are meant."""
-    profile["travelled_m"] = np.zeros_like(profile["total_m"])
+def _replace(axes: Axes, rows: Rows, which: BoolArray | bool, **profile: FloatArray) -> None:
+    """Writes new profiles over the old ones of the axes that are meant."""
+    profile["travelled"] = np.zeros_like(profile["total"])
     for name, values in profile.items():
-        old: FloatArray = getattr(wheels, name)
+        old: FloatArray = getattr(axes, name)
         old[rows] = np.where(which, values, old[rows])

@@ -135,7 +135,7 @@ class Physics:
         self._scene = scene
         self._robots = scene.robots
         drives = [robot.model.drive for robot in world.robots]
-        fastest_mps = max((drive.speed_limit_mps for drive in drives), default=0.0)
+        fastest_mps = max((drive.wheels.speed_limit for drive in drives), default=0.0)
         self._substeps = max(1, math.ceil(world.timestep_s * fastest_mps / SUBSTEP_M))
         self._substep_s = world.timestep_s / self._substeps
         self._mass_kg = np.array([robot.model.mass_kg for robot in world.robots])

@@ -83,6 +83,14 @@ ACCELERATION: Final = Kind(
     (("m/s2", 1.0), ("cm/s2", 0.01), ("in/s2", INCH_M)),
     "m/s2", "0.5m/s2", 1e3,
 )  # fmt: skip
+TURN_RATE: Final = Kind(
+    "a speed of turning", (("deg/s", math.pi / 180), ("rad/s", 1.0)), "deg/s", "45deg/s", 1e3
+)
+TURN_ACCELERATION: Final = Kind(
+    "an acceleration of turning",
+    (("deg/s2", math.pi / 180), ("rad/s2", 1.0)),
+    "deg/s2", "50deg/s2", 1e4,
+)  # fmt: skip
 FORCE: Final = Kind("a force", (("N", 1.0),), "N", "60N", 1e6)
 FREQUENCY: Final = Kind(
     "a frequency", (("Hz", 1.0), ("kHz", 1e3), ("MHz", 1e6), ("GHz", 1e9)), "Hz", "50MHz", 1e12

@@ -7,8 +7,20 @@ from typing import Final
 from crs_cc.requests import REQUESTS
 from crs_cc.sim import sensor_elements
 from crs_cc.sim.document import Element, Reader
-from crs_cc.sim.quantity import ACCELERATION, ANGLE, FORCE, FREQUENCY, LENGTH, MASS, SPEED, TIME
-from crs_cc.sim.robot_model import Drive, Heat, RobotModel, Sonar
+from crs_cc.sim.quantity import (
+    ACCELERATION,
+    ANGLE,
+    FORCE,
+    FREQUENCY,
+    LENGTH,
+    MASS,
+    SPEED,
+    TIME,
+    TURN_ACCELERATION,
+    TURN_RATE,
+    Kind,
+)
+from crs_cc.sim.robot_model import Axis, Drive, Heat, RobotModel, Sonar
 
 MAX_SONARS: Final = 16
 """The vendor's `State` array has 16 places for sonars (vendor header `Nclient.h` 1.29)."""
@@ -41,14 +53,35 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
 
 
 def _drive(element: Element, reader: Reader) -> Drive:
+    synchro = element.attributes.get("type") == "synchro"
+    if synchro != any(element.all("steering")):
+        reader.error(element, "a synchro drive, and no other, has <steering>")
+    if not synchro and any(element.all("turret")):
+        reader.error(element, "a differential drive has no <turret>")
+    if not synchro and "wheel-base" not in element.attributes:
+        reader.error(element, "a differential drive has the attribute 'wheel-base'")
     return Drive(
-        wheel_base_m=reader.positive(element, "wheel-base", LENGTH),
-        speed_limit_mps=reader.positive(element, "speed-limit", SPEED),
-        acceleration_limit_mps2=reader.positive(element, "acceleration-limit", ACCELERATION),
-        speed_mps=reader.positive(element, "speed", SPEED),
-        acceleration_mps2=reader.positive(element, "acceleration", ACCELERATION),
+        wheel_base_m=0.0 if synchro else reader.positive(element, "wheel-base", LENGTH),
+        wheels=_axis(element, reader, SPEED, ACCELERATION),
+        steering=_turning(element, "steering", reader),
+        turret=_turning(element, "turret", reader),
         timeout_s=reader.not_negative(element, "timeout", TIME),
         push_n=reader.positive(element, "push", FORCE),
+    )
+
+
+def _turning(drive: Element, name: str, reader: Reader) -> Axis | None:
+    for element in drive.all(name):
+        return _axis(element, reader, TURN_RATE, TURN_ACCELERATION)
+    return None
+
+
+def _axis(element: Element, reader: Reader, speed: Kind, acceleration: Kind) -> Axis:
+    return Axis(
+        speed_limit=reader.positive(element, "speed-limit", speed),
+        acceleration_limit=reader.positive(element, "acceleration-limit", acceleration),
+        speed=reader.positive(element, "speed", speed),
+        acceleration=reader.positive(element, "acceleration", acceleration),
     )
 
 

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Final
 
 from crs_cc.sim.sensor_model import Switch
 
@@ -49,27 +50,63 @@ class Sonar:
 
 
 @dataclass(frozen=True, slots=True)
-class Drive:
-    """Two driven wheels on one axle.
+class Axis:
+    """What one axis of a drive can do: in metres for wheels, in radians for steering and turret.
 
     Attributes:
-        wheel_base_m: distance between the wheels.
-        speed_limit_mps: the fastest that a wheel can run.
-        acceleration_limit_mps2: the fastest that its speed can change.
-        speed_mps: speed of relative moves until the program sets another.
-        acceleration_mps2: acceleration until the program sets another.
-        timeout_s: the wheels stop when no command came for so long, until the program sets
+        speed_limit: the fastest that it can run.
+        acceleration_limit: the fastest that its speed can change.
+        speed: speed of relative moves until the program sets another.
+        acceleration: acceleration until the program sets another.
+    """
+
+    speed_limit: float
+    acceleration_limit: float
+    speed: float
+    acceleration: float
+
+
+STILL: Final = Axis(1.0, 1.0, 1.0, 1.0)
+"""Stands in arrays for an axis that a robot does not have, where 0 would be divided by."""
+
+
+@dataclass(frozen=True, slots=True)
+class Drive:
+    """A differential drive, or a synchro drive when there is a steering axis.
+
+    A differential drive has two driven wheels on one axle, and turns with all that is on it. The
+    wheels of a synchro drive all run and steer alike, and its base never turns.
+
+    Attributes:
+        wheel_base_m: distance between the wheels of a differential drive.
+        wheels: each wheel, or the translation of a synchro drive [m].
+        steering: the direction of a synchro drive's wheels [rad].
+        turret: what turns the sensors above the base of a synchro drive [rad].
+        timeout_s: the axes stop when no command came for so long, until the program sets
             another; 0 for never.
         push_n: the force with which the robot pushes against what is in its way.
     """
 
-    wheel_base_m: float
-    speed_limit_mps: float = 1.0
-    acceleration_limit_mps2: float = 2.0
-    speed_mps: float = 0.3
-    acceleration_mps2: float = 0.5
+    wheel_base_m: float = 0.0
+    wheels: Axis = Axis(1.0, 2.0, 0.3, 0.5)
+    steering: Axis | None = None
+    turret: Axis | None = None
     timeout_s: float = 0.0
     push_n: float = 60.0
+
+    @property
+    def axes(self) -> tuple[Axis | None, Axis | None, Axis | None]:
+        """The vendor's three axes; None for one that the robot does not have."""
+        if self.steering is None:
+            return self.wheels, self.wheels, None
+        return self.wheels, self.steering, self.turret
+
+    @property
+    def axis_names(self) -> tuple[str, ...]:
+        """What the axes are called, those that the robot has."""
+        if self.steering is None:
+            return "right", "left"
+        return ("translation", "steering", "turret")[: 2 if self.turret is None else 3]
 
 
 @dataclass(frozen=True, slots=True)

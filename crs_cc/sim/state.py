@@ -47,7 +47,11 @@ class EnvState:
     Attributes:
         cycle: number of the current cycle.
         bodies: what moves, the robots first.
-        heading_rad: the robots' true headings at the start of the cycle.
+        heading_rad: the robots' true headings at the start of the cycle: where their wheels roll.
+        turret_rad: where the mount of their sonars, infrared sensors and laser points: the heading,
+            or the turret, or the base of a synchro drive without a turret.
+        base_rad: where the mount of their bumpers points: the heading, or the base of a synchro
+            drive, which never turns.
         drive: the motion of the axes.
         odometry: where each robot believes to be.
         sonar: the sonars' readings.
@@ -66,6 +70,8 @@ class EnvState:
     cycle: int
     bodies: Bodies
     heading_rad: FloatArray
+    turret_rad: FloatArray
+    base_rad: FloatArray
     drive: DriveState
     odometry: OdometryState
     sonar: SonarState
@@ -89,6 +95,8 @@ class EnvState:
             cycle=0,
             bodies=bodies,
             heading_rad=heading_rad,
+            turret_rad=heading_rad,
+            base_rad=heading_rad,
             drive=DriveState.at_start(world),
             odometry=OdometryState.at_start(world),
             sonar=SonarState.at_start(world),

@@ -5,7 +5,8 @@ Indices and units are those of the vendor header `Nclient.h` 1.29. What a Scout 
 
 >>> from crs_cc.sim.state import EnvState
 >>> from crs_cc.sim.world_xml import empty_world
->>> vector = state_vector(EnvState.at_start(empty_world()), np.array([0]))
+>>> world = empty_world()
+>>> vector = state_vector(EnvState.at_start(world), Equipment.of(world), np.array([0]))
 >>> vector.shape, vector[0, SIM_SPEED], vector[0, SONAR_0]
 ((1, 45), np.int32(10), np.int32(255))
 """
@@ -18,6 +19,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.requests import NUM_STATE
+from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.robot_elements import MAX_SONARS
 from crs_cc.sim.state import EnvState
 from crs_cc.sim.states.sonar import NO_ECHO
@@ -31,18 +33,20 @@ BUMPER: Final = 33  # bit mask
 CONF_X: Final = 34  # [0.1 in]
 CONF_Y: Final = 35  # [0.1 in]
 CONF_STEER: Final = 36  # [0.1 deg], 0 to 3599
-VEL_RIGHT: Final = 38  # [0.1 in/s]
-VEL_LEFT: Final = 39  # [0.1 in/s]
+CONF_TURRET: Final = 37  # [0.1 deg], 0 to 3599
+VEL_RIGHT: Final = 38  # [0.1 in/s]; of a synchro drive the translation
+VEL_LEFT: Final = 39  # [0.1 in/s]; of a synchro drive the steering [0.1 deg/s]
 VEL_TURRET: Final = 40  # [0.1 deg/s]
-MOTOR_STATUS: Final = 41  # bit 0 right wheel moves, bit 1 left wheel moves
+MOTOR_STATUS: Final = 41  # bit n: axis n + 1 moves
 
+_BITS: Final = np.array([1, 2, 4])
 _REAL_TIME: Final = 10
 _FULL_TURN: Final = 3600
 _LARGEST: Final = 2**31 - 1
 
 
-def state_vector(state: EnvState, rows: IndexArray) -> npt.NDArray[np.int32]:
-    """Gives `State` of robots as their wheels were turned last, shape (k, 45)."""
+def state_vector(state: EnvState, equipment: Equipment, rows: IndexArray) -> npt.NDArray[np.int32]:
+    """Gives `State` of robots as their axes were turned last, shape (k, 45)."""
     vector = np.zeros((len(rows), NUM_STATE), dtype=np.int32)
     vector[:, SIM_SPEED] = _REAL_TIME
     sonar_in = np.where(state.sonar.on[rows], state.sonar.reading_in[rows], NO_ECHO)
@@ -52,16 +56,18 @@ def state_vector(state: EnvState, rows: IndexArray) -> npt.NDArray[np.int32]:
     vector[:, CONF_Y] = _whole(m_to_tenths_inch(state.odometry.y_m[rows]))
     heading = _whole(rad_to_tenths_deg(state.odometry.heading_rad[rows]))
     vector[:, CONF_STEER] = heading % _FULL_TURN
-    speed_mps = state.drive.wheels.speed_mps[rows]
-    vector[:, VEL_RIGHT : VEL_LEFT + 1] = _whole(m_to_tenths_inch(speed_mps))
-    moves = speed_mps != 0.0
-    vector[:, MOTOR_STATUS] = moves[:, 0] + 2 * moves[:, 1]
+    turret = _whole(rad_to_tenths_deg(state.odometry.turret_rad[rows]))
+    vector[:, CONF_TURRET] = turret % _FULL_TURN
+    speed, unit = state.drive.axes.speed[rows], equipment.unit[rows]
+    speed = np.divide(speed, unit, out=np.zeros_like(speed), where=unit > 0.0)
+    vector[:, VEL_RIGHT : VEL_TURRET + 1] = _whole(speed)
+    vector[:, MOTOR_STATUS] = (speed != 0.0) @ _BITS
     return vector
 
 
-def configuration(state: EnvState, rows: IndexArray) -> npt.NDArray[np.int32]:
+def configuration(state: EnvState, equipment: Equipment, rows: IndexArray) -> npt.NDArray[np.int32]:
     """Gives the part of `State` that tells where robots are and how fast, shape (k, 7)."""
-    return state_vector(state, rows)[:, CONF_X : VEL_TURRET + 1]
+    return state_vector(state, equipment, rows)[:, CONF_X : VEL_TURRET + 1]
 
 
 def _whole(value: npt.NDArray[np.float64]) -> npt.NDArray[np.int32]:

@@ -1,7 +1,7 @@
 """What happened in one cycle: for the session, for traces, for viewers.
 
 `Step` holds arrays over robots; `describe_slice` gives one robot's part as plain values: which
-command ran, which slice of it this was, how far the wheels went, and which requests were answered.
+command ran, which slice of it this was, how far the axes went, and which requests were answered.
 """
 
 from __future__ import annotations
@@ -62,21 +62,23 @@ class Slices:
     """The slice of its motion command that each robot ran in a cycle.
 
     Attributes:
-        command: code of the command, 0 when the wheels stood and nothing ran, (robots,).
+        axes: the names of each robot's axes.
+        command: code of the command, 0 when the axes stood and nothing ran, (robots,).
         number: which slice of the command it was, from 1, (robots,).
         count: how many there are in all, 0 for a command without an end, (robots,).
-        way_m: way of the right and left wheel in this cycle, (robots, 2).
-        travelled_m: the same since the command, (robots, 2).
-        total_m: what the command asks for; NaN for a command without an end, (robots, 2).
+        way: way of each axis in this cycle [m or rad], (robots, 3).
+        travelled: the same since the command, (robots, 3).
+        total: what the command asks for; NaN for a command without an end, (robots, 3).
         waiting: whether the robot waits (`ws`), (robots,).
     """
 
+    axes: tuple[tuple[str, ...], ...]
     command: WholeArray
     number: WholeArray
     count: WholeArray
-    way_m: FloatArray
-    travelled_m: FloatArray
-    total_m: FloatArray
+    way: FloatArray
+    travelled: FloatArray
+    total: FloatArray
     waiting: npt.NDArray[np.bool_]
 
 
@@ -92,7 +94,7 @@ class Step:
         messages: the replies, of dtype `requests.MESSAGE`.
         contacts: contacts that began in the cycle.
         names: what `contacts.other` counts: robots, things, walls.
-        slices: what the wheels did in the cycle.
+        slices: what the axes did in the cycle.
         served: the requests that were answered in the cycle, in order.
     """
 
@@ -128,6 +130,23 @@ class Answer:
 
 
 @dataclass(frozen=True, slots=True)
+class AxisSlice:
+    """One axis' part of a cycle: in metres, or in radians for `steering` and `turret`.
+
+    Attributes:
+        name: what the axis is called: `right`, `left`, `translation`, `steering`, `turret`.
+        way: its way in this cycle.
+        travelled: its way since the command.
+        total: the way that the command asks for; None when it has no end.
+    """
+
+    name: str
+    way: float
+    travelled: float
+    total: float | None
+
+
+@dataclass(frozen=True, slots=True)
 class RobotSlice:
     """One robot's part of a cycle.
 
@@ -135,10 +154,7 @@ class RobotSlice:
         command: name of the motion command that ran, empty for none.
         number: which slice of it this was, from 1.
         count: how many there are in all; None when it has no end.
-        right_m: way of the right wheel in this cycle.
-        left_m: way of the left wheel.
-        travelled_m: way of both since the command, right and left.
-        total_m: the way that the command asks for; None when it has no end.
+        axes: what each axis did.
         waiting: whether the robot waits (`ws`).
         answers: the requests that were answered, by rising clock.
     """
@@ -146,30 +162,27 @@ class RobotSlice:
     command: str
     number: int
     count: int | None
-    right_m: float
-    left_m: float
-    travelled_m: tuple[float, float]
-    total_m: tuple[float, float] | None
+    axes: tuple[AxisSlice, ...]
     waiting: bool
     answers: tuple[Answer, ...]
 
 
-def slices_of(state: EnvState, timestep_s: float) -> Slices:
-    """Gives the slices of a cycle whose wheels have been turned to its end."""
-    end_s = state.drive.wheels.end_s().max(axis=1)
-    last = np.ceil(np.where(np.isinf(end_s), 0.0, end_s) / timestep_s - 1e-9).astype(np.int64)
+def slices_of(state: EnvState, axes: tuple[tuple[str, ...], ...], timestep_s: float) -> Slices:
+    """Gives the slices of a cycle whose axes have been turned to its end."""
+    end_s = state.drive.axes.end_s().max(axis=1)
+    endless = np.isinf(end_s)
+    last = np.ceil(np.where(endless, 0.0, end_s) / timestep_s - 1e-9).astype(np.int64)
     count = np.maximum(last - state.drive.command_cycle, 1)
     number = state.cycle - state.drive.command_cycle + 1
-    endless = np.isinf(end_s)
     runs = (state.drive.command != 0) & (endless | (number <= count))
-    total_m = state.drive.wheels.total_m
     return Slices(
+        axes,
         np.where(runs, state.drive.command, 0),
         number,
         np.where(endless, 0, count),
-        state.drive.slice_m.copy(),
-        state.drive.wheels.travelled_m.copy(),
-        total_m.copy(),
+        state.drive.slice.copy(),
+        state.drive.axes.travelled.copy(),
+        state.drive.axes.total.copy(),
         np.asarray(state.drive.waiting.any(axis=1)),
     )
 
@@ -178,17 +191,16 @@ def describe_slice(step: Step, robot: int) -> RobotSlice:
     """Gives one robot's part of a cycle as plain values."""
     slices = step.slices
     code, count = int(slices.command[robot]), int(slices.count[robot])
-    right_m, left_m = slices.way_m[robot].tolist()
-    total_m = slices.total_m[robot].tolist()
-    travelled_m = slices.travelled_m[robot].tolist()
+    rows = (slices.way[robot], slices.travelled[robot], slices.total[robot])
+    ways = zip(*(row.tolist() for row in rows), strict=True)
     return RobotSlice(
         command=REQUESTS[code].name if code else "",
         number=int(slices.number[robot]),
         count=count or None,
-        right_m=right_m,
-        left_m=left_m,
-        travelled_m=(travelled_m[0], travelled_m[1]),
-        total_m=None if any(math.isnan(way) for way in total_m) else (total_m[0], total_m[1]),
+        axes=tuple(
+            AxisSlice(name, way, travelled, None if math.isnan(total) else total)
+            for name, (way, travelled, total) in zip(slices.axes[robot], ways, strict=False)
+        ),
         waiting=bool(slices.waiting[robot]),
         answers=_answers(step, robot),
     )

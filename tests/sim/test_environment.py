@@ -89,26 +89,26 @@ def test_speeds_and_accelerations_are_held_to_the_limits_of_the_robot():
     driver = Driver.of(open_world())
     driver.ask("AC", 10_000, -200)
     driver.ask("SP", 10_000, -50)
-    assert driver.state.drive.ramp_mps2[0] == pytest.approx([2.0, 20 * INCH])
-    assert driver.state.drive.move_mps[0] == pytest.approx([1.0, 5 * INCH])
+    assert driver.state.drive.ramp[0, :2] == pytest.approx([2.0, 20 * INCH])
+    assert driver.state.drive.move_speed[0, :2] == pytest.approx([1.0, 5 * INCH])
     driver.ask("VM", 2**31 - 1, -(2**31))
     driver.run_s(5)
-    assert driver.state.drive.wheels.speed_mps[0].tolist() == [1.0, -1.0]
+    assert driver.state.drive.axes.speed[0].tolist() == [1.0, -1.0, 0.0]
     driver.ask("AC", 0, 0)
     driver.ask("SP", 0, 0)
-    assert (driver.state.drive.ramp_mps2 > 0).all()
-    assert (driver.state.drive.move_mps > 0).all()
+    assert (driver.state.drive.ramp > 0).all()
+    assert (driver.state.drive.move_speed > 0).all()
 
 
 def test_mv_commands_each_wheel_in_its_own_mode():
     driver = Driver.of(open_world())
     driver.ask("MV", 4, 100, 5, 50, 0, 0)  # MV_AC right, MV_SP left
-    assert driver.state.drive.ramp_mps2[0] == pytest.approx([10 * INCH, 20 * INCH])
-    assert driver.state.drive.move_mps[0] == pytest.approx([10 * INCH, 5 * INCH])
+    assert driver.state.drive.ramp[0, :2] == pytest.approx([10 * INCH, 20 * INCH])
+    assert driver.state.drive.move_speed[0, :2] == pytest.approx([10 * INCH, 5 * INCH])
     driver.ask("MV", 1, 100, 2, 30, 0, 0)  # MV_VM right, MV_PR left
     steps = driver.run_s(3)
-    assert driver.state.drive.wheels.speed_mps[0] == pytest.approx([10 * INCH, 0])
-    assert sum(step.slices.way_m[0, 1] for step in steps) == pytest.approx(3 * INCH)
+    assert driver.state.drive.axes.speed[0] == pytest.approx([10 * INCH, 0, 0])
+    assert sum(step.slices.way[0, 1] for step in steps) == pytest.approx(3 * INCH)
     driver.ask("MV", 3, 0, 0, 0, 0, 0)  # MV_LP right
     driver.run_s(2)
     assert driver.ask("GS")[MOTOR_STATUS] == 0
@@ -304,17 +304,18 @@ def test_slices_number_the_parts_of_a_command_and_add_up_to_it():
     assert {part.command for part in runs} == {"PR"}
     assert [part.number for part in runs] == list(range(1, 32))  # 1.5 s from 0.02 s: 31 cycles
     assert {part.count for part in runs} == {31}
-    assert sum(part.right_m for part in runs) == pytest.approx(10 * INCH, abs=1e-12)
-    assert sum(part.left_m for part in runs) == pytest.approx(-5 * INCH, abs=1e-12)
-    assert runs[-1].travelled_m == runs[-1].total_m == pytest.approx((10 * INCH, -5 * INCH))
-    assert all(part.right_m == 0 for part in parts[31:])
+    for axis, way_m in enumerate((10 * INCH, -5 * INCH)):
+        assert sum(part.axes[axis].way for part in runs) == pytest.approx(way_m, abs=1e-12)
+        assert runs[-1].axes[axis].travelled == runs[-1].axes[axis].total == pytest.approx(way_m)
+        assert all(part.axes[axis].way == 0 for part in parts[31:])
 
 
 def test_a_command_without_an_end_has_slices_without_a_count():
     driver = Driver.of(open_world())
     driver.ask("VM", 100, 100)
     part = describe_slice(driver.run(7)[-1], 0)
-    assert (part.command, part.number, part.count, part.total_m) == ("VM", 7, None, None)
+    assert (part.command, part.number, part.count) == ("VM", 7, None)
+    assert [(axis.name, axis.total) for axis in part.axes] == [("right", None), ("left", None)]
 
 
 def test_a_step_tells_which_requests_were_answered_and_with_what():
@@ -493,7 +494,7 @@ def test_no_request_can_break_the_environment(code, content, clock_s):
     driver.state.drive.waiting[:] = False
     assert np.isfinite(state.bodies.position_m).all()
     assert np.isfinite([state.odometry.x_m, state.odometry.y_m, state.odometry.heading_rad]).all()
-    assert np.isfinite(state.drive.wheels.speed_mps).all()
+    assert np.isfinite(state.drive.axes.speed).all()
 
 
 _NONSENSE: list[Driver] = []

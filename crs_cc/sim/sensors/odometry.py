@@ -1,18 +1,21 @@
 """Odometry: where a robot believes to be, from the turns of its wheels.
 
+A differential drive, with the ways of its right and left wheel:
+
     turn = (right - left) / wheel base
     way  = (right + left) / 2
 
-While both wheels keep their speeds the robot runs along an arc; its chord is way * sinc(turn / 2),
-at half the turn from the old heading (exact: J. Borenstein, H. R. Everett, L. Feng, "Where am I?",
-1996, section 1.2, gives the same with the chord taken for the arc). Wheels that slip turn all the
-same, so after a collision odometry is wrong, as it is on the robot.
+A synchro drive tells way and turn by its axes 1 and 2. While the speeds of the axes keep, the robot
+runs along an arc; its chord is way * sinc(turn / 2), at half the turn from the old heading (exact:
+J. Borenstein, H. R. Everett, L. Feng, "Where am I?", 1996, section 1.2, gives the same with the
+chord taken for the arc). Wheels that slip turn all the same, so after a collision odometry is
+wrong, as it is on the robot.
 
 Units on the interface: 0.1 in and 0.1 deg (vendor header `Nclient.h` 1.29). No degradation yet.
 
->>> quarter = np.array([[math.pi / 2 * 1.1, math.pi / 2 * 0.9]])    # radius 1, base 0.2
->>> [round(float(part[0]), 6) for part in arc(np.array([0.0]), quarter, np.array([0.2]))]
-[1.0, 1.0, 1.570796]
+>>> quarter = np.array([math.pi / 2]), np.array([math.pi / 2])    # along a circle of radius 1
+>>> [round(float(part[0]), 6) for part in arc(np.array([0.0]), *quarter)]
+[1.0, 1.0]
 """
 
 from __future__ import annotations
@@ -34,36 +37,42 @@ IndexArray = npt.NDArray[np.intp]
 Messages = npt.NDArray[np.void]
 
 _TURN: Final = 2 * math.pi
+_FULL_TURN: Final = 3600  # [0.1 deg]
 
 
 def arc(
-    heading_rad: FloatArray, way_m: FloatArray, wheel_base_m: FloatArray
-) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Gives the change of a pose when the wheels run their ways.
+    heading_rad: FloatArray, way_m: FloatArray, turn_rad: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Gives the change of a place along an arc.
 
     Args:
         heading_rad: the heading before, shape (k,).
-        way_m: way of the right and of the left wheel, shape (k, 2).
-        wheel_base_m: distance between the wheels, shape (k,).
+        way_m: length of the arc, shape (k,).
+        turn_rad: by how much the heading turns on it, shape (k,).
 
     Returns:
-        change of x, of y [m], and of the heading [rad].
+        change of x and of y [m].
     """
-    turn = (way_m[:, 0] - way_m[:, 1]) / wheel_base_m
-    chord = (way_m[:, 0] + way_m[:, 1]) / 2 * np.sinc(turn / _TURN)  # sinc(x) is sin(pi x) / pi x
-    direction = heading_rad + turn / 2
-    return chord * np.cos(direction), chord * np.sin(direction), turn
+    chord_m = way_m * np.sinc(turn_rad / _TURN)  # sinc(x) is sin(pi x) / pi x
+    direction = heading_rad + turn_rad / 2
+    return chord_m * np.cos(direction), chord_m * np.sin(direction)
 
 
 def count_turns(
-    state: EnvState, equipment: Equipment, rows: IndexArray | slice, way_m: FloatArray
+    state: EnvState, equipment: Equipment, rows: IndexArray | slice, way: FloatArray
 ) -> None:
-    """Takes the wheels' ways since the last time into the odometry."""
+    """Takes the axes' ways since the last time into the odometry."""
     heading_rad = state.odometry.heading_rad[rows]
-    x_m, y_m, turn_rad = arc(heading_rad, way_m, equipment.wheel_base_m[rows])
+    turn_rad = (way * equipment.turn[rows]).sum(axis=1)
+    x_m, y_m = arc(heading_rad, (way * equipment.forward[rows]).sum(axis=1), turn_rad)
     state.odometry.x_m[rows] += x_m
     state.odometry.y_m[rows] += y_m
     state.odometry.heading_rad[rows] = (heading_rad + turn_rad) % _TURN
+    if equipment.turrets:
+        turret_rad = state.odometry.turret_rad[rows] + np.where(
+            equipment.turret[rows], way[:, 2], 0.0
+        )
+        state.odometry.turret_rad[rows] = turret_rad % _TURN
 
 
 def dp(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
@@ -72,10 +81,12 @@ def dp(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messa
     state.odometry.y_m[rows] = tenths_inch_to_m(messages["i"][:, 1].astype(np.float64))
 
 
-def da(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
-    """Sets the heading; the Scout has no turret."""
-    heading = messages["i"][:, 0] % 3600
-    state.odometry.heading_rad[rows] = tenths_deg_to_rad(heading.astype(np.float64))
+def da(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+    """Sets the heading, and the angle of the turret where there is one."""
+    angles = (messages["i"][:, :2] % _FULL_TURN).astype(np.float64)
+    heading_rad, turret_rad = tenths_deg_to_rad(angles).T
+    state.odometry.heading_rad[rows] = heading_rad
+    state.odometry.turret_rad[rows] = np.where(equipment.turret[rows], turret_rad, 0.0)
 
 
 def zr(state: EnvState, _equipment: Equipment, rows: IndexArray, _messages: Messages) -> None:
@@ -83,3 +94,4 @@ def zr(state: EnvState, _equipment: Equipment, rows: IndexArray, _messages: Mess
     state.odometry.x_m[rows] = 0.0
     state.odometry.y_m[rows] = 0.0
     state.odometry.heading_rad[rows] = 0.0
+    state.odometry.turret_rad[rows] = 0.0

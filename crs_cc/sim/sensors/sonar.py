@@ -65,7 +65,7 @@ class SonarRing:
         if not len(rows):
             return
         distance_m = np.full((len(rows), MAX_SONARS), np.inf)
-        poses = np.column_stack([state.x_m[rows], state.y_m[rows], state.heading_rad[rows]])
+        poses = np.column_stack([state.x_m[rows], state.y_m[rows], state.turret_rad[rows]])
         kinds = self._kind[rows]
         for kind, (fan, numbers) in enumerate(zip(self.fans, self._numbers, strict=True)):
             mine = np.flatnonzero(kinds == kind)

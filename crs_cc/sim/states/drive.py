@@ -1,4 +1,4 @@
-"""The motion of the wheels."""
+"""The motion of the axes."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ from typing import Self
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.hardware import Wheels
+from crs_cc.sim.hardware import AXES, Axes
 from crs_cc.sim.model import WorldModel
+from crs_cc.sim.robot_model import STILL
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
@@ -18,31 +19,33 @@ WholeArray = npt.NDArray[np.int64]
 
 @dataclass(slots=True)
 class DriveState:
-    """The motion of the wheels; arrays have a row for each robot.
+    """The motion of the axes; arrays have a row for each robot, and a column for each axis.
 
     Attributes:
-        wheels: the wheels' profiles, shape (robots, 2) each.
-        clock_s: the instant to which each robot's wheels have been turned.
+        axes: the axes' profiles, shape (robots, 3) each.
+        clock_s: the instant to which each robot's axes have been turned.
         moved_m: where the wheels took each robot in this cycle, world frame, (robots, 2).
-        facing_rad: the heading that this led to.
-        slice_m: the way of each wheel in this cycle, (robots, 2): the slice so far.
-        move_mps: speed of relative moves (`sp`), (robots, 2).
-        ramp_mps2: acceleration (`ac`), (robots, 2).
+        facing_rad: the direction of the wheels that this led to.
+        turret_rad: the direction of the turret that this led to; of use where there is one.
+        slice: the way of each axis in this cycle, (robots, 3): the slice so far.
+        move_speed: speed of relative moves (`sp`), (robots, 3).
+        ramp: acceleration (`ac`), (robots, 3).
         command: request code of the motion command that runs; 0 before the first.
         command_cycle: the cycle in which it came.
-        timeout_s: the wheels stop when no command came for so long (`conf_tm`), infinite for never.
+        timeout_s: the axes stop when no command came for so long (`conf_tm`), infinite for never.
         deadline_s: when they will.
-        waiting: the wheels that a `ws` waits for, (robots, 2).
+        waiting: the axes that a `ws` waits for, (robots, 3).
         wait_until_s: when it gives up.
     """
 
-    wheels: Wheels
+    axes: Axes
     clock_s: FloatArray
     moved_m: FloatArray
     facing_rad: FloatArray
-    slice_m: FloatArray
-    move_mps: FloatArray
-    ramp_mps2: FloatArray
+    turret_rad: FloatArray
+    slice: FloatArray
+    move_speed: FloatArray
+    ramp: FloatArray
     command: WholeArray
     command_cycle: WholeArray
     timeout_s: FloatArray
@@ -52,26 +55,28 @@ class DriveState:
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
-        """Gives wheels that rest."""
+        """Gives axes that rest."""
         count = len(world.robots)
         drives = [robot.model.drive for robot in world.robots]
+        axes = [[axis or STILL for axis in drive.axes] for drive in drives]
+        heading_rad = np.array([robot.start.heading_rad for robot in world.robots])
         return cls(
-            wheels=Wheels.standing(count),
+            axes=Axes.standing(count),
             clock_s=np.zeros(count),
             moved_m=np.zeros((count, 2)),
-            facing_rad=np.array([robot.start.heading_rad for robot in world.robots]),
-            slice_m=np.zeros((count, 2)),
-            move_mps=_both([drive.speed_mps for drive in drives]),
-            ramp_mps2=_both([drive.acceleration_mps2 for drive in drives]),
+            facing_rad=heading_rad,
+            turret_rad=heading_rad.copy(),
+            slice=np.zeros((count, AXES)),
+            move_speed=_rows([[axis.speed for axis in three] for three in axes]),
+            ramp=_rows([[axis.acceleration for axis in three] for three in axes]),
             command=np.zeros(count, dtype=np.int64),
             command_cycle=np.zeros(count, dtype=np.int64),
             timeout_s=np.array([drive.timeout_s or np.inf for drive in drives]),
             deadline_s=np.full(count, np.inf),
-            waiting=np.zeros((count, 2), dtype=np.bool_),
+            waiting=np.zeros((count, AXES), dtype=np.bool_),
             wait_until_s=np.full(count, np.inf),
         )
 
 
-def _both(values: list[float]) -> FloatArray:
-    """Gives the same value to both wheels of each robot."""
-    return np.repeat(np.array(values, dtype=np.float64)[:, None], 2, axis=1)
+def _rows(values: list[list[float]]) -> FloatArray:
+    return np.array(values, dtype=np.float64).reshape(-1, AXES)

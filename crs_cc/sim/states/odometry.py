@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Self
 
 import numpy as np
@@ -20,9 +20,10 @@ class OdometryState:
     x_m: FloatArray
     y_m: FloatArray
     heading_rad: FloatArray
+    turret_rad: FloatArray
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
         """Gives the odometry of robots that were just switched on."""
         count = len(world.robots)
-        return cls(np.zeros(count), np.zeros(count), np.zeros(count))
+        return cls(*(np.zeros(count) for _ in fields(cls)))

@@ -1,0 +1,143 @@
+"""The synchro drive: translation, steering and turret, above a base that never turns."""
+
+import math
+
+import numpy as np
+import pytest
+
+from crs_cc.sim.state_vector import (
+    BUMPER,
+    CONF_STEER,
+    CONF_TURRET,
+    CONF_X,
+    CONF_Y,
+    MOTOR_STATUS,
+    SONAR_0,
+    VEL_LEFT,
+    VEL_RIGHT,
+    VEL_TURRET,
+)
+from crs_cc.sim.step import describe_slice
+from tests.sim.driver import INCH, Driver, open_world, world_of
+
+N200 = '<robot definition="nomad200" x="0" y="0"/>'
+N150 = '<robot definition="nomad150" x="0" y="0"/>'
+
+
+def nomad(things: str = N200) -> Driver:
+    driver = Driver.of(open_world(things))
+    driver.ask("AC", 300, 500, 500)
+    driver.ask("SP", 100, 300, 300)
+    return driver
+
+
+def test_translation_goes_where_the_wheels_are_steered():
+    driver = nomad()
+    driver.ask("PR", 0, 900, 0)
+    driver.run_s(5)
+    driver.ask("PR", 200, 0, 0)
+    driver.run_s(5)
+    assert driver.state.x_m[0] == pytest.approx(0, abs=1e-9)
+    assert driver.state.y_m[0] == pytest.approx(20 * INCH)
+    told = driver.ask("GS")
+    assert told[[CONF_X, CONF_Y, CONF_STEER, CONF_TURRET]].tolist() == [0, 200, 900, 0]
+
+
+def test_the_turret_turns_by_itself_and_the_base_never():
+    driver = nomad()
+    driver.ask("PR", 0, 900, -450)
+    driver.run_s(5)
+    state = driver.state
+    assert math.degrees(state.heading_rad[0]) == pytest.approx(90)
+    assert math.degrees(state.turret_rad[0]) == pytest.approx(315)
+    assert state.base_rad[0] == 0
+    assert driver.ask("GET_RC")[[CONF_STEER, CONF_TURRET]].tolist() == [900, 3150]
+
+
+def test_translation_and_steering_at_once_run_a_circle():
+    driver = nomad()
+    driver.ask("VM", 100, 300, 0)
+    driver.run_s(30)
+    start = driver.state.bodies.position_m[0].copy()
+    driver.run_s(12)  # 30 deg/s: once around, on a radius of 10 in/s over 30 deg/s
+    assert driver.state.bodies.position_m[0] == pytest.approx(start, abs=1e-9)
+    driver.run_s(6)
+    across_m = np.hypot(*(driver.state.bodies.position_m[0] - start))
+    assert across_m == pytest.approx(2 * 10 * INCH / math.radians(30))
+
+
+def test_speeds_are_told_in_the_unit_of_each_axis_and_motors_in_bits():
+    driver = nomad()
+    driver.ask("VM", 50, -200, 450)
+    driver.run_s(3)
+    told = driver.ask("GET_RV")
+    assert told[[VEL_RIGHT, VEL_LEFT, VEL_TURRET]].tolist() == [50, -200, 450]
+    assert driver.ask("GS")[MOTOR_STATUS] == 7
+    driver.ask("MV", 0, 0, 1, 0, 0, 0)
+    driver.run_s(3)
+    assert driver.ask("GS")[MOTOR_STATUS] == 5
+
+
+def test_each_axis_has_limits_of_its_own():
+    driver = nomad()
+    driver.ask("VM", 10_000, -10_000, 10_000)
+    driver.run_s(3)
+    told = driver.ask("GET_RV")
+    assert told[[VEL_RIGHT, VEL_LEFT, VEL_TURRET]].tolist() == [200, -450, 450]
+
+
+def test_sonars_turn_with_the_turret_and_bumpers_stay_with_the_base():
+    wall = '<wall x1="60in" y1="-3m" x2="60in" y2="3m" thickness="2in"/>'
+    driver = nomad(N200 + wall)
+    ahead = driver.ask("GET_SN")[SONAR_0]
+    driver.ask("PR", 0, 0, 900)
+    driver.run_s(5)
+    turned = driver.ask("GET_SN")[SONAR_0 : SONAR_0 + 16]
+    assert turned[12] == ahead
+    assert turned[0] == 255
+    driver.ask("PR", 0, 1800, 0)
+    driver.run_s(6)
+    driver.ask("VM", -200, 0, 0)  # backwards, towards the wall
+    driver.run_s(8)
+    assert driver.ask("GET_BP")[BUMPER] == 1
+
+
+def test_a_nomad_150_has_no_turret_and_its_sonars_stay_with_the_base():
+    wall = '<wall x1="60in" y1="-3m" x2="60in" y2="3m" thickness="2in"/>'
+    driver = nomad(N150 + wall)
+    ahead = driver.ask("GET_SN")[SONAR_0]
+    driver.ask("PR", 0, 900, 900)
+    driver.run_s(5)
+    told = driver.ask("GS")
+    assert told[[CONF_STEER, CONF_TURRET]].tolist() == [900, 0]
+    assert told[SONAR_0] == ahead
+
+
+def test_da_sets_both_angles():
+    driver = nomad()
+    driver.ask("DA", 3700, -100)
+    assert driver.ask("GET_RC")[[CONF_STEER, CONF_TURRET]].tolist() == [100, 3500]
+
+
+def test_a_slice_names_the_axes():
+    driver = nomad()
+    driver.ask("PR", 10, 300, -300)
+    part = describe_slice(driver.run_s(3)[-1], 0)
+    assert [axis.name for axis in part.axes] == ["translation", "steering", "turret"]
+    assert [axis.total for axis in part.axes] == pytest.approx(
+        [INCH, math.radians(30), math.radians(-30)]
+    )
+
+
+def test_robots_of_all_kinds_share_a_world():
+    robots = "".join(
+        f'<robot definition="{name}" x="5m" y="{2 + 2 * row}m"/>'
+        for row, name in enumerate(("scout", "nomad200", "nomad150"))
+    )
+    driver = Driver.of(world_of(robots))
+    for robot in range(3):
+        driver.ask("PR", 100, 100, 100, robot=robot)
+    driver.run_s(10)
+    assert np.degrees(driver.state.heading_rad) == pytest.approx([0, 10, 10])
+    assert np.degrees(driver.state.turret_rad) == pytest.approx([0, 10, 0])
+    assert np.degrees(driver.state.base_rad) == pytest.approx([0, 0, 0])
