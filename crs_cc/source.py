@@ -180,6 +180,10 @@ class Diagnostics:
         """Gives the errors alone."""
         return [message for message in self.messages if message.severity == "error"]
 
+    def text_at(self, location: Location) -> str:
+        """Gives the rest of the line of source from a place on; "" when it is unknown."""
+        return self._line(location)[max(0, location.column - 1) :]
+
     def _line(self, location: Location) -> str:
         lines = self.lines.get(location.file, [])
         return lines[location.line - 1] if 0 < location.line <= len(lines) else ""

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from pycparser import c_ast
 
 from crs_cc.frontend import tree
+from crs_cc.frontend.argument_hints import argument_hint
 from crs_cc.frontend.builtins import call_builtin
 from crs_cc.frontend.check import CheckError, Unit, checks
 from crs_cc.frontend.check_expr import offset_of, rvalue
@@ -106,20 +109,38 @@ def _arguments(
         text = (
             f"too {what} arguments to function call, expected {least}{wanted}, have {len(values)}"
         )
-        raise CheckError(callee.location, text, _declared(callee))
+        raise CheckError(callee.location, text, _hint(callee, values) or _declared(unit, callee))
+    hint = _hint(callee, values)
     fixed = [
-        assigned(unit, value, ctype, "pass")
+        assigned(unit, value, ctype, "pass", hint)
         for value, ctype in zip(values, function.parameters, strict=False)
     ]
     return fixed + [promote_argument(value) for value in values[wanted:]]
 
 
-def _declared(callee: Expression) -> str:
+def _hint(callee: Expression, values: list[Expression]) -> str:
+    """Gives a hint to arguments of the library's functions that are known to be mistaken."""
+    symbol = _called(callee)
+    return "" if symbol is None else argument_hint(symbol, symbol.type, values)
+
+
+def _called(callee: Expression) -> FunctionSymbol | None:
+    """Gives the function that is called by its name."""
+    match callee:
+        case tree.AddressOf(operand=tree.FunctionName(symbol=symbol)):
+            return symbol
+    return None
+
+
+def _declared(unit: Unit, callee: Expression) -> str:
     """Gives a hint to the declaration of what is called."""
-    if isinstance(callee, tree.AddressOf) and isinstance(callee.operand, tree.FunctionName):
-        symbol = callee.operand.symbol
+    symbol = _called(callee)
+    if symbol is not None:
         declared = spell(symbol.type, symbol.name)
-        return f"'{symbol.name}' is declared at {symbol.location}, as '{declared}'"
+        place = Path(symbol.location.file)
+        folder = next((each for each in unit.headers if place.is_relative_to(each)), None)
+        where = f"in <{place.relative_to(folder)}>" if folder else f"at {symbol.location}"
+        return f"'{symbol.name}' is declared {where}, as '{declared}'"
     return ""
 
 

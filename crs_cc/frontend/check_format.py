@@ -161,8 +161,11 @@ class _Check:
         hint = ""
         if kind == "scanf" and not isinstance(argument.type, PointerType):
             hint = "scanf needs to know where to put it: pass its address, with '&'"
-        elif kind == "printf" and (fitting := _fitting(argument.type)):
-            hint = f"use '{fitting}'"
+        elif kind == "scanf" and wanted.pointee in {"integer", "float"}:
+            better = _scanning(argument.type)
+            hint = f"use '{better}'" if better else ""
+        elif kind == "printf" and (better := fitting(argument.type)):
+            hint = f"use '{better}'"
         text = f"'{wanted.text}' expects '{wanted.name}', but the argument is '{argument.type}'"
         self._warn(wanted.at, text, hint)
 
@@ -235,8 +238,8 @@ class _Check:
         return _Wanted(at, text, "ignored", 0, "") if conversion.strip("\\") else None
 
 
-def _fitting(ctype: CType) -> str:
-    """Gives the conversion that prints a type."""
+def fitting(ctype: CType) -> str:
+    """Gives the conversion that prints a type; "" if there is none."""
     if isinstance(ctype, FloatType):
         return "%Lf" if ctype.name == "long double" else "%f"
     if isinstance(ctype, PointerType):
@@ -245,6 +248,17 @@ def _fitting(ctype: CType) -> str:
         long = {4: "l" if ctype.name.endswith("long") else "", 8: "ll"}.get(ctype.size, "")
         return f"%{long}{'d' if ctype.signed else 'u'}"
     return "%d" if is_integer(ctype) else ""
+
+
+def _scanning(ctype: CType) -> str:
+    """Gives the conversion that reads a number to where a pointer points; "" if there is none."""
+    target = ctype.target if isinstance(ctype, PointerType) else ctype
+    if isinstance(target, FloatType):
+        return {"float": "%f", "double": "%lf"}.get(target.name, "%Lf")
+    if not isinstance(target, IntegerType) or target.name == "_Bool":
+        return ""
+    short = {1: "%hh", 2: "%h"}.get(target.size)
+    return f"{short}{'d' if target.signed else 'u'}" if short else fitting(target)
 
 
 _SEGMENT: Final = re.compile(r'"((?:[^"\\\n]|\\.)*)"')

@@ -275,6 +275,7 @@ def _increment(unit: Unit, node: Node) -> Expression:
     return tree.Increment(unqualified(ctype), place, target, step, is_postfix)
 
 
+_NOT_ASSIGNABLE: Final = "array type '{}' is not assignable"
 _UNARY: Final[dict[str, Callable[[Unit, Node], Expression]]] = {
     "+": _sign, "-": _sign, "~": _sign, "!": _not, "*": _dereference, "&": _address,
     "++": _increment, "--": _increment, "p++": _increment, "p--": _increment,
@@ -305,7 +306,7 @@ def modifiable(target: Expression) -> Expression:
     if not is_lvalue(target):
         raise CheckError(target.location, "expression is not assignable")
     if isinstance(ctype, ArrayType):
-        raise CheckError(target.location, f"array type '{ctype}' is not assignable")
+        raise CheckError(target.location, _NOT_ASSIGNABLE.format(ctype))
     if isinstance(ctype, VoidType) or not is_complete(ctype):
         raise CheckError(target.location, f"incomplete type '{ctype}' is not assignable")
     if ctype.const:
@@ -334,13 +335,27 @@ def _has_const_member(ctype: RecordType) -> bool:
 @checks(c_ast.Assignment)
 def assignment(unit: Unit, node: Node) -> Expression:
     """Checks `target = value` and `target op= value`."""
-    target = modifiable(expression(unit, node.lvalue))
+    target = expression(unit, node.lvalue)
     value = decay(expression(unit, node.rvalue))
+    if node.op == "=" and isinstance(target.type, ArrayType):
+        hint = _copying(target) if isinstance(value.type, PointerType) else ""
+        raise CheckError(target.location, _NOT_ASSIGNABLE.format(target.type), hint)
+    target = modifiable(target)
     place = unit.at(node)
     if node.op == "=":
         value = assigned(unit, value, target.type, "assign")
         return tree.Assign(unqualified(target.type), place, target, value)
     return _compound(unit, node.op[:-1], target, value, place)
+
+
+def _copying(target: Expression) -> str:
+    """Gives a hint to how an array is copied."""
+    assert isinstance(target.type, ArrayType)
+    if target.type.element.size != 1:
+        return "copy its elements one by one, or all with memcpy"
+    if isinstance(target, tree.ObjectName):
+        return f"copy the text into it: strcpy({target.symbol.name}, ...)"
+    return "copy the text into it, with strcpy"
 
 
 def _compound(

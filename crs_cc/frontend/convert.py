@@ -217,7 +217,9 @@ def _fail(expression: Expression, text: str) -> NoReturn:
     raise CheckError(expression.location, text)
 
 
-def assigned(unit: Unit, expression: Expression, target: CType, use: str) -> Expression:
+def assigned(
+    unit: Unit, expression: Expression, target: CType, use: str, hint: str = ""
+) -> Expression:
     """Converts a value as an assignment does (C17 6.5.16.1), with gcc's severities for gnu89.
 
     Args:
@@ -225,6 +227,7 @@ def assigned(unit: Unit, expression: Expression, target: CType, use: str) -> Exp
         expression: the value.
         target: the type of what it is assigned to.
         use: what for, a key of `PHRASES`.
+        hint: what to add to whatever is said.
 
     Raises:
         CheckError: when no conversion exists.
@@ -238,27 +241,44 @@ def assigned(unit: Unit, expression: Expression, target: CType, use: str) -> Exp
         return convert(value, target)
     if isinstance(target, PointerType):
         if isinstance(source, PointerType):
-            _check_pointers(unit, value, target, use)
+            _check_pointers(unit, value, target, use, hint)
             return convert(value, target)
         if is_integer(source):
             if not is_null_constant(value):
-                _warn(unit, "incompatible integer to pointer conversion", value, target, use)
+                kind = "incompatible integer to pointer conversion"
+                _warn(
+                    unit, kind, value, target, use, hint=hint or _quotes_hint(unit, value, target)
+                )
             return convert(value, target)
     if isinstance(source, PointerType) and is_integer(target):
         if target != BOOL:
-            _warn(unit, "incompatible pointer to integer conversion", value, target, use)
+            kind, hint = "pointer to integer", hint or _quotes_hint(unit, value, target)
+            _warn(unit, f"incompatible {kind} conversion", value, target, use, hint=hint)
         return convert(value, target)
     if isinstance(target, RecordType) and source == target:
         return value
     impossible = PHRASES[use][1].format(to=target, of=source)
-    raise CheckError(value.location, impossible)
+    raise CheckError(value.location, impossible, hint)
 
 
-def _warn(unit: Unit, kind: str, value: Expression, target: CType, use: str) -> None:
-    unit.warning(value.location, f"{kind} {PHRASES[use][0].format(to=target, of=value.type)}")
+def _warn(unit: Unit, kind: str, value: Expression, target: CType, use: str, *, hint: str) -> None:
+    text = f"{kind} {PHRASES[use][0].format(to=target, of=value.type)}"
+    unit.warning(value.location, text, hint)
 
 
-def _check_pointers(unit: Unit, value: Expression, target: PointerType, use: str) -> None:
+def _quotes_hint(unit: Unit, value: Expression, target: CType) -> str:
+    """Gives a hint to quotes of the wrong kind: `char c = "x"`, `char *s = 'x'`."""
+    if isinstance(target, PointerType):
+        is_string = isinstance(target.target, IntegerType) and target.target.size == 1
+        quoted = unit.diagnostics.text_at(value.location).startswith("'")
+        return "a string stands in double quotes" if is_string and quoted else ""
+    is_text = isinstance(value, tree.AddressOf) and isinstance(value.operand, tree.StringLiteral)
+    return "a single character stands in single quotes" if is_text and target.size == 1 else ""
+
+
+def _check_pointers(
+    unit: Unit, value: Expression, target: PointerType, use: str, hint: str
+) -> None:
     assert isinstance(value.type, PointerType)
     left, right = target.target, value.type.target
     if left is right or is_null_constant(value):
@@ -280,7 +300,7 @@ def _check_pointers(unit: Unit, value: Expression, target: PointerType, use: str
         return
     if _differ_in_sign(left, right):
         return
-    _warn(unit, "incompatible pointer types", value, target, use)
+    _warn(unit, "incompatible pointer types", value, target, use, hint=hint)
 
 
 def _differ_in_sign(left: CType, right: CType) -> bool:

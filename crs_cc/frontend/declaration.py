@@ -152,7 +152,7 @@ def typedef(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> 
     if known is None:
         align = attribute_alignment(unit, attributes(node)) or natural_alignment(unit, node)
         unit.scope.names[node.name] = TypedefName(node.name, ctype, location, align)
-    if isinstance(ctype, RecordType) and ctype.record.tag is None and ctype.record.alias is None:
+    if isinstance(ctype, RecordType) and ctype.record.alias is None:
         ctype.record.alias = node.name
 
 

@@ -297,7 +297,8 @@ class Record:
 
     Attributes:
         tag: its tag, None when it has none.
-        alias: the typedef name that stands for one without a tag.
+        alias: the first typedef name that stands for it; it is shown in place of a tag that is
+            missing, or the library's own.
         members: in the order of the source; None until they are known.
         named: every member that can be named, those of anonymous members among them, with its
             offset from the start of the whole.
@@ -484,7 +485,7 @@ def _name(ctype: VoidType | IntegerType | FloatType | EnumType | RecordType) -> 
         return f"enum {ctype.definition.tag or '<anonymous>'}"
     if isinstance(ctype, RecordType):
         record = ctype.record
-        if record.tag is None and record.alias is not None:
+        if record.alias is not None and (record.tag or "__").startswith("__"):
             return record.alias
         return f"{record.kind} {record.tag or '<anonymous>'}"
     return ctype.name

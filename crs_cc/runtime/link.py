@@ -47,6 +47,8 @@ ENDS: Final = "__crs_ends"
 HEAP_SYMBOLS: Final = ("__heap_start", "__heap_end")
 """Names that the code generator defines: the ends of the memory left for `malloc`."""
 
+_SIMILAR: Final = 0.7  # of four letters three
+
 
 class Library(Protocol):
     """Where definitions that the user's files lack are looked for."""
@@ -323,7 +325,7 @@ def _defined_twice(name: str, location: Location, whole: Program, diagnostics: D
 def _undefined(name: str, user: Program, library: Library, diagnostics: Diagnostics) -> None:
     location = user.undefined.get(name) or Location("<program>")
     if name == "main":
-        diagnostics.error(_first_place(user), "the program has no function 'main'")
+        _no_main(user, diagnostics)
         return
     hint = _where_declared(name, location, user)
     if not hint:
@@ -335,6 +337,17 @@ def _undefined(name: str, user: Program, library: Library, diagnostics: Diagnost
         if each.severity == "warning" and f"'{name}'" in each.text:
             diagnostics.messages.remove(each)  # that it is not declared: this says more
     diagnostics.error(location, f"'{name}' is used, but defined nowhere", hint)
+
+
+def _no_main(user: Program, diagnostics: Diagnostics) -> None:
+    text = "the program has no function 'main'"
+    own = {name.lower(): name for name in user.functions if ":" not in name}
+    close = difflib.get_close_matches("main", own, 1, _SIMILAR)
+    if close:
+        found = user.functions[own[close[0]]]
+        diagnostics.error(found.location, text, f"is '{found.name}' to be 'main'?")
+        return
+    diagnostics.error(_first_place(user), text, "it is where a program begins")
 
 
 def _where_declared(name: str, used: Location, user: Program) -> str:

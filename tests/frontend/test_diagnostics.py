@@ -94,6 +94,17 @@ ONE_ERROR = {
         "1:49 error: incompatible operand types ('struct s' and 'int')",
     # Assignments
     "int f(void) { 3 = 4; return 0; }": "1:15 error: expression is not assignable",
+    "struct r { char name[8]; } r; void f(void) { r.name = \"left\"; }":
+        "1:46 error: array type 'char[8]' is not assignable [copy the text into it, with strcpy]",
+    "int f(int *b) { int a[3]; a = b; return 0; }":
+        "1:27 error: array type 'int[3]' is not assignable"
+        " [copy its elements one by one, or all with memcpy]",
+    "int f(void) { char a[3]; a = \"up\"; return 0; }":
+        "1:26 error: array type 'char[3]' is not assignable"
+        " [copy the text into it: strcpy(a, ...)]",
+    "typedef struct __f FILE; int fgets(char *, int, FILE *); int f(FILE *g) { fgets(0, g); }":
+        "1:75 error: too few arguments to function call, expected 3, have 2"
+        " ['fgets' is declared at a.c:1:30, as 'int fgets(char *, int, FILE *)']",
     "int f(void) { int a[3]; a = 0; return 0; }":
         "1:25 error: array type 'int[3]' is not assignable",
     "int f(void) { const int x = 3; x = 4; return x; }":

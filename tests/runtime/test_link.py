@@ -87,6 +87,14 @@ def test_a_program_without_main_is_refused() -> None:
     assert refusal("int f(void) { return 0; }").text == "the program has no function 'main'"
 
 
+@pytest.mark.parametrize("name", ["mian", "Main", "mainn"])
+def test_a_misspelt_main_is_shown(name: str) -> None:
+    message = refusal(f"int f(void) {{ return 0; }}\nint {name}(void) {{ return 0; }}")
+    assert message.text == "the program has no function 'main'"
+    assert message.location.line == 2
+    assert message.hint == f"is '{name}' to be 'main'?"
+
+
 def test_statics_of_one_name_in_two_files_are_two() -> None:
     whole = linked(
         "static int n = 1; int g(void); int main(void) { return n + g(); }",

@@ -11,8 +11,8 @@ int main(void)
     if (scanf("%d", i) != 1)  // warning: '%d' expects 'int *', but the argument is 'int'
 //             ^
         return 1;
-    sscanf("1", "%f", &d);  // warning: '%f' expects 'float *', but the argument is 'double *'
-    sscanf("1", "%lf", &f);  // warning: '%lf' expects 'double *', but the argument is 'float *'
+    sscanf("1", "%f", &d);  // warning: use '%lf'
+    sscanf("1", "%lf", &f);  // warning: use '%f'
     sscanf("1", "%d %d", &i);  // warning: '%d' has no argument
     sscanf("1", "%hd", &i);  // warning: '%hd' expects 'short *', but the argument is 'int *'
     sscanf("1 2", "%d %*d %lf %19s %[^,]%n %c", &i, &d, name, name, &i, &name);

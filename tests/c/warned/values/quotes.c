@@ -1,0 +1,9 @@
+/* Characters and strings in each other's quotes. */
+int main(void)
+{
+    char c = "x"; // warning: a single character stands in single quotes
+//           ^
+    char *s = 'x'; // warning: a string stands in double quotes
+//            ^
+    return c + *s;
+}
