@@ -116,5 +116,8 @@ FIRES_SONARS: Final = (STATE_REPLIES | {CODES["GET_SN"], CODES["SONAR"]}) - {
 """Requests whose reply carries fresh sonar readings: all that are answered with the whole state
 (vendor source `Ndirect.c` 2.7), `get_sn`, and the report's `sonarSensorCheck`."""
 
+MOVES: Final = frozenset(CODES[name] for name in ("PR", "VM", "MV"))
+"""Requests that can make a robot move."""
+
 WAITS: Final = frozenset({CODES["WS"]})
 """Requests that can make a robot wait."""

@@ -31,16 +31,18 @@ import numpy.typing as npt
 
 from crs_cc.requests import CODES, MESSAGE, NUM_STATE, REQUESTS, STATE_REPLIES
 from crs_cc.sim.actuators import drive
-from crs_cc.sim.commands import FIRES_SONARS, HANDLERS, WAITS
+from crs_cc.sim.commands import FIRES_SONARS, HANDLERS, MOVES, WAITS
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.physics import Contacts, Physics, PhysicsSnapshot
 from crs_cc.sim.scene import Scene
 from crs_cc.sim.sensors import sonar
+from crs_cc.sim.sensors.battery import Batteries
 from crs_cc.sim.sensors.bumper import Bumpers
+from crs_cc.sim.sensors.clock import BoardClock
 from crs_cc.sim.sensors.sonar import SonarRing
 from crs_cc.sim.state import EnvState
-from crs_cc.sim.state_vector import configuration, state_vector
+from crs_cc.sim.state_vector import MOTOR_STATUS, configuration, state_vector
 from crs_cc.sim.step import Served, Step, slices_of
 from crs_cc.sim.surroundings import Surroundings
 
@@ -89,6 +91,8 @@ class Environment:
         self._equipment = Equipment.of(world)
         self._physics = Physics(world, scene, self.state.bodies)
         self._bumpers = Bumpers(world)
+        self._batteries = Batteries(world)
+        self._clock = BoardClock(world)
         self._sonars = SonarRing(world, seed)
         self._around = Surroundings(scene, self._sonars.fans)
         self._served: list[Served] = []
@@ -140,6 +144,8 @@ class Environment:
         drive.advance(state, self._equipment, rows, now_s)
         arguments = messages["i"].copy()
         good = self._handle(code, rows, messages)
+        if code in MOVES:
+            self._hold(rows, now_s)
         state.commands[rows] += 1
         state.drive.deadline_s[rows] = now_s + state.drive.timeout_s[rows]
         goes_on_s = now_s.copy()
@@ -169,6 +175,7 @@ class Environment:
         went_m = state.bodies.position_m[:robots] - before_m
         state.distance_m += np.hypot(went_m[:, 0], went_m[:, 1])
         drive.face(state, self._equipment)
+        self._hold(self._batteries.drain(state, self.timestep_s), self.end_s)
         began = self._touch(contacts)
         cycle, time_s, served = state.cycle, self.time_s, tuple(self._served)
         self._begin_cycle()
@@ -209,6 +216,14 @@ class Environment:
             good[good] = verdict
         return good
 
+    def _hold(self, rows: IndexArray, at_s: FloatArray | float) -> None:
+        """Takes the motors' force from robots whose batteries are empty."""
+        if not len(rows):
+            return
+        empty = rows[self._batteries.empty(self.state, rows, at_s)]
+        if len(empty):
+            HANDLERS[CODES["LP"]](self.state, self._equipment, empty, np.zeros(0, MESSAGE))
+
     def _reply(
         self,
         code: int,
@@ -226,6 +241,13 @@ class Environment:
         messages["result"][~good] = 0
         results = messages["result"].copy()
         if code in STATE_REPLIES:
+            battery = self._batteries.status(self.state, rows, at_s)
+            if battery is not None:
+                states[:, MOTOR_STATUS] |= battery
+            told = self._batteries.told(self.state, rows, at_s)
+            messages["i"][:, 0] = 0
+            messages["i"][:, 1], messages["i"][:, 2] = told
+            messages["f"][:, 0] = self._clock.ms(rows, at_s)
             messages["size"] = _STATE_BYTES
             messages["data"][:, :_STATE_BYTES] = states.astype("<i4").view(np.uint8)
         elif code == CODES["SONAR"]:

@@ -73,7 +73,7 @@ LENGTH: Final = Kind(
     "m", "1.5m", 1e4,
 )  # fmt: skip
 ANGLE: Final = Kind("an angle", (("deg", math.pi / 180), ("rad", 1.0)), "deg", "90deg", 1e4)
-TIME: Final = Kind("a time", (("s", 1.0), ("ms", 0.001)), "s", "0.05s", 1e6)
+TIME: Final = Kind("a time", (("s", 1.0), ("ms", 0.001)), "s", "0.05s", 1e7)
 MASS: Final = Kind("a mass", (("kg", 1.0), ("g", 0.001), ("lb", 0.45359237)), "kg", "2.5kg", 1e6)
 SPEED: Final = Kind(
     "a speed", (("m/s", 1.0), ("cm/s", 0.01), ("in/s", INCH_M)), "m/s", "0.3m/s", 100.0
@@ -92,6 +92,9 @@ TURN_ACCELERATION: Final = Kind(
     "deg/s2", "50deg/s2", 1e4,
 )  # fmt: skip
 FORCE: Final = Kind("a force", (("N", 1.0),), "N", "60N", 1e6)
+POWER: Final = Kind("a power", (("W", 1.0), ("kW", 1e3)), "W", "25W", 1e6)
+ENERGY: Final = Kind("an energy", (("J", 1.0), ("Wh", 3600.0)), "J", "200Wh", 1e12)
+VOLTAGE: Final = Kind("a voltage", (("V", 1.0),), "V", "12.5V", 1e3)
 FREQUENCY: Final = Kind(
     "a frequency", (("Hz", 1.0), ("kHz", 1e3), ("MHz", 1e6), ("GHz", 1e9)), "Hz", "50MHz", 1e12
 )

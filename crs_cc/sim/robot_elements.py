@@ -47,6 +47,9 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         sonar_noise_m=reader.not_negative(root.first("sonars"), "noise", LENGTH),
         heat=_heat(root.first("heat"), reader),
         bumpers=sensor_elements.bumpers(root, reader),
+        computer_battery=sensor_elements.computer_battery(root, reader),
+        motor_battery=sensor_elements.motor_battery(root, reader),
+        board=sensor_elements.sensor_board(root, reader),
         link_s=_link(root.first("link"), reader),
         host_speed_hz=reader.positive(root.first("host"), "speed", FREQUENCY, 5e7),
     )

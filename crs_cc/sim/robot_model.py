@@ -15,7 +15,15 @@ import math
 from dataclasses import dataclass
 from typing import Final
 
-from crs_cc.sim.sensor_model import Switch
+from crs_cc.sim.sensor_model import (
+    ENDLESS,
+    ENDLESS_MOTORS,
+    USUAL_BOARD,
+    Battery,
+    MotorBattery,
+    SensorBoard,
+    Switch,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,6 +144,9 @@ class RobotModel:
         sonar_noise_m: standard deviation of a sonar's error.
         heat: its heat sensor.
         bumpers: the switches of its bumpers.
+        computer_battery: what feeds its computers.
+        motor_battery: what feeds its motors.
+        board: the computer that reads its sensors.
         link_s: time that each command takes on the line between host and robot, by name.
         host_speed_hz: how many IR instructions the host computer runs in a second.
     """
@@ -149,5 +160,8 @@ class RobotModel:
     sonar_noise_m: float = 0.0
     heat: Heat = Heat()
     bumpers: tuple[Switch, ...] = ()
+    computer_battery: Battery = ENDLESS
+    motor_battery: MotorBattery = ENDLESS_MOTORS
+    board: SensorBoard = USUAL_BOARD
     link_s: tuple[tuple[str, float], ...] = ()
     host_speed_hz: float = 5e7

@@ -6,8 +6,16 @@ import math
 from typing import Final
 
 from crs_cc.sim.document import Element, Reader
-from crs_cc.sim.quantity import ANGLE
-from crs_cc.sim.sensor_model import Switch
+from crs_cc.sim.quantity import ANGLE, ENERGY, FORCE, POWER, TIME, VOLTAGE
+from crs_cc.sim.sensor_model import (
+    ENDLESS,
+    ENDLESS_MOTORS,
+    USUAL_BOARD,
+    Battery,
+    MotorBattery,
+    SensorBoard,
+    Switch,
+)
 
 BUMPER_BITS: Final = 24
 """The bumpers' state is 3 bytes wide (vendor source `Ndirect.c` 2.7)."""
@@ -38,3 +46,43 @@ def _ring(ring: Element, reader: Reader) -> list[Switch]:
         Switch(bit, (first_rad + side * number * spacing_rad) % _TURN, span_rad)
         for number, bit in enumerate(bits)
     ]
+
+
+def computer_battery(root: Element, reader: Reader) -> Battery:
+    """Gives the battery of the computers; without one in the definition it lasts for ever."""
+    found = list(root.all("computer-battery"))
+    return Battery(*_battery(found[0], reader)) if found else ENDLESS
+
+
+def motor_battery(root: Element, reader: Reader) -> MotorBattery:
+    """Gives the battery of the motors; without one in the definition it lasts for ever."""
+    found = list(root.all("motor-battery"))
+    if not found:
+        return ENDLESS_MOTORS
+    element = found[0]
+    return MotorBattery(
+        *_battery(element, reader),
+        friction_n=reader.not_negative(element, "friction", FORCE),
+        efficiency=float(element.attributes.get("efficiency", "1")),
+        stall_w=reader.not_negative(element, "stall", POWER),
+        cutoff_v=reader.not_negative(element, "cutoff", VOLTAGE),
+        is_in_status=element.attributes.get("in-status") == "yes",
+    )
+
+
+def _battery(element: Element, reader: Reader) -> tuple[float, float, float, tuple[float, ...]]:
+    return (
+        reader.positive(element, "capacity", ENERGY),
+        float(element.attributes.get("charge", "1")),
+        reader.not_negative(element, "power", POWER),
+        tuple(float(volts) for volts in element.attributes["curve"].split()),
+    )
+
+
+def sensor_board(root: Element, reader: Reader) -> SensorBoard:
+    """Gives the computer that reads the sensors."""
+    element = root.first("sensor-board")
+    return SensorBoard(
+        start_s=reader.not_negative(element, "clock", TIME, USUAL_BOARD.start_s),
+        tick_s=reader.positive(element, "tick", TIME, USUAL_BOARD.tick_s),
+    )

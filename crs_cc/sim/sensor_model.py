@@ -6,7 +6,9 @@ from ahead.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
+from typing import Final
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,3 +24,58 @@ class Switch:
     bit: int
     bearing_rad: float
     span_rad: float
+
+
+@dataclass(frozen=True, slots=True)
+class Battery:
+    """A battery and what it feeds.
+
+    Attributes:
+        capacity_j: the energy in it when it is full; infinite for one that lasts for ever.
+        charge: the share of it that is there at the start, 0 to 1.
+        power_w: what is used all the time.
+        curve_v: its voltage, for charges from empty to full at equal distances.
+    """
+
+    capacity_j: float = math.inf
+    charge: float = 1.0
+    power_w: float = 0.0
+    curve_v: tuple[float, ...] = (12.0,)
+
+
+@dataclass(frozen=True, slots=True)
+class MotorBattery(Battery):
+    """The battery that moves the robot: a `Battery` with more.
+
+    Attributes:
+        friction_n: force that a wheel works against while it turns.
+        efficiency: the share of the energy used for moving that arrives at the wheels.
+        stall_w: what is used besides while something holds the robot back.
+        cutoff_v: below this voltage the motors have no force.
+        is_in_status: whether bits 2 and 3 of the motors' status tell its charge.
+    """
+
+    friction_n: float = 0.0
+    efficiency: float = 1.0
+    stall_w: float = 0.0
+    cutoff_v: float = 0.0
+    is_in_status: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class SensorBoard:
+    """The computer on the robot that reads the sensors.
+
+    Attributes:
+        start_s: what its clock shows at the start.
+        tick_s: the step of its clock.
+    """
+
+    start_s: float = 0.0
+    tick_s: float = 0.0164
+
+
+ENDLESS: Final = Battery()
+ENDLESS_MOTORS: Final = MotorBattery()
+USUAL_BOARD: Final = SensorBoard()
+"""What a robot has whose definition does not say."""

@@ -26,6 +26,7 @@ from crs_cc.requests import MESSAGE
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.physics import Bodies
 from crs_cc.sim.scene import Scene
+from crs_cc.sim.states.battery import BatteryState
 from crs_cc.sim.states.bumper import BumperState
 from crs_cc.sim.states.drive import DriveState
 from crs_cc.sim.states.heat import HeatState
@@ -56,6 +57,7 @@ class EnvState:
         odometry: where each robot believes to be.
         sonar: the sonars' readings.
         bumpers: the switches that are pressed.
+        battery: what the motors took from theirs.
         heat: how hot things are.
         connected: whether the program has connected.
         asked: the message of the request that a robot waits for, of dtype `MESSAGE`, zero for
@@ -76,6 +78,7 @@ class EnvState:
     odometry: OdometryState
     sonar: SonarState
     bumpers: BumperState
+    battery: BatteryState
     heat: HeatState
     connected: BoolArray
     asked: npt.NDArray[np.void]
@@ -101,6 +104,7 @@ class EnvState:
             odometry=OdometryState.at_start(world),
             sonar=SonarState.at_start(world),
             bumpers=BumperState.at_start(world),
+            battery=BatteryState.at_start(world),
             heat=HeatState.at_start(world, scene),
             connected=np.zeros(count, dtype=np.bool_),
             asked=np.zeros(count, MESSAGE),

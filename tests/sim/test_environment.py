@@ -272,8 +272,8 @@ def test_the_reply_to_a_wait_is_written_over_what_was_asked(restored):
         driver.environment = Environment(world, 1)
         driver.environment.restore(pickle.loads(pickle.dumps(snapshot)))
     messages[0] = wait_for(driver)[1]
-    for place in ("i", "f"):
-        assert (messages[place] == asked[place]).all()
+    for place, results in (("i", 3), ("f", 1)):
+        assert (messages[place][:, results:] == asked[place][:, results:]).all()
     assert messages["result"].tolist() == [1, 1]
 
 
