@@ -23,17 +23,19 @@ import math
 import stat
 from dataclasses import dataclass, field
 from functools import cache
+from itertools import islice
 from pathlib import Path, PurePosixPath
 from typing import Final
 
 from lxml import etree
 
 from crs_cc.errors import WorldError
-from crs_cc.sim.document import Element, Reader
+from crs_cc.sim.document import MAX_MESSAGES, Element, Reader
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.robot_elements import robot_model
 from crs_cc.sim.robot_model import Drive, RobotModel
 from crs_cc.sim.schema_messages import explain
+from crs_cc.sim.schema_names import UnknownName, unknown_names
 from crs_cc.sim.world_elements import world_model
 from crs_cc.source import Diagnostic, Diagnostics, Location
 
@@ -48,10 +50,11 @@ IDEAL: Final = "ideal"
 _HERE: Final = Path(__file__).parent
 _ROBOTS: Final = _HERE / "robots"
 _STAND_IN: Final = RobotModel("unknown", 0.001, Drive(1.0))
-_SAID_BETTER_LATER: Final = (
-    "SCHEMAV_CVC_PATTERN_VALID",  # numbers: with the units that are known
-    "SCHEMAV_CVC_IDC",  # ids: with the place of the other one
-)
+_SAID_BETTER: Final = {
+    "SCHEMAV_CVC_PATTERN_VALID",  # numbers, later: with the units that are known
+    "SCHEMAV_CVC_IDC",  # ids, later: with the place of the other one
+}
+_SAID_OF_UNKNOWN: Final = {"SCHEMAV_ELEMENT_CONTENT", "SCHEMAV_CVC_COMPLEX_TYPE_3_2_1"}
 _EMPTY_WORLD: Final = b"""<world version="1" name="empty">
   <area length="1000m" width="1000m" origin="centre" edge="0"/>
   <robot x="0" y="0"/>
@@ -259,17 +262,26 @@ def _validate(root: etree._Element, name: str, file: str, diagnostics: Diagnosti
     schema = _schema(name)
     if schema.validate(root):
         return
-    reader = Reader(file, diagnostics)
+    found = list(islice(unknown_names(root, _schema_document(name).getroot()), MAX_MESSAGES))
+    lines = {each.line for each in found}
     for entry in schema.error_log:
-        if entry.type_name not in _SAID_BETTER_LATER:
-            text, hint = explain(entry.message)
-            reader.error(Element("", entry.line), text, hint)
+        said = _SAID_BETTER | (_SAID_OF_UNKNOWN if entry.line in lines else set())
+        if entry.type_name not in said:
+            found.append(UnknownName(entry.line, *explain(entry.message)))
+    reader = Reader(file, diagnostics)
+    for each in sorted(found, key=lambda each: each.line):
+        reader.error(Element("", each.line), each.text, each.hint)
     _raise_errors(diagnostics)
 
 
 @cache
+def _schema_document(name: str) -> etree._ElementTree:
+    return etree.parse(_HERE / name)
+
+
+@cache
 def _schema(name: str) -> etree.XMLSchema:
-    return etree.XMLSchema(etree.parse(_HERE / name), attribute_defaults=True)
+    return etree.XMLSchema(_schema_document(name), attribute_defaults=True)
 
 
 def _plain(node: etree._Element) -> Element:

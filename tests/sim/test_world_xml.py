@@ -202,6 +202,13 @@ BROKEN = {
         (AREA, '<robot x="1" y="1" colour="red"/>'),
         "w.xml:3: error: <robot> has no attribute 'colour'",
     ),
+    "wrong element behind a robot": (
+        (AREA, ROBOT, "<robto/>"),
+        (
+            "w.xml:4: error: <robto> is not expected here; "
+            "expected <wall> or <box> or <cylinder> or <polygon> or <robot>"
+        ),
+    ),
     "no area": ((ROBOT,), "w.xml:2: error: <robot> is not expected here; expected <area>"),
     "nothing at all": ((), "w.xml:1: error: <world> ends too early; expected <area> in it"),
     "text between elements": (
@@ -544,6 +551,23 @@ def definition(tmp_path, setup):
     path = tmp_path / "own.xml"
     path.write_text(text.replace("</robot-definition>", setup + "</robot-definition>"))
     return path
+
+
+def test_every_misspelt_name_is_told_with_the_one_that_was_meant():
+    rows = [
+        AREA,
+        '<robot x="1" y="1" haeding="90"/>',
+        '<wal x1="0" y1="1m" x2="2m" y2="1m"/>',
+        '<box x="4" y="4" lenght="1m" width="1m" colour="red"/>',
+    ]
+    with pytest.raises(WorldError) as caught:
+        parse_world(lines(*rows), "w.xml")
+    assert [(each.location.line, each.hint) for each in caught.value.diagnostics] == [
+        (3, "did you mean 'heading'?"),
+        (4, "did you mean <wall>?"),
+        (5, "did you mean 'length'?"),
+        (5, "its attributes are: id, x, y, heading, length, width, mass, heat"),
+    ]
 
 
 @pytest.mark.parametrize(
