@@ -191,3 +191,15 @@ def goes_as_commanded(drive: Drive) -> None:
     assert signal == 14
     assert way_m == pytest.approx(drive.robot.distance_m, abs=0.05)
     assert turned_rad == pytest.approx(heading_rad, abs=0.1)
+
+
+def keeps_its_eye_on_the_pillar(drive: Drive) -> None:
+    """The course is 140 by 100 in, and ends where it began."""
+    touches_nothing(drive)
+    assert np.ptp(drive.places, axis=0) / INCH_M == pytest.approx([140, 100], abs=6)
+    assert np.hypot(*(drive.places[-1] - drive.places[0])) < 5 * INCH_M
+    reading_off_in, turret_off_deg = drive.numbers(
+        r"sonar was (\S+) in off in the mean, the turret at most (\S+) degrees"
+    )
+    assert reading_off_in < 2
+    assert turret_off_deg < 8

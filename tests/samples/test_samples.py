@@ -108,6 +108,7 @@ RUNS = [
     Run("log_drive", "room", properties.reads_what_it_wrote, slow=False),
     Run("mission", "studio", properties.comes_home, reads=("samples/scout_c/mission.txt",)),
     Run("convoy", "convoy", properties.keeps_behind),
+    Run("turret", "pillar", properties.keeps_its_eye_on_the_pillar),
     Run("drivers/carmen_like", "studio", properties.goes_as_commanded),
 ]
 
