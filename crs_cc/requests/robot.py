@@ -12,6 +12,10 @@ from crs_cc.requests.code import Argument, RequestCode, arguments
 
 _SPEED, _ACCELERATION, _LENGTH, _ANGLE = "0.1 in/s", "0.1 in/s^2", "0.1 in", "0.1 deg"
 _DONE: Final = arguments(("result", "1 when done, else 0", "1"))
+_CONNECTED: Final = (
+    *_DONE,
+    *arguments(("i[0]", "model: MODEL_N200, MODEL_N150 or MODEL_SCOUT", "1")),
+)
 _STATE: Final = (
     *_DONE,
     *arguments(
@@ -54,9 +58,11 @@ def _robot(
 
 ROBOT_REQUESTS: Final = (
     _robot("CONNECT", 100, "int connect_robot(long id, ...)", "connects to the robot",
-           arguments(("i[0]", "robot number", "1"))),
+           arguments(("i[0]", "robot number", "1"),
+                     ("i[1]", "speed of the serial line, 0 as it is", "baud")),
+           results=_CONNECTED),
     _robot("DISCONNECT", 101, "int disconnect_robot(long id)", "ends the connection",
-           arguments(("i[0]", "robot number", "1"))),
+           arguments(("i[0]", "robot number", "1")), results=_DONE),
     _robot("AC", 102, "int ac(int trans, int steer, int turret)", "sets accelerations",
            _axes(_ACCELERATION)),
     _robot("SP", 103, "int sp(int trans, int steer, int turret)", "sets the speeds of `pr`",
@@ -217,7 +223,8 @@ ROBOT_REQUESTS: Final = (
         ),
     ),
     _robot("GET_CONF", 148, "int get_robot_conf(long *conf)",
-           "asks the user to point at a place in the simulator's window", results=_DONE),
+           "asks the user to point at a place in the simulator's window",
+           results=(*_DONE, *_POSE)),
     _robot("REAL_ROBOT", 149, "int real_robot(void)", "asks for a real robot", results=_DONE),
     _robot("SIMULATED_ROBOT", 150, "int simulated_robot(void)", "asks for a simulated robot",
            results=_DONE),
@@ -239,13 +246,14 @@ ROBOT_REQUESTS: Final = (
            results=_DONE),
     _robot("QUIT_SERVER", 153, "int quit_server(void)", "ends the simulator, for this program",
            results=_DONE),
-    _robot("CREATE", 154, "int create_robot(long robot_id)", "makes a robot",
-           arguments(("i[0]", "robot number", "1")), results=_DONE),
+    _robot("CREATE", 154, "int create_robot(long robot_id)", "makes a robot and connects to it",
+           arguments(("i[0]", "robot number", "1")), results=_CONNECTED),
     _robot(
         "SPECIAL", 155,
         "int special_request(unsigned char *user_send_buffer, unsigned char *user_receive_buffer)",
         "sends a packet of the user's own",
-        arguments(("size", "bytes", "byte"), ("data", "the packet", "1")),
+        arguments(("i[0]", "length of the packet", "byte"), ("size", "bytes, at most 248", "byte"),
+                  ("data", "its first bytes", "1")),
         results=(*_DONE, *arguments(("size", "bytes", "byte"), ("data", "the answer", "1"))),
     ),
     _robot(

@@ -27,9 +27,10 @@ Handler: TypeAlias = Callable[[EnvState, Equipment, IndexArray, Messages], BoolA
 """Gives whether each request was good; None when all were."""
 
 
-def connect(state: EnvState, _equipment: Equipment, rows: IndexArray, _messages: Messages) -> None:
+def connect(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
     """Connects; whatever the number, a program's robot is the one that it runs in."""
     state.connected[rows] = True
+    messages["i"][:, 0] = equipment.vendor_model[rows]
 
 
 def disconnect(
@@ -73,7 +74,7 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("GET_BP", tell),
         ("GET_RC", tell),
         ("GET_RV", tell),
-        ("CT", refuse),
+        ("CT", tell),
         ("GET_IR", refuse),
         ("GET_RA", tell),
         ("GET_CP", refuse),
@@ -111,7 +112,7 @@ HANDLERS: Final[dict[int, Handler]] = {
 """The handler of each request that a robot answers."""
 
 FIRES_SONARS: Final = (STATE_REPLIES | {CODES["GET_SN"], CODES["SONAR"]}) - {
-    CODES[name] for name in ("CONNECT", "DISCONNECT", "GET_BP", "GET_RC", "GET_RV")
+    CODES[name] for name in ("GET_BP", "GET_RC", "GET_RV")
 }
 """Requests whose reply carries fresh sonar readings: all that are answered with the whole state
 (vendor source `Ndirect.c` 2.7), `get_sn`, and the report's `sonarSensorCheck`."""

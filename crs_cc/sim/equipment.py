@@ -34,6 +34,7 @@ class Equipment:
         synchro: whether the robot has a synchro drive, whose base never turns.
         turret: whether it has a turret of its own.
         turrets: whether any robot has.
+        vendor_model: the vendor's number of the model.
         heat_range_m: how far the heat sensor senses, 0 where there is none.
         tag_range_m: how far heat is taken away.
         things: the shapes of all things.
@@ -48,6 +49,7 @@ class Equipment:
     synchro: BoolArray
     turret: BoolArray
     turrets: bool
+    vendor_model: npt.NDArray[np.int64]
     heat_range_m: FloatArray
     tag_range_m: FloatArray
     things: Things
@@ -68,6 +70,7 @@ class Equipment:
             np.array([drive.steering is not None for drive in drives], dtype=np.bool_),
             np.array([drive.turret is not None for drive in drives], dtype=np.bool_),
             any(drive.turret is not None for drive in drives),
+            np.array([model.vendor_model for model in models], dtype=np.int64),
             np.array([model.heat.range_m for model in models]),
             np.array([model.heat.tag_range_m for model in models]),
             Things.of(world),

@@ -25,6 +25,9 @@ from crs_cc.sim.robot_model import Axis, Drive, Heat, RobotModel, Sonar
 MAX_SONARS: Final = 16
 """The vendor's `State` array has 16 places for sonars (vendor header `Nclient.h` 1.29)."""
 
+VENDOR_MODELS: Final = ("nomad200", "nomad150", "scout")
+"""The vendor's models by their numbers (vendor header `Nclient.h` 1.29: MODEL_N200, ...)."""
+
 _BITS_PER_BYTE: Final = 10  # one start bit, eight data bits, one stop bit
 _MOST_BYTES: Final = 65_535
 _MOST_BAUD: Final = 100_000_000
@@ -36,6 +39,7 @@ _ROBOT_COMMANDS: Final = frozenset(
 def robot_model(root: Element, reader: Reader) -> RobotModel:
     """Gives the model that a robot definition describes; mistakes go to the reader."""
     body = root.first("body")
+    vendor = root.attributes.get("model", "scout")
     sonars = _sonars(root, reader)
     return RobotModel(
         root.attributes["name"],
@@ -52,6 +56,7 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         board=sensor_elements.sensor_board(root, reader),
         link_s=_link(root.first("link"), reader),
         host_speed_hz=reader.positive(root.first("host"), "speed", FREQUENCY, 5e7),
+        vendor_model=VENDOR_MODELS.index(vendor),
     )
 
 

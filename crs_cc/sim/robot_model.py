@@ -149,6 +149,8 @@ class RobotModel:
         board: the computer that reads its sensors.
         link_s: time that each command takes on the line between host and robot, by name.
         host_speed_hz: how many IR instructions the host computer runs in a second.
+        vendor_model: number of the model, as the vendor's `connect_robot` takes it: 0 a Nomad 200,
+            1 a Nomad 150, 2 a Scout.
     """
 
     name: str
@@ -165,3 +167,4 @@ class RobotModel:
     board: SensorBoard = USUAL_BOARD
     link_s: tuple[tuple[str, float], ...] = ()
     host_speed_hz: float = 5e7
+    vendor_model: int = 2

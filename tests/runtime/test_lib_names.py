@@ -35,7 +35,7 @@ vprintf vsprintf wcstombs wctomb
 """What no program may define (C17 7.1.3) and every library had, functions and objects."""
 
 OBJECTS = """
-State Smask SERVER_MACHINE_NAME SERV_TCP_PORT signgam environ error_message_count
+State Smask Laser SERVER_MACHINE_NAME SERV_TCP_PORT signgam environ error_message_count
 optarg optind opterr optopt
 """
 """Objects through which a program and the library speak."""

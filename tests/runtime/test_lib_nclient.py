@@ -11,6 +11,8 @@ from crs_cc.requests import CODES, NUM_STATE
 from tests.runtime.library_runner import Outcome, run
 
 NAMES = {code: name for name, code in CODES.items()}
+MODEL_SCOUT = 2
+STATE_ERROR = 44
 GREETING = b"Nclient version 2.7\nCopyright 1991-1998, Nomadic Technologies, Inc.\n"
 
 
@@ -26,6 +28,7 @@ class Robot:
         self.posted.append((NAMES[code], message["i"].tolist(), data))
         state = 1000 * (len(self.posted) - 1) + np.arange(NUM_STATE, dtype=np.int32)
         message["data"][: state.nbytes] = state.view(np.uint8)
+        message["i"][:3] = MODEL_SCOUT if NAMES[code] == "CONNECT" else 0
         message["result"] = self._result
 
 
@@ -35,6 +38,9 @@ def command(calls: str, *, headers: str = "#include <Nclient.h>\n") -> tuple[Rob
     text = headers + "#include <stdio.h>\nint main() {\n    connect_robot(1);\n" + calls + "\n}\n"
     return robot, run(text, robot=robot)
 
+
+CONNECTING = 2
+"""Requests that `connect_robot` posts: CONNECT, and CT of `init_sensors`."""
 
 CALLS = [
     ("ac(-300, 300, 0)", "AC", [300, 300, 0]),
@@ -66,7 +72,9 @@ def test_each_call_posts_its_request(headers: str) -> None:
     robot, _ = command(calls + "    return 0;", headers=headers + constants)
     found = [
         (name, integers[: len(arguments)])
-        for (name, integers, _), (_, _, arguments) in zip(robot.posted[1:], CALLS, strict=True)
+        for (name, integers, _), (_, _, arguments) in zip(
+            robot.posted[CONNECTING:], CALLS, strict=True
+        )
     ]
     assert found == [(name, arguments) for _, name, arguments in CALLS]
 
@@ -87,10 +95,15 @@ def test_each_reply_refreshes_its_part_of_state() -> None:
     calls = "".join(f"    {call}; {printing}" for call, _, _ in REFRESHED)
     headers = "#include <Nclient.h>\nstatic int i;\n"
     _, outcome = command(calls + "    return 0;", headers=headers)
-    state = list(range(NUM_STATE))
+    state = [1000 + k for k in range(NUM_STATE)]
+    state[STATE_ERROR] = 0
     rows = [[int(word) for word in line.split()] for line in outcome.out.splitlines()]
-    for number, ((call, first, last), row) in enumerate(zip(REFRESHED, rows, strict=True), 1):
+    for number, ((call, first, last), row) in enumerate(
+        zip(REFRESHED, rows, strict=True), CONNECTING
+    ):
         state[first : last + 1] = [1000 * number + k for k in range(first, last + 1)]
+        if last == STATE_ERROR:
+            state[STATE_ERROR] = 0
         assert row == state, call
 
 
@@ -116,27 +129,29 @@ def test_connection() -> None:
     lines = ["Not connected to any robot", "0", "7020", "1", "Not connected to any robot", "0"]
     assert outcome.out.decode().splitlines() == [*lines, "7020"]
     assert outcome.err == GREETING
-    assert [(name, row[0]) for name, row, _ in robot.posted] == [
-        ("CONNECT", 1),
-        ("DISCONNECT", 1),
-        ("CONNECT", 2),
-    ]
+    posted = [(name, row[0]) for name, row, _ in robot.posted if name != "CT"]
+    assert posted == [("CONNECT", 1), ("DISCONNECT", 1), ("CONNECT", 2)]
 
 
-def test_a_refused_connection() -> None:
+def test_a_server_that_is_gone() -> None:
     source = r"""
     #include <stdio.h>
     #include <Nclient.h>
     int main(void)
     {
-        int result = connect_robot(1);
-        printf("%d %ld\n", result, State[STATE_ERROR]);
+        int quit, read, again;
+        connect_robot(1);
+        quit = quit_server(), printf("%d %ld\n", quit, State[STATE_ERROR]);
+        read = gs(), printf("%d %ld\n", read, State[STATE_ERROR]);
+        again = connect_robot(1), printf("%d %ld\n", again, State[STATE_ERROR]);
         return gs();
     }
     """
-    outcome = run(source, robot=Robot(result=0))
+    outcome = run(source, robot=Robot())
     assert outcome.out.decode().splitlines() == [
-        "failed to connect to server on machine  via tcp port #7019",
+        "1 0",
+        "0 111",
+        "failed to connect to server on machine robot via tcp port #7019 ",
         "0 111",
         "Not connected to any robot",
     ]
@@ -154,12 +169,13 @@ def test_a_refused_connection() -> None:
 def test_the_firing_order_ends_at_255_or_sixteen(order: str | None, sent: bytes) -> None:
     declared = f"    int order[] = {order};\n" if order else "    int *order = 0;\n"
     robot, _ = command(declared + "    return conf_sn(15, order);")
-    assert robot.posted[1] == ("CONF_SN", [15, *robot.posted[1][1][1:]], sent)
+    name, integers, data = robot.posted[CONNECTING]
+    assert (name, integers[0], data) == ("CONF_SN", 15, sent)
 
 
 def test_mv_sends_only_modes_0_to_5() -> None:
     robot, outcome = command("    return mv(MV_PA, 1, MV_VM, 1, MV_IGNORE, 0);")
-    assert (len(robot.posted), outcome.status) == (1, 0)
+    assert (len(robot.posted), outcome.status) == (CONNECTING, 0)
 
 
 def test_programs_define_names_of_the_client_themselves() -> None:
@@ -179,5 +195,5 @@ def test_programs_define_names_of_the_client_themselves() -> None:
     }
     """
     robot = Robot()
-    assert run(source, robot=robot).out == b"1000 42\n"
-    assert robot.posted[1][1][:2] == [1, 77]
+    assert run(source, robot=robot).out == b"2000 42\n"
+    assert robot.posted[CONNECTING][1][:2] == [1, 77]

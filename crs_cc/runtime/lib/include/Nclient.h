@@ -4,15 +4,19 @@
    Scout axis 1 ("translation") is the right wheel and axis 2 ("steering") the left wheel.
    Lengths are in 0.1 inch, angles in 0.1 degree, counted counterclockwise, sonar readings in
    inches; speeds and accelerations the same per second and per second squared.
-   Functions give TRUE, or FALSE when they failed or no robot is connected. */
-#ifndef _HOST_CLIENT_H_
-#define _HOST_CLIENT_H_
+   Functions give TRUE, or FALSE when they failed or no robot is connected; docs/robot-api.md
+   describes each. */
+#ifndef _HOST_CLIENT_NCLIENT_H_
+#define _HOST_CLIENT_NCLIENT_H_
 
 #ifndef FALSE
 #define FALSE 0
 #endif
 #ifndef TRUE
 #define TRUE 1
+#endif
+#ifndef NULL
+#define NULL ((void *)0)
 #endif
 
 #define MAX_VERTICES 10
@@ -41,6 +45,65 @@
 #define MV_PA 6
 #define MV_TQ 7
 #define MV_MT 8
+
+/* How the arm finds its zero. */
+#define ZR_CHECK 1
+#define ZR_ORIENT 2
+#define ZR_NO_N_GRIPPER 4
+
+/* Types of the packets that the arm understands. */
+#define ARM_ZR 40
+#define ARM_WS 41
+#define ARM_MV 42
+
+/* Sensors whose replies can carry where and when they were read, one bit each. */
+#define POS_NONE 0
+#define POS_INFRARED 1
+#define POS_SONAR 2
+#define POS_BUMPER 4
+#define POS_LASER 8
+#define POS_COMPASS 16
+
+/* 1 when such data has been asked for, else 0. */
+#define POS_INFRARED_P (posDataCheck() & POS_INFRARED ? 1 : 0)
+#define POS_SONAR_P (posDataCheck() & POS_SONAR ? 1 : 0)
+#define POS_BUMPER_P (posDataCheck() & POS_BUMPER ? 1 : 0)
+#define POS_LASER_P (posDataCheck() & POS_LASER ? 1 : 0)
+#define POS_COMPASS_P (posDataCheck() & POS_COMPASS ? 1 : 0)
+
+/* Numbers of sensors in that data. */
+#define POS_IR_1 0
+#define POS_IR_2 1
+#define POS_IR_3 2
+#define POS_IR_4 3
+#define POS_IR_5 4
+#define POS_IR_6 5
+#define POS_IR_7 6
+#define POS_IR_8 7
+#define POS_IR_9 8
+#define POS_IR_10 9
+#define POS_IR_11 10
+#define POS_IR_12 11
+#define POS_IR_13 12
+#define POS_IR_14 13
+#define POS_IR_15 14
+#define POS_IR_16 15
+#define POS_SONAR_1 0
+#define POS_SONAR_2 1
+#define POS_SONAR_3 2
+#define POS_SONAR_4 3
+#define POS_SONAR_5 4
+#define POS_SONAR_6 5
+#define POS_SONAR_7 6
+#define POS_SONAR_8 7
+#define POS_SONAR_9 8
+#define POS_SONAR_10 9
+#define POS_SONAR_11 10
+#define POS_SONAR_12 11
+#define POS_SONAR_13 12
+#define POS_SONAR_14 13
+#define POS_SONAR_15 14
+#define POS_SONAR_16 15
 
 /* Where things stand in State. */
 #define STATE_SIM_SPEED 0       /* speed of the simulation, 10 is real time */
@@ -86,7 +149,7 @@
 #define STATE_VEL_STEER 39
 #define STATE_VEL_LEFT 39
 #define STATE_VEL_TURRET 40
-#define STATE_MOTOR_STATUS 41   /* bit 0: right motor active, bit 1: left motor */
+#define STATE_MOTOR_STATUS 41   /* bit 0: right motor active, bit 1: left motor, bit 2: turret */
 #define STATE_LASER 42
 #define STATE_COMPASS 43
 #define STATE_ERROR 44
@@ -137,18 +200,42 @@
 #define SMASK_LASER 42
 #define SMASK_COMPASS 43
 
+/* The state, as the last replies told it, and the mask of what replies are to refresh, which ct
+   sends. */
 extern long State[NUM_STATE];
 extern int Smask[NUM_MASK];
+
+/* How many readings of the laser follow: points of two numbers, or segments of four. */
+extern int Laser[2 * NUM_LASER + 1];
+
+/* The server, to be set before connect_robot. */
 extern char SERVER_MACHINE_NAME[80];
 extern int SERV_TCP_PORT;
 
+/* These are there for programs that set them; nothing depends on them. */
+extern char ROBOT_MACHINE_NAME[80];
+extern int CONN_TYPE;
+extern char SERIAL_PORT[40];
+extern int SERIAL_BAUD;
+extern int ROBOT_TCP_PORT;
+extern double LASER_CALIBRATION[8];
+extern double LASER_OFFSET[2];
+
 /* A rotation of the Scout in degrees, as wheel travel: inches per degree. */
+#ifndef ROTATION_CONSTANT
 #define ROTATION_CONSTANT 0.118597
+#endif
 
 /* Wheel values of a translation and a rotation; the arguments are used as they are written. */
+#ifndef RIGHT
 #define RIGHT(trans, steer) (trans + (int)((float)steer*ROTATION_CONSTANT))
+#endif
+#ifndef LEFT
 #define LEFT(trans, steer) (trans - (int)((float)steer*ROTATION_CONSTANT))
+#endif
+#ifndef scout_vm
 #define scout_vm(trans, steer) vm(RIGHT(trans, steer), LEFT(trans, steer), 0)
+#endif
 
 /* Connection. */
 int create_robot(long robot_id);
@@ -161,23 +248,10 @@ int simulated_robot(void);
 int set_server_machine_name(char *name);
 int set_serv_tcp_port(int port);
 
-/* Configuration. */
-int conf_ir(int history, int order[16]);
-int conf_sn(int rate, int order[16]);
-int conf_cp(int mode);
-int conf_ls(unsigned int mode, unsigned int threshold, unsigned int width, unsigned int num_data, unsigned int processing);
-int conf_sg(unsigned int threshold, unsigned int min_points, unsigned int gap);
-int conf_tm(unsigned char timeout);
-int conf_ser(unsigned char port, unsigned short baud);
-int ct(void);
-int init_sensors(void);
-void init_mask(void);
-
 /* Motion. */
 int ac(int trans, int steer, int turret);
 int sp(int trans, int steer, int turret);
 int pr(int trans, int steer, int turret);
-int pa(int trans, int steer, int turret);
 int vm(int trans, int steer, int turret);
 int mv(int t_mode, int t_mv, int s_mode, int s_mv, int r_mode, int r_mv);
 int st(void);
@@ -186,7 +260,20 @@ int ws(unsigned char trans, unsigned char steer, unsigned char turret, unsigned 
 int dp(int x, int y);
 int da(int th, int tu);
 int zr(void);
-int place_robot(int x, int y, int th, int tu);
+
+/* Configuration. */
+int conf_sn(int rate, int order[16]);
+int conf_ir(int history, int order[16]);
+int conf_cp(int mode);
+int conf_ls(unsigned int mode, unsigned int threshold, unsigned int width, unsigned int num_data,
+            unsigned int processing);
+int conf_sg(unsigned int threshold, unsigned int min_points, unsigned int gap);
+int conf_tm(unsigned char timeout);
+int ct(void);
+void init_mask(void);
+int init_sensors(void);
+int get_mask(int mask[NUM_MASK]);
+int set_mask(int mask[NUM_MASK]);
 
 /* Reading State, or a group of it. */
 int gs(void);
@@ -199,7 +286,8 @@ int get_cp(void);
 int get_ls(void);
 int get_bp(void);
 int get_sg(void);
-int get_rpx(long *robot_pos);
+int get_state(long state[NUM_STATE]);
+int get_laser(int laser[2 * NUM_LASER + 1]);
 
 /* The simulator's world. */
 int add_obstacle(long obs[2 * MAX_VERTICES + 1]);
@@ -209,8 +297,11 @@ int delete_Obs(long obs[2 * MAX_VERTICES + 1]);
 int move_obstacle(long obs[2 * MAX_VERTICES + 1], long dx, long dy);
 int move_Obs(long obs[2 * MAX_VERTICES + 1], long dx, long dy);
 int new_world(void);
+int place_robot(int x, int y, int th, int tu);
+int get_rpx(long *robot_pos);
 int predict_sensors(int x, int y, int th, int tu, long *state, int *laser);
-int motion_check(long type, double a1, double a2, double a3, double a4, double a5, double a6, double a7, double collide[3]);
+int motion_check(long type, double a1, double a2, double a3, double a4, double a5, double a6,
+                 double a7, double collide[3]);
 int get_robot_conf(long *conf);
 
 /* The simulator's window. */
@@ -218,30 +309,123 @@ int draw_robot(long x, long y, int th, int tu, int mode);
 int draw_line(long x_1, long y_1, long x_2, long y_2, int mode);
 int draw_arc(long x_0, long y_0, long w, long h, int th1, int th2, int mode);
 int refresh_all(void);
+int refresh_all_traces(void);
+int refresh_actual_trace(void);
+int refresh_encoder_trace(void);
+int refresh_all_sensors(void);
+int refresh_bumper_sensor(void);
+int refresh_infrared_sensor(void);
+int refresh_sonar_sensor(void);
+int refresh_laser_sensor(void);
+int refresh_client_graphics(void);
 
-/* Others. */
-int tk(char *talk);
-int special_request(unsigned char *user_send_buffer, unsigned char *user_receive_buffer);
-
-/* Where and when sensors were read. */
+/* Where and when sensors were read; times in milliseconds of the board that reads them. */
 typedef unsigned long TimeData;
 
-typedef struct {
-    long configX, configY, configSteer, configTurret, velTrans, velSteer, velTurret;
+typedef struct _ConfigData {
+    long configX, configY, configSteer, configTurret;
+    long velTrans, velSteer, velTurret;
     TimeData timeStamp;
 } ConfigData;
 
-typedef struct {
+typedef struct _PosData {
     ConfigData config;
     TimeData timeStamp;
 } PosData;
 
+int posDataRequest(int posRequest);
+int posDataCheck(void);
+int posInfraredRingGet(PosData posData[INFRAREDS]);
+int posInfraredGet(PosData *posData, int infraredNumber);
 int posSonarRingGet(PosData posData[SONARS]);
+int posSonarGet(PosData *posData, int sonarNumber);
+int posBumperGet(PosData *posData);
+int posLaserGet(PosData *posData);
+int posCompassGet(PosData *posData);
+int posTimeGet(void);
+
+/* The batteries' voltages. */
+float voltCpuGet(void);
+float voltMotorGet(void);
+
+/* Speech. */
+int tk(char *talk);
+
+/* Packets of the user's own. */
+typedef union {
+    char bytes[8];
+    double data;
+} double_union;
+
+typedef union {
+    char bytes[4];
+    short words[2];
+    long data;
+} long_union;
+
+typedef union {
+    unsigned char bytes[2];
+    short data;
+} short_union;
+
+typedef union {
+    unsigned char bytes[2];
+    unsigned short data;
+} ushort_union;
+
+typedef union {
+    unsigned char bytes[4];
+    unsigned short words[2];
+    unsigned long data;
+} ulong_union;
+
+struct request_struct {
+    short type;
+    unsigned short size;
+    long mesg[USER_BUFFER_LENGTH];
+};
+
+struct reply_struct {
+    short type;
+    unsigned short size;
+    long mesg[USER_BUFFER_LENGTH];
+};
+
+int special_request(unsigned char *user_send_buffer, unsigned char *user_receive_buffer);
+int init_receive_buffer(unsigned short *index);
+int extract_receive_buffer_header(unsigned short *length, unsigned char *serial_number,
+                                  unsigned char *packet_type, unsigned char *buffer);
+int init_send_buffer(unsigned short *index);
+int stuff_send_buffer_header(unsigned short index, unsigned char serial_number,
+                             unsigned char packet_type, unsigned char *buffer);
+int stuffchar(signed char data, unsigned char *buffer, unsigned short *index);
+int stuff2byteint(signed short data, unsigned char *buffer, unsigned short *index);
+int stuff4byteint(signed long data, unsigned char *buffer, unsigned short *index);
+int stuffuchar(unsigned char data, unsigned char *buffer, unsigned short *index);
+int stuff2byteuint(unsigned short data, unsigned char *buffer, unsigned short *index);
+int stuff4byteuint(unsigned long data, unsigned char *buffer, unsigned short *index);
+int stuffdouble(double data, unsigned char *buffer, unsigned short *index);
+signed char extractchar(unsigned char *buffer, unsigned short *index);
+signed short extract2byteint(unsigned char *buffer, unsigned short *index);
+signed long extract4byteint(unsigned char *buffer, unsigned short *index);
+unsigned char extractuchar(unsigned char *buffer, unsigned short *index);
+unsigned short extract2byteuint(unsigned char *buffer, unsigned short *index);
+unsigned long extract4byteuint(unsigned char *buffer, unsigned short *index);
+double extractdouble(unsigned char *buffer, unsigned short *index);
+
+/* The arm. */
+long arm_mv(long l_mode, long l_v, long g_mode, long g_v);
+long arm_ws(short lift, short grip, long timeout, long *time_remain);
+long arm_zr(short mode);
 
 /* Not the vendor's: what Scout programs used to define for themselves. They are functions, so
    that a program's own macros or functions of these names take their place. */
+#ifndef scout_pr
 int scout_pr(int trans, int steer);
+#endif
+#ifndef scout_ws
 int scout_ws(int seconds);
+#endif
 int sonarSensorCheck(void);
 
 #endif

@@ -1,0 +1,132 @@
+/* One command is one exchange: a request goes to the robot, and its reply fills State, as the
+   vendor's client fills it from reply packets. */
+#include <stdio.h>
+
+#include <crs/clock.h>
+#include <crs/robot.h>
+
+struct __crs_client __crs_client;
+
+int __crs_is_direct(void)
+{
+    static int known, direct;
+    struct __crs_message message;
+
+    if (!known) {
+        message.size = 0;
+        direct = __crs_request(CRS_CLIENT, &message);
+        known = 1;
+    }
+    return direct;
+}
+
+int __crs_is_direct_without_sensors(void)
+{
+    return __crs_is_direct() && __crs_client.model != MODEL_N200;
+}
+
+int __crs_post(int code, struct __crs_message *message)
+{
+    int result;
+
+    if (!__crs_client.connected)
+        printf("Not connected to any robot\n");
+    if (!__crs_client.connected || __crs_client.left) {
+        if (!__crs_is_direct())
+            State[STATE_ERROR] = CRS_IPC_ERROR;
+        return FALSE;
+    }
+    result = __crs_request(code, message);
+    if (__crs_after_request != NULL)
+        __crs_after_request();
+    if (result == 0 && code != CRS_MOTION_CHECK && !__crs_is_direct())
+        State[STATE_ERROR] = CRS_REFUSED;
+    return result;
+}
+
+/* The speed of the simulation and the motors' status come whatever the mask. */
+static int is_let_through(int index)
+{
+    return index == STATE_SIM_SPEED || index == STATE_MOTOR_STATUS
+        || (signed char)__crs_client.mask[index] > 0;
+}
+
+static void take_board_time(const struct __crs_message *message)
+{
+    __crs_client.board_ms = (unsigned long)(long long)message->f[0];
+}
+
+int __crs_post_state(int code, struct __crs_message *message)
+{
+    const int *numbers = (const int *)message->data;
+    int i, points;
+
+    if (!__crs_post(code, message))
+        return FALSE;
+    for (i = 0; i < NUM_MASK; i++)
+        if (is_let_through(i))
+            State[i] = numbers[i];
+    if (!__crs_is_direct())
+        State[STATE_ERROR] = 0;
+    take_board_time(message);
+    __crs_client.cpu_battery = message->i[1];
+    __crs_client.motor_battery = message->i[2];
+    points = message->i[0];
+    if (is_let_through(SMASK_LASER))
+        __crs_read_laser(Laser, points, 0);
+    return TRUE;
+}
+
+int __crs_command(int code, int a, int b, int c, int d)
+{
+    struct __crs_message message;
+
+    message.i[0] = a;
+    message.i[1] = b;
+    message.i[2] = c;
+    message.i[3] = d;
+    message.size = 0;
+    return __crs_post_state(code, &message);
+}
+
+static int read_group(int code, int first, int last, struct __crs_message *message)
+{
+    const int *numbers = (const int *)message->data;
+    int i;
+
+    message->size = 0;
+    if (!__crs_post(code, message))
+        return FALSE;
+    for (i = first; i <= last; i++)
+        State[i] = numbers[i];
+    return TRUE;
+}
+
+int __crs_read_group(int code, int first, int last)
+{
+    struct __crs_message message;
+
+    return read_group(code, first, last, &message);
+}
+
+int __crs_read_sensors(int code, int first, int last)
+{
+    struct __crs_message message;
+
+    if (!read_group(code, first, last, &message))
+        return FALSE;
+    take_board_time(&message);
+    return TRUE;
+}
+
+int __crs_wired(int value)
+{
+    unsigned int magnitude, high;
+
+    if (!__crs_is_direct())
+        return value;
+    magnitude = value < 0 ? 0u - (unsigned int)value : (unsigned int)value;
+    high = ((value < 0 ? 128 : 0) + magnitude / 256) & 255;
+    value = (int)(high % 128 * 256 + magnitude % 256);
+    return high > 127 ? -value : value;
+}

@@ -1,0 +1,96 @@
+/* Moving: the commands of the motors. On the Scout axis 1 is the right wheel, axis 2 the left. */
+#include <crs/robot.h>
+
+static int magnitude(int value)
+{
+    return value < 0 ? -value : value;
+}
+
+/* Sends three numbers with their signs. */
+static int axes(int code, int trans, int steer, int turret)
+{
+    return __crs_command(code, __crs_wired(trans), __crs_wired(steer), __crs_wired(turret), 0);
+}
+
+/* Sends three numbers without their signs. */
+static int magnitudes(int code, int trans, int steer, int turret)
+{
+    return __crs_command(code, magnitude(trans), magnitude(steer), magnitude(turret), 0);
+}
+
+int ac(int trans, int steer, int turret)
+{
+    return magnitudes(CRS_AC, trans, steer, turret);
+}
+
+int sp(int trans, int steer, int turret)
+{
+    return magnitudes(CRS_SP, trans, steer, turret);
+}
+
+int pr(int trans, int steer, int turret)
+{
+    return axes(CRS_PR, trans, steer, turret);
+}
+
+/* The vendor's Nclient sends nothing, and his Ndirect only to a Nomad 200. */
+int pa(int trans, int steer, int turret)
+{
+    return FALSE;
+}
+
+int vm(int trans, int steer, int turret)
+{
+    return axes(CRS_VM, trans, steer, turret);
+}
+
+static int is_sent(int mode)
+{
+    return mode >= MV_IGNORE && mode <= MV_SP;
+}
+
+int mv(int t_mode, int t_mv, int s_mode, int s_mv, int r_mode, int r_mv)
+{
+    struct __crs_message message;
+
+    if (!is_sent(t_mode) || !is_sent(s_mode) || !is_sent(r_mode))
+        return FALSE;
+    message.i[0] = t_mode;
+    message.i[1] = __crs_wired(t_mv);
+    message.i[2] = s_mode;
+    message.i[3] = __crs_wired(s_mv);
+    message.i[4] = r_mode;
+    message.i[5] = __crs_wired(r_mv);
+    message.size = 0;
+    return __crs_post_state(CRS_MV, &message);
+}
+
+int st(void)
+{
+    return __crs_command(CRS_ST, 0, 0, 0, 0);
+}
+
+int lp(void)
+{
+    return __crs_command(CRS_LP, 0, 0, 0, 0);
+}
+
+int ws(unsigned char trans, unsigned char steer, unsigned char turret, unsigned char timeout)
+{
+    return __crs_command(CRS_WS, trans != 0, steer != 0, turret != 0, timeout);
+}
+
+int dp(int x, int y)
+{
+    return __crs_command(CRS_DP, __crs_wired(x), __crs_wired(y), 0, 0);
+}
+
+int da(int th, int tu)
+{
+    return __crs_command(CRS_DA, __crs_wired(th), __crs_wired(tu), 0, 0);
+}
+
+int zr(void)
+{
+    return __crs_command(CRS_ZR, 0, 0, 0, 0);
+}
