@@ -18,13 +18,16 @@ it, and cannot always say what it had expected. Names can be compared without it
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, Final, NamedTuple, TypeAlias
 
 Node: TypeAlias = Any
 """An element of lxml's."""
 
 _XS: Final = "{http://www.w3.org/2001/XMLSchema}"
+_ELEMENT, _ATTRIBUTE, _ANY = _LEAVES = (f"{_XS}element", f"{_XS}attribute", f"{_XS}any")
+_COMPLEX_TYPE: Final = f"{_XS}complexType"
+_SIMPLE_TYPE: Final = f"{_XS}simpleType"
 
 
 class UnknownName(NamedTuple):
@@ -51,70 +54,66 @@ def unknown_names(root: Node, schema: Node) -> Iterator[UnknownName]:
 
 class _Schema:
     def __init__(self, schema: Node) -> None:
-        self._types = {each.get("name"): each for each in schema.iterfind(f"{_XS}complexType")}
-        self._groups = {each.get("name"): each for each in schema.iterfind(f"{_XS}attributeGroup")}
-        self._elements = {each.get("name"): each for each in schema.iterfind(f"{_XS}element")}
+        self._named = {(each.tag, each.get("name")): each for each in schema}
 
     def unknown(self, root: Node) -> Iterator[UnknownName]:
-        declared = self._elements.get(root.tag)
+        declared = self._named.get((_ELEMENT, root.tag))
         work = [] if declared is None else [(root, declared)]
         while work:
             node, declaration = work.pop()
-            yield from self._unknown_attributes(node, declaration)
-            known = self._children(declaration)
-            if known is None:
+            parts = self._parts(declaration)
+            yield from _unknown_attributes(node, _names(parts, _ATTRIBUTE))
+            if _names(parts, _ANY):
                 continue
+            known = _names(parts, _ELEMENT)
+            there = {child.tag for child in node}
+            free = [name for name, each in known.items() if name not in there or _repeats(each)]
             inner = []
             for child in node:
                 if child.tag in known:
                     inner.append((child, known[child.tag]))
                 else:
-                    yield _unexpected(child, node, known)
+                    yield _unexpected(child, known, free)
             work += reversed(inner)
 
-    def _unknown_attributes(self, node: Node, declaration: Node) -> Iterator[UnknownName]:
-        known = self._attributes(self._type(declaration))
-        for name in map(str, node.attrib):
-            if name not in known:
-                line, text = node.sourceline or 0, f"<{node.tag}> has no attribute {name!r}"
-                meant = _closest(name, known)
-                listed = ", ".join(known) or "none"
-                hint = f"did you mean {meant!r}?" if meant else f"its attributes are: {listed}"
-                yield UnknownName(line, text, hint)
-
-    def _type(self, declaration: Node) -> Node:
-        """Gives the type of an element: its own one, or one that has a name; None for text."""
-        name = declaration.get("type")
-        return declaration.find(f"{_XS}complexType") if name is None else self._types.get(name)
-
-    def _children(self, declaration: Node) -> dict[str, Node] | None:
-        """Gives the declarations of what may stand in an element; None where anything may."""
-        found: dict[str, Node] = {}
-        work = [self._type(declaration)]
+    def _parts(self, declaration: Node) -> list[Node]:
+        """Gives the declarations of an element's attributes and children, however they nest."""
+        found: list[Node] = []
+        work = [*declaration, *self._referred(declaration)]
         for node in work:
-            for each in () if node is None else node:
-                if each.tag == f"{_XS}element":
-                    found[str(each.get("name"))] = each
-                elif each.tag == f"{_XS}any":
-                    return None
-                elif each.tag in {f"{_XS}{kind}" for kind in ("sequence", "choice", "all")}:
-                    work.append(each)
+            if node.tag in _LEAVES:
+                found.append(node)
+            elif node.tag != _SIMPLE_TYPE:
+                work += [*node, *self._referred(node)]
         return found
 
-    def _attributes(self, holder: Node) -> list[str]:
-        names: list[str] = []
-        for each in () if holder is None else holder:
-            if each.tag == f"{_XS}attribute":
-                names.append(str(each.get("name")))
-            elif each.tag == f"{_XS}attributeGroup":
-                names += self._attributes(self._groups.get(each.get("ref")))
-        return names
+    def _referred(self, node: Node) -> Iterator[Node]:
+        """Gives what a declaration refers to: a type, the type that it extends, a group."""
+        for kind in ("type", "base"):
+            if (_COMPLEX_TYPE, node.get(kind)) in self._named:
+                yield self._named[_COMPLEX_TYPE, node.get(kind)]
+        if (node.tag, node.get("ref")) in self._named:
+            yield self._named[node.tag, node.get("ref")]
 
 
-def _unexpected(child: Node, parent: Node, known: dict[str, Node]) -> UnknownName:
-    there = {each.tag for each in parent}
-    names = [name for name, each in known.items() if name not in there or _repeats(each)]
-    listed = " or ".join(f"<{name}>" for name in names) or "nothing more"
+def _names(parts: Sequence[Node], tag: str) -> dict[str, Node]:
+    """Gives the declarations of one kind by their names."""
+    return {str(each.get("name")): each for each in parts if each.tag == tag}
+
+
+def _unknown_attributes(node: Node, known: Iterable[str]) -> Iterator[UnknownName]:
+    for name in map(str, node.attrib):
+        if name not in known:
+            line, text = node.sourceline or 0, f"<{node.tag}> has no attribute {name!r}"
+            meant = _closest(name, known)
+            listed = ", ".join(known) or "none"
+            hint = f"did you mean {meant!r}?" if meant else f"its attributes are: {listed}"
+            yield UnknownName(line, text, hint)
+
+
+def _unexpected(child: Node, known: Iterable[str], free: Sequence[str]) -> UnknownName:
+    """Makes the message about an element, with the names that may still stand there."""
+    listed = " or ".join(f"<{name}>" for name in free) or "nothing more"
     meant = _closest(str(child.tag), known)
     hint = f"did you mean <{meant}>?" if meant else ""
     text = f"<{child.tag}> is not expected here; expected {listed}"
@@ -124,7 +123,7 @@ def _unexpected(child: Node, parent: Node, known: dict[str, Node]) -> UnknownNam
 def _repeats(declaration: Node) -> bool:
     """Tells whether an element may stand there more than once."""
     node: Node = declaration
-    while node is not None and node.tag != f"{_XS}complexType":
+    while node is not None and node.tag != _COMPLEX_TYPE:
         if node.get("maxOccurs", "1") != "1":
             return True
         node = node.getparent()
