@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from crs_cc.errors import CompileError, CrsError, InternalError, ProgramError, WorldError
+    from crs_cc.frontend.options import Dialect
     from crs_cc.runtime.executable import Executable
     from crs_cc.session.session import Session
     from crs_cc.sim.world_xml import load_world
@@ -40,8 +41,13 @@ _HOMES: Final = {
 }
 
 
-def compile_c(*paths: str | Path) -> Executable:
+def compile_c(*paths: str | Path, dialect: Dialect | None = None) -> Executable:
     """Gives the program made of some C files; warnings are what `crs check` shows.
+
+    Args:
+        paths: the C files.
+        dialect: whose functions they call, the vendor's (`nomad`) or those of the CRS report
+            (`report`); by default what they look like.
 
     Raises:
         CompileError: the files do not make a program.
@@ -51,7 +57,7 @@ def compile_c(*paths: str | Path) -> Executable:
     from crs_cc.session.build import build_executable
     from crs_cc.source import Diagnostics
 
-    return build_executable([Path(path) for path in paths], Diagnostics())
+    return build_executable([Path(path) for path in paths], Diagnostics(), dialect=dialect)
 
 
 def __getattr__(name: str) -> object:

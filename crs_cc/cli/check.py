@@ -13,6 +13,7 @@ from crs_cc.cli.compiler_options import CompilerOptions, compiler_options, merge
 from crs_cc.cli.inputs import demand_readable, is_world
 from crs_cc.cli.messages import as_data, say, show
 from crs_cc.errors import CompileError, CrsError, InternalError
+from crs_cc.frontend.scope import ENTRIES
 from crs_cc.source import Diagnostic, Diagnostics
 
 if TYPE_CHECKING:
@@ -36,18 +37,20 @@ def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOp
     """Says what is wrong with C files and world files; runs nothing.
 
     Each C file is looked at on its own, so that a part of a program can be checked too. If one of
-    them has a function main, they are also linked, as crs run does. Ends with 0 when there are no
-    errors (warnings may be), else with the status of the first one: 121 for C, 122 for a world.
+    them has a function main (or runcode), they are also linked, as crs run does. Ends with 0 when
+    there are no errors (warnings may be), else with the status of the first one: 121 for C, 122 for
+    a world.
     """
     status = 0
     messages: list[Diagnostic] = []
     programs: list[Program] = []
     sources = Diagnostics()
+    together = [Path(name) for name in files if not is_world(name)]
     for name in files:
-        found, error_status = _messages(Path(name), compiler, programs, sources)
+        found, error_status = _messages(Path(name), compiler, programs, sources, together)
         messages += [each for each in found if each.severity == "error" or not quiet]
         status = status or error_status
-    if not status and sum("main" in program.functions for program in programs) == 1:
+    if not status and sum(not ENTRIES.isdisjoint(each.functions) for each in programs) == 1:
         sources.messages += messages
         messages, status = _linked(programs, sources)
     if as_json:
@@ -60,7 +63,11 @@ def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOp
 
 
 def _messages(
-    path: Path, compiler: CompilerOptions, programs: list[Program], sources: Diagnostics
+    path: Path,
+    compiler: CompilerOptions,
+    programs: list[Program],
+    sources: Diagnostics,
+    together: Sequence[Path],
 ) -> tuple[Sequence[Diagnostic], int]:
     """Gives the messages about a file, and the exit status of its errors.
 
@@ -69,6 +76,7 @@ def _messages(
         compiler: how to compile it.
         programs: gets what it becomes.
         sources: gets its lines.
+        together: all C files.
     """
     diagnostics = Diagnostics()
     try:
@@ -80,7 +88,7 @@ def _messages(
         else:
             from crs_cc.cli.compile import compile_source
 
-            programs.append(compile_source(path, compiler, diagnostics))
+            programs.append(compile_source(path, compiler, diagnostics, together))
             sources.lines.update(diagnostics.lines)
     except InternalError:
         raise

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
@@ -48,7 +49,7 @@ def compile_(
         for path in paths:
             demand_readable(path)
         if emit == "ir":
-            text = "\n".join(_ir(path, compiler, diagnostics) for path in paths)
+            text = _ir(paths, compiler, diagnostics)
         else:
             text = _wat(paths, compiler, diagnostics, checked=not unchecked)
     if not quiet:
@@ -57,12 +58,21 @@ def compile_(
     return 0
 
 
-def compile_source(path: Path, compiler: CompilerOptions, diagnostics: Diagnostics) -> Program:
+def compile_source(
+    path: Path, compiler: CompilerOptions, diagnostics: Diagnostics, together: Sequence[Path]
+) -> Program:
     """Compiles a single C file.
+
+    Args:
+        path: the file.
+        compiler: how to compile it.
+        diagnostics: takes the messages.
+        together: all files, which tell the dialect of those that do not tell it themselves.
 
     Raises:
         CompileError: the C source is at fault.
     """
+    from crs_cc.frontend.dialect import dialect_of, form
     from crs_cc.frontend.options import Options
     from crs_cc.frontend.unit import compile_file
     from crs_cc.ir.verify import verify
@@ -75,15 +85,17 @@ def compile_source(path: Path, compiler: CompilerOptions, diagnostics: Diagnosti
         compiler.undefines,
         compiler.standard,
     )
-    program = compile_file(path, options, diagnostics)
+    dialect = compiler.dialect or form(path, options) or dialect_of(together, options)
+    program = compile_file(path, replace(options, dialect=dialect), diagnostics)
     verify(program)
     return program
 
 
-def _ir(path: Path, compiler: CompilerOptions, diagnostics: Diagnostics) -> str:
+def _ir(paths: Sequence[Path], compiler: CompilerOptions, diagnostics: Diagnostics) -> str:
     from crs_cc.ir.text import to_text
 
-    return to_text(compile_source(path, compiler, diagnostics))
+    programs = [compile_source(path, compiler, diagnostics, paths) for path in paths]
+    return "\n".join(map(to_text, programs))
 
 
 def _wat(
@@ -99,5 +111,6 @@ def _wat(
         undefines=compiler.undefines,
         standard=compiler.standard,
         checked=checked,
+        dialect=compiler.dialect,
     )
     return executable.wat()

@@ -13,7 +13,7 @@ import click
 
 from crs_cc.cli.messages import say
 from crs_cc.errors import CrsError
-from crs_cc.frontend.options import STANDARDS
+from crs_cc.frontend.options import DIALECTS, STANDARDS, Dialect
 from crs_cc.source import Diagnostic, Diagnostics
 
 
@@ -26,12 +26,14 @@ class CompilerOptions:
         defines: macros, each `NAME` or `NAME=VALUE`.
         undefines: macros that are not to be defined.
         standard: the C that the program is written in.
+        dialect: whose functions it calls, `nomad` or `report`; None to judge by what it looks like.
     """
 
     include_paths: tuple[Path, ...] = ()
     defines: tuple[str, ...] = ()
     undefines: tuple[str, ...] = ()
     standard: str = "gnu17"
+    dialect: Dialect | None = None
 
 
 def _folders(
@@ -64,6 +66,12 @@ _OPTIONS = (
         help="Predefine the macros of c89, gnu89, c99, gnu99, c11, gnu11, c17 or gnu17; "
         "those without 'gnu' also have trigraphs. The language is the same.",
     ),
+    click.option(
+        "--dialect", type=click.Choice(DIALECTS),
+        help="Whose functions the program calls: nomad, the vendor's, or report, those of the CRS "
+        "report; then it may be just the statements of its body. If not given: report for "
+        "a program with a function runcode that includes no Nomadic header and has no main.",
+    ),
 )  # fmt: skip
 
 
@@ -76,10 +84,12 @@ def compiler_options(command: Callable[..., int]) -> Callable[..., int]:
         defines: tuple[str, ...],
         undefines: tuple[str, ...],
         standard: str,
+        dialect: Dialect | None,
         **others: Any,
     ) -> int:
         return command(
-            compiler=CompilerOptions(include_paths, defines, undefines, standard), **others
+            compiler=CompilerOptions(include_paths, defines, undefines, standard, dialect),
+            **others,
         )
 
     for option in reversed(_OPTIONS):

@@ -16,6 +16,7 @@ from crs_cc.source import Diagnostics, Location
 
 if TYPE_CHECKING:
     from crs_cc.cli.run import RunOptions
+    from crs_cc.frontend.options import Dialect
     from crs_cc.runtime.executable import Executable
     from crs_cc.sim.model import Robot, WorldModel
 
@@ -48,15 +49,15 @@ def load(options: RunOptions, diagnostics: Diagnostics) -> Loaded:
     with gathered(diagnostics):
         world = _world(options)
         programs = [_program(robot, options) for robot in world.robots]
+        dialects = [options.compiler.dialect or robot.dialect for robot in world.robots]
+        wanted = list(zip(programs, dialects, strict=True))
         if options.inputs.sources and options.inputs.sources not in programs:
             place = Location(str(options.inputs.sources[0]))
             diagnostics.warning(place, "not used: every robot has a program in the world file")
-        built = {
-            sources: _build(sources, options, diagnostics) for sources in dict.fromkeys(programs)
-        }
+        built = {each: _build(*each, options, diagnostics) for each in dict.fromkeys(wanted)}
     return Loaded(
         world,
-        tuple(built[sources] for sources in programs),
+        tuple(built[each] for each in wanted),
         tuple(
             (str(sources[0].with_suffix("")), *_arguments(robot, options))
             for robot, sources in zip(world.robots, programs, strict=True)
@@ -92,7 +93,12 @@ def _arguments(robot: Robot, options: RunOptions) -> tuple[str, ...]:
     return robot.arguments or (() if robot.program else options.arguments)
 
 
-def _build(sources: tuple[Path, ...], options: RunOptions, diagnostics: Diagnostics) -> Executable:
+def _build(
+    sources: tuple[Path, ...],
+    dialect: Dialect | None,
+    options: RunOptions,
+    diagnostics: Diagnostics,
+) -> Executable:
     for path in sources:
         demand_readable(path)
     own = Diagnostics()
@@ -106,6 +112,7 @@ def _build(sources: tuple[Path, ...], options: RunOptions, diagnostics: Diagnost
             standard=options.compiler.standard,
             checked=options.checked,
             trap_overflow=options.trap_overflow,
+            dialect=dialect,
         )
     finally:
         diagnostics.messages[:] = merged(diagnostics.messages, own.messages)

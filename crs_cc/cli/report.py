@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Final
 import click
 
 from crs_cc.cli.messages import is_coloured, printable, render, say
+from crs_cc.frontend.scope import ENTRIES
 from crs_cc.ir.names import plain_name
 from crs_cc.source import Diagnostic
 
@@ -52,7 +53,7 @@ def render_report(report: ErrorReport, robot: str = "", *, coloured: bool = Fals
         rows.append(", ".join(f"{name} = {value}" for name, value in report.values))
     rows += report.notes
     rows = [printable(row) for row in rows]
-    is_obvious = [call.function for call in report.stack] == ["main"]
+    is_obvious = len(report.stack) == 1 and report.stack[0].function in ENTRIES
     innermost = next((call for call in report.stack if call.location is not None), None)
     for number, call in enumerate(() if is_obvious else report.stack):
         word = "..." if call.count > 1 else "from" if number else "in"

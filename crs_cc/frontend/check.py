@@ -19,6 +19,7 @@ from crs_cc.frontend import tree
 from crs_cc.frontend.header_hint import header_hint
 from crs_cc.frontend.hopeless import report
 from crs_cc.frontend.lex import Span
+from crs_cc.frontend.options import Dialect
 from crs_cc.frontend.parse import Node
 from crs_cc.frontend.parse_gnu import GnuNode
 from crs_cc.frontend.scope import FunctionSymbol, ObjectSymbol, Scope, Symbol
@@ -135,6 +136,7 @@ class Unit:
         unknown: unknown names that were reported, with the function that used them.
         suggestions: how many more unknown names get a hint.
         trusted: whether its functions may tell the shadow memory what C may do.
+        dialect: whose functions it calls.
         headers: the folders of the headers that come with crs.
         macros: the names of the macros, which may be misspelt, too.
     """
@@ -153,6 +155,7 @@ class Unit:
     unknown: set[tuple[str, str]] = field(default_factory=set)
     suggestions: int = 20
     trusted: bool = False
+    dialect: Dialect = "nomad"
     headers: tuple[Path, ...] = ()
     macros: tuple[str, ...] = ()
 

@@ -10,6 +10,7 @@ from typing import Final
 
 from crs_cc.frontend.check import Unit
 from crs_cc.frontend.declare import declared_type
+from crs_cc.frontend.lex import lex
 from crs_cc.frontend.parse import parse
 from crs_cc.ir.types import DOUBLE, FloatType, FunctionType
 from crs_cc.source import Diagnostics, Location
@@ -84,7 +85,8 @@ def library_functions() -> dict[str, tuple[FunctionType, str]]:
     for header, text in texts.items():
         diagnostics = Diagnostics()
         unit = Unit(header, diagnostics, Location(header))
-        for node in parse(" ".join(text.split()), functools.partial(Location, header), diagnostics):
+        place = functools.partial(Location, header)
+        for node in parse(lex(" ".join(text.split()), place, diagnostics), diagnostics):
             ctype = declared_type(unit, node.type)
             assert isinstance(ctype, FunctionType)
             found[node.name] = ctype, header

@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any, Final, TypeAlias, TypeVar
 from crs_cc.frontend import tree
 from crs_cc.frontend.convert import is_scalar
 from crs_cc.frontend.fold import wrap
+from crs_cc.frontend.scope import ENTRIES
 from crs_cc.ir.operators import OPERATORS
 from crs_cc.ir.program import (
     VALUE_TYPE,
@@ -281,7 +282,8 @@ def constant(ctype: CType, value: float) -> Constant:
 
 def no_value(function: Function) -> Constant | None:
     """Gives what a function returns that ends without a value: main's is 0 (C17 5.1.2.2.3)."""
-    return Constant("i32", 0) if function.name == "main" and function.result == "i32" else None
+    is_entry = function.name in ENTRIES and function.result == "i32"
+    return Constant("i32", 0) if is_entry else None
 
 
 LowerValue: TypeAlias = Callable[[Lowering, Any, "Register | None"], Operand]

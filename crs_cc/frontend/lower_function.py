@@ -16,7 +16,7 @@ from crs_cc.frontend.lower import Lowering, memory_type, no_value, statements, v
 from crs_cc.frontend.lower_convert import convert_operand
 from crs_cc.frontend.lower_graph import tidy
 from crs_cc.frontend.lower_memory import store
-from crs_cc.frontend.scope import ObjectSymbol
+from crs_cc.frontend.scope import ENTRIES, ObjectSymbol
 from crs_cc.ir.program import (
     MEMORY_SIZE,
     Block,
@@ -55,7 +55,7 @@ def lower_function(unit: UnitLowering, definition: tree.FunctionDefinition) -> F
     if isinstance(result, RecordType):
         low.result_pointer = low.lasting_register("i32")
         function.parameters.append(Parameter(low.result_pointer, "i32", 4))
-    elif not isinstance(result, VoidType) or symbol.name == "main":
+    elif not isinstance(result, VoidType) or symbol.name in ENTRIES:
         function.result = "i32" if isinstance(result, VoidType) else value_type(result)
     for parameter, passed in zip(definition.parameters, definition.passed, strict=True):
         _parameter(low, parameter, passed)

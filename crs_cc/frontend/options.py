@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Final
+from typing import Final, Literal, TypeAlias, get_args
 
 STANDARDS: Final = {
     "c89": "", "c90": "", "ansi": "", "gnu89": "", "gnu90": "",
@@ -18,6 +18,14 @@ STANDARDS: Final = {
     "c17": "201710L", "gnu17": "201710L", "c18": "201710L", "gnu18": "201710L",
 }  # fmt: skip
 """The names of `-std=`, each with its `__STDC_VERSION__`."""
+
+
+Dialect: TypeAlias = Literal["nomad", "report"]
+
+DIALECTS: Final[tuple[Dialect, ...]] = get_args(Dialect)
+
+DIALECT_HEADERS: Final[dict[Dialect, str]] = {"report": "crs/report.h"}
+"""What a dialect includes before the first line."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +39,8 @@ class Options:
         undefines: names to undefine after that (`-U`).
         standard: the C that the program is written in, a key of `STANDARDS` (`-std=`). It decides
             about predefined macros and trigraphs; the language is the same in all.
+        dialect: whose functions the program calls: the vendor's, or those of the CRS report, which
+            need no header; then it may also be just the statements of its body.
         trusted: whether the file is the allocator, see `ir.program.Function`.
     """
 
@@ -40,6 +50,7 @@ class Options:
     undefines: tuple[str, ...] = ()
     standard: str = "gnu17"
     trusted: bool = False
+    dialect: Dialect = "nomad"
 
     @property
     def is_strict(self) -> bool:

@@ -6,10 +6,11 @@ to the end of the statement or declaration, and goes on; and it puts in the `int
 programs leave out, with a warning. The nodes' `coord` is a `Token`, which knows its place in the
 user's own file.
 
+>>> from crs_cc.frontend.lex import lex
 >>> from crs_cc.source import Diagnostics, Location
 >>> diagnostics = Diagnostics()
 >>> def locate(line, column): return Location("a.c", line, column)
->>> nodes = parse("main() { return 0 }", locate, diagnostics)
+>>> nodes = parse(lex("main() { return 0 }", locate, diagnostics), diagnostics)
 >>> for message in diagnostics.messages:
 ...     print(message.render())
 a.c:1:1: warning: type specifier missing, defaults to 'int'
@@ -26,7 +27,7 @@ from pycparser.c_parser import ParseError
 from crs_cc.frontend.attributes import take_attributes
 from crs_cc.frontend.cpp.tokens import shown
 from crs_cc.frontend.hopeless import GiveUp, report
-from crs_cc.frontend.lex import Locate, Token, lex
+from crs_cc.frontend.lex import Token
 from crs_cc.frontend.parse_expression import NAMES
 from crs_cc.frontend.parse_gnu import AUTO_TYPE
 from crs_cc.frontend.parse_misspelt import MisspeltParser, closest_keyword
@@ -92,12 +93,11 @@ class Broken(c_ast.Node):  # type: ignore[misc]
         return ()
 
 
-def parse(text: str, locate: Locate, diagnostics: Diagnostics) -> list[Node]:
+def parse(tokens: list[Token], diagnostics: Diagnostics) -> list[Node]:
     """Parses a preprocessed file.
 
     Args:
-        text: the text, without comments and directives apart from `#pragma`.
-        locate: gives the user's place for a line and column of the text.
+        tokens: the file.
         diagnostics: takes the messages.
 
     Returns:
@@ -106,7 +106,7 @@ def parse(text: str, locate: Locate, diagnostics: Diagnostics) -> list[Node]:
     Raises:
         GiveUp: when the file is hopeless or nested too deeply.
     """
-    parser = _Parser(lex(text, locate, diagnostics), diagnostics)
+    parser = _Parser(tokens, diagnostics)
     try:
         return parser.translation_unit()
     except RecursionError:

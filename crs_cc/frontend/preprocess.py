@@ -32,7 +32,7 @@ from crs_cc.frontend.cpp.source_text import Place, Places, decode, is_binary
 from crs_cc.frontend.cpp.spelling import is_plain, respell
 from crs_cc.frontend.cpp.state import State
 from crs_cc.frontend.cpp.tokens import Token, tokenise
-from crs_cc.frontend.options import Options
+from crs_cc.frontend.options import DIALECT_HEADERS, Options
 from crs_cc.source import Diagnostics, Location
 
 __all__ = ["Options", "Preprocessed", "preprocess", "preprocess_text"]
@@ -113,6 +113,7 @@ class _Run:
             state.define(macro)
         main = state.add_text(str(path), content)
         state.open(main, path.parent, None, main.start)
+        self._include_dialect(path.parent)
         self._define_options(path.parent)
         while state.readers:
             line = self._next_line()
@@ -135,6 +136,14 @@ class _Run:
             _COMMAND_LINE, "\n".join(each.replace("\n", " ") for each in lines)
         )
         self.state.open(text, folder, None, text.start)
+
+    def _include_dialect(self, folder: Path) -> None:
+        """Opens the header of a dialect, to be read before the main file."""
+        name = DIALECT_HEADERS.get(self.options.dialect)
+        if name is not None:
+            found = self.state.headers.find(name, quoted=False, folder=folder)
+            assert not isinstance(found, Refusal), found.text
+            self.state.include(found, self.state.reader.text.start)
 
     def _next_line(self) -> tuple[str, Place] | None:
         """Gives the next line of the innermost file that is no directive, none at its end."""

@@ -14,10 +14,14 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import TypeAlias
+from typing import Final, TypeAlias
 
 from crs_cc.ir.types import CType, EnumType, FunctionType, RecordType
 from crs_cc.source import Location
+
+ENTRIES: Final = frozenset({"main", "runcode"})
+"""Functions that a program begins in, which need not say what they return: `main`, and that of a
+program in the form of the CRS report."""
 
 
 @dataclass(slots=True, eq=False)

@@ -19,9 +19,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.errors import CompileError
+from crs_cc.frontend.body import with_body
 from crs_cc.frontend.check import Unit
 from crs_cc.frontend.check_unit import check_unit
 from crs_cc.frontend.hopeless import GiveUp
+from crs_cc.frontend.lex import lex
 from crs_cc.frontend.lower_unit import lower_unit
 from crs_cc.frontend.macro_notes import add_macro_notes
 from crs_cc.frontend.options import Options
@@ -72,7 +74,14 @@ def compile_text(text: str, name: str, options: Options, diagnostics: Diagnostic
 
 def _unit(name: str, options: Options, diagnostics: Diagnostics) -> Unit:
     place = Location(name)
-    return Unit(name, diagnostics, place, trusted=options.trusted, headers=options.system_paths)
+    return Unit(
+        name,
+        diagnostics,
+        place,
+        trusted=options.trusted,
+        headers=options.system_paths,
+        dialect=options.dialect,
+    )
 
 
 def _compile(preprocessed: Callable[[], Preprocessed], unit: Unit) -> Program:
@@ -103,7 +112,10 @@ def _compile(preprocessed: Callable[[], Preprocessed], unit: Unit) -> Program:
 def _stages(unit: Unit, source: Preprocessed) -> Program:
     _stop_on_errors(unit)
     unit.diagnostics.stage = "parsing"
-    nodes = parse(source.text, source.location, unit.diagnostics)
+    tokens = lex(source.text, source.location, unit.diagnostics)
+    if unit.dialect == "report":
+        tokens = with_body(tokens, unit.name, unit.diagnostics)
+    nodes = parse(tokens, unit.diagnostics)
     unit.macros = source.macros
     unit.diagnostics.stage = "types"
     check_unit(unit, nodes)

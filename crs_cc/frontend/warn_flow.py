@@ -13,7 +13,7 @@ from typing import Any, Final
 
 from crs_cc.frontend import tree
 from crs_cc.frontend.check import Unit
-from crs_cc.frontend.scope import ObjectSymbol
+from crs_cc.frontend.scope import ENTRIES, ObjectSymbol
 from crs_cc.frontend.tree_parts import parts
 from crs_cc.ir.types import VoidType
 
@@ -27,9 +27,9 @@ def warn_paths(unit: Unit, function: tree.FunctionDefinition) -> None:
     paths = _Paths(unit, _assigned_in_loops(function.body))
     ends = paths.block(function.body)
     symbol = function.symbol
-    is_main = symbol.name == "main" and symbol.is_external
+    is_entry = symbol.name in ENTRIES and symbol.is_external
     returns = not isinstance(symbol.type.result, VoidType) and not function.returns_implicit_int
-    if ends and returns and not is_main and not symbol.is_noreturn:
+    if ends and returns and not is_entry and not symbol.is_noreturn:
         text = f"the end of '{symbol.name}' can be reached without returning a value"
         unit.warning(function.end, text)
 

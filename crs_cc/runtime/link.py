@@ -324,7 +324,7 @@ def _defined_twice(name: str, location: Location, whole: Program, diagnostics: D
 
 def _undefined(name: str, user: Program, library: Library, diagnostics: Diagnostics) -> None:
     location = user.undefined.get(name) or Location("<program>")
-    if name == "main":
+    if name == "runcode" and name not in user.undefined:  # the library's main asks for it
         _no_main(user, diagnostics)
         return
     hint = _where_declared(name, location, user)

@@ -7,12 +7,12 @@ import functools
 import gc
 import pickle
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from crs_cc.errors import CompileError
 from crs_cc.frontend.cpp.includes import digest
-from crs_cc.frontend.options import Options
+from crs_cc.frontend.options import Dialect, Options
 from crs_cc.runtime.executable import Detail, Executable, load_executable
 from crs_cc.session import cache
 from crs_cc.source import Diagnostic, Diagnostics
@@ -46,6 +46,7 @@ def build_executable(
     checked: bool = True,
     debug: bool = False,
     trap_overflow: bool = False,
+    dialect: Dialect | None = None,
 ) -> Executable:
     """Gives the program made of some C files, from the cache if nothing has changed.
 
@@ -59,6 +60,7 @@ def build_executable(
         checked: test every access through a pointer.
         debug: make every statement a place to stop at.
         trap_overflow: stop at signed overflow, where accesses are tested.
+        dialect: whose functions it calls; by default what the files look like.
 
     Raises:
         CompileError: the files do not make a program.
@@ -73,7 +75,7 @@ def build_executable(
         defines,
         undefines,
         standard,
-        f"{flags}",
+        f"{flags} {dialect}",
     )
     entry = cache.load(key, _Entry)
     if entry is not None and _unchanged(entry):
@@ -83,12 +85,14 @@ def build_executable(
             diagnostics.messages.extend(entry.warnings)
             return known
 
+    from crs_cc.frontend.dialect import dialect_of
     from crs_cc.session.library import HEADERS
 
     options = Options(tuple(include_paths), (HEADERS,), tuple(defines), tuple(undefines), standard)
     own = Diagnostics(digests={str(path): digest(path) for path in paths})
     try:
         with _without_collector():
+            options = replace(options, dialect=dialect or dialect_of(paths, options))
             executable = _compile(paths, options, own, name, flags)
             made = executable.detail()
             source = pickle.dumps((made.program, made.lines), pickle.HIGHEST_PROTOCOL)

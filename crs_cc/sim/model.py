@@ -30,7 +30,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Final, Self, TypeAlias
+from typing import Final, Literal, Self, TypeAlias
 
 import numpy as np
 
@@ -171,6 +171,8 @@ class Robot:
             does not say.
         arguments: what the program gets in `argv`, behind its own name.
         heat: how hot it is at the start, as of a box.
+        dialect: whose functions the program calls: the vendor's, `nomad`, or those of the CRS
+            report, `report`; None when the world does not say.
     """
 
     id: str
@@ -179,6 +181,7 @@ class Robot:
     program: str = ""
     arguments: tuple[str, ...] = ()
     heat: float = 0.0
+    dialect: Literal["nomad", "report"] | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from pathlib import Path, PurePosixPath
-from typing import Final, TypeAlias, TypeVar
+from typing import Final, Literal, TypeAlias, TypeVar
 
 import numpy as np
 
@@ -33,6 +33,7 @@ MAX_THINGS: Final = 100_000
 MAX_CORNERS: Final = 250
 _POINTS_FORM: Final = "write x,y of each corner, spaces between corners only: 1m,0 2m,0 2m,50cm"
 _STAND_IN: Final = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
+_DIALECTS: Final[dict[str, Literal["nomad", "report"]]] = {"nomad": "nomad", "report": "report"}
 _TOO_SMALL_M: Final = 0.001
 _ID: Final = re.compile(r"[A-Za-z_][A-Za-z0-9_.\-]{0,63}")
 
@@ -72,6 +73,7 @@ def world_model(
                 _program(element, folder, reader),
                 tuple(argument.text for argument in element.all("argument")),
                 reader.not_negative(element, "heat", HEAT),
+                _DIALECTS.get(element.attributes.get("dialect", "")),
             )
             for element in root.all("robot")
         ),

@@ -11,6 +11,7 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
+from crs_cc.frontend.options import Dialect
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Client
 from crs_cc.session.session import Session
@@ -80,11 +81,12 @@ def drive(
     setup: str = "",
     client: Client = "nclient",
     arguments: Sequence[Sequence[str]] = (),
+    dialect: Dialect | None = None,
 ) -> Drive:
     """Runs programs to their end, one in each robot, or the same in all.
 
     Args:
-        programs: whole C programs, or just what stands in `main`.
+        programs: whole C programs, or just what stands in `main`; in the report's dialect any.
         things: the elements of the world.
         area: the attributes of its area.
         timestep: its timestep.
@@ -93,11 +95,12 @@ def drive(
         setup: the robots' setup.
         client: which of the vendor's client libraries to behave like.
         arguments: `argv` of each robot.
+        dialect: whose functions the programs call; by default what they look like.
     """
     text = f'<world version="1" timestep="{timestep}"><area {area}/>{things}</world>'
     world = parse_world(text.encode(), "test", setup)
     with tempfile.TemporaryDirectory() as folder:
-        built = [_build(Path(folder), source) for source in programs]
+        built = [_build(Path(folder), source, dialect) for source in programs]
     executables = built if len(built) == len(world.robots) else built * len(world.robots)
     done = Drive(len(executables))
     done.session = Session(
@@ -114,10 +117,10 @@ def drive(
     return done
 
 
-def _build(folder: Path, source: str):
-    if "main" not in source:
+def _build(folder: Path, source: str, dialect: Dialect | None):
+    if dialect != "report" and "main" not in source and "runcode" not in source:
         includes = "\n".join(f"#include <{name}.h>" for name in HEADERS)
         source = f'{includes}\n#include "Nclient.h"\nint main(void)\n{{\n{source}\nreturn 0;\n}}\n'
     path = folder / "program.c"
     path.write_text(source)
-    return build_executable([path], Diagnostics())
+    return build_executable([path], Diagnostics(), dialect=dialect)

@@ -48,6 +48,11 @@ class Preprocessed:
     macros: tuple[str, ...] = ()
     uses: Mapping[Place, Sequence[Macro]] = field(default_factory=dict)
 
+    @property
+    def files(self) -> tuple[str, ...]:
+        """The files that were read, by the names that messages give them."""
+        return tuple(text.name for text in self._places.texts)
+
     def location(self, line: int, column: int) -> Location:
         """Gives the place in the user's files of a place in `text`.
 

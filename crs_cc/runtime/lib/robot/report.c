@@ -160,7 +160,8 @@ int ws(int x, int y, int z, int dummy)
     return result;
 }
 
-/* What the right wheel runs for a rotation, to the nearest 0.1 inch. */
+/* What the left wheel runs for a rotation to the right, to the nearest 0.1 inch. The report's
+   example "turns the robot to its right" (2.2.3), where the vendor's macro turns left. */
 static int turning(int steer)
 {
     return nearest(steer * INCHES_PER_DEGREE);
@@ -168,12 +169,12 @@ static int turning(int steer)
 
 int scout_pr(int trans, int steer)
 {
-    return command(CRS_PR, trans + turning(steer), trans - turning(steer), 0, 0);
+    return command(CRS_PR, trans - turning(steer), trans + turning(steer), 0, 0);
 }
 
 int scout_vm(int trans, int steer)
 {
-    return command(CRS_VM, trans + turning(steer), trans - turning(steer), 0, 0);
+    return command(CRS_VM, trans - turning(steer), trans + turning(steer), 0, 0);
 }
 
 int dp(int x, int y)

@@ -2,8 +2,8 @@
    without including anything ("copied without the C headers", report, 6.1).
 
    The names are the report's, and mean its functions and not the vendor's, which the linker knows
-   by other names. Lengths are in 0.1 inch, angles in 0.1 degree, counted counterclockwise. Where
-   the report contradicts itself or says nothing, docs/robot-api.md tells what was chosen.
+   by other names. Lengths are in 0.1 inch, angles in 0.1 degree. Where the report contradicts
+   itself or says nothing, docs/robot-api.md tells what was chosen.
 
    Whoever includes the vendor's header all the same, with --dialect report, gets this one. */
 #ifndef _CRS_REPORT_H
@@ -57,7 +57,7 @@ typedef _Bool boolean;
 #define STATE_BUMPER 33           /* 1 while the robot touches something, else 0 */
 #define STATE_CONF_X 34
 #define STATE_CONF_Y 35
-#define STATE_CONF_STEER 36       /* heading, 0 to 3599 */
+#define STATE_CONF_STEER 36       /* heading, 0 to 3599, counterclockwise */
 #define STATE_CONF_TURRET 37
 #define STATE_VEL_TRANS 38
 #define STATE_VEL_RIGHT 38
@@ -84,6 +84,7 @@ int mv(int r_mode, int r_value, int l_mode, int l_value, int dummy_mode, int dum
     __asm__("__report_mv");
 int st(void) __asm__("__report_st");
 int ws(int x, int y, int z, int dummy) __asm__("__report_ws");
+/* A way, and a turn to the right. */
 int scout_pr(int trans, int steer) __asm__("__report_scout_pr");
 int scout_vm(int trans, int steer) __asm__("__report_scout_vm");
 

@@ -1,0 +1,182 @@
+"""A control program that is just the statements of its body, put into a function.
+
+The report's dialect allows it: "the commands in code running on a real scout can be copied without
+the C headers into the control code class", whose method `runcode` they then make up. Functions may
+stand before the body and behind it; declarations right before its first statement belong to it.
+The function is put in as tokens at the places of the body's first and last token, so that no line
+or column changes.
+
+>>> from crs_cc.frontend.lex import lex
+>>> from crs_cc.source import Diagnostics, Location
+>>> def tokens_of(text):
+...     return lex(text, lambda line, column: Location("a.c", line, column), Diagnostics())
+>>> source = "void f() { st(); } int far = 9; vm(far);"
+>>> " ".join(token.value for token in with_body(tokens_of(source), "a.c", Diagnostics()))
+'void f ( ) { st ( ) ; } int runcode ( void ) { int far = 9 ; vm ( far ) ; }'
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Final, Literal, TypeAlias
+
+from crs_cc.frontend.lex import Token
+from crs_cc.frontend.scope import ENTRIES
+from crs_cc.source import Diagnostics
+
+Kind: TypeAlias = Literal["declaration", "function", "statement"]
+
+_CONTROLS: Final = frozenset({
+    "BREAK", "CASE", "CONTINUE", "DEFAULT", "DO", "ELSE", "FOR", "GOTO", "IF", "LBRACE", "RETURN",
+    "SWITCH", "WHILE",
+})  # fmt: skip
+_DECLARES: Final = frozenset({
+    "AUTO", "CHAR", "CONST", "DOUBLE", "ENUM", "EXTERN", "FLOAT", "INLINE", "INT", "LONG",
+    "REGISTER", "SEMI", "SHORT", "SIGNED", "STATIC", "STRUCT", "TYPEDEF", "TYPEOF", "UNION",
+    "UNSIGNED", "VOID", "VOLATILE", "_ALIGNAS", "_ATOMIC", "_BOOL", "_NORETURN", "_STATIC_ASSERT",
+    "_THREAD_LOCAL",
+})  # fmt: skip
+_BEHIND_DECLARED: Final = frozenset({"COMMA", "EQUALS", "LBRACKET", "LPAREN", "SEMI"})
+_OPENING: Final = {"RPAREN": "LPAREN", "RBRACKET": "LBRACKET", "RBRACE": "LBRACE"}
+
+
+@dataclass(slots=True)
+class Item:
+    """A piece of a file at its outermost level.
+
+    Attributes:
+        kind: what it is, as far as its first tokens and braces tell.
+        start: the index of its first token.
+        stop: the index behind its last one.
+        name: of a function its name.
+    """
+
+    kind: Kind
+    start: int
+    stop: int = 0
+    name: str = ""
+
+
+def with_body(tokens: Sequence[Token], file: str, diagnostics: Diagnostics) -> list[Token]:
+    """Gives a file's tokens with the statements at its outermost level put into `runcode`.
+
+    Args:
+        tokens: the file, its headers included.
+        file: the name of the file itself.
+        diagnostics: hears of braces that do not match.
+
+    Returns:
+        the tokens; as they were, where there are no such statements or one of `scope.ENTRIES` is
+        defined.
+    """
+    items = list(items_of(tokens))
+    statements = [number for number, item in enumerate(items) if item.kind == "statement"]
+    if not statements or any(item.name in ENTRIES for item in items):
+        return list(tokens)
+    first, last = statements[0], statements[-1]
+    while first > 0 and _belongs(items[first - 1], tokens, file):
+        first -= 1
+    start, stop = items[first].start, items[last].stop
+    body = _balanced(tokens[start:stop], diagnostics)
+    begin = [("INT", "int"), ("ID", "runcode"), ("LPAREN", "("), ("VOID", "void"), ("RPAREN", ")")]
+    head = [tokens[start].copy(*each) for each in (*begin, ("LBRACE", "{"))]
+    end = tokens[stop - 1].copy("RBRACE", "}")
+    return [*tokens[:start], *head, *body, end, *tokens[stop:]]
+
+
+def _belongs(item: Item, tokens: Sequence[Token], file: str) -> bool:
+    """Tells whether an item right before the body is a part of it."""
+    return item.kind == "declaration" and tokens[item.start].location.file == file
+
+
+def _balanced(body: Sequence[Token], diagnostics: Diagnostics) -> list[Token]:
+    """Gives the body without braces that close nothing; reports these, and those left open."""
+    kept: list[Token] = []
+    opened: list[Token] = []
+    for token in body:
+        if token.type == "LBRACE":
+            opened.append(token)
+        elif token.type == "RBRACE":
+            if not opened:
+                text = "this '}' closes nothing"
+                diagnostics.error(token.location, text, "the statements before it stand in no '{'")
+                continue
+            opened.pop()
+        kept.append(token)
+    if opened:
+        place = opened[-1].location
+        diagnostics.error(
+            body[-1].location, "unexpected end of the file", f"to close the '{{' at {place}"
+        )
+    return kept + [token.copy("RBRACE", "}") for token in opened]
+
+
+def items_of(tokens: Sequence[Token]) -> Iterator[Item]:
+    """Gives the pieces of a file, one after the other: all tokens, in order."""
+    start = 0
+    while start < len(tokens):
+        item = _item(tokens, start)
+        yield item
+        start = item.stop
+
+
+def _item(tokens: Sequence[Token], start: int) -> Item:
+    item = Item(_kind(tokens, start), start)
+    is_control = tokens[start].type in _CONTROLS
+    opened: list[str] = []
+    ends_with_brace, is_set, is_old_style = is_control, False, False
+    for index in range(start, len(tokens)):
+        token = tokens[index]
+        if not opened:
+            is_set = is_set or token.type == "EQUALS"
+            closes = index > start and tokens[index - 1].type == "RPAREN"
+            is_old_style = is_old_style or (
+                closes and not (is_control or is_set) and token.type in _DECLARES - {"SEMI"}
+            )
+            if token.type == "LBRACE" and not (is_control or is_set) and (closes or is_old_style):
+                item.kind, item.name = "function", _name(tokens[start:index])
+                ends_with_brace = True
+        if token.type in _OPENING.values():
+            opened.append(token.type)
+        elif token.type in _OPENING:
+            _close(opened, _OPENING[token.type])
+        ends = token.type == "SEMI" and not is_old_style
+        ends = ends or (token.type == "RBRACE" and (ends_with_brace or index == start))
+        if not opened and ends:
+            item.stop = index + 1
+            return item
+    item.stop = len(tokens)
+    return item
+
+
+def _close(opened: list[str], opening: str) -> None:
+    """Closes the last parenthesis, bracket or brace of a kind, and what was left open in it."""
+    if opening in opened:
+        while opened.pop() != opening:
+            pass
+
+
+def _kind(tokens: Sequence[Token], start: int) -> Kind:
+    """Tells what the tokens from one on look like, before any brace is seen."""
+    first, *others = (token.type for token in tokens[start : start + 2])
+    if first in _DECLARES or tokens[start].value in ("__attribute__", "__auto_type"):
+        return "declaration"
+    if first != "ID" or not others:
+        return "statement"
+    index = start + 1
+    while index < len(tokens) and tokens[index].type == "TIMES":
+        index += 1
+    is_name = index < len(tokens) and tokens[index].type == "ID"
+    behind = tokens[index + 1].type if index + 1 < len(tokens) else ""
+    declares = is_name and (index == start + 1 or behind in _BEHIND_DECLARED)
+    return "declaration" if declares else "statement"
+
+
+def _name(tokens: Sequence[Token]) -> str:
+    """Gives the name in front of a function's parameters."""
+    for name, behind in pairwise(tokens):
+        if name.type == "ID" and behind.type == "LPAREN":
+            return name.value
+    return ""

@@ -1,0 +1,52 @@
+"""Which dialect a program is written in, where nobody says.
+
+A program that includes the vendor's header, or has a `main`, lives by the vendor's rules; one that
+has a `runcode` instead, and no such header, by those of the CRS report.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Final
+
+from crs_cc.frontend.body import items_of
+from crs_cc.frontend.cpp.includes import Refusal, read_regular_file
+from crs_cc.frontend.lex import lex
+from crs_cc.frontend.options import Dialect, Options
+from crs_cc.frontend.preprocess import preprocess
+from crs_cc.source import Diagnostics
+
+_RUNCODE: Final = "runcode"
+_VENDORS_HEADER: Final = "nclient.h"
+_VENDORS_GUARD: Final = "_HOST_CLIENT_H_"
+
+
+def dialect_of(paths: Sequence[Path], options: Options) -> Dialect:
+    """Gives the dialect of a program.
+
+    Args:
+        paths: its C files.
+        options: where headers are, and what is defined.
+    """
+    if not any(_mentions_runcode(path) for path in paths):
+        return "nomad"
+    found = [form(path, options) for path in paths]
+    return "report" if "report" in found and "nomad" not in found else "nomad"
+
+
+def form(path: Path, options: Options) -> Dialect | None:
+    """Gives the dialect that a file is in by itself, none for a part that may belong to either."""
+    source = preprocess(path, options, Diagnostics())
+    is_vendors = any(Path(file).name.lower() == _VENDORS_HEADER for file in source.files)
+    if is_vendors or _VENDORS_GUARD in source.macros:
+        return "nomad"
+    names = {item.name for item in items_of(lex(source.text, source.location, Diagnostics()))}
+    if "main" in names:
+        return "nomad"
+    return "report" if _RUNCODE in names else None
+
+
+def _mentions_runcode(path: Path) -> bool:
+    content = read_regular_file(path)
+    return not isinstance(content, Refusal) and _RUNCODE.encode() in content
