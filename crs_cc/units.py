@@ -20,6 +20,7 @@ import numpy.typing as npt
 Number = TypeVar("Number", float, npt.NDArray[np.float64])
 
 INCH_M = 0.0254  # by definition, international yard and pound agreement of 1959
+SOUND_MPS = 343.2  # in dry air at 20 degrees Celsius (CRC Handbook of Chemistry and Physics)
 
 
 def inch_to_m(value_inch: Number) -> Number:

@@ -13,7 +13,7 @@ from typing import Final, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.requests import CODES, STATE_REPLIES
+from crs_cc.requests import CODES
 from crs_cc.sim.actuators import drive, tag
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.sensors import heat, odometry, sonar
@@ -110,12 +110,6 @@ HANDLERS: Final[dict[int, Handler]] = {
     )
 }
 """The handler of each request that a robot answers."""
-
-FIRES_SONARS: Final = (STATE_REPLIES | {CODES["GET_SN"], CODES["SONAR"]}) - {
-    CODES[name] for name in ("GET_BP", "GET_RC", "GET_RV")
-}
-"""Requests whose reply carries fresh sonar readings: all that are answered with the whole state
-(vendor source `Ndirect.c` 2.7), `get_sn`, and the report's `sonarSensorCheck`."""
 
 MOVES: Final = frozenset(CODES[name] for name in ("PR", "VM", "MV"))
 """Requests that can make a robot move."""

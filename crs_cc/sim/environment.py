@@ -31,7 +31,7 @@ import numpy.typing as npt
 
 from crs_cc.requests import CODES, MESSAGE, NUM_STATE, REQUESTS, STATE_REPLIES
 from crs_cc.sim.actuators import drive
-from crs_cc.sim.commands import FIRES_SONARS, HANDLERS, MOVES, WAITS
+from crs_cc.sim.commands import HANDLERS, MOVES, WAITS
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.physics import Contacts, Physics, PhysicsSnapshot
@@ -95,6 +95,7 @@ class Environment:
         self._clock = BoardClock(world)
         self._sonars = SonarRing(world, seed)
         self._around = Surroundings(scene, self._sonars.fans)
+        self._sonars.begin(self.state, self._equipment, self._around)
         self._served: list[Served] = []
         self._axes = tuple(robot.model.drive.axis_names for robot in world.robots)
         self._link_s = [dict(robot.model.link_s) for robot in world.robots]
@@ -141,6 +142,7 @@ class Environment:
             messages["result"] = 0
             return np.array(clock_s, dtype=np.float64)
         now_s = np.fmin(np.fmax(clock_s, state.drive.clock_s[rows]), self.end_s)
+        self._fire_sonars(rows, now_s)
         drive.advance(state, self._equipment, rows, now_s)
         arguments = messages["i"].copy()
         good = self._handle(code, rows, messages)
@@ -168,6 +170,8 @@ class Environment:
         """Ends the cycle, and gives what happened in it and which waits end in the next."""
         state = self.state
         robots = len(state.drive.clock_s)
+        # What falls on the end belongs to the next cycle, when the bodies are where they got to.
+        self._fire_sonars(np.arange(robots), np.full(robots, np.nextafter(self.end_s, 0.0)))
         drive.advance(state, self._equipment, _ALL, np.full(robots, self.end_s))
         slices = slices_of(state, self._axes, self.timestep_s)
         before_m = state.bodies.position_m[:robots].copy()
@@ -235,8 +239,7 @@ class Environment:
         arguments: npt.NDArray[np.int32],
     ) -> None:
         """Writes replies over messages."""
-        if code in FIRES_SONARS:
-            self._sonars.read(self.state, self._around, rows[good])
+        self._fire_sonars(rows, at_s)
         states = state_vector(self.state, self._equipment, rows)
         messages["result"][~good] = 0
         results = messages["result"].copy()
@@ -251,8 +254,21 @@ class Environment:
             messages["size"] = _STATE_BYTES
             messages["data"][:, :_STATE_BYTES] = states.astype("<i4").view(np.uint8)
         elif code == CODES["SONAR"]:
-            sonar.tell_tenths(self.state, rows, messages)
+            self._tell_sonars(rows, messages)
         self._served.append(Served(code, rows, at_s, arguments, results, states))
+
+    def _fire_sonars(self, rows: IndexArray, to_s: FloatArray) -> None:
+        self._sonars.advance(self.state, self._equipment, self._around, rows, to_s)
+
+    def _tell_sonars(self, rows: IndexArray, messages: Messages) -> None:
+        """Answers SONAR: what was heard last, or what all sonars hear now."""
+        echo_m = self.state.sonar.echo_m[rows]
+        now = messages["i"][:, 0] != 0
+        if now.any():
+            echo_m[now] = self._sonars.hear_now(
+                self.state, self._equipment, self._around, rows[now]
+            )
+        sonar.tell_tenths(echo_m, messages)
 
     def _touch(self, contacts: Contacts) -> Contacts:
         """Presses bumpers, counts collisions, and gives the contacts that began."""

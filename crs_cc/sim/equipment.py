@@ -35,6 +35,7 @@ class Equipment:
         turret: whether it has a turret of its own.
         turrets: whether any robot has.
         vendor_model: the vendor's number of the model.
+        least_interval_s: the shortest time from one sonar's firing to the next.
         heat_range_m: how far the heat sensor senses, 0 where there is none.
         tag_range_m: how far heat is taken away.
         things: the shapes of all things.
@@ -50,6 +51,7 @@ class Equipment:
     turret: BoolArray
     turrets: bool
     vendor_model: npt.NDArray[np.int64]
+    least_interval_s: FloatArray
     heat_range_m: FloatArray
     tag_range_m: FloatArray
     things: Things
@@ -71,6 +73,7 @@ class Equipment:
             np.array([drive.turret is not None for drive in drives], dtype=np.bool_),
             any(drive.turret is not None for drive in drives),
             np.array([model.vendor_model for model in models], dtype=np.int64),
+            np.array([model.sonar_board.least_interval_s for model in models]),
             np.array([model.heat.range_m for model in models]),
             np.array([model.heat.tag_range_m for model in models]),
             Things.of(world),

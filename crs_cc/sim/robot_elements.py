@@ -5,11 +5,10 @@ from __future__ import annotations
 from typing import Final
 
 from crs_cc.requests import REQUESTS
-from crs_cc.sim import sensor_elements
+from crs_cc.sim import sensor_elements, sonar_elements
 from crs_cc.sim.document import Element, Reader
 from crs_cc.sim.quantity import (
     ACCELERATION,
-    ANGLE,
     FORCE,
     FREQUENCY,
     LENGTH,
@@ -20,10 +19,7 @@ from crs_cc.sim.quantity import (
     TURN_RATE,
     Kind,
 )
-from crs_cc.sim.robot_model import Axis, Drive, Heat, RobotModel, Sonar
-
-MAX_SONARS: Final = 16
-"""The vendor's `State` array has 16 places for sonars (vendor header `Nclient.h` 1.29)."""
+from crs_cc.sim.robot_model import Axis, Drive, Heat, RobotModel
 
 VENDOR_MODELS: Final = ("nomad200", "nomad150", "scout")
 """The vendor's models by their numbers (vendor header `Nclient.h` 1.29: MODEL_N200, ...)."""
@@ -40,15 +36,14 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
     """Gives the model that a robot definition describes; mistakes go to the reader."""
     body = root.first("body")
     vendor = root.attributes.get("model", "scout")
-    sonars = _sonars(root, reader)
+    sonars = sonar_elements.sonars(root, reader)
     return RobotModel(
         root.attributes["name"],
         radius_m=reader.positive(body, "radius", LENGTH),
         drive=_drive(root.first("drive"), reader),
         mass_kg=reader.positive(body, "mass", MASS),
         sonars=sonars,
-        sonar_order=_sonar_order(root.first("sonars"), sonars, reader),
-        sonar_noise_m=reader.not_negative(root.first("sonars"), "noise", LENGTH),
+        sonar_board=sonar_elements.board(root.first("sonars"), sonars, reader),
         heat=_heat(root.first("heat"), reader),
         bumpers=sensor_elements.bumpers(root, reader),
         computer_battery=sensor_elements.computer_battery(root, reader),
@@ -91,38 +86,6 @@ def _axis(element: Element, reader: Reader, speed: Kind, acceleration: Kind) -> 
         speed=reader.positive(element, "speed", speed),
         acceleration=reader.positive(element, "acceleration", acceleration),
     )
-
-
-def _sonars(root: Element, reader: Reader) -> tuple[Sonar, ...]:
-    sonars: dict[int, Sonar] = {}
-    for element in root.all("sensor"):
-        sonar = _sonar(element, reader)
-        if sonar.id in sonars:
-            reader.error(element, f"a second sensor with the id {sonar.id}")
-        sonars[sonar.id] = sonar
-    return tuple(sonars[number] for number in sorted(sonars))
-
-
-def _sonar(element: Element, reader: Reader) -> Sonar:
-    place = element.first("position")
-    return Sonar(
-        id=reader.whole(element, "id", 0, MAX_SONARS - 1),
-        x_m=reader.quantity(place, "x-relative", LENGTH),
-        y_m=reader.quantity(place, "y-relative", LENGTH),
-        direction_rad=reader.quantity(place, "dir-relative", ANGLE, unit="rad"),
-        range_m=reader.positive(place, "range", LENGTH),
-        radius_m=reader.not_negative(place, "radius", LENGTH),
-        z_m=reader.quantity(place, "z-relative", LENGTH),
-    )
-
-
-def _sonar_order(element: Element, sonars: tuple[Sonar, ...], reader: Reader) -> tuple[int, ...]:
-    order = tuple(int(number) for number in element.attributes.get("order", "").split())
-    known = {sonar.id for sonar in sonars}
-    for number in order:
-        if number not in known:
-            reader.error(element, f"order names sonar {number}, which the robot does not have")
-    return order
 
 
 def _heat(element: Element, reader: Reader) -> Heat:

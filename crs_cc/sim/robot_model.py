@@ -4,14 +4,12 @@ A definition has a dataclass for each device. All of it is frozen, compares and 
 and pickles. Units: metres, seconds, kilograms, radians. Robot frame: x ahead, y to the left, origin
 midway between the wheels.
 
->>> ahead = Sonar(0, x_m=0.2, y_m=0.0, direction_rad=0.0, range_m=6.477, radius_m=1.14)
->>> round(math.degrees(ahead.half_angle_rad))
-10
+>>> RobotModel("scout", radius_m=0.2, drive=Drive(wheel_base_m=0.345)).drive.axis_names
+('right', 'left')
 """
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import Final
 
@@ -24,37 +22,7 @@ from crs_cc.sim.sensor_model import (
     SensorBoard,
     Switch,
 )
-
-
-@dataclass(frozen=True, slots=True)
-class Sonar:
-    """One ultrasonic range sensor.
-
-    Its beam is a cone that starts at the sensor: `range_m` is the height of the cone and
-    `radius_m` the radius of its base.
-
-    Attributes:
-        id: its number, the index of its reading among the vendor's `STATE_SONAR_0` to `_15`.
-        x_m: where it sits in the robot frame, ahead of the axle's middle.
-        y_m: the same, to the left.
-        direction_rad: where it points, counter-clockwise from ahead.
-        range_m: how far it hears.
-        radius_m: how wide the beam is at that distance.
-        z_m: its height above the floor.
-    """
-
-    id: int
-    x_m: float
-    y_m: float
-    direction_rad: float
-    range_m: float
-    radius_m: float
-    z_m: float = 0.0
-
-    @property
-    def half_angle_rad(self) -> float:
-        """The angle between the axis of the beam and its side."""
-        return math.atan2(self.radius_m, self.range_m)
+from crs_cc.sim.sonar_model import NO_SONARS, Sonar, SonarBoard
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,8 +108,7 @@ class RobotModel:
         drive: its wheels.
         mass_kg: its mass.
         sonars: its sonars, by rising id.
-        sonar_order: firing order until the program sets another.
-        sonar_noise_m: standard deviation of a sonar's error.
+        sonar_board: what they have in common.
         heat: its heat sensor.
         bumpers: the switches of its bumpers.
         computer_battery: what feeds its computers.
@@ -158,8 +125,7 @@ class RobotModel:
     drive: Drive
     mass_kg: float = 20.0
     sonars: tuple[Sonar, ...] = ()
-    sonar_order: tuple[int, ...] = ()
-    sonar_noise_m: float = 0.0
+    sonar_board: SonarBoard = NO_SONARS
     heat: Heat = Heat()
     bumpers: tuple[Switch, ...] = ()
     computer_battery: Battery = ENDLESS

@@ -6,7 +6,7 @@ Everything that a later cycle depends on is here, so a copy of it (with the hist
 >>> from crs_cc.sim.scene import Scene
 >>> from crs_cc.sim.world_xml import empty_world
 >>> state = EnvState.at_start(empty_world())
->>> state.x_m, state.sonar.reading_in[0, :3]
+>>> state.x_m, state.sonar.reading_in(np.array([0]))[0, :3]
 (array([0.]), array([255, 255, 255], dtype=int32))
 >>> state.sha256() == state.copy().sha256()
 True
@@ -55,7 +55,7 @@ class EnvState:
             drive, which never turns.
         drive: the motion of the axes.
         odometry: where each robot believes to be.
-        sonar: the sonars' readings.
+        sonar: the sonars' timetables and readings.
         bumpers: the switches that are pressed.
         battery: what the motors took from theirs.
         heat: how hot things are.

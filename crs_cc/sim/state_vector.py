@@ -20,9 +20,8 @@ import numpy.typing as npt
 
 from crs_cc.requests import NUM_STATE
 from crs_cc.sim.equipment import Equipment
-from crs_cc.sim.robot_elements import MAX_SONARS
+from crs_cc.sim.sonar_model import MAX_SONARS
 from crs_cc.sim.state import EnvState
-from crs_cc.sim.states.sonar import NO_ECHO
 from crs_cc.units import m_to_tenths_inch, rad_to_tenths_deg
 
 IndexArray = npt.NDArray[np.intp]
@@ -49,8 +48,7 @@ def state_vector(state: EnvState, equipment: Equipment, rows: IndexArray) -> npt
     """Gives `State` of robots as their axes were turned last, shape (k, 45)."""
     vector = np.zeros((len(rows), NUM_STATE), dtype=np.int32)
     vector[:, SIM_SPEED] = _REAL_TIME
-    sonar_in = np.where(state.sonar.on[rows], state.sonar.reading_in[rows], NO_ECHO)
-    vector[:, SONAR_0 : SONAR_0 + MAX_SONARS] = sonar_in
+    vector[:, SONAR_0 : SONAR_0 + MAX_SONARS] = state.sonar.reading_in(rows)
     vector[:, BUMPER] = state.bumpers.pressed[rows]
     vector[:, CONF_X] = _whole(m_to_tenths_inch(state.odometry.x_m[rows]))
     vector[:, CONF_Y] = _whole(m_to_tenths_inch(state.odometry.y_m[rows]))

@@ -58,6 +58,15 @@ class Surroundings:
         """Says that bodies may be elsewhere than in the cycle that was seen last."""
         self._placed = -1
 
+    def obstacles(self, state: EnvState) -> Obstacles:
+        """Gives what beams can hit, where it is at the start of the cycle."""
+        if self._placed != state.cycle:
+            bodies = state.bodies
+            self._obstacles.place(self._scene.moving(bodies.position_m, bodies.angle_rad))
+            self._pieces.place(bodies.position_m, bodies.angle_rad)
+            self._placed = state.cycle
+        return self._obstacles
+
     def distances_m(
         self, state: EnvState, fan: Fan, poses: FloatArray, own: IndexArray
     ) -> FloatArray:
@@ -73,11 +82,6 @@ class Surroundings:
             distances from the beams' starts [m], 0 for a start in or on something, infinite where
             nothing is within range, shape (k, beams).
         """
-        if self._placed != state.cycle:
-            bodies = state.bodies
-            self._obstacles.place(self._scene.moving(bodies.position_m, bodies.angle_rad))
-            self._pieces.place(bodies.position_m, bodies.angle_rad)
-            self._placed = state.cycle
-        distance_m = nearest(fan, poses, self._obstacles, own=own)
+        distance_m = nearest(fan, poses, self.obstacles(state), own=own)
         distance_m[self._pieces.cover(fan, poses)] = 0.0
         return distance_m

@@ -5,7 +5,6 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.sim.noise import SONAR, Noise
 from crs_cc.sim.state_vector import (
     BUMPER,
     CONF_STEER,
@@ -98,80 +97,19 @@ def test_a_thing_that_was_pushed_is_heard_where_it_is():
     driver = Driver.of(
         world_of('<box x="3m" y="5m" length="0.4m" width="0.4m" mass="1kg"/><robot x="2m" y="5m"/>')
     )
+    driver.ask("CONF_SN", 0, data=bytes([0]))
     before = driver.ask("GET_SN")[SONAR_0]
     assert before == round((1 - 0.2 - SCOUT_RADIUS_M) / INCH)
     driver.ask("VM", 200, 200)
     driver.run_s(4)
     driver.ask("VM", -200, -200)
     driver.run_s(3)
+    driver.ask("ST")
+    driver.run_s(2)
     box_x = driver.state.bodies.position_m[1, 0]
     expected_in = (box_x - 0.2 - driver.state.x_m[0] - SCOUT_RADIUS_M) / INCH
     assert box_x > 3.5
     assert driver.ask("GET_SN")[SONAR_0] == round(expected_in)
-
-
-def test_only_sonars_in_the_firing_order_hear():
-    driver = Driver.of(world_of('<robot x="5m" y="5m"/>', 'length="10m" width="10m"'))
-    assert (driver.ask("GET_SN")[RING] < 255).all()
-    driver.ask("CONF_SN", 15, data=bytes([2, 0, 255, 7]))
-    readings = driver.ask("GET_SN")[RING]
-    assert np.flatnonzero(readings < 255).tolist() == [0, 2]
-
-
-@pytest.mark.parametrize(
-    ("order", "on"),
-    [
-        (b"", []),
-        (bytes([255]), []),
-        (bytes(range(16)), list(range(16))),
-        (bytes([3, 3, 3]), [3]),
-        (bytes([1]) * 40, [1]),
-    ],
-)
-def test_conf_sn_takes_orders_of_any_length(order, on):
-    driver = Driver.of(open_world())
-    message, _ = driver.post("CONF_SN", 15, data=order)
-    assert message["result"] == 1
-    assert np.flatnonzero(driver.state.sonar.on[0]).tolist() == on
-
-
-def test_conf_sn_refuses_sonars_that_cannot_be():
-    driver = Driver.of(open_world())
-    message, _ = driver.post("CONF_SN", 15, data=bytes([1, 16, 2]))
-    assert message["result"] == 0
-    assert driver.state.sonar.on[0].all()
-
-
-def test_readings_are_of_the_start_of_the_cycle():
-    driver = Driver.of(world_of('<robot x="2m" y="5m"/>'))
-    driver.ask("AC", 780, 780)
-    driver.ask("VM", 390, 390)
-    driver.run_s(2)
-    start_m = float(driver.state.x_m[0])
-    late = driver.ask("GS", at_s=driver.environment.time_s + 0.04)[SONAR_0]
-    assert late == round((10 - start_m - SCOUT_RADIUS_M) / INCH)
-
-
-def test_readings_that_are_not_asked_for_stay_old():
-    driver = Driver.of(world_of('<robot x="5m" y="5m"/>'))
-    first = driver.ask("VM", 200, 200)[SONAR_0]
-    driver.run_s(1)
-    for name in ("GET_BP", "GET_RC", "GET_RV"):
-        assert driver.ask(name)[SONAR_0] == first
-    assert driver.ask("VM", 200, 200)[SONAR_0] < first
-
-
-def test_sonar_noise_has_the_spread_of_the_definition_and_belongs_to_the_robot():
-    rows = np.arange(4)
-    noise = Noise(7, SONAR, 16, 4)
-    drawn = np.array([noise.rows(rows, np.full(4, number)) for number in range(500)])
-    assert abs(drawn.mean()) < 0.02
-    assert abs(drawn.std() - 1) < 0.02
-    correlation = np.corrcoef(drawn[:, 0, 0], drawn[:, 1, 0])[0, 1]
-    assert abs(correlation) < 0.15
-    alone = Noise(7, SONAR, 16, 4).rows(np.array([2]), np.array([333]))
-    assert np.array_equal(alone[0], drawn[333, 2])
-    assert not np.array_equal(Noise(8, SONAR, 16, 4).rows(rows, np.full(4, 333)), drawn[333])
 
 
 # -- bumpers -----------------------------------------------------------------------------------

@@ -524,8 +524,8 @@ def test_a_program_outside_the_worlds_folder_is_refused(tmp_path: Path) -> None:
 
 def test_a_setup_changes_what_its_elements_name_and_nothing_else():
     ideal, noisy = empty_world().robots[0].model, empty_world("noisy").robots[0].model
-    assert ideal.sonar_noise_m == 0
-    assert noisy.sonar_noise_m > 0
+    assert ideal.sonar_board.noise_m == 0
+    assert noisy.sonar_board.noise_m > 0
     assert noisy.drive.wheel_base_m == ideal.drive.wheel_base_m
     assert empty_world("ideal") == empty_world()
 
@@ -533,9 +533,11 @@ def test_a_setup_changes_what_its_elements_name_and_nothing_else():
 def test_each_robot_of_a_world_can_have_its_setup():
     text = b"""<world version="1"><area length="9" width="9"/>
       <robot x="1" y="1"/><robot x="3" y="3" setup="noisy"/></world>"""
-    quiet, noisy = (robot.model.sonar_noise_m for robot in parse_world(text, "w").robots)
+    quiet, noisy = (robot.model.sonar_board.noise_m for robot in parse_world(text, "w").robots)
     assert quiet == 0 < noisy
-    quiet, noisy = (robot.model.sonar_noise_m for robot in parse_world(text, "w", "ideal").robots)
+    quiet, noisy = (
+        robot.model.sonar_board.noise_m for robot in parse_world(text, "w", "ideal").robots
+    )
     assert quiet == noisy == 0
 
 

@@ -1,15 +1,31 @@
-"""The sonar ring.
+"""The sonar ring: which sonar fires when, and when its echo is heard.
 
-    reading = round(distance / 1 in), at most 255
+Sonars fire one after the other in the firing order and round again, whether anybody asks or not:
+firing n at
 
-with the distance from the sensor, which sits on the shell, to the nearest thing inside its beam
-(`rays`), 0 where the sensor lies in or on a thing (`covered`). 255 stands for no echo within range:
-the reading is a byte on the line (vendor source `Ndirect.c` 2.7). Degradation: a normal deviate
-with the definition's `sonar_noise_m` is added to each distance that has an echo.
+    start + n * max(rate * 4 ms, least interval)
 
-A sonar that is not in the firing order (`conf_sn`) keeps 255. The robot fires when it is asked,
-from where it was at the start of the cycle, and once in a cycle at most. The time between firings
-is not modelled yet, nor are echoes that glance off (a wall is heard from every angle).
+to the exact multiple, wherever that falls in a timestep (`conf_sn`, vendor header `Nclient.h`
+1.29). `start` is the instant of `conf_sn`; the robot was switched on long before a run starts, so
+that a whole round in the definition's order has just been heard where it stands. A reading is as
+old as its turn: it is told from the instant on at which the echo comes,
+
+    2 * distance / (speed of sound)
+
+after the firing, or the robot gives up: after the time of an echo from the end of the range, or
+when the next sonar fires, because one board serves them all. Until then the sonar tells what it
+told before. Chosen by us, because nothing is known of it:
+
+- rates that leave less than the least interval mean the least interval; so does rate 0;
+- `conf_sn` gives up the ping in the air, and its first sonar fires at once;
+- a sonar that is not in the order tells 255, no echo; an order without any switches them all off.
+
+A reading counts from the sensor, which sits on the shell, to the nearest thing that answers into
+the beam (`echoes`), in whole inches; 255 stands for no echo, as the reading is a byte on the line
+(vendor source `Ndirect.c` 2.7). The robot is where its wheels have taken it when the sonar fires;
+everything else, and a robot that touches something, where it was at the start of the cycle. Wheels
+that were already turned on beyond that instant, as at the end of a `ws`, are not turned back.
+Degradation: see `sonar_errors`.
 """
 
 from __future__ import annotations
@@ -19,29 +35,35 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.noise import SONAR, Noise
+from crs_cc.sim.actuators import drive
+from crs_cc.sim.echoes import first_echo
 from crs_cc.sim.rays import Fan
-from crs_cc.sim.robot_elements import MAX_SONARS
-from crs_cc.sim.states.sonar import NO_ECHO
-from crs_cc.sim.surroundings import Surroundings
-from crs_cc.units import m_to_inch, m_to_tenths_inch
+from crs_cc.sim.sensors.sonar_beams import Beams, overheard
+from crs_cc.sim.sensors.sonar_errors import SonarErrors
+from crs_cc.sim.sonar_model import MAX_SONARS, SONAR_TICK_S
+from crs_cc.sim.state_vector import configuration
+from crs_cc.sim.states.sonar import inches
+from crs_cc.units import SOUND_MPS, m_to_tenths_inch
 
 if TYPE_CHECKING:
     from crs_cc.sim.equipment import Equipment
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.robot_model import RobotModel
     from crs_cc.sim.state import EnvState
+    from crs_cc.sim.surroundings import Surroundings
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
+ComplexArray = npt.NDArray[np.complex128]
 IndexArray = npt.NDArray[np.intp]
 Messages = npt.NDArray[np.void]
 
 _END: Final = 255  # ends a firing order
+_RATES: Final = 256  # the rate is an unsigned char
 
 
 class SonarRing:
-    """The sonars of all robots of a world.
+    """The sonars of all robots of a world: constants, and random numbers that can be made again.
 
     Attributes:
         fans: the beams of each kind of robot.
@@ -49,47 +71,135 @@ class SonarRing:
 
     def __init__(self, world: WorldModel, seed: int) -> None:
         models = [robot.model for robot in world.robots]
-        kinds = list(dict.fromkeys(models))
-        self._kind = np.array([kinds.index(model) for model in models], dtype=np.intp)
-        self.fans = [_fan(model) for model in kinds]
-        self._numbers = [
-            np.array([sonar.id for sonar in model.sonars], dtype=np.intp) for model in kinds
-        ]
-        self._noise_m = np.array([model.sonar_noise_m for model in models])
-        noisy = len(models) if self._noise_m.any() else 0
-        self._noise = Noise(seed, SONAR, MAX_SONARS, noisy)
+        self.fans = [_fan(model) for model in dict.fromkeys(models)]
+        self._beams = Beams(models)
+        self._errors = SonarErrors(world, seed)
 
-    def read(self, state: EnvState, around: Surroundings, rows: IndexArray) -> None:
-        """Lets the sonars of robots measure, those that did not yet in this cycle."""
-        rows = rows[state.sonar.cycle[rows] != state.cycle]
-        if not len(rows):
-            return
-        distance_m = np.full((len(rows), MAX_SONARS), np.inf)
-        poses = np.column_stack([state.x_m[rows], state.y_m[rows], state.turret_rad[rows]])
-        kinds = self._kind[rows]
-        for kind, (fan, numbers) in enumerate(zip(self.fans, self._numbers, strict=True)):
-            mine = np.flatnonzero(kinds == kind)
-            if len(numbers) and len(mine):
-                echoes = around.distances_m(state, fan, poses[mine], own=rows[mine])
-                distance_m[np.ix_(mine, numbers)] = echoes
-        distance_m += self._errors_m(state, rows)
-        inches = np.clip(np.rint(m_to_inch(distance_m)), 0, NO_ECHO)
-        state.sonar.reading_in[rows] = inches.astype(np.int32)
-        state.sonar.echo_m[rows] = distance_m
-        state.sonar.cycle[rows] = state.cycle
-        state.sonar.count[rows] += 1
+    def begin(self, state: EnvState, equipment: Equipment, around: Surroundings) -> None:
+        """Lets all sonars in the orders have fired just before a run starts."""
+        robots = np.arange(len(state.sonar.length))
+        heard_m = self.hear_now(state, equipment, around, robots)
+        robot, turn = np.nonzero(np.arange(MAX_SONARS) < state.sonar.length[:, None])
+        number = state.sonar.order[robot, turn]
+        state.sonar.echo_m[robot, number] = heard_m[robot, number]
+        state.sonar.fired_from[:] = configuration(state, equipment, robots)[:, None, :]
 
-    def _errors_m(self, state: EnvState, rows: IndexArray) -> FloatArray:
-        if not self._noise_m.any():
-            return np.zeros(1)
-        deviates = self._noise.rows(rows, state.sonar.count[rows])
-        return np.asarray(deviates * self._noise_m[rows, None])
+    def advance(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        to_s: FloatArray,
+    ) -> None:
+        """Lets the sonars of robots fire and hear until an instant.
+
+        Args:
+            state: changed in place; wheels are turned on to the last firing.
+            equipment: the robots' constants.
+            around: what there is to hear.
+            rows: which robots, k of them.
+            to_s: the instant of each, shape (k,).
+        """
+        while True:
+            due = state.sonar.next_s[rows] <= to_s
+            if not due.any():
+                break
+            firing = rows[due]
+            at_s = state.sonar.next_s[firing]
+            drive.advance(state, equipment, firing, np.maximum(at_s, state.drive.clock_s[firing]))
+            state.sonar.hear(firing, at_s)
+            self._fire(state, equipment, around, firing, at_s)
+        state.sonar.hear(rows, to_s)
+
+    def hear_now(
+        self, state: EnvState, equipment: Equipment, around: Surroundings, rows: IndexArray
+    ) -> FloatArray:
+        """Gives what all sonars of robots would tell if they fired now [m], shape (k, 16)."""
+        distance_m = self._around(state, around, rows, *self._stands(state, equipment, rows))
+        told_m = np.empty_like(distance_m)
+        for number in range(MAX_SONARS):
+            deviates = self._errors.draw(rows, state.sonar.count[rows])
+            told_m[:, number] = self._errors.told_m(rows, distance_m[:, number], deviates)
+            state.sonar.count[rows] += 1
+        return told_m
+
+    def look(
+        self, state: EnvState, around: Surroundings, rows: IndexArray, poses: FloatArray
+    ) -> npt.NDArray[np.int32]:
+        """Gives what robots' sonars would tell without any error if the robots stood elsewhere.
+
+        Args:
+            state: tells where all things are.
+            around: what there is to hear.
+            rows: which robots, k of them.
+            poses: x, y [m] and heading of the ring [rad] of each, shape (k, 3).
+
+        Returns:
+            readings [in], 255 for no echo, shape (k, 16).
+        """
+        place = poses[:, 0] + 1j * poses[:, 1]
+        return inches(self._around(state, around, rows, place, np.exp(1j * poses[:, 2])))
+
+    def _fire(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        at_s: FloatArray,
+    ) -> None:
+        """Sends a ping from each of some robots."""
+        sonar = state.sonar
+        number = sonar.order[rows, sonar.turn[rows] % sonar.length[rows]]
+        place, turn = self._stands(state, equipment, rows)
+        pings = self._beams.pings(rows, number, place, turn)
+        gives_up_s = np.minimum(2 * pings.range_m / SOUND_MPS, sonar.interval_s[rows])
+        deviates = self._errors.draw(rows, sonar.count[rows])
+        confused = np.flatnonzero(self._errors.mistakes(rows, deviates))
+        voices = None
+        if len(confused):
+            from_s, to_s = at_s[confused], (at_s + gives_up_s)[confused]
+            voices = overheard(state, self._beams, pings, confused, from_s=from_s, to_s=to_s)
+        distance_m = first_echo(pings, around.obstacles(state), voices)
+        told_m = self._errors.told_m(rows, distance_m, deviates)
+        in_time = 2 * told_m / SOUND_MPS <= gives_up_s
+        sonar.listening[rows] = number
+        sonar.sent_s[rows] = at_s
+        sonar.sent_from[rows] = configuration(state, equipment, rows)
+        sonar.heard_s[rows] = at_s + np.where(in_time, 2 * told_m / SOUND_MPS, gives_up_s)
+        sonar.heard_m[rows] = np.where(in_time, told_m, np.inf)
+        sonar.count[rows] += 1
+        sonar.turn[rows] += 1
+        sonar.next_s[rows] = sonar.start_s[rows] + sonar.turn[rows] * sonar.interval_s[rows]
+
+    def _stands(
+        self, state: EnvState, equipment: Equipment, rows: IndexArray
+    ) -> tuple[ComplexArray, ComplexArray]:
+        """Gives where robots are, and where their rings' fronts point."""
+        moved_m = np.where(state.bumpers.pressed[rows, None] != 0, 0.0, state.drive.moved_m[rows])
+        x_m, y_m = state.x_m[rows] + moved_m[:, 0], state.y_m[rows] + moved_m[:, 1]
+        return x_m + 1j * y_m, np.exp(1j * drive.mount_rad(state, equipment, rows))
+
+    def _around(
+        self,
+        state: EnvState,
+        around: Surroundings,
+        rows: IndexArray,
+        place: ComplexArray,
+        turn: ComplexArray,
+    ) -> FloatArray:
+        """Gives the true distances that all sonars of robots measure, shape (k, 16)."""
+        each = np.repeat(np.arange(len(rows)), MAX_SONARS)
+        number = np.tile(np.arange(MAX_SONARS), len(rows))
+        pings = self._beams.pings(rows[each], number, place[each], turn[each])
+        return first_echo(pings, around.obstacles(state)).reshape(-1, MAX_SONARS)
 
 
 def conf_sn(
-    state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
 ) -> BoolArray:
-    """Sets which sonars fire; refuses an order that names a sonar there cannot be.
+    """Sets which sonars fire and how often; refuses an order with a sonar there cannot be.
 
     The order ends with its last element, or before the first 255.
     """
@@ -98,20 +208,18 @@ def conf_sn(
     given = place < np.clip(messages["size"], 0, MAX_SONARS)[:, None]
     given &= np.cumsum(order == _END, axis=1) == 0
     good: BoolArray = ((order < MAX_SONARS) | ~given).all(axis=1)
-    fires = np.zeros((len(rows), MAX_SONARS), dtype=np.bool_)
-    robot, element = np.nonzero(given & good[:, None])
-    fires[robot, order[robot, element]] = True
-    state.sonar.on[rows[good]] = fires[good]
+    rows, order, given = rows[good], order[good], given[good]
+    interval_s = messages["i"][good, 0] % _RATES * SONAR_TICK_S
+    state.sonar.interval_s[rows] = np.maximum(interval_s, equipment.least_interval_s[rows])
+    state.sonar.reorder(
+        rows, np.where(given, order, 0), given.sum(axis=1), state.drive.clock_s[rows]
+    )
     return good
 
 
-def tell_tenths(state: EnvState, rows: IndexArray, messages: Messages) -> None:
-    """Puts readings as the CRS report has them into replies: 0.1 in, -1 for no echo.
-
-    Those of all sonars, or with `i[0]` = 0 of those in the firing order alone.
-    """
-    echo_m = np.maximum(state.sonar.echo_m[rows], 0.0)
-    heard = np.isfinite(echo_m) & (state.sonar.on[rows] | (messages["i"][:, :1] != 0))
+def tell_tenths(echo_m: FloatArray, messages: Messages) -> None:
+    """Puts distances as the CRS report has them into replies: 0.1 in, -1 for no echo."""
+    heard = np.isfinite(echo_m)
     tenths = np.rint(m_to_tenths_inch(np.where(heard, echo_m, 0.0)))
     told = np.where(heard, tenths, -1).astype("<i4")
     messages["size"] = told.itemsize * MAX_SONARS

@@ -1,0 +1,78 @@
+"""The sonars of a robot definition file."""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+from crs_cc.sim.document import Element, Reader
+from crs_cc.sim.quantity import ANGLE, LENGTH, TIME
+from crs_cc.sim.sonar_model import MAX_SONARS, SONAR_TICK_S, Sonar, SonarBoard
+
+_RATE: Final = 15  # times 4 ms: what nearly all programs give to `conf_sn`
+_MOST_RATE: Final = 255
+_LEAST_INTERVAL_S: Final = 0.04  # an echo from 255 in takes 37.7 ms, and the clock ticks in 4 ms
+_RIGHT_ANGLE: Final = math.pi / 2
+
+
+def sonars(root: Element, reader: Reader) -> tuple[Sonar, ...]:
+    """Gives the sonars of a definition, by rising number."""
+    found: dict[int, Sonar] = {}
+    for element in root.all("sensor"):
+        sonar = _sonar(element, reader)
+        if sonar.id in found:
+            reader.error(element, f"a second sensor with the id {sonar.id}")
+        found[sonar.id] = sonar
+    return tuple(found[number] for number in sorted(found))
+
+
+def _sonar(element: Element, reader: Reader) -> Sonar:
+    place = element.first("position")
+    return Sonar(
+        id=reader.whole(element, "id", 0, MAX_SONARS - 1),
+        x_m=reader.quantity(place, "x-relative", LENGTH),
+        y_m=reader.quantity(place, "y-relative", LENGTH),
+        direction_rad=reader.quantity(place, "dir-relative", ANGLE, unit="rad"),
+        range_m=reader.positive(place, "range", LENGTH),
+        radius_m=reader.not_negative(place, "radius", LENGTH),
+        z_m=reader.quantity(place, "z-relative", LENGTH),
+    )
+
+
+def board(element: Element, of: tuple[Sonar, ...], reader: Reader) -> SonarBoard:
+    """Gives what the sonars of a definition have in common.
+
+    Args:
+        element: the element with the attributes.
+        of: the sonars.
+        reader: takes mistakes.
+    """
+    least_s = reader.positive(element, "least-interval", TIME, _LEAST_INTERVAL_S)
+    rate = reader.whole(element, "rate", 0, _MOST_RATE, absent=_RATE)
+    return SonarBoard(
+        _order(element, of, reader),
+        interval_s=max(rate * SONAR_TICK_S, least_s),
+        least_interval_s=least_s,
+        lobe_rad=reader.not_negative(element, "lobe", ANGLE),
+        critical_rad=reader.not_negative(element, "critical-angle", ANGLE, _RIGHT_ANGLE),
+        blind_m=reader.not_negative(element, "blind", LENGTH),
+        minimum_m=reader.not_negative(element, "minimum", LENGTH),
+        noise_m=reader.not_negative(element, "noise", LENGTH),
+        noise_share=_share(element, "noise-share"),
+        dropouts=_share(element, "dropouts"),
+        crosstalk=_share(element, "crosstalk"),
+    )
+
+
+def _share(element: Element, name: str) -> float:
+    """Gives a number from 0 to 1, which the schema has checked."""
+    return float(element.attributes.get(name, "0"))
+
+
+def _order(element: Element, sonars: tuple[Sonar, ...], reader: Reader) -> tuple[int, ...]:
+    order = tuple(int(number) for number in element.attributes.get("order", "").split())
+    known = {sonar.id for sonar in sonars}
+    for number in order:
+        if number not in known:
+            reader.error(element, f"order names sonar {number}, which the robot does not have")
+    return order

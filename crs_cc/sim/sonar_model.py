@@ -1,0 +1,88 @@
+"""What a robot's sonars are made of: constant data, as its definition file says.
+
+Units: metres, seconds, radians. Robot frame: x ahead, y to the left, origin midway between the
+wheels.
+
+>>> ahead = Sonar(0, x_m=0.2, y_m=0.0, direction_rad=0.0, range_m=6.477, radius_m=1.14)
+>>> round(math.degrees(ahead.half_angle_rad))
+10
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Final
+
+MAX_SONARS: Final = 16
+"""The vendor's `State` array has 16 places for sonars (vendor header `Nclient.h` 1.29)."""
+
+SONAR_TICK_S: Final = 0.004
+"""The unit of `conf_sn`'s rate (vendor header `Nclient.h` 1.29)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Sonar:
+    """One ultrasonic range sensor.
+
+    Its beam is a cone that starts at the sensor: `range_m` is the height of the cone and
+    `radius_m` the radius of its base.
+
+    Attributes:
+        id: its number, the index of its reading among the vendor's `STATE_SONAR_0` to `_15`.
+        x_m: where it sits in the robot frame, ahead of the axle's middle.
+        y_m: the same, to the left.
+        direction_rad: where it points, counter-clockwise from ahead.
+        range_m: how far it hears.
+        radius_m: how wide the beam is at that distance.
+        z_m: its height above the floor.
+    """
+
+    id: int
+    x_m: float
+    y_m: float
+    direction_rad: float
+    range_m: float
+    radius_m: float
+    z_m: float = 0.0
+
+    @property
+    def half_angle_rad(self) -> float:
+        """The angle between the axis of the beam and its side."""
+        return math.atan2(self.radius_m, self.range_m)
+
+
+@dataclass(frozen=True, slots=True)
+class SonarBoard:
+    """What all sonars of a robot have in common; see `sensors.sonar` and the files it names.
+
+    Attributes:
+        order: firing order until the program sets another.
+        interval_s: time from one firing to the next until the program sets another.
+        least_interval_s: the shortest that a program can set.
+        lobe_rad: angle off the axis at which the sound pressure falls to one half; 0 for a cone
+            with the same pressure everywhere in it.
+        critical_rad: the largest angle of incidence at which a face answers.
+        blind_m: the distance below which the transducer still rings when the echo comes.
+        minimum_m: the smallest distance that is told.
+        noise_m: standard deviation of a reading.
+        noise_share: the part of the standard deviation that grows with the distance, as its share.
+        dropouts: probability of missing an echo.
+        crosstalk: probability of taking another robot's ping for an echo, when it comes in.
+    """
+
+    order: tuple[int, ...] = ()
+    interval_s: float = 0.06
+    least_interval_s: float = 0.04
+    lobe_rad: float = 0.0
+    critical_rad: float = math.pi / 2
+    blind_m: float = 0.0
+    minimum_m: float = 0.0
+    noise_m: float = 0.0
+    noise_share: float = 0.0
+    dropouts: float = 0.0
+    crosstalk: float = 0.0
+
+
+NO_SONARS: Final = SonarBoard()
+"""What a robot without sonars has."""
