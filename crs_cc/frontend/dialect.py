@@ -19,7 +19,7 @@ from crs_cc.source import Diagnostics
 
 _RUNCODE: Final = "runcode"
 _VENDORS_HEADER: Final = "nclient.h"
-_VENDORS_GUARD: Final = "_HOST_CLIENT_H_"
+_VENDORS_GUARDS: Final = frozenset({"_HOST_CLIENT_NCLIENT_H_", "_HOST_CLIENT_H_"})
 
 
 def dialect_of(paths: Sequence[Path], options: Options) -> Dialect:
@@ -39,7 +39,7 @@ def form(path: Path, options: Options) -> Dialect | None:
     """Gives the dialect that a file is in by itself, none for a part that may belong to either."""
     source = preprocess(path, options, Diagnostics())
     is_vendors = any(Path(file).name.lower() == _VENDORS_HEADER for file in source.files)
-    if is_vendors or _VENDORS_GUARD in source.macros:
+    if is_vendors or not _VENDORS_GUARDS.isdisjoint(source.macros):
         return "nomad"
     names = {item.name for item in items_of(lex(source.text, source.location, Diagnostics()))}
     if "main" in names:

@@ -8,6 +8,7 @@
    Whoever includes the vendor's header all the same, with --dialect report, gets this one. */
 #ifndef _CRS_REPORT_H
 #define _CRS_REPORT_H
+#define _HOST_CLIENT_NCLIENT_H_
 #define _HOST_CLIENT_H_
 
 #include <stdio.h>
