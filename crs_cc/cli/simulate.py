@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from crs_cc.cli.run import RunOptions
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
     from crs_cc.session.trace import Trace
+    from crs_cc.sim.model import WorldModel
     from crs_cc.sim.step import Step
 
 _MOVED_M: Final = 0.005
@@ -174,7 +175,7 @@ class Runner:
     def picture(self, run: Run) -> Picture:
         """Gives the picture of the finished run."""
         state = self.session.environment.state
-        world = self._loaded.world
+        world = self.session.environment.world_now
         self.tracks.end(state.x_m, state.y_m)
         trips = [
             Trip(robot, self.tracks.path(number), float(state.heading_rad[number]))
@@ -186,12 +187,12 @@ class Runner:
         collisions = sum(robot.collisions for robot in run.result.robots)
         subtitle = f"{run.result.simulated_s:.2f} s simulated, seed {run.seed}, "
         subtitle += f"{collisions} collision{'' if collisions == 1 else 's'}"
-        return Picture(title, subtitle, world, trips, self.tracks.contacts, self._pushed())
+        return Picture(title, subtitle, world, trips, self.tracks.contacts, self._pushed(world))
 
-    def _pushed(self) -> list[Thing]:
-        """Gives the things that were moved, where they are now."""
+    def _pushed(self, world: WorldModel) -> list[Thing]:
+        """Gives the things that were pushed away, where they are now."""
         bodies = self.session.environment.state.bodies
-        scene = Scene(self._loaded.world)
+        scene = Scene(world)
         pushed = []
         for body, thing in enumerate(scene.pushables, scene.robots):
             (x_m, y_m), angle_rad = bodies.position_m[body], bodies.angle_rad[body]

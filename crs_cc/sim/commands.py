@@ -17,6 +17,7 @@ from crs_cc.requests import CODES
 from crs_cc.sim.actuators import drive, tag
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.sensors import heat, odometry, sonar
+from crs_cc.sim.server import world
 from crs_cc.sim.state import EnvState
 
 BoolArray = npt.NDArray[np.bool_]
@@ -89,10 +90,10 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("TK", tell),
         ("CONF_SER", refuse),
         ("PLACE_ROBOT", refuse),
-        ("ADD_OBSTACLE", refuse),
-        ("DELETE_OBSTACLE", refuse),
-        ("MOVE_OBSTACLE", refuse),
-        ("NEW_WORLD", refuse),
+        ("ADD_OBSTACLE", world.add_obstacle),
+        ("DELETE_OBSTACLE", world.delete_obstacle),
+        ("MOVE_OBSTACLE", world.move_obstacle),
+        ("NEW_WORLD", world.new_world),
         ("GET_RPX", refuse),
         ("PREDICT", refuse),
         ("MOTION_CHECK", refuse),
@@ -113,6 +114,11 @@ HANDLERS: Final[dict[int, Handler]] = {
 
 MOVES: Final = frozenset(CODES[name] for name in ("PR", "VM", "MV"))
 """Requests that can make a robot move."""
+
+CHANGES_WORLD: Final = frozenset(
+    CODES[name] for name in ("ADD_OBSTACLE", "DELETE_OBSTACLE", "MOVE_OBSTACLE", "NEW_WORLD")
+)
+"""Requests after which other things may stand in the world; they take until the cycle's end."""
 
 WAITS: Final = frozenset({CODES["WS"]})
 """Requests that can make a robot wait."""

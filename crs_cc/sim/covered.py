@@ -29,9 +29,8 @@ import numpy.typing as npt
 from crs_cc.sim.model import Box, Cylinder, Solid, Wall
 from crs_cc.sim.neighbours import CellList
 from crs_cc.sim.obstacles import Grid
-from crs_cc.sim.polygon import triangles
 from crs_cc.sim.rays import Fan
-from crs_cc.sim.scene import Scene, own_corners_m
+from crs_cc.sim.scene import Scene, own_corners_m, triangles_of
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
@@ -187,7 +186,7 @@ def _pieces(solid: Solid) -> list[_Piece]:
         return [_Piece(place, facing, 0j, 1, solid.length_m / 2, solid.width_m / 2)]
     corners = own_corners_m(solid)
     places = corners[:, 0] + 1j * corners[:, 1]
-    return [_triangle(place, facing, places[three]) for three in triangles(corners)]
+    return [_triangle(place, facing, places[three]) for three in triangles_of(solid)]
 
 
 def _triangle(place: complex, facing: complex, corners: ComplexArray) -> _Piece:

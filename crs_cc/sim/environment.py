@@ -23,7 +23,7 @@ array([0.02])
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -31,7 +31,7 @@ import numpy.typing as npt
 
 from crs_cc.requests import CODES, MESSAGE, NUM_STATE, REQUESTS, STATE_REPLIES
 from crs_cc.sim.actuators import drive
-from crs_cc.sim.commands import HANDLERS, MOVES, WAITS
+from crs_cc.sim.commands import CHANGES_WORLD, HANDLERS, MOVES, WAITS
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.physics import Contacts, Physics, PhysicsSnapshot
@@ -45,6 +45,7 @@ from crs_cc.sim.state import EnvState
 from crs_cc.sim.state_vector import MOTOR_STATUS, configuration, state_vector
 from crs_cc.sim.step import Served, Step, slices_of
 from crs_cc.sim.surroundings import Surroundings
+from crs_cc.sim.things import Things
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
@@ -86,19 +87,21 @@ class Environment:
             raise ValueError(f"the seed must not be negative: {seed}")
         self.world = world
         self.state = EnvState.at_start(world)
-        scene = Scene(world)
-        self._names = scene.names
         self._equipment = Equipment.of(world)
-        self._physics = Physics(world, scene, self.state.bodies)
         self._bumpers = Bumpers(world)
         self._batteries = Batteries(world)
         self._clock = BoardClock(world)
         self._sonars = SonarRing(world, seed)
-        self._around = Surroundings(scene, self._sonars.fans)
+        self._furnish()
         self._sonars.begin(self.state, self._equipment, self._around)
         self._served: list[Served] = []
         self._axes = tuple(robot.model.drive.axis_names for robot in world.robots)
         self._link_s = [dict(robot.model.link_s) for robot in world.robots]
+
+    @property
+    def world_now(self) -> WorldModel:
+        """Gives the world with what programs have put into it and taken out of it."""
+        return self.state.obstacles.world_now(self.world)
 
     @property
     def timestep_s(self) -> float:
@@ -151,6 +154,9 @@ class Environment:
         state.commands[rows] += 1
         state.drive.deadline_s[rows] = now_s + state.drive.timeout_s[rows]
         goes_on_s = now_s.copy()
+        if code in CHANGES_WORLD:
+            goes_on_s[:] = self.end_s
+            self._refurnish()
         if code in WAITS:
             waits = state.drive.waiting[rows].any(axis=1) & good
             ends_s = drive.settle_waits(state, self._equipment, rows[waits], self.end_s)
@@ -193,6 +199,8 @@ class Environment:
     def restore(self, snapshot: Snapshot) -> None:
         """Goes back to a snapshot of an environment with the same world and seed."""
         self.state = snapshot.state.copy()
+        if not self.state.obstacles.same_as(self._furnished):
+            self._furnish()
         bodies = self._physics.restore(snapshot.physics)
         assert np.array_equal(bodies.position_m, self.state.bodies.position_m)
         self._served = list(snapshot.served)
@@ -201,6 +209,23 @@ class Environment:
     def hash(self) -> str:
         """Gives the SHA-256 of the whole state."""
         return self.state.sha256()
+
+    def _furnish(self) -> None:
+        """Makes all that follows from which things stand where."""
+        self._furnished = self.state.obstacles
+        world = self.world_now
+        scene = Scene(world)
+        self._names = scene.names
+        self._equipment = replace(self._equipment, things=Things.of(world))
+        self._physics = Physics(world, scene, self.state.bodies)
+        self._around = Surroundings(scene, self._sonars.fans)
+
+    def _refurnish(self) -> None:
+        """Does so where a program has changed the world."""
+        if self.state.obstacles.same_as(self._furnished):
+            return
+        self.state.renumber(self._names, Scene(self.world_now).names)
+        self._furnish()
 
     def _handle(self, code: int, rows: IndexArray, messages: Messages) -> BoolArray:
         """Lets connected robots do what is asked; gives which requests were good."""
@@ -273,7 +298,7 @@ class Environment:
     def _touch(self, contacts: Contacts) -> Contacts:
         """Presses bumpers, counts collisions, and gives the contacts that began."""
         state, robot = self.state, contacts.robot
-        if not len(robot) and not len(state.touching):
+        if not len(robot) and not state.bumpers.pressed.any() and not len(state.touching):
             return contacts
         keys = robot * len(self._names) + contacts.other
         began = ~np.isin(keys, state.touching)

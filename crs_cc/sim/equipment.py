@@ -38,7 +38,9 @@ class Equipment:
         least_interval_s: the shortest time from one sonar's firing to the next.
         heat_range_m: how far the heat sensor senses, 0 where there is none.
         tag_range_m: how far heat is taken away.
-        things: the shapes of all things.
+        radius_m: the radius of the body.
+        world: what stood where before the first cycle.
+        things: the shapes of all things, as they are now.
     """
 
     timestep_s: float
@@ -54,6 +56,8 @@ class Equipment:
     least_interval_s: FloatArray
     heat_range_m: FloatArray
     tag_range_m: FloatArray
+    radius_m: FloatArray
+    world: WorldModel
     things: Things
 
     @classmethod
@@ -76,6 +80,8 @@ class Equipment:
             np.array([model.sonar_board.least_interval_s for model in models]),
             np.array([model.heat.range_m for model in models]),
             np.array([model.heat.tag_range_m for model in models]),
+            np.array([model.radius_m for model in models]),
+            world,
             Things.of(world),
         )
 

@@ -29,8 +29,7 @@ from pymunk import batch
 from crs_cc.sim.clearance import clearance_m
 from crs_cc.sim.friction import friction_n, friction_nm, moment_kgm2
 from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Thing, Wall, WorldModel
-from crs_cc.sim.polygon import triangles
-from crs_cc.sim.scene import Scene, corners_m, own_corners_m
+from crs_cc.sim.scene import Scene, corners_m, own_corners_m, triangles_of
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
@@ -92,6 +91,17 @@ class Bodies:
             np.zeros(count),
             np.zeros(scene.robots, dtype=np.bool_),
             np.array([count == scene.robots]),
+        )
+
+    def take(self, rows: IndexArray) -> Self:
+        """Gives some of the bodies, all robots among them; the others are gone."""
+        return type(self)(
+            self.position_m[rows],
+            self.angle_rad[rows],
+            self.velocity_mps[rows],
+            self.spin_radps[rows],
+            self.slipping.copy(),
+            np.array([len(rows) == len(self.slipping)]),
         )
 
     def copy(self) -> Self:
@@ -377,5 +387,5 @@ def _straight_shapes(
     """Gives the shapes of a box or polygon; pymunk's polygons are convex."""
     if isinstance(thing, Box):
         return [pymunk.Poly(body, [(x, y) for x, y in corners.tolist()])]
-    pieces = corners[triangles(corners)].tolist()
+    pieces = corners[triangles_of(thing)].tolist()
     return [pymunk.Poly(body, [(x, y) for x, y in piece]) for piece in pieces]

@@ -16,12 +16,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Final
 
 import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Thing, Wall, WorldModel, is_pushable
+from crs_cc.sim.polygon import triangles
 
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]
@@ -125,6 +127,12 @@ def own_corners_m(thing: Box | Polygon) -> FloatArray:
 def corners_m(thing: Box | Polygon) -> FloatArray:
     """Gives the corners of a thing in the world frame, counter-clockwise, shape (corners, 2)."""
     return _thing_segments(thing)[:, :2]
+
+
+@lru_cache(maxsize=4096)  # a scene is made anew with each obstacle that comes or goes
+def triangles_of(polygon: Polygon) -> IndexArray:
+    """Gives the triangles that a polygon is made of: numbers of three corners each, (n, 3)."""
+    return triangles(own_corners_m(polygon))
 
 
 def _fixed_outlines(solids: Sequence[Solid]) -> Outlines:

@@ -15,7 +15,7 @@ True
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, is_dataclass
 from typing import Any, Self
 
@@ -30,6 +30,7 @@ from crs_cc.sim.states.battery import BatteryState
 from crs_cc.sim.states.bumper import BumperState
 from crs_cc.sim.states.drive import DriveState
 from crs_cc.sim.states.heat import HeatState
+from crs_cc.sim.states.obstacles import ObstacleState
 from crs_cc.sim.states.odometry import OdometryState
 from crs_cc.sim.states.sonar import SonarState
 
@@ -59,6 +60,7 @@ class EnvState:
         bumpers: the switches that are pressed.
         battery: what the motors took from theirs.
         heat: how hot things are.
+        obstacles: what programs have put into the world, and taken out of it.
         connected: whether the program has connected.
         asked: the message of the request that a robot waits for, of dtype `MESSAGE`, zero for
             robots that do not wait.
@@ -80,6 +82,7 @@ class EnvState:
     bumpers: BumperState
     battery: BatteryState
     heat: HeatState
+    obstacles: ObstacleState
     connected: BoolArray
     asked: npt.NDArray[np.void]
     touching: WholeArray
@@ -105,6 +108,7 @@ class EnvState:
             sonar=SonarState.at_start(world),
             bumpers=BumperState.at_start(world),
             battery=BatteryState.at_start(world),
+            obstacles=ObstacleState.at_start(world),
             heat=HeatState.at_start(world, scene),
             connected=np.zeros(count, dtype=np.bool_),
             asked=np.zeros(count, MESSAGE),
@@ -123,6 +127,23 @@ class EnvState:
     def y_m(self) -> FloatArray:
         """Where the robots are, y in the world frame, at the start of the cycle."""
         return self.bodies.position_m[: len(self.heading_rad), 1]
+
+    def renumber(self, before: Sequence[str], now: Sequence[str]) -> None:
+        """Takes over what belongs to things that still stand, when others have come or gone.
+
+        Args:
+            before: the names of all things, as in `Scene.names`.
+            now: the same, as they are from now on.
+        """
+        places = {name: place for place, name in enumerate(now)}
+        place = np.array([places.get(name, -1) for name in before], dtype=np.intp)
+        left, heat = place >= 0, np.zeros(len(now))
+        heat[place[left]] = self.heat.left[left]
+        self.heat.left = heat
+        self.bodies = self.bodies.take(np.flatnonzero(left[: len(self.bodies.angle_rad)]))
+        robot, thing = np.divmod(self.touching, len(before))
+        robot, thing = robot[left[thing]], place[thing[left[thing]]]
+        self.touching = np.sort(robot * len(now) + thing)
 
     def copy(self) -> Self:
         """Gives a copy that shares nothing."""

@@ -34,6 +34,7 @@ MAX_CORNERS: Final = 250
 _POINTS_FORM: Final = "write x,y of each corner, spaces between corners only: 1m,0 2m,0 2m,50cm"
 _STAND_IN: Final = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
 _DIALECTS: Final[dict[str, Literal["nomad", "report"]]] = {"nomad": "nomad", "report": "report"}
+_OURS: Final = ("edge-", "obstacle-")  # what programs add is named so
 _TOO_SMALL_M: Final = 0.001
 _ID: Final = re.compile(r"[A-Za-z_][A-Za-z0-9_.\-]{0,63}")
 
@@ -95,8 +96,11 @@ def _name_things(root: Element, reader: Reader) -> None:
             reader.error(
                 element, f"a second thing with the id {name!r}; the first is in line {used[name]}"
             )
-        elif name.startswith("edge-"):
-            reader.error(element, f"the id {name!r}: names that begin with edge- are the world's")
+        elif name.startswith(_OURS):
+            prefix = name.partition("-")[0]
+            reader.error(
+                element, f"the id {name!r}: names that begin with {prefix}- are the world's"
+            )
         elif not _ID.fullmatch(name):
             reader.error(
                 element, f"the id {name!r}: letters, digits, _ . - only, no digit first, at most 64"

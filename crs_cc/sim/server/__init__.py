@@ -1,0 +1,1 @@
+"""What a program asks of the simulator itself, the vendor's server, and not of its robot."""
