@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.frontend.options import Dialect
 from crs_cc.session.build import build_executable
 from crs_cc.session.result import RobotResult
 from crs_cc.session.session import Session
@@ -41,6 +42,7 @@ class Drive:
         arguments: Sequence[str] = (),
         files: Mapping[str, bytes] | None = None,
         standard: str = "gnu17",
+        dialect: Dialect | None = None,
         longest_s: float = 300.0,
     ) -> None:
         """Runs it.
@@ -52,6 +54,7 @@ class Drive:
             arguments: what `main` finds behind its name.
             files: what it can read, by name.
             standard: the C that it is written in.
+            dialect: whose functions it calls; by default what it looks like.
             longest_s: when to stop it [s].
         """
         self._outputs = [bytearray() for _ in world.robots]
@@ -59,7 +62,10 @@ class Drive:
         programs = [[Path(robot.program)] if robot.program else own for robot in world.robots]
         session = Session(
             world,
-            [build_executable(paths, Diagnostics(), standard=standard) for paths in programs],
+            [
+                build_executable(paths, Diagnostics(), standard=standard, dialect=dialect)
+                for paths in programs
+            ],
             arguments=[[each[0].stem, *arguments] for each in programs],
             output=self._write,
             files=files,
