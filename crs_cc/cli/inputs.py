@@ -60,8 +60,12 @@ def is_world(name: str) -> bool:
     return name.lower().endswith(".xml")
 
 
-def demand_readable(path: Path) -> None:
+def demand_readable(path: Path, hint: str = "") -> None:
     """Makes sure that a file can be read at all.
+
+    Args:
+        path: the file.
+        hint: what to say if it is not there, and none of a similar name.
 
     Raises:
         CompileError: a C file cannot be read.
@@ -72,7 +76,7 @@ def demand_readable(path: Path) -> None:
     try:
         mode = path.stat().st_mode
     except FileNotFoundError:
-        raise blame.at(place, "no such file", _similar(path)) from None
+        raise blame.at(place, "no such file", _similar(path) or hint) from None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise blame.at(place, f"cannot be read: {reason}") from None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 import click
 
@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from crs_cc.frontend.options import Dialect
     from crs_cc.runtime.executable import Executable
     from crs_cc.sim.model import Robot, WorldModel
+
+
+_ARGUMENT_HINT: Final = "arguments of the program itself stand behind --"
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +103,8 @@ def _build(
     diagnostics: Diagnostics,
 ) -> Executable:
     for path in sources:
-        demand_readable(path)
+        is_word = path.suffix != ".c" and not options.arguments
+        demand_readable(path, _ARGUMENT_HINT if is_word else "")
     own = Diagnostics()
     try:
         return build_executable(

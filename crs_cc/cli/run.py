@@ -68,11 +68,17 @@ class _WithProgramArguments(click.Command):
     """A command whose arguments behind `--` belong to the control program."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        own = args
         if "--" in args:
             own = args[: args.index("--")]
             ctx.meta[_ARGUMENTS] = tuple(args[len(own) + 1 :])
-        return super().parse_args(ctx, own)
+            return super().parse_args(ctx, own)
+        try:
+            return super().parse_args(ctx, list(args))
+        except click.NoSuchOption as error:
+            if not any(each.endswith(".c") for each in args):
+                raise
+            text = f"{error.format_message()} Options of the program itself stand behind --."
+            raise click.UsageError(text, ctx) from None
 
 
 _EXAMPLES: Final = """

@@ -90,6 +90,28 @@ def test_a_missing_file_is_named_with_a_proposal(
     assert shown == "wnader.c: error: no such file\n    hint: did you mean 'wander.c'?\n"
 
 
+@pytest.mark.parametrize(
+    ("forgotten", "status", "message"),
+    [
+        (["fast", "3"], 121, "fast: error: no such file\n    hint: arguments of the program"),
+        (["3"], 121, "3: error: no such file\n    hint: arguments of the program itself"),
+        (["--speed", "3"], 2, "Did you mean '--seed'? Options of the program itself stand behind"),
+        (["-v"], 2, "No such option '-v'. Options of the program itself stand behind --."),
+    ],
+)
+def test_arguments_without_the_dashes_in_front_of_them_are_told_about(
+    forgotten: list[str],
+    status: int,
+    message: str,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    program = tmp_path / "wander.c"
+    program.write_text("int main(void) { return 0; }\n")
+    assert main(["run", str(program), *forgotten]) == status
+    assert message in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(("name", "status"), [("folder.c", 121), ("folder.xml", 122)])
 def test_a_folder_is_no_file(
     name: str, status: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
