@@ -26,7 +26,7 @@ from crs_cc.errors import CrsError
 from crs_cc.session.session import Session
 from crs_cc.sim.model import Pose, Thing
 from crs_cc.sim.scene import Scene
-from crs_cc.source import Diagnostics
+from crs_cc.source import Diagnostic, Diagnostics
 
 if TYPE_CHECKING:
     from crs_cc.cli.run import RunOptions
@@ -64,6 +64,8 @@ def _simulate(options: RunOptions) -> int:
     runner = Runner(loaded, options)
     run = runner.run()
     _report(run, options)
+    if not options.quiet:
+        show(list(runner.unconnected()))
     _keep_files(runner.session, run, options)
     if options.plot is not None:
         _write(options.plot, runner.picture(run).render())
@@ -171,6 +173,19 @@ class Runner:
             f"{simulated_s:.1f} s simulated, {simulated_s / max(wall_s, 1e-9):.1f} x real time, "
             f"{self.session.running} of {robots} running"
         )
+
+    def unconnected(self) -> Iterator[Diagnostic]:
+        """Gives warnings of calls of the robot without a connection, of each place one."""
+        places = set()
+        for robot, call in enumerate(self.session.unconnected_calls):
+            if call is None or call.location is None or call.location in places:
+                continue
+            places.add(call.location)
+            lines = self._loaded.executables[robot].detail().lines.get(call.location.file, ())
+            line = lines[call.location.line - 1] if call.location.line <= len(lines) else ""
+            text = f"'{call.function}' is called without a connection to the robot"
+            hint = "connect_robot comes first"
+            yield Diagnostic("warning", call.location, text, line, hint)
 
     def picture(self, run: Run) -> Picture:
         """Gives the picture of the finished run."""

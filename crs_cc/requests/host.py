@@ -109,5 +109,10 @@ HOST_REQUESTS: Final = (
         "tells which of the vendor's two client libraries ours is to behave like",
         (), arguments(("result", "0 Nclient, 1 Ndirect", "1")),
     ),
+    RequestCode(
+        "UNCONNECTED", 15, "host", "int connect_robot(long id, ...)",
+        "tells, once, that the program calls its robot without a connection",
+        (), arguments(("result", "0", "1")),
+    ),
 )  # fmt: skip
 """Every request that the host answers."""

@@ -205,6 +205,12 @@ class Fleet:
 
         return current_call(self._stopped(robot))
 
+    def library_call(self, robot: int) -> ActiveCall | None:
+        """Gives the library's function that the user's code has called, and where it did."""
+        from crs_cc.runtime.diagnosis.report import library_call  # few runs need it
+
+        return library_call(self._stopped(robot))
+
     def report(self, robot: int) -> ErrorReport:
         """Gives the report on a robot with status FAILED: its failure in words."""
         from crs_cc.runtime.diagnosis.report import report  # few runs need it

@@ -102,6 +102,7 @@ class Host:
             CODES["SLEEP"]: self._sleep,
             CODES["ARGUMENT"]: self._argument,
             CODES["CLIENT"]: self._which_client,
+            CODES["UNCONNECTED"]: self._unconnected,
         }
         for name, serve in _FILES.items():
             self._serve[CODES[f"FILE_{name}"]] = functools.partial(self._file, serve)
@@ -156,6 +157,10 @@ class Host:
         else:
             _reply_bytes(message, arguments[number][first : first + DATA_SIZE])
             message["result"] = len(arguments[number])
+        return request.clock_s
+
+    def _unconnected(self, request: HostRequest) -> float:
+        request.message["result"] = 0  # the session knows where the program stands
         return request.clock_s
 
     def _which_client(self, request: HostRequest) -> float:

@@ -32,7 +32,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.requests import FAILED, REQUESTS, SUSPENDED
+from crs_cc.requests import CODES, FAILED, REQUESTS, SUSPENDED
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.session.host import (
     HOST_CODES,
@@ -76,6 +76,8 @@ class Session:
         clock_s: each program's clock [s]; infinite while it waits for something to happen.
         fuel: IR instructions that each program has run.
         timesteps: how many timesteps have been run.
+        unconnected_calls: by robot, the first call of the robot that its program made without a
+            connection, while this session ran it; None where there was none.
     """
 
     def __init__(
@@ -117,6 +119,7 @@ class Session:
         self.clock_s = np.zeros(count)
         self.fuel = np.zeros(count, np.int64)
         self.timesteps = 0
+        self.unconnected_calls: list[ActiveCall | None] = [None] * count
         self._alive = np.ones(count, bool)
         self._due_s = np.full(count, ENDLESS)  # when a request has come through the link
         self._ended_s = np.zeros(count)
@@ -171,6 +174,8 @@ class Session:
                 self._due_s[robot] = self.clock_s[robot] + link_s
 
     def _answer_host(self, robot: int, code: int) -> None:
+        if code == CODES["UNCONNECTED"]:
+            self.unconnected_calls[robot] = self.fleet.library_call(robot)
         self.fuel[robot] += SYSTEM_CALL
         speed_hz = float(self._speed_hz[robot])
         clock_s = float(self.clock_s[robot]) + SYSTEM_CALL / speed_hz

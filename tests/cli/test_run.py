@@ -208,6 +208,38 @@ def test_a_program_that_no_robot_runs_is_mentioned(capfd: pytest.CaptureFixture[
 # -- what is shown of a run ------------------------------------------------------------------------
 
 
+LOST = """#include "Nclient.h"
+static void look(void)
+{
+    get_sn();
+}
+int main(void)
+{
+    look();
+    gs();
+    connect_robot(1);
+    gs();
+    return 0;
+}
+"""
+
+
+def test_a_call_of_the_robot_before_it_is_connected_is_shown_once(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    Path("lost.c").write_text(LOST)
+    assert main(["run", "lost.c", "pair.xml"]) == 0
+    shown = capfd.readouterr()
+    assert shown.out.count("Not connected to any robot") == 4  # as the vendor's client says
+    assert shown.err.endswith(
+        "lost.c:4:5: warning: 'get_sn' is called without a connection to the robot\n"
+        "        get_sn();\n        ^~~~~~~~\n    hint: connect_robot comes first\n"
+    )
+    assert shown.err.count("without a connection") == 1
+    assert main(["run", "lost.c", "--quiet"]) == 0
+    assert "without a connection" not in capfd.readouterr().err
+
+
 def test_json_on_stdout_is_pure_and_the_programs_output_goes_to_stderr(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
@@ -221,7 +253,7 @@ def test_json_on_stdout_is_pure_and_the_programs_output_goes_to_stderr(
     assert right["pose"]["x_m"] == pytest.approx(5 - 0.127, abs=1e-3)
     assert left["odometry"]["x_m"] == pytest.approx(0.127, abs=1e-3)
     assert left["distance_m"] == pytest.approx(0.127, abs=1e-3)
-    assert left["commands"] == 3
+    assert left["commands"] == 4  # CONNECT, CT, PR, WS
     assert left["exit_status"] == 0
 
 

@@ -6,6 +6,7 @@ variables in the expression, and the call stack.
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -66,6 +67,15 @@ def current_call(stopped: Stopped) -> ActiveCall | None:
     """Gives the innermost active function of the user's own files; None when there is none."""
     frame = next((each for each in stopped.stack if not _is_library(each)), None)
     return None if frame is None else _call(frame, stopped, Variables(stopped))
+
+
+def library_call(stopped: Stopped) -> ActiveCall | None:
+    """Gives the library's function that the user's code has called, with the place of the call."""
+    for frame, caller in itertools.pairwise(stopped.stack):
+        if _is_library(frame) and not _is_library(caller):
+            call = _call(frame, stopped, Variables(stopped))
+            return replace(call, location=caller.location)
+    return None
 
 
 def _sentence(failure: Failure, explained: Explanation) -> str:

@@ -25,12 +25,25 @@ int __crs_is_direct_without_sensors(void)
     return __crs_is_direct() && __crs_client.model != MODEL_N200;
 }
 
+/* What the vendor's clients say does not tell which call it is about. */
+static void complain_of_no_connection(void)
+{
+    static int told;
+    struct __crs_message message;
+
+    printf("Not connected to any robot\n");
+    message.size = 0;
+    if (!told)
+        __crs_request(CRS_UNCONNECTED, &message);
+    told = 1;
+}
+
 int __crs_post(int code, struct __crs_message *message)
 {
     int result;
 
     if (!__crs_client.connected)
-        printf("Not connected to any robot\n");
+        complain_of_no_connection();
     if (!__crs_client.connected || __crs_client.left) {
         if (!__crs_is_direct())
             State[STATE_ERROR] = CRS_IPC_ERROR;
