@@ -18,6 +18,7 @@ from crs_cc.sim.actuators import drive, tag
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.sensors import heat, odometry, sonar
 from crs_cc.sim.server import world
+from crs_cc.sim.server.whereabouts import get_rpx
 from crs_cc.sim.state import EnvState
 
 BoolArray = npt.NDArray[np.bool_]
@@ -29,7 +30,10 @@ Handler: TypeAlias = Callable[[EnvState, Equipment, IndexArray, Messages], BoolA
 
 
 def connect(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
-    """Connects; whatever the number, a program's robot is the one that it runs in."""
+    """Connects; whatever the number, a program's robot is the one that it runs in.
+
+    That robot is there already, so that `create_robot` has nothing more to do.
+    """
     state.connected[rows] = True
     messages["i"][:, 0] = equipment.vendor_model[rows]
 
@@ -37,18 +41,24 @@ def connect(state: EnvState, equipment: Equipment, rows: IndexArray, messages: M
 def disconnect(
     state: EnvState, _equipment: Equipment, rows: IndexArray, _messages: Messages
 ) -> None:
-    """Ends the connection; the wheels go on as they were told (vendor source `Ndirect.c` 2.7)."""
+    """Ends the connection, or the simulator for this program.
+
+    The wheels go on as they were told (vendor source `Ndirect.c` 2.7).
+    """
     state.connected[rows] = False
 
 
 def tell(_state: EnvState, _equipment: Equipment, _rows: IndexArray, _messages: Messages) -> None:
-    """Changes nothing: readings come with the reply."""
+    """Changes nothing: readings come with the reply, or the robot is as it is asked to be."""
 
 
 def refuse(
     _state: EnvState, _equipment: Equipment, rows: IndexArray, _messages: Messages
 ) -> BoolArray:
-    """Refuses what this robot cannot do."""
+    """Refuses what this robot, or its simulator, cannot do.
+
+    There is no real robot, no window to point at, and nobody who knows packets of the user's own.
+    """
     return np.zeros(len(rows), dtype=np.bool_)
 
 
@@ -94,16 +104,16 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("DELETE_OBSTACLE", world.delete_obstacle),
         ("MOVE_OBSTACLE", world.move_obstacle),
         ("NEW_WORLD", world.new_world),
-        ("GET_RPX", refuse),
+        ("GET_RPX", get_rpx),
         ("PREDICT", refuse),
         ("MOTION_CHECK", refuse),
         ("GET_CONF", refuse),
         ("REAL_ROBOT", refuse),
-        ("SIMULATED_ROBOT", refuse),
+        ("SIMULATED_ROBOT", tell),
         ("DRAW", refuse),
         ("REFRESH", refuse),
-        ("QUIT_SERVER", refuse),
-        ("CREATE", refuse),
+        ("QUIT_SERVER", disconnect),
+        ("CREATE", connect),
         ("SPECIAL", refuse),
         ("SONAR", tell),
         ("HEAT", heat.sense),
@@ -111,6 +121,9 @@ HANDLERS: Final[dict[int, Handler]] = {
     )
 }
 """The handler of each request that a robot answers."""
+
+CONNECTS: Final = frozenset(CODES[name] for name in ("CONNECT", "CREATE"))
+"""Requests for which a program need not be connected."""
 
 MOVES: Final = frozenset(CODES[name] for name in ("PR", "VM", "MV"))
 """Requests that can make a robot move."""

@@ -31,7 +31,7 @@ import numpy.typing as npt
 
 from crs_cc.requests import CODES, MESSAGE, NUM_STATE, REQUESTS, STATE_REPLIES
 from crs_cc.sim.actuators import drive
-from crs_cc.sim.commands import CHANGES_WORLD, HANDLERS, MOVES, WAITS
+from crs_cc.sim.commands import CHANGES_WORLD, CONNECTS, HANDLERS, MOVES, WAITS
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.physics import Contacts, Physics, PhysicsSnapshot
@@ -230,7 +230,7 @@ class Environment:
     def _handle(self, code: int, rows: IndexArray, messages: Messages) -> BoolArray:
         """Lets connected robots do what is asked; gives which requests were good."""
         messages["result"] = 1
-        if code == CODES["CONNECT"]:
+        if code in CONNECTS:
             good = np.ones(len(rows), dtype=np.bool_)
         else:
             good = self.state.connected[rows]

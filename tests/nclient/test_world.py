@@ -1,0 +1,94 @@
+"""What a program can ask of the simulator: obstacles, where robots are, what would be if."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.nclient.drive import drive
+
+BLOCK = "long block[21] = {4, 300, -200, 500, -200, 500, 200, 300, 200};"
+LOOK = 'conf_sn(15, order); ws(1, 1, 1, 1); usleep(100000); gs(); printf("%ld ", State[17]);'
+"""Fires the sonar ahead alone, and prints what it hears."""
+
+ORDER = "int order[2] = {0, 255}; connect_robot(1);"
+
+
+@pytest.mark.function("add_obstacle", "move_obstacle", "delete_obstacle")
+@pytest.mark.parametrize("names", ["obstacle", "Obs"])
+def test_an_obstacle_is_added_moved_and_deleted(names):
+    done = drive(
+        f"""{BLOCK} {ORDER}
+        printf("%d ", add_{names}(block)); {LOOK}
+        printf("%d ", move_{names}(block, 200, -100));
+        printf("%ld %ld %ld ", block[0], block[1], block[8]); {LOOK}
+        printf("%d ", delete_{names}(block)); {LOOK}
+        printf("%d %d ", delete_{names}(block), move_{names}(block, 1, 1));
+        block[0] = 11; printf("%d ", add_{names}(block));"""
+    )
+    assert done.numbers == [1, 22, 1, 4, 500, 100, 42, 1, 255, 0, 0, 0]
+
+
+@pytest.mark.function("add_Obs", "move_Obs", "delete_Obs", "new_world")
+def test_a_robot_is_stopped_by_an_obstacle_until_the_world_is_new():
+    done = drive(
+        f"""{BLOCK} connect_robot(1); add_Obs(block);
+        pr(600, 600, 0); ws(1, 1, 1, 6); gs(); printf("%d ", State[33] != 0);
+        new_world(); vm(100, 100, 0); usleep(2000000); gs(); printf("%ld", State[33]);"""
+    )
+    assert done.numbers == [1, 0]
+    bump = next(step for step in done.steps if len(step.contacts.robot))
+    assert [bump.names[other] for other in bump.contacts.other] == ["obstacle-0"]
+    at = done.steps.index(bump)
+    assert done.x_in[at] == pytest.approx(22, abs=0.1)
+    assert done.x_in[-1] > 30
+
+
+@pytest.mark.function("add_obstacle")
+def test_robots_share_the_obstacles_that_their_programs_add():
+    first = f"{BLOCK} connect_robot(1); add_obstacle(block); sleep(3);"
+    second = f"{ORDER} sleep(1); {LOOK}"
+    robots = '<robot x="0" y="0"/><robot x="-30in" y="60in" heading="-90deg"/>'
+    assert drive(first, second, things=robots).output[1] == "255 "
+    robots = '<robot x="0" y="0"/><robot x="40in" y="60in" heading="-90deg"/>'
+    assert drive(first, second, things=robots).output[1] == "32 "
+
+
+@pytest.mark.function("get_rpx")
+def test_get_rpx_tells_where_all_robots_are():
+    robots = "".join(f'<robot x="{30 * n}in" y="{n}in" heading="{n}deg"/>' for n in range(23))
+    done = drive(
+        'long p[1 + 3 * 30]; int i; connect_robot(1); printf("%d ", get_rpx(p));'
+        'for (i = 0; i <= 3 * p[0]; i++) printf("%ld ", p[i]);',
+        *["return 0;"] * 22,
+        things=robots,
+    )
+    poses = [number for n in range(23) for number in (300 * n, 10 * n, 10 * n)]
+    assert done.numbers == [1, 23, *poses]
+
+
+@pytest.mark.function("create_robot", "connect_robot")
+def test_create_robot_connects_to_the_robot_that_is_there():
+    done = drive('printf("%d ", create_robot(1) != 0); printf("%d", vm(10, 10, 0));')
+    assert done.numbers == [1, 1]
+
+
+@pytest.mark.function("quit_server")
+def test_after_quit_server_nobody_answers():
+    done = drive(
+        'connect_robot(1); printf("%d ", quit_server()); printf("%d ", gs());'
+        'printf("%ld\\n", State[STATE_ERROR]); printf("%d", connect_robot(1));'
+    )
+    first, complaint, last = done.output[0].splitlines()
+    assert first == "1 0 111"
+    assert complaint.startswith("failed to connect to server on machine ")
+    assert last == "0"
+
+
+@pytest.mark.function("real_robot", "simulated_robot", "get_robot_conf", "special_request")
+def test_what_a_simulator_without_a_window_and_a_real_robot_cannot_do():
+    done = drive(
+        "long conf[4]; unsigned char out[1024] = {7, 0, 1, 200}, in[1024];"
+        'connect_robot(1); printf("%d %d %d %d %d", real_robot(), simulated_robot(),'
+        " get_robot_conf(conf), special_request(out, in), vm(0, 0, 0));"
+    )
+    assert done.numbers == [0, 1, 0, 0, 1]
