@@ -16,10 +16,11 @@ import numpy.typing as npt
 from crs_cc.requests import CODES
 from crs_cc.sim.actuators import drive, tag
 from crs_cc.sim.equipment import Equipment
-from crs_cc.sim.sensors import heat, odometry, sonar
+from crs_cc.sim.sensors import compass, heat, infrared, odometry, sonar
 from crs_cc.sim.server import world
 from crs_cc.sim.server.whereabouts import get_rpx
 from crs_cc.sim.state import EnvState
+from crs_cc.sim.states.mask import NUM_MASK
 
 BoolArray = npt.NDArray[np.bool_]
 IndexArray = npt.NDArray[np.intp]
@@ -62,6 +63,13 @@ def refuse(
     return np.zeros(len(rows), dtype=np.bool_)
 
 
+def ct(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages) -> BoolArray:
+    """Takes over which parts of `State` the program wants; refuses a mask that is not whole."""
+    good: BoolArray = messages["size"] == NUM_MASK
+    state.mask[rows[good]] = messages["data"][good, :NUM_MASK]
+    return good
+
+
 HANDLERS: Final[dict[int, Handler]] = {
     CODES[name]: handler
     for name, handler in (
@@ -85,14 +93,14 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("GET_BP", tell),
         ("GET_RC", tell),
         ("GET_RV", tell),
-        ("CT", tell),
-        ("GET_IR", refuse),
+        ("CT", ct),
+        ("GET_IR", infrared.get_ir),
         ("GET_RA", tell),
-        ("GET_CP", refuse),
+        ("GET_CP", compass.get_cp),
         ("GET_LS", refuse),
         ("GET_SG", refuse),
-        ("CONF_IR", refuse),
-        ("CONF_CP", refuse),
+        ("CONF_IR", infrared.conf_ir),
+        ("CONF_CP", compass.conf_cp),
         ("CONF_LS", refuse),
         ("CONF_SG", refuse),
         ("LASER_PAGE", refuse),

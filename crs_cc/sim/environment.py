@@ -33,16 +33,15 @@ from crs_cc.requests import CODES, MESSAGE, NUM_STATE, REQUESTS, STATE_REPLIES
 from crs_cc.sim.actuators import drive
 from crs_cc.sim.commands import CHANGES_WORLD, CONNECTS, HANDLERS, MOVES, WAITS
 from crs_cc.sim.equipment import Equipment
+from crs_cc.sim.instruments import Instruments
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.physics import Contacts, Physics, PhysicsSnapshot
 from crs_cc.sim.scene import Scene
 from crs_cc.sim.sensors import sonar
-from crs_cc.sim.sensors.battery import Batteries
 from crs_cc.sim.sensors.bumper import Bumpers
-from crs_cc.sim.sensors.clock import BoardClock
 from crs_cc.sim.sensors.sonar import SonarRing
 from crs_cc.sim.state import EnvState
-from crs_cc.sim.state_vector import MOTOR_STATUS, configuration, state_vector
+from crs_cc.sim.state_vector import configuration, state_vector
 from crs_cc.sim.step import Served, Step, slices_of
 from crs_cc.sim.surroundings import Surroundings
 from crs_cc.sim.things import Things
@@ -89,8 +88,7 @@ class Environment:
         self.state = EnvState.at_start(world)
         self._equipment = Equipment.of(world)
         self._bumpers = Bumpers(world)
-        self._batteries = Batteries(world)
-        self._clock = BoardClock(world)
+        self._instruments = Instruments(world, seed)
         self._sonars = SonarRing(world, seed)
         self._furnish()
         self._sonars.begin(self.state, self._equipment, self._around)
@@ -185,7 +183,7 @@ class Environment:
         went_m = state.bodies.position_m[:robots] - before_m
         state.distance_m += np.hypot(went_m[:, 0], went_m[:, 1])
         drive.face(state, self._equipment)
-        self._hold(self._batteries.drain(state, self.timestep_s), self.end_s)
+        self._hold(self._instruments.batteries.drain(state, self.timestep_s), self.end_s)
         began = self._touch(contacts)
         cycle, time_s, served = state.cycle, self.time_s, tuple(self._served)
         self._begin_cycle()
@@ -218,7 +216,7 @@ class Environment:
         self._names = scene.names
         self._equipment = replace(self._equipment, things=Things.of(world))
         self._physics = Physics(world, scene, self.state.bodies)
-        self._around = Surroundings(scene, self._sonars.fans)
+        self._around = Surroundings(scene, [*self._sonars.fans, *self._instruments.fans])
 
     def _refurnish(self) -> None:
         """Does so where a program has changed the world."""
@@ -249,7 +247,7 @@ class Environment:
         """Takes the motors' force from robots whose batteries are empty."""
         if not len(rows):
             return
-        empty = rows[self._batteries.empty(self.state, rows, at_s)]
+        empty = rows[self._instruments.batteries.empty(self.state, rows, at_s)]
         if len(empty):
             HANDLERS[CODES["LP"]](self.state, self._equipment, empty, np.zeros(0, MESSAGE))
 
@@ -265,17 +263,14 @@ class Environment:
     ) -> None:
         """Writes replies over messages."""
         self._fire_sonars(rows, at_s)
+        self._instruments.read(
+            self.state, self._equipment, self._around, code=code, rows=rows[good], at_s=at_s[good]
+        )
         states = state_vector(self.state, self._equipment, rows)
         messages["result"][~good] = 0
         results = messages["result"].copy()
         if code in STATE_REPLIES:
-            battery = self._batteries.status(self.state, rows, at_s)
-            if battery is not None:
-                states[:, MOTOR_STATUS] |= battery
-            told = self._batteries.told(self.state, rows, at_s)
-            messages["i"][:, 0] = 0
-            messages["i"][:, 1], messages["i"][:, 2] = told
-            messages["f"][:, 0] = self._clock.ms(rows, at_s)
+            self._instruments.tell(self.state, rows, messages, at_s, states)
             messages["size"] = _STATE_BYTES
             messages["data"][:, :_STATE_BYTES] = states.astype("<i4").view(np.uint8)
         elif code == CODES["SONAR"]:

@@ -14,6 +14,7 @@ from crs_cc.sim.things import Things
 from crs_cc.units import tenths_deg_to_rad, tenths_inch_to_m
 
 FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.intp]
 BoolArray = npt.NDArray[np.bool_]
 
 
@@ -36,6 +37,9 @@ class Equipment:
         turrets: whether any robot has.
         vendor_model: the vendor's number of the model.
         least_interval_s: the shortest time from one sonar's firing to the next.
+        infrared: number of each robot among those that have an infrared ring, -1 for the others.
+        compass: the same for compasses.
+        calibration_s: how long a compass turns around to be calibrated.
         heat_range_m: how far the heat sensor senses, 0 where there is none.
         tag_range_m: how far heat is taken away.
         radius_m: the radius of the body.
@@ -54,6 +58,9 @@ class Equipment:
     turrets: bool
     vendor_model: npt.NDArray[np.int64]
     least_interval_s: FloatArray
+    infrared: IndexArray
+    compass: IndexArray
+    calibration_s: FloatArray
     heat_range_m: FloatArray
     tag_range_m: FloatArray
     radius_m: FloatArray
@@ -78,12 +85,24 @@ class Equipment:
             any(drive.turret is not None for drive in drives),
             np.array([model.vendor_model for model in models], dtype=np.int64),
             np.array([model.sonar_board.least_interval_s for model in models]),
+            _numbers([model.infrared is not None for model in models]),
+            _numbers([model.compass is not None for model in models]),
+            np.array([model.compass.calibration_s if model.compass else 0.0 for model in models]),
             np.array([model.heat.range_m for model in models]),
             np.array([model.heat.tag_range_m for model in models]),
             np.array([model.radius_m for model in models]),
             world,
             Things.of(world),
         )
+
+
+def _numbers(has: list[bool]) -> IndexArray:
+    """Numbers the robots that have something; the others get -1.
+
+    >>> _numbers([False, True, True]).tolist()
+    [-1, 0, 1]
+    """
+    return np.where(has, np.cumsum(has) - 1, -1).astype(np.intp)
 
 
 def _units(drive: Drive) -> list[float]:

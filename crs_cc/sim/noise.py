@@ -23,7 +23,10 @@ FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.int64]
 
 SONAR: Final = 0
-"""Number of the sonars among the sensors."""
+INFRARED: Final = 1
+COMPASS: Final = 2
+LASER: Final = 3
+"""Numbers of the sensors."""
 
 _BLOCK: Final = 64  # rows in a block: few enough to make quickly, many enough to make rarely
 

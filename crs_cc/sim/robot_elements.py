@@ -46,6 +46,8 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         sonar_board=sonar_elements.board(root.first("sonars"), sonars, reader),
         heat=_heat(root.first("heat"), reader),
         bumpers=sensor_elements.bumpers(root, reader),
+        infrared=sensor_elements.infrared(root, reader),
+        compass=sensor_elements.compass(root, reader),
         computer_battery=sensor_elements.computer_battery(root, reader),
         motor_battery=sensor_elements.motor_battery(root, reader),
         board=sensor_elements.sensor_board(root, reader),

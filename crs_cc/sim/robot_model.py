@@ -18,6 +18,8 @@ from crs_cc.sim.sensor_model import (
     ENDLESS_MOTORS,
     USUAL_BOARD,
     Battery,
+    Compass,
+    Infrared,
     MotorBattery,
     SensorBoard,
     Switch,
@@ -111,6 +113,8 @@ class RobotModel:
         sonar_board: what they have in common.
         heat: its heat sensor.
         bumpers: the switches of its bumpers.
+        infrared: its infrared ring, None where there is none.
+        compass: its compass, None where there is none.
         computer_battery: what feeds its computers.
         motor_battery: what feeds its motors.
         board: the computer that reads its sensors.
@@ -128,6 +132,8 @@ class RobotModel:
     sonar_board: SonarBoard = NO_SONARS
     heat: Heat = Heat()
     bumpers: tuple[Switch, ...] = ()
+    infrared: Infrared | None = None
+    compass: Compass | None = None
     computer_battery: Battery = ENDLESS
     motor_battery: MotorBattery = ENDLESS_MOTORS
     board: SensorBoard = USUAL_BOARD

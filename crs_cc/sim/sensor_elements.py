@@ -6,12 +6,14 @@ import math
 from typing import Final
 
 from crs_cc.sim.document import Element, Reader
-from crs_cc.sim.quantity import ANGLE, ENERGY, FORCE, POWER, TIME, VOLTAGE
+from crs_cc.sim.quantity import ANGLE, ENERGY, FORCE, FREQUENCY, LENGTH, POWER, TIME, VOLTAGE
 from crs_cc.sim.sensor_model import (
     ENDLESS,
     ENDLESS_MOTORS,
     USUAL_BOARD,
     Battery,
+    Compass,
+    Infrared,
     MotorBattery,
     SensorBoard,
     Switch,
@@ -19,6 +21,9 @@ from crs_cc.sim.sensor_model import (
 
 BUMPER_BITS: Final = 24
 """The bumpers' state is 3 bytes wide (vendor source `Ndirect.c` 2.7)."""
+
+MAX_INFRARED: Final = 16
+"""The vendor's `State` array has 16 places for them (vendor header `Nclient.h` 1.29)."""
 
 _TURN: Final = 2 * math.pi
 _CLOCKWISE: Final = "clockwise"
@@ -46,6 +51,51 @@ def _ring(ring: Element, reader: Reader) -> list[Switch]:
         Switch(bit, (first_rad + side * number * spacing_rad) % _TURN, span_rad)
         for number, bit in enumerate(bits)
     ]
+
+
+def infrared(root: Element, reader: Reader) -> Infrared | None:
+    """Gives the infrared ring, None for a robot without one."""
+    found = list(root.all("infrared"))
+    if not found:
+        return None
+    element = found[0]
+    order = tuple(int(number) for number in element.attributes["order"].split())
+    for number in order:
+        if number >= MAX_INFRARED:
+            reader.error(element, f"order names sensor {number}; the last is {MAX_INFRARED - 1}")
+    return Infrared(
+        step_m=reader.positive(element, "step", LENGTH),
+        half_angle_rad=_half_angle(element, reader),
+        reflectance=float(element.attributes["reflectance"]),
+        rate_hz=reader.positive(element, "rate", FREQUENCY),
+        noise_m=reader.not_negative(element, "noise", LENGTH),
+        share=reader.whole(element, "history", 0, 10) / 10,
+        order=order,
+    )
+
+
+def _half_angle(element: Element, reader: Reader) -> float:
+    half_angle_rad = reader.not_negative(element, "half-angle", ANGLE)
+    if half_angle_rad < math.pi / 2:
+        return half_angle_rad
+    reader.refuse(element, "half-angle: a beam must have less than 90 degrees to each side")
+    return 0.0
+
+
+def compass(root: Element, reader: Reader) -> Compass | None:
+    """Gives the compass, None for a robot without one."""
+    found = list(root.all("compass"))
+    if not found:
+        return None
+    element = found[0]
+    return Compass(
+        offset_rad=reader.quantity(element, "offset", ANGLE),
+        deviation_rad=reader.not_negative(element, "deviation", ANGLE),
+        calibration_s=reader.positive(element, "calibration", TIME),
+        rate_hz=reader.positive(element, "rate", FREQUENCY),
+        noise_rad=reader.not_negative(element, "noise", ANGLE),
+        is_on=element.attributes["on"] == "yes",
+    )
 
 
 def computer_battery(root: Element, reader: Reader) -> Battery:

@@ -27,6 +27,50 @@ class Switch:
 
 
 @dataclass(frozen=True, slots=True)
+class Infrared:
+    """Sixteen infrared sensors around the mount, on the robot's shell.
+
+    Attributes:
+        step_m: the distance of a white surface for each 1 of a reading.
+        half_angle_rad: the angle between the axis of a beam and its side.
+        reflectance: how much light surfaces reflect, up to 1 for all of it.
+        rate_hz: how often they measure at most.
+        noise_m: standard deviation of a distance's error.
+        share: how much of a reading stays in the next, until the program sets another.
+        order: the sensors that measure, until the program sets others.
+    """
+
+    step_m: float
+    half_angle_rad: float
+    reflectance: float
+    rate_hz: float
+    noise_m: float
+    share: float
+    order: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Compass:
+    """A compass.
+
+    Attributes:
+        offset_rad: what it shows of the world's x axis.
+        deviation_rad: the largest error that iron on the robot causes, until it is calibrated.
+        calibration_s: how long it takes to turn around for that.
+        rate_hz: how often it measures at most.
+        noise_rad: standard deviation of a reading's error.
+        is_on: whether it is switched on at the start.
+    """
+
+    offset_rad: float
+    deviation_rad: float
+    calibration_s: float
+    rate_hz: float
+    noise_rad: float
+    is_on: bool
+
+
+@dataclass(frozen=True, slots=True)
 class Battery:
     """A battery and what it feeds.
 

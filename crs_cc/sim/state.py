@@ -28,8 +28,11 @@ from crs_cc.sim.physics import Bodies
 from crs_cc.sim.scene import Scene
 from crs_cc.sim.states.battery import BatteryState
 from crs_cc.sim.states.bumper import BumperState
+from crs_cc.sim.states.compass import CompassState
 from crs_cc.sim.states.drive import DriveState
 from crs_cc.sim.states.heat import HeatState
+from crs_cc.sim.states.infrared import InfraredState
+from crs_cc.sim.states.mask import first_mask
 from crs_cc.sim.states.obstacles import ObstacleState
 from crs_cc.sim.states.odometry import OdometryState
 from crs_cc.sim.states.sonar import SonarState
@@ -58,6 +61,9 @@ class EnvState:
         odometry: where each robot believes to be.
         sonar: the sonars' timetables and readings.
         bumpers: the switches that are pressed.
+        infrared: the infrared sensors' readings.
+        compass: the compasses' readings.
+        mask: which parts of `State` the program asks for (`Smask`), (robots, 44).
         battery: what the motors took from theirs.
         heat: how hot things are.
         obstacles: what programs have put into the world, and taken out of it.
@@ -80,6 +86,9 @@ class EnvState:
     odometry: OdometryState
     sonar: SonarState
     bumpers: BumperState
+    infrared: InfraredState
+    compass: CompassState
+    mask: npt.NDArray[np.uint8]
     battery: BatteryState
     heat: HeatState
     obstacles: ObstacleState
@@ -107,6 +116,9 @@ class EnvState:
             odometry=OdometryState.at_start(world),
             sonar=SonarState.at_start(world),
             bumpers=BumperState.at_start(world),
+            infrared=InfraredState.at_start(world),
+            compass=CompassState.at_start(world),
+            mask=first_mask(count),
             battery=BatteryState.at_start(world),
             obstacles=ObstacleState.at_start(world),
             heat=HeatState.at_start(world, scene),

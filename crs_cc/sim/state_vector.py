@@ -27,6 +27,7 @@ from crs_cc.units import m_to_tenths_inch, rad_to_tenths_deg
 IndexArray = npt.NDArray[np.intp]
 
 SIM_SPEED: Final = 0  # 10 is real time
+IR_0: Final = 1  # to 16, 0 to 15
 SONAR_0: Final = 17  # to 32 [in]
 BUMPER: Final = 33  # bit mask
 CONF_X: Final = 34  # [0.1 in]
@@ -37,6 +38,8 @@ VEL_RIGHT: Final = 38  # [0.1 in/s]; of a synchro drive the translation
 VEL_LEFT: Final = 39  # [0.1 in/s]; of a synchro drive the steering [0.1 deg/s]
 VEL_TURRET: Final = 40  # [0.1 deg/s]
 MOTOR_STATUS: Final = 41  # bit n: axis n + 1 moves
+
+COMPASS: Final = 43  # [0.1 deg], 0 to 3599
 
 _BITS: Final = np.array([1, 2, 4])
 _REAL_TIME: Final = 10
@@ -49,6 +52,13 @@ def state_vector(state: EnvState, equipment: Equipment, rows: IndexArray) -> npt
     vector = np.zeros((len(rows), NUM_STATE), dtype=np.int32)
     vector[:, SIM_SPEED] = _REAL_TIME
     vector[:, SONAR_0 : SONAR_0 + MAX_SONARS] = state.sonar.reading_in(rows)
+    if len(state.infrared.level):
+        has = equipment.infrared[rows] >= 0
+        level = state.infrared.level[equipment.infrared[rows[has]]]
+        vector[has, IR_0:SONAR_0] = np.rint(level)
+    if len(state.compass.reading):
+        has = equipment.compass[rows] >= 0
+        vector[has, COMPASS] = state.compass.reading[equipment.compass[rows[has]]]
     vector[:, BUMPER] = state.bumpers.pressed[rows]
     vector[:, CONF_X] = _whole(m_to_tenths_inch(state.odometry.x_m[rows]))
     vector[:, CONF_Y] = _whole(m_to_tenths_inch(state.odometry.y_m[rows]))

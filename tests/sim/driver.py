@@ -78,12 +78,18 @@ def told(message) -> np.ndarray:
     return message["data"][:180].view("<i4").copy()
 
 
-def own_world(folder, *changes: tuple[str, str], things: str = "", timestep: str = "50ms"):
-    """Gives a wide world of robots whose definition is the Scout's with changes.
+def own_world(
+    folder,
+    *changes: tuple[str, str],
+    things: str = "",
+    timestep: str = "50ms",
+    robot: str = "scout",
+):
+    """Gives a wide world of robots whose definition is a known one's with changes.
 
     In `things`, `<robot` stands for such a robot; without `things` there is one at the origin.
     """
-    text = (Path(world_xml.__file__).parent / "robots" / "scout.xml").read_text()
+    text = (Path(world_xml.__file__).parent / "robots" / f"{robot}.xml").read_text()
     for old, new in changes:
         assert old in text
         text = text.replace(old, new)

@@ -272,6 +272,21 @@ def _stop(state: EnvState, rows: IndexArray, which: BoolArray | bool = True) -> 
     hardware.plan_speed(state.drive.axes, rows, now_s, standing, ramp=ramp, which=which)
 
 
+def turn_turret(state: EnvState, rows: IndexArray, way_rad: float, speed_radps: FloatArray) -> None:
+    """Lets turrets go a way, whatever speed `sp` has set; the other axes go on.
+
+    Args:
+        state: changed in place.
+        rows: robots that have a turret, k of them.
+        way_rad: the way, counter-clockwise.
+        speed_radps: the speed of each, shape (k,).
+    """
+    turret = np.arange(AXES) == AXES - 1
+    now_s, ramp = state.drive.clock_s[rows], state.drive.ramp[rows]
+    way, limit = np.full_like(ramp, way_rad), np.broadcast_to(speed_radps[:, None], ramp.shape)
+    hardware.plan_move(state.drive.axes, rows, now_s, way, limit=limit, ramp=ramp, which=turret)
+
+
 def _remember(state: EnvState, rows: IndexArray, code: int) -> None:
     state.drive.command[rows] = code
     state.drive.command_cycle[rows] = state.cycle

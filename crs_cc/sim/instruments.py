@@ -1,0 +1,117 @@
+"""What the sensor board reads when a reply tells it, and tells with each state.
+
+Infrared ring and compass measure on demand: where a reply carries their readings, and the mask
+that the program set (`ct`) has one of their bits. Batteries and clock are told with every state.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.requests import CODES, STATE_REPLIES
+from crs_cc.sim.sensors.battery import Batteries
+from crs_cc.sim.sensors.clock import BoardClock
+from crs_cc.sim.sensors.compass import Compasses
+from crs_cc.sim.sensors.infrared import InfraredRing
+from crs_cc.sim.state_vector import MOTOR_STATUS
+from crs_cc.sim.states.mask import COMPASS, INFRARED
+
+if TYPE_CHECKING:
+    from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.model import WorldModel
+    from crs_cc.sim.rays import Fan
+    from crs_cc.sim.state import EnvState
+    from crs_cc.sim.surroundings import Surroundings
+
+FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.intp]
+Messages = npt.NDArray[np.void]
+
+_OF_A_GROUP: Final = frozenset(
+    CODES[name]
+    for name in (
+        "CONNECT", "DISCONNECT", "GET_SN", "GET_BP", "GET_RC", "GET_RV", "GET_RA", "GET_IR",
+        "GET_CP", "GET_LS", "GET_SG",
+    )
+)  # fmt: skip
+_TELLS_ALL: Final = STATE_REPLIES - _OF_A_GROUP
+
+
+class Instruments:
+    """The instruments of all robots of a world.
+
+    Attributes:
+        batteries: the robots' batteries.
+    """
+
+    def __init__(self, world: WorldModel, seed: int) -> None:
+        self.batteries = Batteries(world)
+        self._clock = BoardClock(world)
+        self._infrared = InfraredRing(world, seed)
+        self._compasses = Compasses(world, seed)
+        models = [robot.model for robot in world.robots]
+        self._has_infrared = any(model.infrared is not None for model in models)
+        self._has_compasses = any(model.compass is not None for model in models)
+
+    @property
+    def fans(self) -> list[Fan]:
+        """Gives the beams of those that measure distances."""
+        return self._infrared.fans
+
+    def read(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        *,
+        code: int,
+        rows: IndexArray,
+        at_s: FloatArray,
+    ) -> None:
+        """Lets the instruments measure whose readings a reply carries.
+
+        Args:
+            state: changed in place.
+            equipment: the robots' constants.
+            around: what there is to see.
+            code: the request's code.
+            rows: which robots, k of them, whose axes were turned to `at_s`.
+            at_s: when each reply is given, shape (k,).
+        """
+        if self._has_infrared and (code in _TELLS_ALL or code == CODES["GET_IR"]):
+            asked = _asked(state, rows, INFRARED) | (code == CODES["GET_IR"])
+            self._infrared.read(state, equipment, around, rows[asked], at_s[asked])
+        if self._has_compasses and (code in _TELLS_ALL or code == CODES["GET_CP"]):
+            asked = _asked(state, rows, COMPASS) | (code == CODES["GET_CP"])
+            self._compasses.read(state, equipment, rows[asked], at_s[asked])
+
+    def tell(
+        self,
+        state: EnvState,
+        rows: IndexArray,
+        messages: Messages,
+        at_s: FloatArray,
+        states: npt.NDArray[np.int32],
+    ) -> None:
+        """Tells batteries and clock with a state.
+
+        Args:
+            state: what is told of.
+            rows: which robots, k of them.
+            messages: the replies, changed in place.
+            at_s: when each is given, shape (k,).
+            states: `State` of each, changed in place, shape (k, 45).
+        """
+        status = self.batteries.status(state, rows, at_s)
+        if status is not None:
+            states[:, MOTOR_STATUS] |= status
+        messages["i"][:, 0] = 0
+        messages["i"][:, 1], messages["i"][:, 2] = self.batteries.told(state, rows, at_s)
+        messages["f"][:, 0] = self._clock.ms(rows, at_s)
+
+
+def _asked(state: EnvState, rows: IndexArray, group: slice) -> npt.NDArray[np.bool_]:
+    return np.asarray(state.mask[rows, group].any(axis=1))

@@ -1,0 +1,36 @@
+"""Where the mount of a robot's sensors is at the instant to which its axes have been turned.
+
+The mount is the turret, or the base of a robot without one. Within a cycle it is where the axes
+have taken the robot since the cycle's start; a robot that something holds back is taken to be where
+it was then.
+
+>>> from crs_cc.sim.state import EnvState
+>>> from crs_cc.sim.equipment import Equipment
+>>> from crs_cc.sim.world_xml import empty_world
+>>> world = empty_world()
+>>> mount_poses(EnvState.at_start(world), Equipment.of(world), np.array([0]))
+array([[0., 0., 0.]])
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+if TYPE_CHECKING:
+    from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.intp]
+
+
+def mount_poses(state: EnvState, equipment: Equipment, rows: IndexArray) -> FloatArray:
+    """Gives x, y [m] and direction [rad] of the mount of robots, world frame, shape (k, 3)."""
+    moved_m = np.where(state.bodies.slipping[rows, None], 0.0, state.drive.moved_m[rows])
+    place_m = state.bodies.position_m[rows] + moved_m
+    base_rad = np.where(equipment.synchro[rows], state.base_rad[rows], state.drive.facing_rad[rows])
+    angle_rad = np.where(equipment.turret[rows], state.drive.turret_rad[rows], base_rad)
+    return np.column_stack([place_m, angle_rad])

@@ -1,0 +1,158 @@
+"""The infrared ring: sixteen sensors that tell how much of their own light comes back.
+
+    seen    = distance / sqrt(reflectance)
+    new     = min(seen / step, 15)
+    level   = share * level before + (1 - share) * new
+    reading = round(level)
+
+The light that comes back grows with the surface's reflectance and falls with the square of its
+distance, so a surface that reflects a quarter looks as if it were twice as far away. 15 is the
+largest value of the four bits on the line (vendor source `Ndirect.c` 2.7), and what nothing reads.
+Programs take readings for inches (MissionLab's driver of the Nomad 200): that is the step of the
+definitions. `conf_ir` sets the share that stays, in tenths (vendor header `Nclient.h` 1.29), and
+which sensors measure; the others read 15. Sensor n of the ring looks 22.5 n degrees from ahead,
+counter-clockwise like the sonars. A beam is a cone (`rays`), and the nearest thing in it counts;
+reflectance is the same for all surfaces. All other numbers are ours.
+
+The ring is on the turret. All of it measures when a reply tells its readings, at most as often as
+the definition says. Degradation: a normal deviate with the definition's noise is added to each
+distance.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.mount import mount_poses
+from crs_cc.sim.noise import INFRARED, Noise
+from crs_cc.sim.rays import Fan
+from crs_cc.sim.sensor_elements import MAX_INFRARED
+from crs_cc.sim.state_vector import configuration
+from crs_cc.sim.states.infrared import FARTHEST
+
+if TYPE_CHECKING:
+    from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.model import WorldModel
+    from crs_cc.sim.sensor_model import Infrared
+    from crs_cc.sim.state import EnvState
+    from crs_cc.sim.surroundings import Surroundings
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+Messages = npt.NDArray[np.void]
+
+_TURN: Final = 2 * math.pi
+_TENTHS: Final = 10
+_ENDS_ORDER: Final = 255
+_ROUNDING_S: Final = 1e-9
+
+
+class InfraredRing:
+    """The infrared sensors of all robots that have some.
+
+    Attributes:
+        fans: the beams of each kind of ring.
+    """
+
+    def __init__(self, world: WorldModel, seed: int) -> None:
+        rings = [ring for robot in world.robots if (ring := robot.model.infrared) is not None]
+        radii_m = [robot.model.radius_m for robot in world.robots if robot.model.infrared]
+        kinds = list(dict.fromkeys(zip(rings, radii_m, strict=True)))
+        self.fans = [_fan(ring, radius_m) for ring, radius_m in kinds]
+        pairs = zip(rings, radii_m, strict=True)
+        self._kind = np.array([kinds.index(pair) for pair in pairs], dtype=np.intp)
+        self._interval_s = np.array([1.0 / ring.rate_hz for ring in rings])
+        step_m = [ring.step_m * math.sqrt(ring.reflectance) for ring in rings]
+        self._step_m = np.array(step_m)[:, None]
+        self._noise_m = np.array([ring.noise_m for ring in rings])[:, None]
+        self._noise = Noise(seed, INFRARED, MAX_INFRARED, len(rings))
+
+    def read(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        at_s: FloatArray,
+    ) -> None:
+        """Lets the rings of robots measure, those whose time has come.
+
+        Args:
+            state: changed in place.
+            equipment: the robots' constants.
+            around: what there is to see.
+            rows: which robots, k of them, whose axes were turned to `at_s`.
+            at_s: when, for each, shape (k,).
+        """
+        ring = state.infrared
+        mine = equipment.infrared[rows]
+        due = mine >= 0
+        due &= at_s - ring.measured.at_s[mine] >= self._interval_s[mine] - _ROUNDING_S
+        if not due.any():
+            return
+        rows, mine = rows[due], mine[due]
+        distance_m = np.empty((len(rows), MAX_INFRARED))
+        poses = mount_poses(state, equipment, rows)
+        for kind, fan in enumerate(self.fans):
+            some = np.flatnonzero(self._kind[mine] == kind)
+            if len(some):
+                seen_m = around.distances_m(state, fan, poses[some], own=rows[some])
+                distance_m[some] = seen_m
+        if self._noise_m.any():
+            distance_m += self._noise.rows(mine, ring.count[mine]) * self._noise_m[mine]
+        new = np.clip(distance_m / self._step_m[mine], 0.0, FARTHEST)
+        share = ring.share[mine, None]
+        level = share * ring.level[mine] + (1.0 - share) * new
+        ring.level[mine] = np.where(ring.on[mine], level, FARTHEST)
+        ring.count[mine] += 1
+        ring.measured.note(mine, at_s[due], configuration(state, equipment, rows))
+
+
+def get_ir(
+    _state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messages
+) -> BoolArray:
+    """Refuses robots that have no infrared sensors; the reply has the readings."""
+    return np.asarray(equipment.infrared[rows] >= 0)
+
+
+def conf_ir(
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+) -> BoolArray:
+    """Sets the share that stays and the sensors that measure; refuses sensors that cannot be.
+
+    The order ends with its last element, or before the first 255.
+    """
+    order = messages["data"][:, :MAX_INFRARED].astype(np.intp)
+    given = np.arange(MAX_INFRARED) < np.clip(messages["size"], 0, MAX_INFRARED)[:, None]
+    given &= np.cumsum(order == _ENDS_ORDER, axis=1) == 0
+    mine = equipment.infrared[rows]
+    good: BoolArray = (mine >= 0) & ((order < MAX_INFRARED) | ~given).all(axis=1)
+    on = np.zeros((len(rows), MAX_INFRARED), dtype=np.bool_)
+    robot, element = np.nonzero(given & good[:, None])
+    on[robot, order[robot, element]] = True
+    mine = mine[good]
+    state.infrared.on[mine] = on[good]
+    state.infrared.level[mine] = np.where(on[good], state.infrared.level[mine], FARTHEST)
+    state.infrared.share[mine] = np.clip(messages["i"][good, 0], 0, _TENTHS) / _TENTHS
+    return good
+
+
+def _fan(ring: Infrared, radius_m: float) -> Fan:
+    """Gives beams that start on the shell and reach as far as a reading below the largest."""
+    range_m = FARTHEST * ring.step_m * math.sqrt(ring.reflectance)
+    directions = [number * _TURN / MAX_INFRARED for number in range(MAX_INFRARED)]
+    return Fan.of(
+        (
+            radius_m * math.cos(direction),
+            radius_m * math.sin(direction),
+            direction,
+            ring.half_angle_rad,
+            range_m,
+        )
+        for direction in directions
+    )
