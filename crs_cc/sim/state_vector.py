@@ -60,22 +60,22 @@ def state_vector(state: EnvState, equipment: Equipment, rows: IndexArray) -> npt
         has = equipment.compass[rows] >= 0
         vector[has, COMPASS] = state.compass.reading[equipment.compass[rows[has]]]
     vector[:, BUMPER] = state.bumpers.pressed[rows]
-    vector[:, CONF_X] = _whole(m_to_tenths_inch(state.odometry.x_m[rows]))
-    vector[:, CONF_Y] = _whole(m_to_tenths_inch(state.odometry.y_m[rows]))
-    heading = _whole(rad_to_tenths_deg(state.odometry.heading_rad[rows]))
-    vector[:, CONF_STEER] = heading % _FULL_TURN
-    turret = _whole(rad_to_tenths_deg(state.odometry.turret_rad[rows]))
-    vector[:, CONF_TURRET] = turret % _FULL_TURN
-    speed, unit = state.drive.axes.speed[rows], equipment.unit[rows]
-    speed = np.divide(speed, unit, out=np.zeros_like(speed), where=unit > 0.0)
-    vector[:, VEL_RIGHT : VEL_TURRET + 1] = _whole(speed)
-    vector[:, MOTOR_STATUS] = (speed != 0.0) @ _BITS
+    vector[:, CONF_X : VEL_TURRET + 1] = configuration(state, equipment, rows)
+    vector[:, MOTOR_STATUS] = (state.drive.axes.speed[rows] != 0.0) @ _BITS
     return vector
 
 
 def configuration(state: EnvState, equipment: Equipment, rows: IndexArray) -> npt.NDArray[np.int32]:
     """Gives the part of `State` that tells where robots are and how fast, shape (k, 7)."""
-    return state_vector(state, equipment, rows)[:, CONF_X : VEL_TURRET + 1]
+    odometry, speed, unit = state.odometry, state.drive.axes.speed[rows], equipment.unit[rows]
+    place_m = np.stack([odometry.x_m[rows], odometry.y_m[rows]], axis=1)
+    angle_rad = np.stack([odometry.heading_rad[rows], odometry.turret_rad[rows]], axis=1)
+    parts = (
+        _whole(m_to_tenths_inch(place_m)),
+        _whole(rad_to_tenths_deg(angle_rad)) % _FULL_TURN,
+        _whole(np.divide(speed, unit, out=np.zeros_like(speed), where=unit > 0.0)),
+    )
+    return np.concatenate(parts, axis=1)
 
 
 def _whole(value: npt.NDArray[np.float64]) -> npt.NDArray[np.int32]:

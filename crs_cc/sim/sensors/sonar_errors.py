@@ -50,6 +50,7 @@ class SonarErrors:
         self._noise_share = np.array([board.noise_share for board in boards])
         self._misses = np.array([_quantile(board.dropouts) for board in boards])
         self._mistakes = np.array([_quantile(board.crosstalk) for board in boards])
+        self._exact = all(board.blind_m == board.minimum_m == 0.0 for board in boards)
         random = any(
             board.noise_m or board.noise_share or board.dropouts or board.crosstalk
             for board in boards
@@ -73,6 +74,8 @@ class SonarErrors:
 
     def told_m(self, rows: IndexArray, distance_m: FloatArray, deviates: FloatArray) -> FloatArray:
         """Gives what is told for true distances, infinite for no echo; shape (k,)."""
+        if self._exact and self._noise is None:
+            return distance_m
         beyond_m = _beyond(self._blind_m[rows], distance_m)
         told_m: FloatArray = np.maximum(beyond_m, self._minimum_m[rows])
         if self._noise is None:

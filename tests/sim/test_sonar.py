@@ -1,0 +1,396 @@
+"""The sonar ring in time: which sonar fires when, what it tells until when, and its errors."""
+
+import math
+import pickle
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from crs_cc.sim.environment import Environment
+from crs_cc.sim.model import Area, Pose, Robot, WorldModel
+from crs_cc.sim.sensors.sonar_errors import SonarErrors
+from crs_cc.sim.sonar_model import SonarBoard
+from crs_cc.sim.state_vector import CONF_X, SONAR_0
+from crs_cc.sim.world_xml import empty_world
+from crs_cc.units import SOUND_MPS
+from tests.sim.driver import INCH, SCOUT_RADIUS_M, Driver, open_world, world_of
+
+RING = slice(SONAR_0, SONAR_0 + 16)
+ROUND = [0, 2, 15, 1, 14, 3, 13, 4, 12, 5, 11, 6, 10, 7, 9, 8]
+NO_ECHO = 255
+
+
+def wall_at(inches: float) -> str:
+    """Gives a wall whose near side is so far ahead of a Scout at the origin."""
+    x = inches + 8 + 1
+    return f'<wall x1="{x}in" y1="-5m" x2="{x}in" y2="5m" thickness="2in"/>'
+
+
+def conf_sn(driver: Driver, rate: int, *order: int, at_s: float = 0.0) -> None:
+    message, _ = driver.post("CONF_SN", rate, data=bytes(order), at_s=at_s)
+    assert message["result"] == 1
+
+
+def with_board(world: WorldModel, **changes) -> WorldModel:
+    """Gives a world whose robots have other sonar boards."""
+    robots = [
+        replace(
+            robot,
+            model=replace(robot.model, sonar_board=replace(robot.model.sonar_board, **changes)),
+        )
+        for robot in world.robots
+    ]
+    return replace(world, robots=tuple(robots))
+
+
+# -- the timetable -----------------------------------------------------------------------------
+
+
+def firings(driver: Driver, time_s: float) -> list[tuple[float, int]]:
+    """Gives when which sonar of robot 0 fires, found by looking every millisecond or less."""
+    seen = []
+    for _ in range(round(time_s / driver.environment.timestep_s)):
+        driver.run(1)
+        sonar = driver.state.sonar
+        fired = float(sonar.next_s[0] - sonar.interval_s[0])
+        turn = int(sonar.turn[0]) - 1
+        if turn >= 0 and (not seen or seen[-1][0] != fired):
+            seen.append((fired, int(sonar.order[0, turn % sonar.length[0]])))
+    return seen
+
+
+def test_the_definitions_order_goes_on_from_the_start_of_the_run():
+    found = firings(Driver.of(open_world()), 2.0)
+    assert [number for _, number in found[:20]] == (ROUND * 2)[:20]
+    assert [at_s for at_s, _ in found[:20]] == pytest.approx([0.06 * n for n in range(20)])
+
+
+@pytest.mark.parametrize("timestep", ["1ms", "7ms", "30ms"])
+def test_firings_are_exact_multiples_of_the_interval_whatever_the_timestep(timestep):
+    driver = Driver.of(open_world(timestep=timestep))
+    conf_sn(driver, 20, 3, 1, 4, at_s=0.0005)
+    found = firings(driver, 1.0)
+    assert [at_s for at_s, _ in found] == [pytest.approx(0.0005 + 0.08 * n) for n in range(13)]
+    assert [number for _, number in found] == ([3, 1, 4] * 5)[:13]
+
+
+@pytest.mark.parametrize(
+    ("rate", "interval_s"),
+    [(0, 0.04), (1, 0.04), (10, 0.04), (11, 0.044), (15, 0.06), (255, 1.02), (256 + 15, 0.06)],
+)
+def test_the_rate_counts_in_4_ms_and_is_an_unsigned_char(rate, interval_s):
+    driver = Driver.of(open_world())
+    conf_sn(driver, rate, 0)
+    assert driver.state.sonar.interval_s[0] == pytest.approx(interval_s)
+
+
+def test_sonars_fire_whether_anybody_asks_or_not():
+    asked, unasked = Driver.of(open_world(wall_robot())), Driver.of(open_world(wall_robot()))
+    for _ in range(40):
+        asked.ask("GS", at_s=asked.environment.time_s + 0.03)
+        asked.run(1)
+        unasked.run(1)
+    told = [driver.ask("GS")[RING].tolist() for driver in (asked, unasked)]
+    assert told[0] == told[1]
+    assert asked.state.sonar.count[0] == unasked.state.sonar.count[0]
+
+
+def wall_robot() -> str:
+    return '<robot x="0" y="0"/>' + wall_at(100)
+
+
+@pytest.mark.parametrize(
+    ("order", "fires"),
+    [
+        (b"", []),
+        (bytes([255]), []),
+        (bytes([255, 3]), []),
+        (bytes(range(16)), list(range(16))),
+        (bytes([3, 3, 3]), [3, 3, 3]),
+        (bytes([5, 255, 6]), [5]),
+        (bytes([1]) * 40, [1] * 16),
+    ],
+)
+def test_conf_sn_takes_orders_of_any_length(order, fires):
+    driver = Driver.of(open_world())
+    message, _ = driver.post("CONF_SN", 15, data=order)
+    assert message["result"] == 1
+    sonar = driver.state.sonar
+    assert sonar.order[0, : sonar.length[0]].tolist() == fires
+
+
+def test_conf_sn_refuses_sonars_that_cannot_be_and_keeps_the_order():
+    driver = Driver.of(open_world())
+    message, _ = driver.post("CONF_SN", 15, data=bytes([1, 16, 2]))
+    assert message["result"] == 0
+    assert driver.state.sonar.order[0].tolist() == ROUND
+
+
+def test_sonars_that_are_not_in_the_order_tell_255():
+    driver = Driver.of(world_of('<robot x="5m" y="5m"/>'))
+    assert (driver.ask("GET_SN")[RING] < NO_ECHO).all()
+    conf_sn(driver, 15, 2, 0)
+    for _ in range(20):
+        readings = driver.ask("GET_SN")[RING]
+        assert np.flatnonzero(readings < NO_ECHO).tolist() == [0, 2]
+        driver.run(1)
+
+
+def test_an_order_without_sonars_switches_them_off_until_the_next():
+    driver = Driver.of(world_of('<robot x="5m" y="5m"/>'))
+    conf_sn(driver, 15)
+    count = driver.state.sonar.count[0]
+    driver.run_s(3)
+    assert driver.ask("GET_SN")[RING].tolist() == [NO_ECHO] * 16
+    assert driver.state.sonar.count[0] == count
+    conf_sn(driver, 15, 7)
+    driver.run_s(0.1)
+    assert np.flatnonzero(driver.ask("GET_SN")[RING] < NO_ECHO).tolist() == [7]
+
+
+def test_a_sonar_that_the_robot_does_not_have_tells_255():
+    world = world_of('<robot x="5m" y="5m"/>')
+    robot = world.robots[0]
+    few = replace(robot.model, sonars=robot.model.sonars[:4], sonar_board=SonarBoard(order=(0, 1)))
+    driver = Driver.of(replace(world, robots=(replace(robot, model=few),)))
+    conf_sn(driver, 15, 0, 9)
+    driver.run_s(0.5)
+    assert np.flatnonzero(driver.ask("GET_SN")[RING] < NO_ECHO).tolist() == [0]
+
+
+# -- when an echo is there ---------------------------------------------------------------------
+
+
+def test_a_reading_is_told_from_the_instant_at_which_its_echo_comes():
+    driver = Driver.of(open_world('<robot x="0" y="0"/>' + wall_at(100), timestep="100ms"))
+    conf_sn(driver, 15)
+    conf_sn(driver, 15, 0, at_s=0.01)
+    flight_s = 200 * INCH / SOUND_MPS
+    assert driver.ask("GET_SN", at_s=0.01 + flight_s - 1e-6)[SONAR_0] == NO_ECHO
+    assert driver.ask("GET_SN", at_s=0.01 + flight_s + 1e-6)[SONAR_0] == 100
+    assert driver.state.sonar.fired_s[0, 0] == pytest.approx(0.01)
+
+
+def test_silence_is_told_when_the_sound_has_been_to_the_end_of_the_range_and_back():
+    driver = Driver.of(open_world('<robot x="0" y="0"/>' + wall_at(100), timestep="100ms"))
+    driver.state.bodies.position_m[0, 1] = 100.0  # away from the wall
+    conf_sn(driver, 50, 0)
+    flight_s = 510 * INCH / SOUND_MPS
+    assert driver.ask("GET_SN", at_s=flight_s - 1e-6)[SONAR_0] == 100  # of the start
+    assert driver.ask("GET_SN", at_s=flight_s + 1e-6)[SONAR_0] == NO_ECHO
+
+
+def test_an_echo_that_comes_after_the_next_firing_is_lost():
+    things = '<robot x="0" y="0"/>' + wall_at(100)
+    for least_s, heard in ((0.04, 100), (0.012, NO_ECHO)):
+        world = with_board(open_world(things), least_interval_s=least_s)
+        driver = Driver.of(world)
+        conf_sn(driver, 0, 0, 8)
+        driver.run_s(0.5)
+        assert driver.ask("GET_SN")[SONAR_0] == heard
+
+
+def test_a_reading_is_as_old_as_its_turn():
+    # Towards a wall at 10 in/s: each sonar tells of the place where it was its turn.
+    driver = Driver.of(open_world('<robot x="0" y="0"/>' + wall_at(200)))
+    conf_sn(driver, 25, 0, 4, 8, 12)
+    driver.ask("AC", 780, 780)
+    driver.ask("VM", 100, 100)
+    driver.run_s(1)
+    for _ in range(100):
+        now_s = driver.environment.time_s + 0.021
+        told = driver.ask("GS", at_s=now_s)
+        fired_s = math.floor((now_s - 0.04) / 0.4) * 0.4  # 40 ms: surely there
+        if abs((now_s % 0.4) - 0.02) > 0.03:
+            x_in = told[CONF_X] / 10 - 10 * (now_s - fired_s)
+            assert told[SONAR_0] == pytest.approx(200 - x_in, abs=0.6)
+        driver.run(1)
+    sonar = driver.state.sonar
+    assert sonar.fired_s[0, [0, 4, 8, 12]] == pytest.approx(
+        np.array([0, 0.1, 0.2, 0.3]) + sonar.fired_s[0, 0]
+    )
+    # What the robot knew of itself at each firing: x in 0.1 in, and the speeds of its wheels.
+    moved = 1000 * (sonar.fired_s[0, 4] - sonar.fired_s[0, 0]) / 10
+    assert sonar.fired_from[0, 4, 0] - sonar.fired_from[0, 0, 0] == pytest.approx(moved, abs=1.1)
+    assert sonar.fired_from[0, 8].tolist()[1:] == [0, 0, 0, 100, 100, 0]
+
+
+@pytest.mark.parametrize("timestep", ["10ms", "20ms", "100ms"])
+def test_the_timestep_does_not_decide_where_a_sonar_fires_from(timestep):
+    driver = Driver.of(open_world('<robot x="0" y="0"/>' + wall_at(200), timestep=timestep))
+    driver.ask("AC", 780, 780)
+    conf_sn(driver, 17, 0, at_s=0.001)
+    driver.ask("VM", 390, 390, at_s=0.002)
+    driver.run_s(2)
+    fired = int((2 - 0.02 - 0.001) / 0.068)
+    at_s = fired * 0.068 + 0.001
+    way_in = 39 * (at_s - 0.002) - 39**2 / (2 * 78)
+    assert driver.state.sonar.fired_s[0, 0] == pytest.approx(at_s)
+    assert driver.state.sonar.echo_m[0, 0] == pytest.approx((200 - way_in) * INCH, abs=0.02 * INCH)
+
+
+def test_at_the_start_all_sonars_have_just_told_of_where_the_robot_stands():
+    readings = Driver.of(world_of('<robot x="5m" y="5m"/>')).ask("GET_SN")[RING]
+    assert (readings < NO_ECHO).all()
+    quarter = readings[[0, 4, 8, 12]]
+    assert (quarter == round((5 - SCOUT_RADIUS_M) / INCH)).all()
+
+
+# -- two robots --------------------------------------------------------------------------------
+
+PAIR = '<robot x="0" y="0"/><robot x="100in" y="0" heading="180"/>'
+
+
+def test_two_robots_hear_each_other_where_they_are():
+    driver = Driver.of(open_world(PAIR))
+    for robot in (0, 1):
+        driver.post("CONF_SN", 0, robot=robot, data=bytes([0]))
+    driver.ask("PR", 200, 200, robot=1)
+    driver.run_s(6)
+    assert driver.ask("GS", robot=0)[SONAR_0] == 64
+    assert driver.ask("GS", robot=1)[SONAR_0] == 64
+
+
+def crosstalk_driver(second_at_s: float, **changes) -> Driver:
+    driver = Driver.of(with_board(open_world(PAIR, timestep="100ms"), **changes))
+    for robot in (0, 1):
+        driver.post("CONF_SN", 25, robot=robot)
+    driver.post("CONF_SN", 250, robot=1, data=bytes([0]), at_s=second_at_s)
+    driver.post("CONF_SN", 250, robot=0, data=bytes([0]), at_s=0.02)
+    return driver
+
+
+@pytest.mark.parametrize("later_s", [-0.006, -0.003, 0.0])
+def test_the_ping_of_another_robot_is_taken_for_an_echo(later_s):
+    # They face each other over 84 in: a ping takes 6.2 ms from one to the other, an echo 12.4 ms.
+    driver = crosstalk_driver(0.02 + later_s, crosstalk=1.0)
+    expected = (84 * INCH + later_s * SOUND_MPS) / 2 / INCH
+    assert driver.ask("GS", at_s=0.09)[SONAR_0] == round(expected)
+    assert driver.state.sonar.echo_m[0, 0] == pytest.approx(expected * INCH)
+
+
+def test_pings_that_come_before_the_own_one_do_not_matter():
+    assert crosstalk_driver(0.02 - 0.0065, crosstalk=1.0).ask("GS", at_s=0.09)[SONAR_0] == 84
+
+
+def test_without_crosstalk_others_may_fire_when_they_like():
+    assert crosstalk_driver(0.02).ask("GS", at_s=0.09)[SONAR_0] == 84
+
+
+def test_a_ping_in_another_direction_is_not_taken_for_an_echo():
+    driver = crosstalk_driver(0.02, crosstalk=1.0)
+    driver.post("CONF_SN", 250, robot=1, data=bytes([8]), at_s=0.095)
+    driver.run(1)
+    driver.post("CONF_SN", 250, robot=0, data=bytes([0]), at_s=0.1)
+    assert driver.ask("GS", at_s=0.19)[SONAR_0] == 84
+
+
+# -- errors ------------------------------------------------------------------------------------
+
+
+def readings(world: WorldModel, count: int, seed: int = 1, robot: int = 0) -> np.ndarray:
+    """Gives many distances of a standing robot's sonar 0 in inches."""
+    driver = Driver.of(world, seed)
+    driver.post("CONF_SN", 10, data=bytes([0]), robot=robot)
+    found = []
+    for _ in range(count):
+        driver.run(1)
+        driver.ask("GS", robot=robot, at_s=driver.environment.time_s)
+        found.append(driver.state.sonar.echo_m[robot, 0] / INCH)
+    return np.array(found)
+
+
+SLOW = "40ms"  # so that each cycle has one firing
+
+
+def told_in(distance_in: float, count: int = 4000, **changes) -> np.ndarray:
+    """Gives what a robot tells of the same distance many times [in]."""
+    errors = SonarErrors(with_board(open_world(), **changes), seed=1)
+    row, distance_m = np.array([0]), np.array([distance_in * INCH])
+    draws = [errors.draw(row, np.array([number])) for number in range(count)]
+    return np.array([errors.told_m(row, distance_m, drawn)[0] for drawn in draws]) / INCH
+
+
+@pytest.mark.parametrize("distance", [50, 200])
+def test_noise_has_the_standard_deviation_of_the_definition(distance):
+    found = told_in(distance, noise_m=0.5 * INCH, noise_share=0.01)
+    expected = math.hypot(0.5, 0.01 * distance)
+    assert found.std() == pytest.approx(expected, rel=0.05)
+    assert found.mean() == pytest.approx(distance, abs=4 * expected / math.sqrt(len(found)))
+    assert abs(np.corrcoef(found[1:], found[:-1])[0, 1]) < 0.06
+
+
+def test_dropouts_are_as_frequent_as_the_definition_says():
+    found = told_in(50, dropouts=0.2)
+    assert np.isinf(found).mean() == pytest.approx(0.2, abs=0.03)
+    assert found[np.isfinite(found)] == pytest.approx(50)
+    assert np.isinf(told_in(50, 50, dropouts=1.0)).all()
+
+
+def test_a_noisy_robot_tells_noise_in_whole_inches():
+    world = open_world('<robot x="0" y="0"/>' + wall_at(100), SLOW)
+    found = readings(with_board(world, noise_m=2 * INCH), 150)
+    assert 1.5 < found.std() < 2.5
+    assert len(set(np.rint(found))) > 5
+
+
+@pytest.mark.parametrize(
+    ("distance", "told"), [(1, 4), (1.5, 4.5), (2, 4), (2.9, 5.8), (3.5, 3.5), (10, 10)]
+)
+def test_nearer_than_the_blind_distance_a_later_echo_is_heard(distance, told):
+    world = open_world('<robot x="0" y="0"/>' + wall_at(distance), SLOW)
+    assert readings(with_board(world, blind_m=3.2 * INCH), 4)[-1] == pytest.approx(told)
+
+
+def test_something_on_the_shell_is_told_at_the_blind_distance():
+    world = open_world('<robot x="0" y="0"/>' + wall_at(0), SLOW)
+    assert readings(with_board(world, blind_m=3.2 * INCH), 4)[-1] == pytest.approx(3.2)
+    assert readings(world, 4)[-1] == 0
+
+
+def test_no_reading_is_below_the_minimum():
+    world = with_board(open_world('<robot x="0" y="0"/>' + wall_at(2), SLOW), minimum_m=6 * INCH)
+    assert readings(world, 4)[-1] == pytest.approx(6)
+
+
+def test_the_errors_of_a_robot_are_its_own():
+    def crowd(count: int) -> WorldModel:
+        model = with_board(empty_world("noisy"), dropouts=0.1).robots[0].model
+        robots = tuple(Robot(f"r{n}", model, Pose(0, -30.0 * n)) for n in range(count))
+        return WorldModel("w", Area(-500, -500, 1000, 1000, 0), robots=robots,
+                          walls=open_world('<robot x="0" y="9"/>' + wall_at(80)).walls)  # fmt: skip
+
+    alone, among = readings(crowd(1), 60), readings(crowd(3), 60)
+    assert np.array_equal(alone, among)
+    assert not np.array_equal(alone, readings(crowd(1), 60, seed=2))
+    assert len(set(alone.tolist())) > 40
+
+
+def test_in_the_ideal_setup_nothing_errs_and_in_the_noisy_one_everything_can():
+    ideal = empty_world().robots[0].model.sonar_board
+    noisy = empty_world("noisy").robots[0].model.sonar_board
+    assert ideal == SonarBoard(order=tuple(ROUND))
+    assert noisy.order == ideal.order
+    assert noisy.critical_rad < ideal.critical_rad
+    for name in ("lobe_rad", "blind_m", "noise_m", "noise_share", "dropouts", "crosstalk"):
+        assert getattr(noisy, name) > 0
+
+
+# -- snapshots ---------------------------------------------------------------------------------
+
+
+def test_a_ping_in_the_air_survives_a_snapshot():
+    world = open_world('<robot x="0" y="0" setup="noisy"/>' + wall_at(200))
+    driver = Driver.of(world)
+    driver.ask("VM", 100, 100)
+    driver.run(3)
+    driver.ask("GS", at_s=0.185)  # sonar 1 fired at 0.18
+    assert driver.state.sonar.listening[0] >= 0
+    snapshot = pickle.loads(pickle.dumps(driver.environment.snapshot()))
+    other = Environment(world, 1)
+    other.restore(snapshot)
+    for environment in (driver.environment, other):
+        for _ in range(60):
+            environment.step()
+    assert driver.environment.hash() == other.hash()
