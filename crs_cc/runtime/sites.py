@@ -35,7 +35,7 @@ class Site:
 
     Attributes:
         kind: one of `requests.ERROR_KINDS`, or "memory" for accesses, whose kind shows only from
-            the address, see `diagnosis`.
+            the address, see `diagnosis.diagnose`.
         location: the place in the C source.
         access: what an access does; empty for all other failures.
         size: how many bytes are accessed; 0 when only the slot's `error_size` knows.

@@ -149,6 +149,8 @@ FEATURES: dict[str, dict[str, str]] = {
         "formats against arguments": "warned/formats/printf",
         "formats against what is read into": "warned/formats/scanf",
         "arguments that no prototype converts": "warned/calls/no_prototype",
+        "streams and formats missing or at the wrong end": "warned/calls/streams",
+        "characters and strings in each other's quotes": "warned/values/quotes",
         "values nobody uses": "warned/values/unused",
         "indices outside the array": "warned/values/indices",
         "variables without a value": "warned/paths/uninitialised",
