@@ -17,7 +17,7 @@ def touches_nothing(drive: Drive) -> None:
 
 def gets_about(drive: Drive) -> None:
     touches_nothing(drive)
-    assert drive.robot.distance_m > 6
+    assert drive.robot.distance_m > 5
     assert drive.squares(0.5) > 10
 
 
@@ -206,3 +206,14 @@ def keeps_its_eye_on_the_pillar(drive: Drive) -> None:
     )
     assert reading_off_in < 2
     assert turret_off_deg < 8
+
+
+def serves_at_10_hz(drive: Drive) -> None:
+    touches_nothing(drive)
+    rows = re.findall(r"^ *(\S+) position +(\S+) +(\S+) .* (\S+) V$", drive.text, re.MULTILINE)
+    table = np.array(rows, dtype=float)
+    assert np.diff(table[:, 0]) == pytest.approx(2.0, abs=0.1)
+    way_m = np.hypot(*np.diff(table[:, 1:3], axis=0).T).sum()
+    assert 3 < way_m < drive.robot.distance_m + 0.1
+    assert ((table[:, 3] > 10.8) & (table[:, 3] < 14)).all()
+    assert drive.numbers(r"signal (\d+) after (\d+) updates, (\d+) failed") == [15, 401, 0]

@@ -17,6 +17,7 @@ from pathlib import Path
 
 import pytest
 
+from crs_cc.cli.main import main
 from crs_cc.frontend.options import Dialect
 from crs_cc.sim.model import Pose, WorldModel
 from crs_cc.sim.world_xml import load_world
@@ -115,6 +116,7 @@ RUNS = [
     Run("convoy", "convoy", properties.keeps_behind),
     Run("turret", "pillar", properties.keeps_its_eye_on_the_pillar),
     Run("drivers/carmen_like", "studio", properties.goes_as_commanded),
+    Run("drivers/player_like", "room", properties.serves_at_10_hz, standard="gnu89"),
 ]
 
 
@@ -129,6 +131,28 @@ def test_a_sample_does_what_it_shows_and_prints_what_it_printed(
         assert (robot.outcome, robot.exit_status) == ("exited", 0), robot.error
     run.holds(drive)
     check_golden(HERE / f"{run.name}.out", drive.output)
+
+
+MASK = """
+#include "Nclient.h"
+int main(void)
+{
+    int i;
+    connect_robot(1);
+    for (i = 0; i <= NUM_MASK; i++)
+        Smask[i] = 1;
+    return ct() == FALSE;
+}
+"""
+
+
+def test_a_driver_that_writes_one_past_the_mask_is_stopped_there_unless_unchecked(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "driver.c").write_text(MASK)
+    assert main(["run", str(tmp_path / "driver.c")]) == 123
+    assert "'Smask' is int[44], 176 bytes" in capfd.readouterr().err
+    assert main(["run", "--unchecked", str(tmp_path / "driver.c")]) == 0
 
 
 def test_every_sample_is_run_and_every_output_belongs_to_a_run() -> None:
@@ -153,7 +177,7 @@ def starting_at(world: WorldModel, x_m: float, y_m: float, heading_rad: float) -
 
 
 @slow
-@pytest.mark.parametrize("start", [(5.4, 4.5, 1.6), (0.5, 4.5, 2.4)])
+@pytest.mark.parametrize("start", [(0.5, 4.5, 2.4), (3.0, 2.5, 0.0)])
 @pytest.mark.parametrize("program", ["wander", "follow_wall"])
 def test_a_wandering_robot_gets_about_and_touches_nothing(
     program: str, start: tuple[float, float, float]
