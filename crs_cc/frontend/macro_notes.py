@@ -1,6 +1,7 @@
 """Notes behind errors in what a macro was replaced by: where the macro is defined.
 
-An error there has the place of the macro's call, which shows nothing of what is wrong.
+An error there has the place of the macro's call, which shows nothing of what is wrong. Neither
+does a hint to such a place: `to close the '(' at a.c:3:5`, where only a macro stands.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from crs_cc.frontend.cpp.macros import Macro
 from crs_cc.frontend.preprocess import Preprocessed
 from crs_cc.source import Diagnostic, Diagnostics, Location
 
+_PLACE: Final = re.compile(r"\bat (\S+:\d+:\d+)")
 _QUOTED: Final = re.compile(r"'([^']+)'")
 
 
@@ -27,7 +29,7 @@ def add_macro_notes(
         source: the file.
         headers: the folders of the headers that come with crs; their macros are not shown.
     """
-    uses = source.macro_uses()
+    uses = {str(place): macros for place, macros in source.macro_uses().items()}
     messages, told = list(diagnostics.messages), set[str]()
     diagnostics.messages.clear()
     for message in messages:
@@ -40,10 +42,11 @@ def add_macro_notes(
 
 
 def _note(
-    message: Diagnostic, uses: Mapping[Location, Sequence[Macro]], source: Preprocessed
+    message: Diagnostic, uses: Mapping[str, Sequence[Macro]], source: Preprocessed
 ) -> tuple[Location, str] | None:
-    macros = uses.get(message.location, ())
-    if not macros:
+    places = [str(message.location), *_PLACE.findall(message.hint)]
+    macros = next((uses[place] for place in places if place in uses), None)
+    if macros is None:
         return None
     macro = _blamed(message.text, macros)
     if not macro.place:

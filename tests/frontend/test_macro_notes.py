@@ -22,7 +22,10 @@ UNDECLARED = "error: use of undeclared identifier 'sped'"
         "#define FAST sped\nint f(void) { return FAST; }":
             [f"2:22 {UNDECLARED}", "1:9 note: macro 'FAST' is defined here"],
         "#define TWICE(x) (2 * (x)\nint f(int a) { return TWICE(a); }":
-            ["2:31 error: expected ')' before ';' [to close the '(' at a.c:2:23]"],
+            [
+                "2:31 error: expected ')' before ';' [to close the '(' at a.c:2:23]",
+                "1:9 note: macro 'TWICE' is defined here",
+            ],
         "#define LIMIT 5\nint f(void) { LIMIT = 6; return 0; }": [
             "2:15 error: expression is not assignable",
             "1:9 note: macro 'LIMIT' is defined here",
