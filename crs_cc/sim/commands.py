@@ -18,6 +18,7 @@ from crs_cc.sim.actuators import drive, tag
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.sensors import compass, heat, infrared, odometry, sonar
 from crs_cc.sim.server import world
+from crs_cc.sim.server.motion import motion_check
 from crs_cc.sim.server.whereabouts import get_rpx
 from crs_cc.sim.state import EnvState
 from crs_cc.sim.states.mask import NUM_MASK
@@ -114,7 +115,7 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("NEW_WORLD", world.new_world),
         ("GET_RPX", get_rpx),
         ("PREDICT", refuse),
-        ("MOTION_CHECK", refuse),
+        ("MOTION_CHECK", motion_check),
         ("GET_CONF", refuse),
         ("REAL_ROBOT", refuse),
         ("SIMULATED_ROBOT", tell),

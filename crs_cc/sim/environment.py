@@ -214,7 +214,7 @@ class Environment:
         world = self.world_now
         scene = Scene(world)
         self._names = scene.names
-        self._equipment = replace(self._equipment, things=Things.of(world))
+        self._equipment = replace(self._equipment, scene=scene, things=Things.of(world))
         self._physics = Physics(world, scene, self.state.bodies)
         self._around = Surroundings(scene, [*self._sonars.fans, *self._instruments.fans])
 

@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.robot_model import STILL, Drive
+from crs_cc.sim.scene import Scene
 from crs_cc.sim.things import Things
 from crs_cc.units import tenths_deg_to_rad, tenths_inch_to_m
 
@@ -44,7 +45,8 @@ class Equipment:
         tag_range_m: how far heat is taken away.
         radius_m: the radius of the body.
         world: what stood where before the first cycle.
-        things: the shapes of all things, as they are now.
+        scene: the outlines of all things, as they are now.
+        things: their shapes.
     """
 
     timestep_s: float
@@ -65,6 +67,7 @@ class Equipment:
     tag_range_m: FloatArray
     radius_m: FloatArray
     world: WorldModel
+    scene: Scene
     things: Things
 
     @classmethod
@@ -92,6 +95,7 @@ class Equipment:
             np.array([model.heat.tag_range_m for model in models]),
             np.array([model.radius_m for model in models]),
             world,
+            Scene(world),
             Things.of(world),
         )
 

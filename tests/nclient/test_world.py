@@ -92,3 +92,21 @@ def test_what_a_simulator_without_a_window_and_a_real_robot_cannot_do():
         " get_robot_conf(conf), special_request(out, in), vm(0, 0, 0));"
     )
     assert done.numbers == [0, 1, 0, 0, 1]
+
+
+@pytest.mark.function("motion_check")
+def test_motion_check_tells_where_a_path_ends():
+    done = drive(
+        f"""{BLOCK} double at[3] = {{7, 7, 7}}; connect_robot(1);
+        printf("%d ", motion_check(0, 0.0, 0.0, 1000.0, 0.0, 0.0, 0.0, 0.0, at));
+        add_obstacle(block);
+        printf("%d ", motion_check(0, 0.0, 0.0, 1000.0, 0.0, 0.0, 0.0, 0.0, at));
+        printf("%.2f %.2f %.2f ", at[0], at[1], at[2]);
+        /* half circles to the left around the block's middle */
+        printf("%d ", motion_check(1, 400.0, -600.0, -1.570796, 1.570796, 600.0, 400.0, 0.0, at));
+        printf("%d ", motion_check(1, 400.0, -300.0, -1.570796, 1.570796, 300.0, 400.0, 0.0, at));
+        printf("%d ", motion_check(1, 400.0, -250.0, -1.570796, 1.570796, 250.0, 400.0, 0.0, at));
+        printf("%ld", State[STATE_ERROR]);"""
+    )
+    # The block's corners are sqrt(100^2 + 200^2) = 223.6 away from its middle, the radius is 80.
+    assert done.numbers == [0, 1, 220, 0, 0, 0, 1, 1, 0]
