@@ -217,3 +217,22 @@ def serves_at_10_hz(drive: Drive) -> None:
     assert 3 < way_m < drive.robot.distance_m + 0.1
     assert ((table[:, 3] > 10.8) & (table[:, 3] < 14)).all()
     assert drive.numbers(r"signal (\d+) after (\d+) updates, (\d+) failed") == [15, 401, 0]
+
+
+def reckons_until_it_slips(drive: Drive) -> None:
+    """Both opinions are good until the wheels slip at the wall; what is told as truth is true."""
+    assert drive.robot.collisions >= 1
+    rows = {}
+    for line in drive.text.splitlines()[1:]:
+        name, numbers = line[:13].strip(), re.findall(r"-?\d+\.\d", line[13:])
+        rows[name] = np.array(numbers, dtype=float).reshape(-1)
+    by_speeds, by_encoders = 3, 8  # columns: x, y, heading, error in, error deg; twice; the truth
+    for name in ("start", "left square", "right square", "at the wall"):
+        assert rows[name][by_speeds] < 3
+        assert rows[name][by_encoders] < 3
+    assert rows["away again"][by_speeds] > 10
+    assert rows["away again"][by_encoders] > 10
+    turned = np.radians(30)
+    ahead, aside = np.array([np.cos(turned), np.sin(turned)]), [-np.sin(turned), np.cos(turned)]
+    moved_in = (drive.places[-1] - drive.places[0]) / INCH_M
+    assert rows["away again"][10:12] == pytest.approx([moved_in @ ahead, moved_in @ aside], abs=0.5)

@@ -115,6 +115,7 @@ RUNS = [
     Run("mission", "studio", properties.comes_home, reads=("samples/scout_c/mission.txt",)),
     Run("convoy", "convoy", properties.keeps_behind),
     Run("turret", "pillar", properties.keeps_its_eye_on_the_pillar),
+    Run("dead_reckoning", "wall", properties.reckons_until_it_slips),
     Run("drivers/carmen_like", "studio", properties.goes_as_commanded),
     Run("drivers/player_like", "room", properties.serves_at_10_hz, standard="gnu89"),
 ]
