@@ -109,6 +109,14 @@ def _identifier(unit: Unit, node: Node) -> CType:
     return _unknown(unit, names, unit.at(node))
 
 
+_FOREIGN: Final = {
+    "string": "C has no type for text: use 'char *', or an array of char",
+    "boolean": "C's is 'bool', of <stdbool.h>",
+    "byte": "use 'unsigned char'",
+}
+"""Types of other languages, in small letters, and what to use for them."""
+
+
 def _unknown(unit: Unit, names: tuple[str, ...], location: Location) -> CType:
     for name in names:
         if name in {"_Complex", "__int128", "_Decimal32", "_Decimal64", "_Decimal128"}:
@@ -118,7 +126,7 @@ def _unknown(unit: Unit, names: tuple[str, ...], location: Location) -> CType:
     if (names[0], "type") in unit.unknown:
         raise CheckError(location, "")
     unit.unknown.add((names[0], "type"))
-    hint = unit.suggest(names[0], TypedefName)
+    hint = _FOREIGN.get(names[0].lower()) or unit.suggest(names[0], TypedefName)
     raise CheckError(location, f"unknown type name '{names[0]}'", hint)
 
 

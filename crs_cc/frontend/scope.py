@@ -182,6 +182,9 @@ class Scope:
             }
             scope = scope.outer
         known |= dict.fromkeys(others)
+        for each in known:
+            if each.lower() == name.lower():
+                return each
         found = difflib.get_close_matches(name, list(known)[:_MOST_COMPARED], n=1, cutoff=0.7)
         return found[0] if found else None
 

@@ -26,6 +26,12 @@ ONE_ERROR = {
     "enum { A }; enum { A };": "1:20 error: redefinition of 'A' [first at a.c:1:8]",
     "struct s { int a, b, a; };": "1:8 error: duplicate member 'a'",
     "int f(int a, int a) { return a; }": "1:18 error: redefinition of parameter 'a'",
+    "string s;":
+        "1:1 error: unknown type name 'string'"
+        " [C has no type for text: use 'char *', or an array of char]",
+    "Boolean on;": "1:1 error: unknown type name 'Boolean' [C's is 'bool', of <stdbool.h>]",
+    "#define STATE_X 34\nint f(int *s) { return s[state_x]; }":
+        "2:26 error: use of undeclared identifier 'state_x' [did you mean 'STATE_X'?]",
     "speed_t fast; int f(speed_t s) { return s + fast; }":
         "1:1 error: unknown type name 'speed_t'",
     "typedef int speed_t; int f(const sped_t *s);":
