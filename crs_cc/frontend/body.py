@@ -18,7 +18,7 @@ or column changes.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Final, Literal, TypeAlias
 
@@ -40,6 +40,8 @@ _DECLARES: Final = frozenset({
 })  # fmt: skip
 _BEHIND_DECLARED: Final = frozenset({"COMMA", "EQUALS", "LBRACKET", "LPAREN", "SEMI"})
 _OPENING: Final = {"RPAREN": "LPAREN", "RBRACKET": "LBRACKET", "RBRACE": "LBRACE"}
+
+_HINT: Final = "statements stand in a function; for just the body of a program say --dialect report"
 
 
 @dataclass(slots=True)
@@ -84,6 +86,16 @@ def with_body(tokens: Sequence[Token], file: str, diagnostics: Diagnostics) -> l
     head = [tokens[start].copy(*each) for each in (*begin, ("LBRACE", "{"))]
     end = tokens[stop - 1].copy("RBRACE", "}")
     return [*tokens[:start], *head, *body, end, *tokens[stop:]]
+
+
+def suggest_dialect(tokens: Sequence[Token], diagnostics: Diagnostics) -> None:
+    """Adds a hint to the first error in a file that looks like the body of a program."""
+    items = list(items_of(tokens))
+    is_body = any(item.kind == "statement" for item in items)
+    first = diagnostics.errors[0]
+    if is_body and not first.hint and not any(item.name in ENTRIES for item in items):
+        index = diagnostics.messages.index(first)
+        diagnostics.messages[index] = replace(first, hint=_HINT)
 
 
 def _belongs(item: Item, tokens: Sequence[Token], file: str) -> bool:

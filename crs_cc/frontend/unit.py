@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.errors import CompileError
-from crs_cc.frontend.body import with_body
+from crs_cc.frontend.body import suggest_dialect, with_body
 from crs_cc.frontend.check import Unit
 from crs_cc.frontend.check_unit import check_unit
 from crs_cc.frontend.hopeless import GiveUp
@@ -115,7 +115,11 @@ def _stages(unit: Unit, source: Preprocessed) -> Program:
     tokens = lex(source.text, source.location, unit.diagnostics)
     if unit.dialect == "report":
         tokens = with_body(tokens, unit.name, unit.diagnostics)
-    nodes = parse(tokens, unit.diagnostics)
+    try:
+        nodes = parse(tokens, unit.diagnostics)
+    finally:
+        if unit.dialect != "report" and unit.diagnostics.errors:
+            suggest_dialect(tokens, unit.diagnostics)
     unit.macros = source.macros
     unit.diagnostics.stage = "types"
     check_unit(unit, nodes)

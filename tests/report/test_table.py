@@ -15,6 +15,9 @@ from tests.report.commands import COMMANDS, STATE, Command, section
 HEADER = (HEADERS / "crs" / "report.h").read_text()
 DECLARED = re.findall(r'^(int \w+\([^;]*?\))\s+__asm__\("(\w+)"\);', HEADER, re.MULTILINE)
 
+VM_OF_WHEELS = "__report_vm_of_wheels"
+"""What `vm` with three arguments calls."""
+
 TABLE_1 = """
 connect_robot disconnect_robot conf_tm real_robot simulated_robot pr vm mv st ws dp ac sp conf_sn
 get_sn get_bp
@@ -33,7 +36,7 @@ connect_robot disconnect_robot dp get_bp heatSensorCheck pr scout_pr sonarSensor
 
 def test_the_table_has_what_the_header_declares_in_its_order_and_no_more() -> None:
     assert sorted(each.prototype for each in COMMANDS) == sorted(
-        " ".join(prototype.split()) for prototype, _ in DECLARED
+        " ".join(prototype.split()) for prototype, label in DECLARED if label != VM_OF_WHEELS
     )
 
 

@@ -126,7 +126,7 @@ int vm(double speed)
     return command(CRS_VM, nearest(speed), nearest(speed), 0, 0);
 }
 
-int __report_wheels(int r_wheel, int l_wheel, int dummy)
+int vm_of_wheels(int r_wheel, int l_wheel, int dummy)
 {
     return command(CRS_VM, r_wheel, l_wheel, 0, 0);
 }

@@ -103,8 +103,8 @@ int heatSensorCheck(void) __asm__("__report_heatSensorCheck");
 int tagTarget(void) __asm__("__report_tagTarget");
 
 /* Chapter 2 has vm with the wheels' speeds, chapter 3 with that of the robot: both are meant. */
-int __report_wheels(int r_wheel, int l_wheel, int dummy);
+int vm_of_wheels(int r_wheel, int l_wheel, int dummy) __asm__("__report_vm_of_wheels");
 #define __report_fourth(a, b, c, name, ...) name
-#define vm(...) __report_fourth(__VA_ARGS__, __report_wheels, __report_wheels, vm)(__VA_ARGS__)
+#define vm(...) __report_fourth(__VA_ARGS__, vm_of_wheels, vm_of_wheels, vm)(__VA_ARGS__)
 
 #endif
