@@ -30,7 +30,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.requests import CODES, MESSAGE, NUM_STATE, REQUESTS, STATE_REPLIES
-from crs_cc.sim.actuators import drive
+from crs_cc.sim.actuators import drive, traction
 from crs_cc.sim.commands import CHANGES_WORLD, CONNECTS, HANDLERS, MOVES, WAITS
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.instruments import Instruments
@@ -177,10 +177,11 @@ class Environment:
         # What falls on the end belongs to the next cycle, when the bodies are where they got to.
         self._fire_sonars(np.arange(robots), np.full(robots, np.nextafter(self.end_s, 0.0)))
         drive.advance(state, self._equipment, _ALL, np.full(robots, self.end_s))
-        slices = slices_of(state, self._axes, self.timestep_s)
         before_m = state.bodies.position_m[:robots].copy()
-        contacts = self._physics.step(state.bodies, state.drive.moved_m)
+        contacts = self._physics.step(state.bodies, traction.pull(state, self._equipment))
         went_m = state.bodies.position_m[:robots] - before_m
+        traction.feel(state, self._equipment, went_m)
+        slices = slices_of(state, self._axes, self.timestep_s)
         state.distance_m += np.hypot(went_m[:, 0], went_m[:, 1])
         drive.face(state, self._equipment)
         self._hold(self._instruments.batteries.drain(state, self.timestep_s), self.end_s)

@@ -53,9 +53,13 @@ class Axes:
         cruise: speed behind the ramp, with sign.
         cruise_s: how long it lasts; infinite for a speed command.
         brake_s: how long the braking takes.
-        total: the whole way; NaN for a speed command other than 0.
+        begun: the way made since the command before this profile began; 0 but for a move that
+            fell short.
+        total: the whole way since the command; NaN for a speed command other than 0.
         travelled: the way so far.
         speed: the speed now.
+        limit: the highest speed of a move; 0 for a profile that has no goal.
+        rate: the acceleration of a move, without sign.
     """
 
     start_s: FloatArray
@@ -65,9 +69,12 @@ class Axes:
     cruise: FloatArray
     cruise_s: FloatArray
     brake_s: FloatArray
+    begun: FloatArray
     total: FloatArray
     travelled: FloatArray
     speed: FloatArray
+    limit: FloatArray
+    rate: FloatArray
 
     @classmethod
     def standing(cls, robots: int) -> Self:
@@ -113,6 +120,9 @@ def plan_speed(
         cruise=target,
         cruise_s=np.where(stops, 0.0, np.inf),
         brake_s=np.zeros_like(first),
+        begun=np.zeros_like(first),
+        limit=np.zeros_like(first),
+        rate=np.zeros_like(first),
         total=np.where(stops, first * ramp_s / 2, np.nan),
     )
 
@@ -125,6 +135,7 @@ def plan_move(
     *,
     limit: FloatArray | float,
     ramp: FloatArray | float,
+    begun: FloatArray | float = 0.0,
     which: BoolArray | bool = True,
 ) -> None:
     """Lets axes go a way, forwards or backwards, and stop exactly at its end.
@@ -138,6 +149,7 @@ def plan_move(
         way: the way relative to here, shape (k, 3).
         limit: highest speed, greater than 0.
         ramp: acceleration, greater than 0.
+        begun: the way that was made since the command before this.
         which: the axes that are meant, shape (k, 3).
     """
     # Seen along `side`, braking at once ends at the goal or before it; so the axis has time to
@@ -163,7 +175,10 @@ def plan_move(
         cruise=side * peak,
         cruise_s=np.divide(cruise, peak, out=np.zeros_like(peak), where=cruises),
         brake_s=brake_s,
-        total=way,
+        begun=np.broadcast_to(begun, first.shape),
+        total=begun + way,
+        limit=np.broadcast_to(limit, first.shape),
+        rate=np.broadcast_to(ramp, first.shape),
     )
 
 
@@ -190,7 +205,7 @@ def advance(axes: Axes, rows: Rows, to_s: FloatArray) -> FloatArray:
         cruising_s = np.minimum(behind_s, cruise_s)
         braking_s = np.minimum(behind_s - cruising_s, brake_s)
         slowing = np.divide(cruise, brake_s, out=np.zeros_like(brake_s), where=brake_s > 0.0)
-        way = (first + ramp * ramping_s / 2) * ramping_s
+        way = axes.begun[rows] + (first + ramp * ramping_s / 2) * ramping_s
         way += cruise * (cruising_s + braking_s) - slowing * braking_s * braking_s / 2
         now = np.where(since_s < ramp_s, first + ramp * ramping_s, cruise) - slowing * braking_s
         travelled = np.where(stands, travelled, way)
@@ -201,9 +216,33 @@ def advance(axes: Axes, rows: Rows, to_s: FloatArray) -> FloatArray:
     return np.asarray(slice_)
 
 
+def fall_short(axes: Axes, rows: Rows, now_s: FloatArray, short: FloatArray) -> None:
+    """Lets moves go on until they have made up for what was held back of them.
+
+    Args:
+        axes: their profiles; must have been advanced to `now_s`.
+        rows: which robots, k of them.
+        now_s: the present, shape (k,).
+        short: by how much each axis did not go as far as it was turned, shape (k, 3).
+    """
+    moves = (axes.limit[rows] > 0.0) & (short != 0.0)
+    if moves.any():
+        begun = axes.travelled[rows] - short
+        plan_move(
+            axes,
+            rows,
+            now_s,
+            np.where(moves, axes.total[rows] - begun, 0.0),
+            limit=np.where(moves, axes.limit[rows], 1.0),
+            ramp=np.where(moves, axes.rate[rows], 1.0),
+            begun=begun,
+            which=moves,
+        )
+
+
 def _replace(axes: Axes, rows: Rows, which: BoolArray | bool, **profile: FloatArray) -> None:
     """Writes new profiles over the old ones of the axes that are meant."""
-    profile["travelled"] = np.zeros_like(profile["total"])
+    profile["travelled"] = profile["begun"]
     for name, values in profile.items():
         old: FloatArray = getattr(axes, name)
         old[rows] = np.where(which, values, old[rows])

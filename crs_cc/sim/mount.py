@@ -31,6 +31,8 @@ def mount_poses(state: EnvState, equipment: Equipment, rows: IndexArray) -> Floa
     """Gives x, y [m] and direction [rad] of the mount of robots, world frame, shape (k, 3)."""
     moved_m = np.where(state.bodies.slipping[rows, None], 0.0, state.drive.moved_m[rows])
     place_m = state.bodies.position_m[rows] + moved_m
-    base_rad = np.where(equipment.synchro[rows], state.base_rad[rows], state.drive.facing_rad[rows])
-    angle_rad = np.where(equipment.turret[rows], state.drive.turret_rad[rows], base_rad)
+    base_rad = np.where(
+        equipment.drives.synchro[rows], state.base_rad[rows], state.drive.facing_rad[rows]
+    )
+    angle_rad = np.where(equipment.drives.turret[rows], state.drive.turret_rad[rows], base_rad)
     return np.column_stack([place_m, angle_rad])

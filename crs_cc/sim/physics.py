@@ -1,8 +1,10 @@
 """Contacts: what happens when robots and things get in each other's way. Alone knows pymunk.
 
-Seen from above, bodies do not fall. A robot is drawn to the velocity of its wheels, with at most
-the push of its drive; a thing rests, with at most the friction of the floor; contacts push back.
-The cycle is cut into substeps so short that nothing gets deep into anything.
+Seen from above, bodies do not fall. A robot is drawn to the velocity of its wheels, a thing rests
+with at most the friction of the floor, and contacts push back. What draws a robot is the smaller of
+its motors' force and its wheels' grip; the whole grip holds one that stands. Limp wheels hold the
+robot across, and hardly along. Contacts never turn a robot. The cycle is cut into substeps so short
+that nothing gets deep into anything.
 
 The arrays of `Bodies` are the only truth about positions and velocities; pymunk's space is loaded
 with them at the start of each cycle. A robot that nothing hindered is put exactly where its wheels
@@ -70,6 +72,7 @@ class Bodies:
         velocity_mps: shape (bodies, 2).
         spin_radps: shape (bodies,).
         slipping: robots that something held back from the velocity of their wheels, (robots,).
+        touching: robots that touched anything in the last cycle, (robots,).
         settled: whether things rest without pressing into anything, shape (1,).
     """
 
@@ -78,6 +81,7 @@ class Bodies:
     velocity_mps: FloatArray
     spin_radps: FloatArray
     slipping: BoolArray
+    touching: BoolArray
     settled: BoolArray
 
     @classmethod
@@ -90,6 +94,7 @@ class Bodies:
             np.zeros((count, 2)),
             np.zeros(count),
             np.zeros(scene.robots, dtype=np.bool_),
+            np.zeros(scene.robots, dtype=np.bool_),
             np.array([count == scene.robots]),
         )
 
@@ -101,12 +106,28 @@ class Bodies:
             self.velocity_mps[rows],
             self.spin_radps[rows],
             self.slipping.copy(),
+            self.touching.copy(),
             np.array([len(rows) == len(self.slipping)]),
         )
 
     def copy(self) -> Self:
         """Gives a copy that shares nothing."""
         return type(self)(*(getattr(self, field.name).copy() for field in fields(self)))
+
+
+@dataclass(frozen=True, slots=True)
+class Pull:
+    """What the drives of the robots do in a cycle; never changed.
+
+    Attributes:
+        way_m: the way that each robot's wheels take it, in the world frame, (robots, 2).
+        facing_rad: the direction in which its wheels roll, (robots,).
+        limp: whether nothing drives or holds them, (robots,).
+    """
+
+    way_m: FloatArray
+    facing_rad: FloatArray
+    limp: BoolArray
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,10 +152,10 @@ NO_CONTACTS: Final = Contacts(np.zeros(0, np.intp), np.zeros(0, np.intp), np.zer
 
 @dataclass(frozen=True, slots=True)
 class PhysicsSnapshot:
-    """The bodies when the space was last made anew, and the ways of the cycles since then."""
+    """The bodies when the space was last made anew, and the pulls of the cycles since then."""
 
     start: Bodies
-    ways_m: tuple[FloatArray, ...]
+    pulls: tuple[Pull, ...]
 
 
 class Physics:
@@ -149,9 +170,12 @@ class Physics:
         self._substeps = max(1, math.ceil(world.timestep_s * fastest_mps / SUBSTEP_M))
         self._substep_s = world.timestep_s / self._substeps
         self._mass_kg = np.array([robot.model.mass_kg for robot in world.robots])
-        self._push_n = np.array([drive.push_n for drive in drives])
+        self._grip_n = np.array([drive.grip_n for drive in drives])
+        self._drive_n = np.array([min(drive.force_n, drive.grip_n) for drive in drives])
+        roll_out_mps2 = np.array([drive.roll_out_mps2 for drive in drives])
+        self._roll_n = self._mass_kg * roll_out_mps2
         self._start = bodies.copy()
-        self._ways: list[FloatArray] = []
+        self._pulls: list[Pull] = []
         self._room_m = 0.0
         # Made once: pymunk never gives the memory of a buffer back. Batches also write the bodies
         # that are fixed, among them the floor; their rows stay 0.
@@ -170,48 +194,55 @@ class Physics:
     def _space(self) -> pymunk.Space:
         return self._spaces[0]
 
-    def step(self, bodies: Bodies, way_m: FloatArray) -> Contacts:
+    def step(self, bodies: Bodies, pull: Pull) -> Contacts:
         """Moves bodies through one cycle.
 
         Args:
             bodies: moved in place.
-            way_m: the way that each robot's wheels take it, in the world frame, (robots, 2).
+            pull: what the drives do; kept.
 
         Returns:
             what the robots touched.
         """
-        if len(self._ways) == REBUILD:
-            self._start, self._ways = bodies.copy(), []
-            self._make_space()
-        self._ways.append(way_m)
-        return self._step(bodies, way_m)
+        if len(self._pulls) == REBUILD:
+            self.start_from(bodies)
+        self._pulls.append(pull)
+        return self._step(bodies, pull)
+
+    def start_from(self, bodies: Bodies) -> None:
+        """Makes the space anew from bodies, which may be elsewhere than they were."""
+        self._start, self._pulls = bodies.copy(), []
+        self._make_space()
 
     def snapshot(self) -> PhysicsSnapshot:
         """Gives all that is needed to come back to here; it is never changed."""
-        return PhysicsSnapshot(self._start, tuple(self._ways))
+        return PhysicsSnapshot(self._start, tuple(self._pulls))
 
     def restore(self, snapshot: PhysicsSnapshot) -> Bodies:
         """Goes back to a snapshot, and gives the bodies as they were then."""
-        self._start, self._ways = snapshot.start, list(snapshot.ways_m)
+        self._start, self._pulls = snapshot.start, list(snapshot.pulls)
         self._make_space()
         bodies = snapshot.start.copy()
-        for way_m in snapshot.ways_m:
-            self._step(bodies, way_m)
+        for pull in snapshot.pulls:
+            self._step(bodies, pull)
         return bodies
 
-    def _step(self, bodies: Bodies, way_m: FloatArray) -> Contacts:
-        robots = slice(self._robots)
+    def _step(self, bodies: Bodies, pull: Pull) -> Contacts:
+        robots, way_m = slice(self._robots), pull.way_m
         free_m = bodies.position_m[robots] + way_m
         wanted_mps = way_m / self._world.timestep_s
         if self._nothing_near(bodies, way_m):
             bodies.position_m[robots] = free_m
             bodies.velocity_mps[robots] = wanted_mps
+            bodies.touching[:] = False
             return NO_CONTACTS
         free = ~bodies.slipping
         bodies.velocity_mps[robots][free] = wanted_mps[free]
-        contacts = self._run_space(bodies, wanted_mps)
+        contacts = self._run_space(bodies, pull, wanted_mps)
         lag_mps = np.abs(bodies.velocity_mps[robots] - wanted_mps)
         bodies.slipping[:] = (lag_mps > _SAME).any(axis=1)
+        bodies.touching[:] = False
+        bodies.touching[contacts.robot] = True
         off_m = np.abs(bodies.position_m[robots] - free_m)
         unhindered = (off_m <= _SAME).all(axis=1)
         bodies.position_m[robots][unhindered] = free_m[unhindered]
@@ -262,6 +293,8 @@ class Physics:
         for body, thing in zip(bodies[self._robots :], self._scene.pushables, strict=False):
             space.add(*_floor_friction(bodies[-1], body, thing))
         self._spaces[:] = [space]
+        self._floor, self._bodies = bodies[-1], bodies[: self._robots]
+        self._joints: list[pymunk.Constraint] = []
         self._room_m = 0.0
         self._learn_ids([body.id for body in bodies])
 
@@ -274,15 +307,20 @@ class Physics:
         self._by_id = np.argsort(np.array(ids, dtype=np.uintp))
         self._ids = np.array(ids, dtype=np.uintp)[self._by_id]
 
-    def _run_space(self, bodies: Bodies, wanted_mps: FloatArray) -> Contacts:
+    def _run_space(self, bodies: Bodies, pull: Pull, wanted_mps: FloatArray) -> Contacts:
         motion = self._motion[: len(bodies.position_m)]
         motion[:, 0:2], motion[:, 2] = bodies.position_m, bodies.angle_rad
         motion[:, 3:5], motion[:, 5] = bodies.velocity_mps, bodies.spin_radps
         batch.set_space_bodies(self._space, _MOTION, self._write_motion)
         velocity_mps = bodies.velocity_mps
+        stands = (wanted_mps[:, 0] == 0.0) & (wanted_mps[:, 1] == 0.0)
+        limit_n = np.where(stands | pull.limp, self._grip_n, self._drive_n)
+        held = np.flatnonzero(bodies.touching & (stands | pull.limp))
+        limit_n[held] = np.where(pull.limp[held], self._roll_n[held], 0.0)
+        self._hold(bodies, pull, held)
         found = []
         for _ in range(self._substeps):
-            self._push(wanted_mps, velocity_mps[: self._robots])
+            self._push(pull, limit_n, wanted_mps - velocity_mps[: self._robots])
             self._space.step(self._substep_s)
             found.append(self._touching())
             velocity_mps = self._read_bodies(batch.BodyFields.VELOCITY, 2)
@@ -294,16 +332,46 @@ class Physics:
         self._room_m = 0.0
         return self._contacts(found)
 
-    def _push(self, wanted_mps: FloatArray, velocity_mps: FloatArray) -> None:
+    def _hold(self, bodies: Bodies, pull: Pull, held: IndexArray) -> None:
+        """Holds robots by joints, as their grip does: a force alone would let them creep.
+
+        Limp ones are held across their wheels only.
+        """
+        self._space.remove(*self._joints)
+        self._joints = []
+        for robot in held.tolist():
+            joint: pymunk.Constraint
+            body = self._bodies[robot]
+            if not pull.limp[robot]:
+                joint = pymunk.PivotJoint(self._floor, body, (0.0, 0.0), (0.0, 0.0))
+            else:
+                x, y = bodies.position_m[robot].tolist()
+                cos, sin = math.cos(pull.facing_rad[robot]), math.sin(pull.facing_rad[robot])
+                ends = (x - cos, y - sin), (x + cos, y + sin)
+                joint = pymunk.GrooveJoint(self._floor, body, *ends, (0.0, 0.0))
+            joint.max_force, joint.max_bias = float(self._grip_n[robot]), 0.0
+            self._joints.append(joint)
+        self._space.add(*self._joints)
+
+    def _push(self, pull: Pull, limit_n: FloatArray, lag_mps: FloatArray) -> None:
         """Draws robots to the velocity of their wheels, with the force that they have."""
-        lag_mps = wanted_mps - velocity_mps
         held = np.flatnonzero((lag_mps[:, 0] != 0.0) | (lag_mps[:, 1] != 0.0))
         force_n = lag_mps.take(held, axis=0) * (self._mass_kg.take(held) / self._substep_s)[:, None]
+        if pull.limp.any():
+            force_n -= self._limp_n(pull, held, force_n)
         needed_n = np.hypot(force_n[:, 0], force_n[:, 1])
-        share = np.minimum(1.0, self._push_n.take(held) / np.maximum(needed_n, _SAME))
+        share = np.minimum(1.0, limit_n.take(held) / np.maximum(needed_n, _SAME))
         self._force[: self._robots] = 0.0
         self._force[held] = force_n * share[:, None]
         batch.set_space_bodies(self._space, batch.BodyFields.FORCE, self._write_force)
+
+    def _limp_n(self, pull: Pull, held: IndexArray, force_n: FloatArray) -> FloatArray:
+        """Gives the force that limp wheels, because they roll, do not have along them."""
+        facing_rad, roll_n = pull.facing_rad.take(held), self._roll_n.take(held)
+        ahead = np.column_stack([np.cos(facing_rad), np.sin(facing_rad)])
+        along_n = (force_n * ahead).sum(axis=1)
+        lacks_n = np.where(pull.limp.take(held), along_n - np.clip(along_n, -roll_n, roll_n), 0.0)
+        return np.asarray(lacks_n[:, None] * ahead)
 
     def _read_bodies(self, what: batch.BodyFields, columns: int) -> FloatArray:
         """Gives what pymunk knows of its bodies; valid until the next call."""

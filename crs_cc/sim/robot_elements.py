@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Final
 
 from crs_cc.requests import REQUESTS
@@ -71,7 +72,11 @@ def _drive(element: Element, reader: Reader) -> Drive:
         steering=_turning(element, "steering", reader),
         turret=_turning(element, "turret", reader),
         timeout_s=reader.not_negative(element, "timeout", TIME),
-        push_n=reader.positive(element, "push", FORCE),
+        force_n=reader.positive(element, "force", FORCE),
+        grip_n=reader.positive(element, "grip", FORCE),
+        roll_out_mps2=reader.positive(element, "roll-out", ACCELERATION),
+        give_up_s=reader.not_negative(element, "give-up", TIME) or math.inf,
+        waits_forever=element.attributes.get("ws-timeout-zero") == "forever",
     )
 
 

@@ -10,6 +10,7 @@ midway between the wheels.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Final
 
@@ -62,7 +63,11 @@ class Drive:
         turret: what turns the sensors above the base of a synchro drive [rad].
         timeout_s: the axes stop when no command came for so long, until the program sets
             another; 0 for never.
-        push_n: the force with which the robot pushes against what is in its way.
+        force_n: the force with which the motors push at most.
+        grip_n: the force that the wheels can hand over to the floor before they slip.
+        roll_out_mps2: how fast limp wheels lose their speed.
+        give_up_s: the motors stop when they have stalled for so long; infinite for never.
+        waits_forever: whether `ws` with a timeout of 0 waits without end, not at all otherwise.
     """
 
     wheel_base_m: float = 0.0
@@ -70,7 +75,11 @@ class Drive:
     steering: Axis | None = None
     turret: Axis | None = None
     timeout_s: float = 0.0
-    push_n: float = 60.0
+    force_n: float = 60.0
+    grip_n: float = 90.0
+    roll_out_mps2: float = 0.3
+    give_up_s: float = math.inf
+    waits_forever: bool = False
 
     @property
     def axes(self) -> tuple[Axis | None, Axis | None, Axis | None]:

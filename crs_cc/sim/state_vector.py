@@ -19,6 +19,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.requests import NUM_STATE
+from crs_cc.sim.actuators import traction
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.sonar_model import MAX_SONARS
 from crs_cc.sim.state import EnvState
@@ -37,7 +38,7 @@ CONF_TURRET: Final = 37  # [0.1 deg], 0 to 3599
 VEL_RIGHT: Final = 38  # [0.1 in/s]; of a synchro drive the translation
 VEL_LEFT: Final = 39  # [0.1 in/s]; of a synchro drive the steering [0.1 deg/s]
 VEL_TURRET: Final = 40  # [0.1 deg/s]
-MOTOR_STATUS: Final = 41  # bit n: axis n + 1 moves
+MOTOR_STATUS: Final = 41  # bit n: the motor of axis n + 1 works, be it in vain
 
 COMPASS: Final = 43  # [0.1 deg], 0 to 3599
 
@@ -61,13 +62,15 @@ def state_vector(state: EnvState, equipment: Equipment, rows: IndexArray) -> npt
         vector[has, COMPASS] = state.compass.reading[equipment.compass[rows[has]]]
     vector[:, BUMPER] = state.bumpers.pressed[rows]
     vector[:, CONF_X : VEL_TURRET + 1] = configuration(state, equipment, rows)
-    vector[:, MOTOR_STATUS] = (state.drive.axes.speed[rows] != 0.0) @ _BITS
+    works = state.drive.axes.end_s(rows) > state.drive.clock_s[rows, None]
+    vector[:, MOTOR_STATUS] = (works & ~state.drive.limp[rows]) @ _BITS
     return vector
 
 
 def configuration(state: EnvState, equipment: Equipment, rows: IndexArray) -> npt.NDArray[np.int32]:
     """Gives the part of `State` that tells where robots are and how fast, shape (k, 7)."""
-    odometry, speed, unit = state.odometry, state.drive.axes.speed[rows], equipment.unit[rows]
+    odometry = state.odometry
+    speed, unit = traction.speed(state, equipment, rows), equipment.drives.unit[rows]
     place_m = np.stack([odometry.x_m[rows], odometry.y_m[rows]], axis=1)
     angle_rad = np.stack([odometry.heading_rad[rows], odometry.turret_rad[rows]], axis=1)
     parts = (

@@ -169,7 +169,8 @@ class RobotSlice:
 
 def slices_of(state: EnvState, axes: tuple[tuple[str, ...], ...], timestep_s: float) -> Slices:
     """Gives the slices of a cycle whose axes have been turned to its end."""
-    end_s = state.drive.axes.end_s().max(axis=1)
+    end_s = state.drive.axes.end_s()
+    end_s = np.maximum(np.maximum(end_s[:, 0], end_s[:, 1]), end_s[:, 2])
     endless = np.isinf(end_s)
     last = np.ceil(np.where(endless, 0.0, end_s) / timestep_s - 1e-9).astype(np.int64)
     count = np.maximum(last - state.drive.command_cycle, 1)

@@ -65,7 +65,9 @@ def test_a_robot_that_is_held_back_uses_more():
     free.run_s(6)
     used = free.state.battery.moved_j
     assert free.state.collisions.tolist() == [0, 1]
-    assert used[1] - used[0] > 0.8 * 60 * 5  # stalled for nearly all of the six seconds
+    # Stalled for nearly all of the six seconds, in which the wheels do not rub.
+    assert used[1] > 0.9 * 60 * 5
+    assert used[1] > 2 * used[0]
 
 
 def test_empty_motors_have_no_force(tmp_path):

@@ -6,7 +6,7 @@ import pickle
 import numpy as np
 import pytest
 
-from crs_cc.sim.physics import Bodies, Physics
+from crs_cc.sim.physics import Bodies, Physics, Pull
 from crs_cc.sim.placement import clearance_m
 from crs_cc.sim.scene import Scene
 from tests.sim.driver import SCOUT_RADIUS_M, Driver, world_of
@@ -29,8 +29,14 @@ class Bench:
         self.bodies = Bodies.at_start(self.scene)
         self.physics = Physics(world, self.scene, self.bodies)
 
-    def push(self, *ways_m):
-        return self.physics.step(self.bodies, np.array(ways_m, dtype=np.float64))
+    def push(self, *ways_m, limp=False):
+        return self.pull(np.array(ways_m, dtype=np.float64), limp)
+
+    def pull(self, ways_m, limp=False):
+        """Moves robots along ways; all face ahead, along x."""
+        count = len(ways_m)
+        pull = Pull(ways_m, np.zeros(count), np.full(count, limp))
+        return self.physics.step(self.bodies, pull)
 
     def depth_m(self) -> float:
         """Gives how deep the deepest robot is in a fixed thing."""
@@ -226,25 +232,25 @@ def test_a_snapshot_in_a_scrum_goes_on_to_the_same_bits(monkeypatch):
     monkeypatch.setattr("crs_cc.sim.physics.REBUILD", 30)
     bench = Bench(world_of(SCRUM, 'length="4m" width="5.5m"'))
     ways = list(scrum(90, seed=2))
-    touched = sum(len(bench.physics.step(bench.bodies, way).robot) for way in ways[:30])
+    touched = sum(len(bench.pull(way).robot) for way in ways[:30])
     assert touched > 100
     for at in (0, 30, 31, 47, 59):
         bench = Bench(bench.world)
         for way in ways[:at]:
-            bench.physics.step(bench.bodies, way)
+            bench.pull(way)
         snapshot = pickle.loads(pickle.dumps(bench.physics.snapshot()))
         for way in ways[at:]:
-            bench.physics.step(bench.bodies, way)
+            bench.pull(way)
         expected = bench.digest()
         for _ in range(2):
             bench.bodies = bench.physics.restore(snapshot)
             for way in ways[at:]:
-                bench.physics.step(bench.bodies, way)
+                bench.pull(way)
             assert bench.digest() == expected
         other = Bench(bench.world)
         other.bodies = other.physics.restore(snapshot)
         for way in ways[at:]:
-            other.physics.step(other.bodies, way)
+            other.pull(way)
         assert other.digest() == expected
 
 
@@ -252,8 +258,8 @@ def test_taking_snapshots_changes_nothing():
     world = world_of(SCRUM, 'length="4m" width="5.5m"')
     quiet, watched = Bench(world), Bench(world)
     for way in scrum(120, seed=3):
-        quiet.physics.step(quiet.bodies, way)
-        watched.physics.step(watched.bodies, way)
+        quiet.pull(way)
+        watched.pull(way)
         watched.physics.snapshot()
     assert quiet.digest() == watched.digest()
 

@@ -120,7 +120,7 @@ def test_the_bumper_on_the_side_of_a_contact_is_pressed(switch):
     heading = -45 * switch  # the wall ahead in the world lies at the switch's bearing
     driver = Driver.of(
         world_of(
-            f'<robot x="{9.7 - SCOUT_RADIUS_M}m" y="5m" heading="{heading}"/>'
+            f'<robot x="{10 - SCOUT_RADIUS_M}m" y="5m" heading="{heading}"/>'
             '<robot id="pusher" x="9m" y="5m"/>'
         )
     )

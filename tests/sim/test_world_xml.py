@@ -578,7 +578,7 @@ def test_every_misspelt_name_is_told_with_the_one_that_was_meant():
         ("", "loud", "no setup 'loud'"),
         ('<setup name="odd"><wings span="1m"/></setup>', "odd", "changes <wings>"),
         ('<setup name="odd"><drive wings="1m"/></setup>', "odd", "no attribute 'wings'"),
-        ('<setup name="odd"><drive push="much"/></setup>', "odd", "'much' is not a force"),
+        ('<setup name="odd"><drive force="much"/></setup>', "odd", "'much' is not a force"),
         ('<setup name="odd"><setup name="noisy"/></setup>', "odd", "changes <setup>"),
     ],
 )

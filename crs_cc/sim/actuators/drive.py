@@ -26,6 +26,8 @@ import numpy.typing as npt
 
 from crs_cc.requests import CODES
 from crs_cc.sim import hardware
+from crs_cc.sim.actuators import traction
+from crs_cc.sim.drives import weighted
 from crs_cc.sim.hardware import AXES
 from crs_cc.sim.sensors import odometry
 
@@ -70,7 +72,7 @@ def advance(
         stopped = np.arange(len(state.drive.clock_s))[rows][late]
         deadline_s = state.drive.deadline_s[stopped]
         _turn(state, equipment, stopped, deadline_s)
-        _stop(state, stopped)
+        _stop(state, equipment, stopped, ~state.drive.limp[stopped])
         state.drive.deadline_s[stopped] = np.inf
         _remember(state, stopped, CODES["CONF_TM"])
     _turn(state, equipment, rows, to_s)
@@ -106,9 +108,11 @@ def settle_waits(
 
 
 def _wait_end_s(state: EnvState, rows: IndexArray) -> FloatArray:
-    stands_s = np.where(state.drive.waiting[rows], state.drive.axes.end_s(rows), -np.inf).max(
-        axis=1
-    )
+    end_s = state.drive.axes.end_s(rows)
+    # A move that is held up is not done when it should be.
+    late = state.drive.hindered[rows, None] & (state.drive.axes.limit[rows] > 0.0)
+    end_s = np.where(late, np.inf, end_s)
+    stands_s = np.where(state.drive.waiting[rows], end_s, -np.inf).max(axis=1)
     end_s = np.minimum(stands_s, state.drive.wait_until_s[rows])
     return np.asarray(np.maximum(end_s, state.drive.clock_s[rows]))
 
@@ -117,34 +121,36 @@ def _turn(
     state: EnvState, equipment: Equipment, rows: IndexArray | slice, to_s: FloatArray
 ) -> None:
     way = hardware.advance(state.drive.axes, rows, to_s)
+    counted = traction.turned(state, equipment, rows, way, to_s - state.drive.clock_s[rows])
     state.drive.clock_s[rows] = to_s
+    if counted.any():
+        state.drive.slice[rows] += counted
+        odometry.count_turns(state, equipment, rows, counted)
     if not way.any():
         return
-    state.drive.slice[rows] += way
-    odometry.count_turns(state, equipment, rows, way)
     facing_rad = state.drive.facing_rad[rows]
-    turn_rad = (way * equipment.turn[rows]).sum(axis=1)
-    x_m, y_m = odometry.arc(facing_rad, (way * equipment.forward[rows]).sum(axis=1), turn_rad)
+    turn_rad = weighted(way, equipment.drives.turn[rows])
+    x_m, y_m = odometry.arc(facing_rad, weighted(way, equipment.drives.forward[rows]), turn_rad)
     state.drive.moved_m[rows, 0] += x_m
     state.drive.moved_m[rows, 1] += y_m
     state.drive.facing_rad[rows] = facing_rad + turn_rad
-    if equipment.turrets:
+    if equipment.drives.turrets:
         state.drive.turret_rad[rows] += way[:, 2]
 
 
 def mount_rad(state: EnvState, equipment: Equipment, rows: IndexArray) -> FloatArray:
     """Gives where the mount of the sensors points, as the axes were turned last, shape (k,)."""
-    fixed_rad = np.where(equipment.synchro, state.base_rad, state.drive.facing_rad)
-    return np.where(equipment.turret, state.drive.turret_rad, fixed_rad)[rows]
+    fixed_rad = np.where(equipment.drives.synchro, state.base_rad, state.drive.facing_rad)
+    return np.where(equipment.drives.turret, state.drive.turret_rad, fixed_rad)[rows]
 
 
 def face(state: EnvState, equipment: Equipment) -> None:
     """Ends a cycle: robots face where their axes were turned to."""
     state.heading_rad = state.drive.facing_rad % _TURN
-    if equipment.synchro.any():
-        state.base_rad = np.where(equipment.synchro, state.base_rad, state.heading_rad)
+    if equipment.drives.synchro.any():
+        state.base_rad = np.where(equipment.drives.synchro, state.base_rad, state.heading_rad)
         turret_rad = state.drive.turret_rad % _TURN
-        state.turret_rad = np.where(equipment.turret, turret_rad, state.base_rad)
+        state.turret_rad = np.where(equipment.drives.turret, turret_rad, state.base_rad)
     else:
         state.turret_rad = state.base_rad = state.heading_rad
 
@@ -155,13 +161,13 @@ def face(state: EnvState, equipment: Equipment) -> None:
 def ac(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
     """Sets accelerations."""
     values = messages["i"][:, :AXES]
-    _set(state.drive.ramp, equipment.ramp_limit, equipment, rows, values)
+    _set(state.drive.ramp, equipment.drives.ramp_limit, equipment, rows, values)
 
 
 def sp(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
     """Sets the speeds of `pr`."""
     values = messages["i"][:, :AXES]
-    _set(state.drive.move_speed, equipment.speed_limit, equipment, rows, values)
+    _set(state.drive.move_speed, equipment.drives.speed_limit, equipment, rows, values)
 
 
 def pr(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
@@ -182,28 +188,38 @@ def mv(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messag
     good = np.asarray(((modes >= IGNORE) & (modes <= SPEED)).all(axis=1))
     rows, modes, values = rows[good], modes[good], values[good]
     _set(
-        state.drive.ramp, equipment.ramp_limit, equipment, rows, values, which=modes == ACCELERATION
+        state.drive.ramp,
+        equipment.drives.ramp_limit,
+        equipment,
+        rows,
+        values,
+        which=modes == ACCELERATION,
     )
     _set(
-        state.drive.move_speed, equipment.speed_limit, equipment, rows, values, which=modes == SPEED
+        state.drive.move_speed,
+        equipment.drives.speed_limit,
+        equipment,
+        rows,
+        values,
+        which=modes == SPEED,
     )
     _run_at(state, equipment, rows, values, modes == VELOCITY)
     _move(state, equipment, rows, values, modes == RELATIVE)
-    _stop(state, rows, modes == LIMP)
+    _let_go(state, equipment, rows, modes == LIMP)
     moves = ((modes == VELOCITY) | (modes == RELATIVE) | (modes == LIMP)).any(axis=1)
     _remember(state, rows[moves], CODES["MV"])
     return good
 
 
-def st(state: EnvState, _equipment: Equipment, rows: IndexArray, _messages: Messages) -> None:
+def st(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messages) -> None:
     """Stops the axes and holds them."""
-    _stop(state, rows)
+    _stop(state, equipment, rows)
     _remember(state, rows, CODES["ST"])
 
 
-def lp(state: EnvState, _equipment: Equipment, rows: IndexArray, _messages: Messages) -> None:
-    """Lets the axes go limp: they roll out, as fast as they would brake."""
-    _stop(state, rows)
+def lp(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messages) -> None:
+    """Lets the axes go limp: the wheels roll out, what turns stops."""
+    _let_go(state, equipment, rows)
     _remember(state, rows, CODES["LP"])
 
 
@@ -229,7 +245,7 @@ def _set(
     *,
     which: BoolArray | bool = True,
 ) -> None:
-    unit = equipment.unit[rows]
+    unit = equipment.drives.unit[rows]
     least = np.where(unit > 0.0, unit, 1.0)
     wanted = np.maximum(np.abs(values.astype(np.float64)) * unit, least)
     setting[rows] = np.where(which, np.minimum(wanted, limit[rows]), setting[rows])
@@ -242,8 +258,9 @@ def _run_at(
     values: npt.NDArray[np.int32],
     which: BoolArray | bool = True,
 ) -> None:
-    limit = equipment.speed_limit[rows]
-    target = np.clip(values.astype(np.float64) * equipment.unit[rows], -limit, limit)
+    _take_up(state, equipment, rows, which)
+    limit = equipment.drives.speed_limit[rows]
+    target = np.clip(values.astype(np.float64) * equipment.drives.unit[rows], -limit, limit)
     ramp, now_s = state.drive.ramp[rows], state.drive.clock_s[rows]
     hardware.plan_speed(state.drive.axes, rows, now_s, target, ramp=ramp, which=which)
 
@@ -255,18 +272,22 @@ def _move(
     values: npt.NDArray[np.int32],
     which: BoolArray | bool = True,
 ) -> None:
+    _take_up(state, equipment, rows, which)
     hardware.plan_move(
         state.drive.axes,
         rows,
         state.drive.clock_s[rows],
-        values.astype(np.float64) * equipment.unit[rows],
+        values.astype(np.float64) * equipment.drives.unit[rows],
         limit=state.drive.move_speed[rows],
         ramp=state.drive.ramp[rows],
         which=which,
     )
 
 
-def _stop(state: EnvState, rows: IndexArray, which: BoolArray | bool = True) -> None:
+def _stop(
+    state: EnvState, equipment: Equipment, rows: IndexArray, which: BoolArray | bool = True
+) -> None:
+    _take_up(state, equipment, rows, which)
     ramp, now_s = state.drive.ramp[rows], state.drive.clock_s[rows]
     standing = np.zeros_like(ramp)
     hardware.plan_speed(state.drive.axes, rows, now_s, standing, ramp=ramp, which=which)
@@ -285,6 +306,28 @@ def turn_turret(state: EnvState, rows: IndexArray, way_rad: float, speed_radps: 
     now_s, ramp = state.drive.clock_s[rows], state.drive.ramp[rows]
     way, limit = np.full_like(ramp, way_rad), np.broadcast_to(speed_radps[:, None], ramp.shape)
     hardware.plan_move(state.drive.axes, rows, now_s, way, limit=limit, ramp=ramp, which=turret)
+
+
+def _take_up(
+    state: EnvState, equipment: Equipment, rows: IndexArray, which: BoolArray | bool
+) -> None:
+    """Lets motors take up limp wheels again, at the speed with which these roll."""
+    limp = state.drive.limp[rows] & which
+    if limp.any():
+        speed = state.drive.axes.speed
+        speed[rows] = np.where(limp, traction.speed(state, equipment, rows), speed[rows])
+        state.drive.limp[rows] &= ~limp
+
+
+def _let_go(
+    state: EnvState, equipment: Equipment, rows: IndexArray, which: BoolArray | bool = True
+) -> None:
+    rolls = equipment.drives.rolls[rows] > 0.0
+    roll_out_mps2 = equipment.drives.roll_out_mps2[rows, None]
+    ramp, now_s = np.where(rolls, roll_out_mps2, state.drive.ramp[rows]), state.drive.clock_s[rows]
+    standing = np.zeros_like(ramp)
+    hardware.plan_speed(state.drive.axes, rows, now_s, standing, ramp=ramp, which=which)
+    state.drive.limp[rows] |= rolls & which
 
 
 def _remember(state: EnvState, rows: IndexArray, code: int) -> None:

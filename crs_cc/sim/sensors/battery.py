@@ -72,18 +72,19 @@ class Batteries:
         """Takes what moving used in a cycle whose axes were turned to its end.
 
         Returns:
-            which robots' axes turned.
+            which robots' motors worked.
         """
-        if self._lasts or not state.drive.slice.any():
+        held_back = state.bodies.slipping
+        if self._lasts or not (state.drive.slice.any() or held_back.any()):
             return _NOBODY
         way_m, speed_mps = state.drive.slice * self._lever, state.drive.axes.speed * self._lever
         battery = state.battery
         faster = np.maximum(speed_mps * speed_mps - battery.speed_mps * battery.speed_mps, 0.0)
         work_j = self._friction_n * np.abs(way_m) + self._mass_kg * (faster / 2)
         battery.moved_j += work_j.sum(axis=1) * self._per_work
-        battery.moved_j += self._stall_w * (timestep_s * state.bodies.slipping)
+        battery.moved_j += self._stall_w * (timestep_s * held_back)
         battery.speed_mps = speed_mps
-        return np.flatnonzero(way_m.any(axis=1))
+        return np.flatnonzero(way_m.any(axis=1) | held_back)
 
     def empty(self, state: EnvState, rows: IndexArray, at_s: FloatArray | float) -> BoolArray:
         """Tells whose motors have no force any more, shape (k,)."""

@@ -107,7 +107,7 @@ def conf_cp(
     state.compass.on[mine] = mode != OFF
     calibrates = mode == CALIBRATE
     state.compass.calibrated[mine[calibrates]] = True
-    turns = calibrates & equipment.turret[rows]
+    turns = calibrates & equipment.drives.turret[rows]
     if turns.any():
         rows, speed = rows[turns], _TURN / equipment.calibration_s[rows[turns]]
         drive.turn_turret(state, rows, _TURN, speed)

@@ -26,6 +26,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.sim.drives import weighted
 from crs_cc.units import tenths_deg_to_rad, tenths_inch_to_m
 
 if TYPE_CHECKING:
@@ -37,6 +38,7 @@ IndexArray = npt.NDArray[np.intp]
 Messages = npt.NDArray[np.void]
 
 _TURN: Final = 2 * math.pi
+_NO_TURN: Final = 1e-20  # the limit of sin(x) / x at 0 is 1
 _FULL_TURN: Final = 3600  # [0.1 deg]
 
 
@@ -53,8 +55,9 @@ def arc(
     Returns:
         change of x and of y [m].
     """
-    chord_m = way_m * np.sinc(turn_rad / _TURN)  # sinc(x) is sin(pi x) / pi x
     direction = heading_rad + turn_rad / 2
+    half_rad = np.where(turn_rad == 0.0, _NO_TURN, turn_rad / 2)
+    chord_m = way_m * (np.sin(half_rad) / half_rad)
     return chord_m * np.cos(direction), chord_m * np.sin(direction)
 
 
@@ -63,14 +66,14 @@ def count_turns(
 ) -> None:
     """Takes the axes' ways since the last time into the odometry."""
     heading_rad = state.odometry.heading_rad[rows]
-    turn_rad = (way * equipment.turn[rows]).sum(axis=1)
-    x_m, y_m = arc(heading_rad, (way * equipment.forward[rows]).sum(axis=1), turn_rad)
+    turn_rad = weighted(way, equipment.drives.turn[rows])
+    x_m, y_m = arc(heading_rad, weighted(way, equipment.drives.forward[rows]), turn_rad)
     state.odometry.x_m[rows] += x_m
     state.odometry.y_m[rows] += y_m
     state.odometry.heading_rad[rows] = (heading_rad + turn_rad) % _TURN
-    if equipment.turrets:
+    if equipment.drives.turrets:
         turret_rad = state.odometry.turret_rad[rows] + np.where(
-            equipment.turret[rows], way[:, 2], 0.0
+            equipment.drives.turret[rows], way[:, 2], 0.0
         )
         state.odometry.turret_rad[rows] = turret_rad % _TURN
 
@@ -86,7 +89,7 @@ def da(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messag
     angles = (messages["i"][:, :2] % _FULL_TURN).astype(np.float64)
     heading_rad, turret_rad = tenths_deg_to_rad(angles).T
     state.odometry.heading_rad[rows] = heading_rad
-    state.odometry.turret_rad[rows] = np.where(equipment.turret[rows], turret_rad, 0.0)
+    state.odometry.turret_rad[rows] = np.where(equipment.drives.turret[rows], turret_rad, 0.0)
 
 
 def zr(state: EnvState, _equipment: Equipment, rows: IndexArray, _messages: Messages) -> None:

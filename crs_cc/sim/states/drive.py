@@ -34,6 +34,12 @@ class DriveState:
         command_cycle: the cycle in which it came.
         timeout_s: the axes stop when no command came for so long (`conf_tm`), infinite for never.
         deadline_s: when they will.
+        limp: the axes that nothing drives or holds, (robots, 3).
+        hindered: whether contact made the wheels turn otherwise than the motors would.
+        forward_mps: how fast these robots went, along their wheels.
+        ahead_m: how much further they would have gone in this cycle, by their motors, than their
+            encoders have counted.
+        stalled_s: for how long they have stood in spite of their motors.
         waiting: the axes that a `ws` waits for, (robots, 3).
         wait_until_s: when it gives up.
     """
@@ -50,6 +56,11 @@ class DriveState:
     command_cycle: WholeArray
     timeout_s: FloatArray
     deadline_s: FloatArray
+    limp: BoolArray
+    hindered: BoolArray
+    forward_mps: FloatArray
+    ahead_m: FloatArray
+    stalled_s: FloatArray
     waiting: BoolArray
     wait_until_s: FloatArray
 
@@ -73,6 +84,11 @@ class DriveState:
             command_cycle=np.zeros(count, dtype=np.int64),
             timeout_s=np.array([drive.timeout_s or np.inf for drive in drives]),
             deadline_s=np.full(count, np.inf),
+            limp=np.zeros((count, AXES), dtype=np.bool_),
+            hindered=np.zeros(count, dtype=np.bool_),
+            forward_mps=np.zeros(count),
+            ahead_m=np.zeros(count),
+            stalled_s=np.zeros(count),
             waiting=np.zeros((count, AXES), dtype=np.bool_),
             wait_until_s=np.full(count, np.inf),
         )

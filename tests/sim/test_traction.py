@@ -1,0 +1,194 @@
+"""Contacts as wheels feel them: stalls, slips, robots that are held, robots that are limp."""
+
+import math
+from pathlib import Path
+
+import pytest
+
+from crs_cc.sim import world_xml
+from crs_cc.sim.state_vector import CONF_X, CONF_Y, MOTOR_STATUS, VEL_LEFT, VEL_RIGHT
+from crs_cc.sim.world_xml import load_world
+from tests.sim.driver import INCH, SCOUT_RADIUS_M, Driver, world_of
+
+SCOUT = Path(world_xml.__file__).parent / "robots" / "scout.xml"
+ROOM_IN = 10 / INCH - 8  # where a robot's middle is when it touches the east edge
+
+
+def changed_scout(folder, things: str, *changes: tuple[str, str]) -> Driver:
+    """Gives a world with Scouts whose definition was changed."""
+    text = SCOUT.read_text()
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new)
+    (folder / "own.xml").write_text(text)
+    world = folder / "world.xml"
+    world.write_text(
+        f'<world version="1"><area length="10m" width="10m"/>{things}</world>'.replace(
+            "<robot ", '<robot definition="own.xml" '
+        )
+    )
+    return Driver.of(load_world(world))
+
+
+def at_the_wall(driver: Driver, speed: int = 100, seconds: float = 6.0) -> Driver:
+    """Drives a robot that starts at 9 m against the edge at 10 m."""
+    driver.ask("VM", speed, speed)
+    driver.run_s(seconds)
+    return driver
+
+
+ONE = '<robot x="9m" y="5m"/>'
+
+
+def test_a_robot_at_a_wall_stalls_and_its_odometry_does_not_count():
+    driver = at_the_wall(Driver.of(world_of(ONE)))
+    went_in = (driver.state.x_m[0] - 9) / INCH
+    assert driver.state.x_m[0] == pytest.approx(10 - SCOUT_RADIUS_M, abs=0.005)
+    for at_s in (0.0, 0.012, 0.049):  # at any instant of the cycle
+        told = driver.ask("GS", at_s=driver.environment.time_s + at_s)
+        assert told[CONF_X] == pytest.approx(10 * went_in, abs=1)
+        assert told[[CONF_Y, VEL_RIGHT, VEL_LEFT]].tolist() == [0, 0, 0]
+        assert told[MOTOR_STATUS] == 3  # the motors work, in vain
+
+
+def test_a_robot_that_backs_off_from_a_wall_knows_where_it_is():
+    driver = at_the_wall(Driver.of(world_of(ONE)))
+    driver.ask("VM", -100, -100)
+    driver.run_s(5)
+    told = driver.ask("GET_RC")
+    assert told[CONF_X] == pytest.approx((driver.state.x_m[0] - 9) / INCH * 10, abs=1)
+    assert driver.state.x_m[0] < 9
+
+
+def test_a_robot_that_turns_on_the_spot_at_a_wall_turns():
+    driver = at_the_wall(Driver.of(world_of(ONE)))
+    driver.ask("VM", 50, -50)
+    driver.run_s(3)
+    assert driver.state.heading_rad[0] == pytest.approx(driver.state.odometry.heading_rad[0])
+    assert driver.state.heading_rad[0] > 1
+
+
+def test_a_move_that_is_held_up_goes_on_when_the_way_is_free():
+    driver = Driver.of(world_of('<robot x="2m" y="5m"/><robot x="3m" y="5m" heading="90"/>'))
+    driver.ask("PR", 600, 600)
+    _, ends_s = driver.post("WS", 1, 1, 0, 200)
+    driver.run_s(20)  # it would be there after 6.5 s
+    assert math.isinf(ends_s)
+    assert driver.state.drive.waiting[0].any()
+    assert driver.state.x_m[0] == pytest.approx(3 - 2 * SCOUT_RADIUS_M, abs=0.02)
+    driver.ask("VM", 300, 300, robot=1)  # out of the way
+    steps = driver.run_s(10)
+    assert [step.robots.tolist() for step in steps if len(step.robots)] == [[0]]
+    assert driver.state.x_m[0] == pytest.approx(2 + 60 * INCH, abs=0.005)
+    told = driver.ask("GS")
+    assert told[CONF_X] == pytest.approx(600, abs=2)
+    assert told[MOTOR_STATUS] == 0
+
+
+def test_a_wait_for_a_move_that_is_held_up_ends_by_its_timeout():
+    driver = Driver.of(world_of(ONE))
+    driver.ask("PR", 600, 600)
+    driver.post("WS", 1, 1, 0, 12)
+    ended = [float(step.at_s[0]) for step in driver.run_s(15) if len(step.at_s)]
+    assert ended == [pytest.approx(12)]
+    assert driver.ask("GS")[MOTOR_STATUS] == 3
+
+
+def test_motors_give_up_when_the_definition_says_so(tmp_path):
+    driver = changed_scout(tmp_path, ONE, ('give-up="0s"', 'give-up="2s"'))
+    driver.ask("PR", 600, 600)
+    driver.post("WS", 1, 1, 0, 200)
+    # 32 in at 10 in/s and 20 in/s2 take 3.4 s.
+    ended = [float(step.at_s[0]) for step in driver.run_s(15) if len(step.at_s)]
+    assert ended == [pytest.approx(5.4, abs=0.15)]
+    assert driver.ask("GS")[MOTOR_STATUS] == 0
+    driver.ask("VM", -100, -100)
+    driver.run_s(2)
+    assert driver.state.x_m[0] < 9.6
+
+
+def test_wheels_whose_grip_is_weaker_than_the_motors_slip_and_count(tmp_path):
+    driver = at_the_wall(changed_scout(tmp_path, ONE, ('grip="90N"', 'grip="40N"')))
+    told = driver.ask("GS")
+    assert told[CONF_X] == pytest.approx(575, abs=1)  # 6 s at 10 in/s, half a second to get there
+    assert told[[VEL_RIGHT, VEL_LEFT]].tolist() == [100, 100]
+    assert driver.state.x_m[0] == pytest.approx(10 - SCOUT_RADIUS_M, abs=0.005)
+
+
+# -- robots that push robots -------------------------------------------------------------------
+
+PAIR = '<robot x="2m" y="5m"/><robot x="3m" y="5m" heading="{heading}"/>'
+
+
+def push(command: str, heading: int = 0, seconds: float = 8.0) -> Driver:
+    """Lets the first robot push the second one, which was given a command."""
+    driver = Driver.of(world_of(PAIR.format(heading=heading)))
+    driver.ask(command, robot=1)
+    driver.ask("VM", 100, 100)
+    driver.run_s(seconds)
+    return driver
+
+
+def test_a_robot_that_holds_resists_a_push_up_to_its_grip():
+    driver = push("ST")
+    assert driver.state.x_m[1] == pytest.approx(3, abs=0.02)
+    assert driver.ask("GET_RC", robot=1)[CONF_X] == 0
+    assert driver.state.x_m[0] == pytest.approx(3 - 2 * SCOUT_RADIUS_M, abs=0.02)
+
+
+def test_a_limp_robot_rolls_before_a_push_and_counts():
+    driver = push("LP")
+    rolled_m = driver.state.x_m[1] - 3
+    assert rolled_m > 0.8
+    told = driver.ask("GS", robot=1)
+    assert told[CONF_X] == pytest.approx(rolled_m / INCH * 10, abs=2)
+    assert told[VEL_RIGHT] == pytest.approx(100, abs=2)
+    assert told[MOTOR_STATUS] == 0
+    driver.ask("ST")
+    driver.run_s(5)
+    assert driver.ask("GS", robot=1)[VEL_RIGHT] == 0  # it has rolled out
+
+
+def test_a_limp_robot_counts_backwards_when_it_is_pushed_from_ahead():
+    driver = push("LP", heading=180)
+    rolled_m = driver.state.x_m[1] - 3
+    assert rolled_m > 0.8
+    assert driver.ask("GET_RC", robot=1)[CONF_X] == pytest.approx(-rolled_m / INCH * 10, abs=2)
+
+
+def test_a_limp_robot_does_not_roll_across_its_wheels():
+    driver = push("LP", heading=90)
+    assert driver.state.x_m[1] == pytest.approx(3, abs=0.02)
+
+
+def test_limp_wheels_roll_out():
+    driver = Driver.of(world_of('<robot x="2m" y="5m"/>'))
+    driver.ask("VM", 300, 300)
+    driver.run_s(3)
+    start_m, speed_mps = driver.state.x_m[0], 30 * INCH
+    driver.ask("LP")
+    driver.run_s(0.5)
+    assert driver.ask("GET_RV")[VEL_RIGHT] == round((speed_mps - 0.15) / INCH * 10)
+    driver.run_s(4)
+    assert driver.state.x_m[0] - start_m == pytest.approx(speed_mps**2 / 2 / 0.3)
+
+
+def test_motors_take_up_rolling_wheels_at_their_speed():
+    driver = push("LP")
+    before = driver.ask("GS", robot=1)[VEL_RIGHT]
+    driver.ask("ST")
+    driver.ask("VM", 200, 200, robot=1)
+    assert driver.ask("GET_RV", robot=1)[VEL_RIGHT] == pytest.approx(before, abs=1)
+    driver.run_s(0.2)
+    assert driver.ask("GET_RV", robot=1)[VEL_RIGHT] == pytest.approx(before + 40, abs=3)
+
+
+def test_a_robot_that_pushes_a_box_counts_what_it_rolls():
+    driver = Driver.of(
+        world_of('<box x="3m" y="5m" length="40cm" width="40cm" mass="8kg"/><robot x="2m" y="5m"/>')
+    )
+    driver.ask("VM", 100, 100)
+    driver.run_s(10)
+    rolled_m = driver.state.x_m[0] - 2
+    assert rolled_m > 2
+    assert driver.ask("GET_RC")[CONF_X] == pytest.approx(rolled_m / INCH * 10, abs=2)
