@@ -7,8 +7,10 @@
 
 from __future__ import annotations
 
+import atexit
 import tempfile
 from collections.abc import Sequence
+from functools import cache
 from pathlib import Path
 
 from crs_cc.frontend.options import Dialect
@@ -99,8 +101,7 @@ def drive(
     """
     text = f'<world version="1" timestep="{timestep}"><area {area}/>{things}</world>'
     world = parse_world(text.encode(), "test", setup)
-    with tempfile.TemporaryDirectory() as folder:
-        built = [_build(Path(folder), source, dialect) for source in programs]
+    built = [_build(source, dialect) for source in programs]
     executables = built if len(built) == len(world.robots) else built * len(world.robots)
     done = Drive(len(executables))
     done.session = Session(
@@ -117,10 +118,16 @@ def drive(
     return done
 
 
-def _build(folder: Path, source: str, dialect: Dialect | None):
+@cache
+def _build(source: str, dialect: Dialect | None):
+    """Builds a program, once for all worlds that it is run in."""
     if dialect != "report" and "main" not in source and "runcode" not in source:
         includes = "\n".join(f"#include <{name}.h>" for name in HEADERS)
         source = f'{includes}\n#include "Nclient.h"\nint main(void)\n{{\n{source}\nreturn 0;\n}}\n'
-    path = folder / "program.c"
-    path.write_text(source)
-    return build_executable([path], Diagnostics(), dialect=dialect)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "program.c"
+        path.write_text(source)
+        return build_executable([path], Diagnostics(), dialect=dialect)
+
+
+atexit.register(_build.cache_clear)  # while wasmtime can still free what it made
