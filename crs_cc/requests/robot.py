@@ -141,7 +141,7 @@ ROBOT_REQUESTS: Final = (
         "int conf_sg(unsigned int threshold, unsigned int min_points, unsigned int gap)",
         "configures how the laser's points become segments",
         arguments(
-            ("i[0]", "largest distance of a point from its segment", _LENGTH),
+            ("i[0]", "largest mean square of the points' distances from a segment", "(0.1 in)^2"),
             ("i[1]", "fewest points of a segment", "1"),
             ("i[2]", "largest gap between two points of a segment", _LENGTH),
         ),

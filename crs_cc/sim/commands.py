@@ -16,7 +16,7 @@ import numpy.typing as npt
 from crs_cc.requests import CODES
 from crs_cc.sim.actuators import drive, tag
 from crs_cc.sim.equipment import Equipment
-from crs_cc.sim.sensors import compass, heat, infrared, odometry, sonar
+from crs_cc.sim.sensors import compass, heat, infrared, laser, odometry, sonar
 from crs_cc.sim.server import world
 from crs_cc.sim.server.motion import motion_check
 from crs_cc.sim.server.whereabouts import get_rpx
@@ -98,13 +98,13 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("GET_IR", infrared.get_ir),
         ("GET_RA", tell),
         ("GET_CP", compass.get_cp),
-        ("GET_LS", refuse),
-        ("GET_SG", refuse),
+        ("GET_LS", laser.get_laser),
+        ("GET_SG", laser.get_laser),
         ("CONF_IR", infrared.conf_ir),
         ("CONF_CP", compass.conf_cp),
-        ("CONF_LS", refuse),
-        ("CONF_SG", refuse),
-        ("LASER_PAGE", refuse),
+        ("CONF_LS", laser.conf_ls),
+        ("CONF_SG", laser.conf_sg),
+        ("LASER_PAGE", laser.page),
         ("POS_DATA", refuse),
         ("TK", tell),
         ("CONF_SER", refuse),

@@ -271,7 +271,15 @@ class Environment:
         messages["result"][~good] = 0
         results = messages["result"].copy()
         if code in STATE_REPLIES:
-            self._instruments.tell(self.state, rows, messages, at_s, states)
+            self._instruments.tell(
+                self.state,
+                self._equipment,
+                code=code,
+                rows=rows,
+                messages=messages,
+                at_s=at_s,
+                states=states,
+            )
             messages["size"] = _STATE_BYTES
             messages["data"][:, :_STATE_BYTES] = states.astype("<i4").view(np.uint8)
         elif code == CODES["SONAR"]:

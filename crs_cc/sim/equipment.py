@@ -28,6 +28,8 @@ class Equipment:
         least_interval_s: the shortest time from one sonar's firing to the next.
         infrared: number of each robot among those that have an infrared ring, -1 for the others.
         compass: the same for compasses.
+        laser: the same for lasers.
+        laser_points: how many points a laser can tell.
         calibration_s: how long a compass turns around to be calibrated.
         heat_range_m: how far the heat sensor senses, 0 where there is none.
         tag_range_m: how far heat is taken away.
@@ -43,6 +45,8 @@ class Equipment:
     least_interval_s: FloatArray
     infrared: IndexArray
     compass: IndexArray
+    laser: IndexArray
+    laser_points: npt.NDArray[np.int32]
     calibration_s: FloatArray
     heat_range_m: FloatArray
     tag_range_m: FloatArray
@@ -62,6 +66,8 @@ class Equipment:
             np.array([model.sonar_board.least_interval_s for model in models]),
             _numbers([model.infrared is not None for model in models]),
             _numbers([model.compass is not None for model in models]),
+            _numbers([model.laser is not None for model in models]),
+            np.array([model.laser.points if model.laser else 0 for model in models], np.int32),
             np.array([model.compass.calibration_s if model.compass else 0.0 for model in models]),
             np.array([model.heat.range_m for model in models]),
             np.array([model.heat.tag_range_m for model in models]),

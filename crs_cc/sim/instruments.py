@@ -1,7 +1,8 @@
 """What the sensor board reads when a reply tells it, and tells with each state.
 
-Infrared ring and compass measure on demand: where a reply carries their readings, and the mask
-that the program set (`ct`) has one of their bits. Batteries and clock are told with every state.
+Infrared ring, compass and laser measure on demand: where a reply carries their readings, and the
+mask that the program set (`ct`) has one of their bits. Batteries and clock are told with every
+state.
 """
 
 from __future__ import annotations
@@ -12,12 +13,14 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.requests import CODES, STATE_REPLIES
+from crs_cc.sim.sensors import laser
 from crs_cc.sim.sensors.battery import Batteries
 from crs_cc.sim.sensors.clock import BoardClock
 from crs_cc.sim.sensors.compass import Compasses
 from crs_cc.sim.sensors.infrared import InfraredRing
+from crs_cc.sim.sensors.laser import Lasers
 from crs_cc.sim.state_vector import MOTOR_STATUS
-from crs_cc.sim.states.mask import COMPASS, INFRARED
+from crs_cc.sim.states.mask import COMPASS, INFRARED, LASER
 
 if TYPE_CHECKING:
     from crs_cc.sim.equipment import Equipment
@@ -37,6 +40,7 @@ _OF_A_GROUP: Final = frozenset(
         "GET_CP", "GET_LS", "GET_SG",
     )
 )  # fmt: skip
+_LASER_CODES: Final = frozenset({CODES["GET_LS"], CODES["GET_SG"]})
 _TELLS_ALL: Final = STATE_REPLIES - _OF_A_GROUP
 
 
@@ -52,14 +56,16 @@ class Instruments:
         self._clock = BoardClock(world)
         self._infrared = InfraredRing(world, seed)
         self._compasses = Compasses(world, seed)
+        self._lasers = Lasers(world, seed)
         models = [robot.model for robot in world.robots]
         self._has_infrared = any(model.infrared is not None for model in models)
+        self._has_lasers = any(model.laser is not None for model in models)
         self._has_compasses = any(model.compass is not None for model in models)
 
     @property
     def fans(self) -> list[Fan]:
         """Gives the beams of those that measure distances."""
-        return self._infrared.fans
+        return [*self._infrared.fans, *self._lasers.fans]
 
     def read(
         self,
@@ -88,18 +94,27 @@ class Instruments:
             asked = _asked(state, rows, COMPASS) | (code == CODES["GET_CP"])
             self._compasses.read(state, equipment, rows[asked], at_s[asked])
 
+        if self._has_lasers and (code in _TELLS_ALL or code in _LASER_CODES):
+            asked = _asked(state, rows, LASER) | (code in _LASER_CODES)
+            self._lasers.read(state, equipment, around, rows[asked], at_s[asked])
+
     def tell(
         self,
         state: EnvState,
+        equipment: Equipment,
+        *,
+        code: int,
         rows: IndexArray,
         messages: Messages,
         at_s: FloatArray,
         states: npt.NDArray[np.int32],
     ) -> None:
-        """Tells batteries and clock with a state.
+        """Tells batteries, clock, and how many laser readings lie ready, with a state.
 
         Args:
             state: what is told of.
+            equipment: the robots' constants.
+            code: the request's code.
             rows: which robots, k of them.
             messages: the replies, changed in place.
             at_s: when each is given, shape (k,).
@@ -109,8 +124,27 @@ class Instruments:
         if status is not None:
             states[:, MOTOR_STATUS] |= status
         messages["i"][:, 0] = 0
+        if self._has_lasers and (code in _TELLS_ALL or code in _LASER_CODES):
+            messages["i"][:, 0] = _tell_laser(state, equipment, code, rows)
         messages["i"][:, 1], messages["i"][:, 2] = self.batteries.told(state, rows, at_s)
         messages["f"][:, 0] = self._clock.ms(rows, at_s)
+
+
+def _tell_laser(
+    state: EnvState, equipment: Equipment, code: int, rows: IndexArray
+) -> npt.NDArray[np.int32]:
+    """Keeps what lasers saw for the pages; gives how many readings each robot has, (k,)."""
+    mine = equipment.laser[rows]
+    asked = (mine >= 0) & (_asked(state, rows, LASER) | (code in _LASER_CODES))
+    mine, kept = mine[asked], state.laser
+    width = laser.widths(kept.mode[mine])
+    if code in _LASER_CODES:
+        width[:] = laser.POINTS if code == CODES["GET_LS"] else laser.SEGMENTS
+    points = np.where(laser.is_on(kept.mode[mine]), kept.points[mine], 0)
+    laser.keep(state, kept.told, mine, width, (points, kept.seen[mine]))
+    counts = np.zeros(len(rows), dtype=np.int32)
+    counts[asked] = kept.told.count[mine]
+    return counts
 
 
 def _asked(state: EnvState, rows: IndexArray, group: slice) -> npt.NDArray[np.bool_]:

@@ -21,6 +21,7 @@ from crs_cc.sim.sensor_model import (
     Battery,
     Compass,
     Infrared,
+    Laser,
     MotorBattery,
     SensorBoard,
     Switch,
@@ -124,6 +125,7 @@ class RobotModel:
         bumpers: the switches of its bumpers.
         infrared: its infrared ring, None where there is none.
         compass: its compass, None where there is none.
+        laser: its laser, None where there is none.
         computer_battery: what feeds its computers.
         motor_battery: what feeds its motors.
         board: the computer that reads its sensors.
@@ -143,6 +145,7 @@ class RobotModel:
     bumpers: tuple[Switch, ...] = ()
     infrared: Infrared | None = None
     compass: Compass | None = None
+    laser: Laser | None = None
     computer_battery: Battery = ENDLESS
     motor_battery: MotorBattery = ENDLESS_MOTORS
     board: SensorBoard = USUAL_BOARD

@@ -14,6 +14,7 @@ from crs_cc.sim.sensor_model import (
     Battery,
     Compass,
     Infrared,
+    Laser,
     MotorBattery,
     SensorBoard,
     Switch,
@@ -24,6 +25,9 @@ BUMPER_BITS: Final = 24
 
 MAX_INFRARED: Final = 16
 """The vendor's `State` array has 16 places for them (vendor header `Nclient.h` 1.29)."""
+
+NUM_LASER: Final = 482
+"""The most points that a laser can tell (vendor header `Nclient.h` 1.29)."""
 
 _TURN: Final = 2 * math.pi
 _CLOCKWISE: Final = "clockwise"
@@ -95,6 +99,26 @@ def compass(root: Element, reader: Reader) -> Compass | None:
         rate_hz=reader.positive(element, "rate", FREQUENCY),
         noise_rad=reader.not_negative(element, "noise", ANGLE),
         is_on=element.attributes["on"] == "yes",
+    )
+
+
+def laser(root: Element, reader: Reader) -> Laser | None:
+    """Gives the laser, None for a robot without one."""
+    found = list(root.all("laser"))
+    if not found:
+        return None
+    element = found[0]
+    field_of_view_rad = reader.positive(element, "field-of-view", ANGLE)
+    if field_of_view_rad > _TURN:
+        reader.refuse(element, "field-of-view: there are only 360 degrees")
+    return Laser(
+        points=reader.whole(element, "points", 1, NUM_LASER),
+        field_of_view_rad=field_of_view_rad,
+        range_m=reader.positive(element, "range", LENGTH),
+        forward_m=reader.quantity(element, "forward", LENGTH),
+        rate_hz=reader.positive(element, "rate", FREQUENCY),
+        noise_m=reader.not_negative(element, "noise", LENGTH),
+        mode=int(element.attributes["mode"]),
     )
 
 

@@ -71,6 +71,29 @@ class Compass:
 
 
 @dataclass(frozen=True, slots=True)
+class Laser:
+    """A laser that measures distances in its plane.
+
+    Attributes:
+        points: how many there are at most.
+        field_of_view_rad: the angle that they cover, half of it to each side.
+        range_m: how far it sees.
+        forward_m: where it sits, ahead of the middle of the mount.
+        rate_hz: how often it looks at most.
+        noise_m: standard deviation of a distance's error at a distance of 1 m.
+        mode: the vendor's mode at the start; 0 for off.
+    """
+
+    points: int
+    field_of_view_rad: float
+    range_m: float
+    forward_m: float
+    rate_hz: float
+    noise_m: float
+    mode: int
+
+
+@dataclass(frozen=True, slots=True)
 class Battery:
     """A battery and what it feeds.
 

@@ -32,6 +32,7 @@ from crs_cc.sim.states.compass import CompassState
 from crs_cc.sim.states.drive import DriveState
 from crs_cc.sim.states.heat import HeatState
 from crs_cc.sim.states.infrared import InfraredState
+from crs_cc.sim.states.laser import LaserState
 from crs_cc.sim.states.mask import first_mask
 from crs_cc.sim.states.obstacles import ObstacleState
 from crs_cc.sim.states.odometry import OdometryState
@@ -63,6 +64,7 @@ class EnvState:
         bumpers: the switches that are pressed.
         infrared: the infrared sensors' readings.
         compass: the compasses' readings.
+        laser: what the lasers saw and told.
         mask: which parts of `State` the program asks for (`Smask`), (robots, 44).
         battery: what the motors took from theirs.
         heat: how hot things are.
@@ -88,6 +90,7 @@ class EnvState:
     bumpers: BumperState
     infrared: InfraredState
     compass: CompassState
+    laser: LaserState
     mask: npt.NDArray[np.uint8]
     battery: BatteryState
     heat: HeatState
@@ -118,6 +121,7 @@ class EnvState:
             bumpers=BumperState.at_start(world),
             infrared=InfraredState.at_start(world),
             compass=CompassState.at_start(world),
+            laser=LaserState.at_start(world),
             mask=first_mask(count),
             battery=BatteryState.at_start(world),
             obstacles=ObstacleState.at_start(world),

@@ -40,6 +40,7 @@ VEL_LEFT: Final = 39  # [0.1 in/s]; of a synchro drive the steering [0.1 deg/s]
 VEL_TURRET: Final = 40  # [0.1 deg/s]
 MOTOR_STATUS: Final = 41  # bit n: the motor of axis n + 1 works, be it in vain
 
+LASER: Final = 42  # mode
 COMPASS: Final = 43  # [0.1 deg], 0 to 3599
 
 _BITS: Final = np.array([1, 2, 4])
@@ -57,6 +58,9 @@ def state_vector(state: EnvState, equipment: Equipment, rows: IndexArray) -> npt
         has = equipment.infrared[rows] >= 0
         level = state.infrared.level[equipment.infrared[rows[has]]]
         vector[has, IR_0:SONAR_0] = np.rint(level)
+    if len(state.laser.mode):
+        has = equipment.laser[rows] >= 0
+        vector[has, LASER] = state.laser.mode[equipment.laser[rows[has]]]
     if len(state.compass.reading):
         has = equipment.compass[rows] >= 0
         vector[has, COMPASS] = state.compass.reading[equipment.compass[rows[has]]]

@@ -1,0 +1,89 @@
+"""What lasers saw last, and what of it the program was told."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final, Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.model import WorldModel
+from crs_cc.sim.sensor_elements import NUM_LASER
+from crs_cc.sim.states.moments import Moments
+
+WholeArray = npt.NDArray[np.int32]
+
+_USUAL_SEGMENTS: Final = (50, 4, 30)
+"""What the vendor's header advises to give to `conf_sg`."""
+
+
+@dataclass(slots=True)
+class Told:
+    """Readings for the pages that a program asks for; a row for each robot with a laser.
+
+    Attributes:
+        count: how many there are, (n,).
+        width: numbers of each: 2 for points, 4 for segments, (n,).
+        numbers: the numbers, one reading after the other, (n, 964).
+    """
+
+    count: WholeArray
+    width: WholeArray
+    numbers: WholeArray
+
+    @classmethod
+    def nothing(cls, count: int) -> Self:
+        """Gives no readings."""
+        return cls(
+            np.zeros(count, dtype=np.int32),
+            np.full(count, 2, dtype=np.int32),
+            np.zeros((count, 2 * NUM_LASER), dtype=np.int32),
+        )
+
+
+@dataclass(slots=True)
+class LaserState:
+    """The lasers; arrays have a row for each robot that has one, n of them.
+
+    Attributes:
+        mode: what `conf_ls` set, (n,).
+        wanted: how many points are looked for, (n,).
+        averaged: how many pixels make an average, (n,).
+        segments: threshold, fewest points and gap of segments, as `conf_sg` set them, (n, 3).
+        points: how many points were seen last, (n,).
+        seen: their x and y [0.1 in], ahead and left of the middle of the mount, (n, 964).
+        count: how often it looked, (n,).
+        measured: when it looked last.
+        told: what the last reply told of.
+        predicted: what the last answer to PREDICT told of.
+    """
+
+    mode: WholeArray
+    wanted: WholeArray
+    averaged: WholeArray
+    segments: WholeArray
+    points: WholeArray
+    seen: WholeArray
+    count: npt.NDArray[np.int64]
+    measured: Moments
+    told: Told
+    predicted: Told
+
+    @classmethod
+    def at_start(cls, world: WorldModel) -> Self:
+        """Gives lasers that are as their definitions say, and have seen nothing."""
+        found = [laser for robot in world.robots if (laser := robot.model.laser) is not None]
+        count = len(found)
+        return cls(
+            mode=np.array([laser.mode for laser in found], dtype=np.int32),
+            wanted=np.array([laser.points for laser in found], dtype=np.int32),
+            averaged=np.ones(count, dtype=np.int32),
+            segments=np.tile(np.array(_USUAL_SEGMENTS, dtype=np.int32), (count, 1)),
+            points=np.zeros(count, dtype=np.int32),
+            seen=np.zeros((count, 2 * NUM_LASER), dtype=np.int32),
+            count=np.zeros(count, dtype=np.int64),
+            measured=Moments.never(count),
+            told=Told.nothing(count),
+            predicted=Told.nothing(count),
+        )
