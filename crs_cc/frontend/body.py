@@ -26,7 +26,7 @@ from crs_cc.frontend.lex import Token
 from crs_cc.frontend.scope import ENTRIES
 from crs_cc.source import Diagnostics
 
-Kind: TypeAlias = Literal["declaration", "function", "statement"]
+Kind: TypeAlias = Literal["declaration", "function", "statement", "stray"]
 
 _CONTROLS: Final = frozenset({
     "BREAK", "CASE", "CONTINUE", "DEFAULT", "DO", "ELSE", "FOR", "GOTO", "IF", "LBRACE", "RETURN",
@@ -49,7 +49,8 @@ class Item:
     """A piece of a file at its outermost level.
 
     Attributes:
-        kind: what it is, as far as its first tokens and braces tell.
+        kind: what it is, as far as its first tokens and braces tell; a `}` that closes nothing is
+            stray.
         start: the index of its first token.
         stop: the index behind its last one.
         name: of a function its name.
@@ -80,6 +81,8 @@ def with_body(tokens: Sequence[Token], file: str, diagnostics: Diagnostics) -> l
     first, last = statements[0], statements[-1]
     while first > 0 and _belongs(items[first - 1], tokens, file):
         first -= 1
+    while last + 1 < len(items) and items[last + 1].kind == "stray":
+        last += 1
     start, stop = items[first].start, items[last].stop
     body = _balanced(tokens[start:stop], diagnostics)
     begin = [("INT", "int"), ("ID", "runcode"), ("LPAREN", "("), ("VOID", "void"), ("RPAREN", ")")]
@@ -175,6 +178,8 @@ def _kind(tokens: Sequence[Token], start: int) -> Kind:
     first, *others = (token.type for token in tokens[start : start + 2])
     if first in _DECLARES or tokens[start].value in ("__attribute__", "__auto_type"):
         return "declaration"
+    if first == "RBRACE":
+        return "stray"
     if first != "ID" or not others:
         return "statement"
     index = start + 1
