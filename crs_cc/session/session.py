@@ -170,7 +170,8 @@ class Session:
             if REQUESTS.get(code) is None or code in HOST_CODES:
                 self._answer_host(robot, code)
             else:
-                link_s = self.environment.link_s(code, robot)
+                size = int(slots["message"]["size"][robot])
+                link_s = self.environment.link_s(code, robot, size)
                 self._due_s[robot] = self.clock_s[robot] + link_s
 
     def _answer_host(self, robot: int, code: int) -> None:

@@ -3,7 +3,7 @@
 A line says which command the hardware simulator was running, which slice of it went into the
 timestep, and which requests were answered, each with the instant at which the program went on:
 
-    0.200 robot0  VM 5/-  right 0.0053 m  left 0.0053 m  GET_RC() @0.221 pose=4,0,0
+    0.200 robot0  VM 5/-  right 0.0049 m  left 0.0049 m  GET_RC() @0.237 pose=4,0,0
 """
 
 from __future__ import annotations

@@ -14,6 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.requests import CODES
+from crs_cc.sim import link
 from crs_cc.sim.actuators import drive, tag
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.sensors import compass, heat, infrared, laser, odometry, sonar
@@ -37,6 +38,7 @@ def connect(state: EnvState, equipment: Equipment, rows: IndexArray, messages: M
     That robot is there already, so that `create_robot` has nothing more to do.
     """
     state.connected[rows] = True
+    link.set_speed(state, rows, messages["i"][:, 1])
     messages["i"][:, 0] = equipment.vendor_model[rows]
 
 
@@ -107,7 +109,7 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("LASER_PAGE", laser.page),
         ("POS_DATA", refuse),
         ("TK", tell),
-        ("CONF_SER", refuse),
+        ("CONF_SER", link.conf_ser),
         ("PLACE_ROBOT", refuse),
         ("ADD_OBSTACLE", world.add_obstacle),
         ("DELETE_OBSTACLE", world.delete_obstacle),

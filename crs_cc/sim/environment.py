@@ -29,11 +29,12 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.requests import CODES, MESSAGE, NUM_STATE, REQUESTS, STATE_REPLIES
+from crs_cc.requests import CODES, MESSAGE, NUM_STATE, STATE_REPLIES
 from crs_cc.sim.actuators import drive, traction
 from crs_cc.sim.commands import CHANGES_WORLD, CONNECTS, HANDLERS, MOVES, WAITS
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.instruments import Instruments
+from crs_cc.sim.link import SerialLine
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.physics import Contacts, Physics, PhysicsSnapshot
 from crs_cc.sim.scene import Scene
@@ -94,7 +95,7 @@ class Environment:
         self._sonars.begin(self.state, self._equipment, self._around)
         self._served: list[Served] = []
         self._axes = tuple(robot.model.drive.axis_names for robot in world.robots)
-        self._link_s = [dict(robot.model.link_s) for robot in world.robots]
+        self._line = SerialLine(world)
 
     @property
     def world_now(self) -> WorldModel:
@@ -116,10 +117,15 @@ class Environment:
         """Gives the end of the current cycle [s], the start of the next."""
         return (self.state.cycle + 1) * self.timestep_s
 
-    def link_s(self, code: int, robot: int = 0) -> float:
-        """Gives the time that a request takes on the line between host and robot [s]."""
-        request = REQUESTS.get(code)
-        return self._link_s[robot].get(request.name, 0.0) if request else 0.0
+    def link_s(self, code: int, robot: int = 0, size: int = 0) -> float:
+        """Gives the time that a request takes on the line between host and robot [s].
+
+        Args:
+            code: the request's code.
+            robot: whose request it is.
+            size: bytes of its data.
+        """
+        return self._line.time_s(self.state.link, code, robot, size)
 
     def serve(
         self, code: int, robots: IndexArray, messages: Messages, clock_s: FloatArray

@@ -35,7 +35,7 @@ from typing import Final, Literal, Self, TypeAlias
 import numpy as np
 
 from crs_cc.sim.polygon import area_m2, centroid_m
-from crs_cc.sim.robot_model import RobotModel
+from crs_cc.sim.robot_model import IDEAL_LINK, RobotModel
 
 FIXED_KG: Final = math.inf
 """The mass of what cannot be pushed."""
@@ -200,7 +200,7 @@ class WorldModel:
     def with_ideal_link(self) -> WorldModel:
         """Gives the same world with commands that take no time on their way to the robot."""
         robots = tuple(
-            replace(robot, model=replace(robot.model, link_s=())) for robot in self.robots
+            replace(robot, model=replace(robot.model, link=IDEAL_LINK)) for robot in self.robots
         )
         return replace(self, robots=robots)
 

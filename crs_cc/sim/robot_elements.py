@@ -20,12 +20,11 @@ from crs_cc.sim.quantity import (
     TURN_RATE,
     Kind,
 )
-from crs_cc.sim.robot_model import Axis, Drive, Heat, RobotModel
+from crs_cc.sim.robot_model import Axis, Drive, Heat, Link, RobotModel
 
 VENDOR_MODELS: Final = ("nomad200", "nomad150", "scout")
 """The vendor's models by their numbers (vendor header `Nclient.h` 1.29: MODEL_N200, ...)."""
 
-_BITS_PER_BYTE: Final = 10  # one start bit, eight data bits, one stop bit
 _MOST_BYTES: Final = 65_535
 _MOST_BAUD: Final = 100_000_000
 _ROBOT_COMMANDS: Final = frozenset(
@@ -53,7 +52,7 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         computer_battery=sensor_elements.computer_battery(root, reader),
         motor_battery=sensor_elements.motor_battery(root, reader),
         board=sensor_elements.sensor_board(root, reader),
-        link_s=_link(root.first("link"), reader),
+        link=_link(root.first("link"), reader),
         host_speed_hz=reader.positive(root.first("host"), "speed", FREQUENCY, 5e7),
         vendor_model=VENDOR_MODELS.index(vendor),
     )
@@ -101,14 +100,14 @@ def _heat(element: Element, reader: Reader) -> Heat:
     return Heat(range_m, reader.not_negative(element, "tag-range", LENGTH, range_m))
 
 
-def _link(element: Element, reader: Reader) -> tuple[tuple[str, float], ...]:
-    baud = reader.whole(element, "baud", 1, _MOST_BAUD, absent=1)
-    times: dict[str, float] = {}
+def _link(element: Element, reader: Reader) -> Link:
+    counts: dict[str, int] = {}
     for command in element.all("command"):
         name = command.attributes["name"]
         if name not in _ROBOT_COMMANDS:
             reader.error(command, f"{name!r} is no command of a robot")
         count = reader.whole(command, "sends", 0, _MOST_BYTES)
         count += reader.whole(command, "receives", 0, _MOST_BYTES)
-        times[name] = count * _BITS_PER_BYTE / baud
-    return tuple(sorted(times.items()))
+        counts[name] = count
+    baud = reader.whole(element, "baud", 1, _MOST_BAUD, absent=1)
+    return Link(baud, tuple(sorted(counts.items())))

@@ -111,6 +111,23 @@ class Heat:
 
 
 @dataclass(frozen=True, slots=True)
+class Link:
+    """The serial line between the host and the robot.
+
+    Attributes:
+        baud: its speed until the program sets another [bit/s].
+        byte_counts: bytes that each command and its reply take, by name.
+    """
+
+    baud: int
+    byte_counts: tuple[tuple[str, int], ...] = ()
+
+
+IDEAL_LINK: Final = Link(1)
+"""A line on which nothing takes time."""
+
+
+@dataclass(frozen=True, slots=True)
 class RobotModel:
     """What a kind of robot is made of, as its definition file says.
 
@@ -129,7 +146,7 @@ class RobotModel:
         computer_battery: what feeds its computers.
         motor_battery: what feeds its motors.
         board: the computer that reads its sensors.
-        link_s: time that each command takes on the line between host and robot, by name.
+        link: the line between host and robot.
         host_speed_hz: how many IR instructions the host computer runs in a second.
         vendor_model: number of the model, as the vendor's `connect_robot` takes it: 0 a Nomad 200,
             1 a Nomad 150, 2 a Scout.
@@ -149,6 +166,6 @@ class RobotModel:
     computer_battery: Battery = ENDLESS
     motor_battery: MotorBattery = ENDLESS_MOTORS
     board: SensorBoard = USUAL_BOARD
-    link_s: tuple[tuple[str, float], ...] = ()
+    link: Link = IDEAL_LINK
     host_speed_hz: float = 5e7
     vendor_model: int = 2

@@ -33,6 +33,7 @@ from crs_cc.sim.states.drive import DriveState
 from crs_cc.sim.states.heat import HeatState
 from crs_cc.sim.states.infrared import InfraredState
 from crs_cc.sim.states.laser import LaserState
+from crs_cc.sim.states.link import LinkState
 from crs_cc.sim.states.mask import first_mask
 from crs_cc.sim.states.obstacles import ObstacleState
 from crs_cc.sim.states.odometry import OdometryState
@@ -68,6 +69,7 @@ class EnvState:
         mask: which parts of `State` the program asks for (`Smask`), (robots, 44).
         battery: what the motors took from theirs.
         heat: how hot things are.
+        link: the serial lines to the robots.
         obstacles: what programs have put into the world, and taken out of it.
         connected: whether the program has connected.
         asked: the message of the request that a robot waits for, of dtype `MESSAGE`, zero for
@@ -94,6 +96,7 @@ class EnvState:
     mask: npt.NDArray[np.uint8]
     battery: BatteryState
     heat: HeatState
+    link: LinkState
     obstacles: ObstacleState
     connected: BoolArray
     asked: npt.NDArray[np.void]
@@ -126,6 +129,7 @@ class EnvState:
             battery=BatteryState.at_start(world),
             obstacles=ObstacleState.at_start(world),
             heat=HeatState.at_start(world, scene),
+            link=LinkState.at_start(world),
             connected=np.zeros(count, dtype=np.bool_),
             asked=np.zeros(count, MESSAGE),
             touching=_whole(0),

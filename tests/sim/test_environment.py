@@ -45,7 +45,7 @@ def test_commands_take_the_time_of_their_bytes_on_the_line():
     environment = Environment(empty_world(), 0)
     bits = 10 / 38400
     assert environment.link_s(CODES["VM"]) == pytest.approx((12 + 48) * bits)
-    assert environment.link_s(CODES["GET_BP"]) == pytest.approx((6 + 9) * bits)
+    assert environment.link_s(CODES["GET_BP"]) == pytest.approx((6 + 13) * bits)
     assert environment.link_s(CODES["CONNECT"]) == 0
     assert environment.link_s(12345) == 0
 

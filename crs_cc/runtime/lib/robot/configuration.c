@@ -29,7 +29,7 @@ int conf_ir(int history, int order[16])
     if (__crs_is_direct_without_sensors())
         return FALSE;
     put_order(&message, order);
-    message.i[0] = history & 255;
+    message.i[0] = history > 10 ? 10 : history & 255;
     return __crs_post_state(CRS_CONF_IR, &message);
 }
 
@@ -71,6 +71,8 @@ int conf_tm(unsigned char timeout)
 /* The vendor has it in Ndirect alone. */
 int conf_ser(unsigned char port, unsigned short baud)
 {
+    if (__crs_client.model == MODEL_N200)
+        return FALSE;
     return __crs_command(CRS_CONF_SER, port, baud, 0, 0);
 }
 
@@ -122,8 +124,6 @@ void init_mask(void)
 
 int init_sensors(void)
 {
-    if (__crs_is_direct_without_sensors())
-        return FALSE;
     return __crs_use_initial_mask();
 }
 

@@ -38,6 +38,21 @@ static void complain_of_no_connection(void)
     told = 1;
 }
 
+/* A robot answers to what it does not know with a packet of its own, which Ndirect does not take
+   for an error. */
+static void note_refusal(void)
+{
+    if (__crs_is_direct())
+        printf("Nak\n");
+    else
+        State[STATE_ERROR] = CRS_REFUSED;
+}
+
+int __crs_was_refused(void)
+{
+    return __crs_is_direct() && __crs_client.connected;
+}
+
 int __crs_post(int code, struct __crs_message *message)
 {
     int result;
@@ -52,8 +67,8 @@ int __crs_post(int code, struct __crs_message *message)
     result = __crs_request(code, message);
     if (__crs_after_request != NULL)
         __crs_after_request();
-    if (result == 0 && code != CRS_MOTION_CHECK && !__crs_is_direct())
-        State[STATE_ERROR] = CRS_REFUSED;
+    if (result == 0 && code != CRS_MOTION_CHECK)
+        note_refusal();
     return result;
 }
 
@@ -75,7 +90,7 @@ int __crs_post_state(int code, struct __crs_message *message)
     int i, points;
 
     if (!__crs_post(code, message))
-        return FALSE;
+        return __crs_was_refused();
     for (i = 0; i < NUM_MASK; i++)
         if (is_let_through(i))
             State[i] = numbers[i];
@@ -102,34 +117,30 @@ int __crs_command(int code, int a, int b, int c, int d)
     return __crs_post_state(code, &message);
 }
 
-static int read_group(int code, int first, int last, struct __crs_message *message)
+static int read_group(int code, int first, int last, int tells_time)
 {
-    const int *numbers = (const int *)message->data;
+    struct __crs_message message;
+    const int *numbers = (const int *)message.data;
     int i;
 
-    message->size = 0;
-    if (!__crs_post(code, message))
-        return FALSE;
+    message.size = 0;
+    if (!__crs_post(code, &message))
+        return __crs_was_refused();
     for (i = first; i <= last; i++)
         State[i] = numbers[i];
+    if (tells_time)
+        take_board_time(&message);
     return TRUE;
 }
 
 int __crs_read_group(int code, int first, int last)
 {
-    struct __crs_message message;
-
-    return read_group(code, first, last, &message);
+    return read_group(code, first, last, 0);
 }
 
 int __crs_read_sensors(int code, int first, int last)
 {
-    struct __crs_message message;
-
-    if (!read_group(code, first, last, &message))
-        return FALSE;
-    take_board_time(&message);
-    return TRUE;
+    return read_group(code, first, last, 1);
 }
 
 int __crs_wired(int value)

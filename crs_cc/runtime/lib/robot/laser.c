@@ -31,7 +31,7 @@ static int read_readings(int code)
         return FALSE;
     message.size = 0;
     if (!__crs_post(code, &message))
-        return FALSE;
+        return __crs_was_refused();
     __crs_client.board_ms = (unsigned long)(long long)message.f[0];
     __crs_read_laser(Laser, message.i[0], 0);
     return TRUE;

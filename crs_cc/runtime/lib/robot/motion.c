@@ -44,9 +44,10 @@ int vm(int trans, int steer, int turret)
     return axes(CRS_VM, trans, steer, turret);
 }
 
+/* Ndirect sends every mode, and leaves it to the robot. */
 static int is_sent(int mode)
 {
-    return mode >= MV_IGNORE && mode <= MV_SP;
+    return (mode >= MV_IGNORE && mode <= MV_SP) || __crs_is_direct();
 }
 
 int mv(int t_mode, int t_mv, int s_mode, int s_mv, int r_mode, int r_mv)

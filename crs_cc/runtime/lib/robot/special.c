@@ -19,7 +19,7 @@ static int exchange(const unsigned char *sent, unsigned char *received)
     message.size = length < CRS_DATA_SIZE ? length : CRS_DATA_SIZE;
     memcpy(message.data, sent, message.size);
     if (!__crs_post(CRS_SPECIAL, &message))
-        return FALSE;
+        return __crs_was_refused();
     memcpy(received, message.data, message.size);
     return TRUE;
 }

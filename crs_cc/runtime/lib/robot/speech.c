@@ -16,6 +16,7 @@ static int write_to_device(const char *text)
     if (device < 0)
         return FALSE;
     __crs_put(device, text, strlen(text));
+    __crs_put(device, "\n", 1);
     __crs_close(device);
     return TRUE;
 }
@@ -30,7 +31,7 @@ int tk(char *talk)
     message.size = length < sizeof message.data ? length : sizeof message.data;
     memcpy(message.data, talk, message.size);
     if (!__crs_post(CRS_TK, &message))
-        return FALSE;
+        return __crs_was_refused();
     printf("%s\n", talk);
     return TRUE;
 }

@@ -34,6 +34,9 @@ int __crs_is_direct_without_sensors(void);
    connection or a server it says so in its way and gives 0. */
 int __crs_post(int code, struct __crs_message *message);
 
+/* What a command gives whose request was not done: TRUE under Ndirect if the robot has answered. */
+int __crs_was_refused(void);
+
 /* Posts a request that is answered with the whole state, and refreshes what the mask in use lets
    through; gives TRUE when it was done. */
 int __crs_post_state(int code, struct __crs_message *message);

@@ -1,0 +1,69 @@
+"""The serial line between host and robot: how long commands and replies are on their way.
+
+A byte is ten bits on the line: a start bit, eight of data, a stop bit. How many bytes a command and
+its reply have says the robot's definition; one that is not named there takes no time.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.requests import CODES, DATA_SIZE
+from crs_cc.sim.equipment import Equipment
+from crs_cc.sim.model import WorldModel
+from crs_cc.sim.state import EnvState
+from crs_cc.sim.states.link import LinkState
+
+IndexArray = npt.NDArray[np.intp]
+Messages = npt.NDArray[np.void]
+
+_BITS_PER_BYTE: Final = 10
+_SPEEDS_BAUD: Final = (4800, 9600, 19200, 38400)  # vendor source `Ndirect.c` 2.7
+_CARRIED: Final = frozenset({CODES["TK"], CODES["SPECIAL"]})  # their data goes over the line
+
+
+class SerialLine:
+    """The lines to all robots of a world."""
+
+    def __init__(self, world: WorldModel) -> None:
+        """Reads the definitions.
+
+        Args:
+            world: the world.
+        """
+        self._byte_counts = [
+            {CODES[name]: count for name, count in robot.model.link.byte_counts}
+            for robot in world.robots
+        ]
+
+    def time_s(self, state: LinkState, code: int, robot: int, size: int) -> float:
+        """Gives how long a request and its reply are on the line [s].
+
+        Args:
+            state: the speeds.
+            code: the request's code.
+            robot: whose it is.
+            size: bytes of its data.
+        """
+        count = self._byte_counts[robot].get(code, 0)
+        if count and code in _CARRIED:
+            count += min(max(size, 0), DATA_SIZE)
+        return count * _BITS_PER_BYTE / int(state.baud[robot])
+
+
+def set_speed(state: EnvState, rows: IndexArray, baud: npt.NDArray[np.int32]) -> None:
+    """Sets the speed of lines; a speed that no line has changes nothing."""
+    known = np.isin(baud, _SPEEDS_BAUD)
+    state.link.baud[rows[known]] = baud[known]
+
+
+def conf_ser(
+    state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages
+) -> npt.NDArray[np.bool_]:
+    """Sets the speed of the line, whatever the port: which one is the host's, nothing tells."""
+    baud = messages["i"][:, 1].copy()
+    set_speed(state, rows, baud)
+    return np.isin(baud, _SPEEDS_BAUD)

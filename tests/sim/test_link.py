@@ -1,0 +1,49 @@
+"""The serial line: every command has its length, and its speed can be changed."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from crs_cc.requests import CODES, MESSAGE, REQUESTS
+from crs_cc.sim.environment import Environment
+from crs_cc.sim.world_xml import known_robots, parse_world
+
+ELSEWHERE = {
+    *("CONNECT", "DISCONNECT", "CREATE", "QUIT_SERVER", "REAL_ROBOT", "SIMULATED_ROBOT"),
+    *("LASER_PAGE", "POS_DATA"),  # they came with the reply
+    *("PLACE_ROBOT", "ADD_OBSTACLE", "DELETE_OBSTACLE", "MOVE_OBSTACLE", "NEW_WORLD", "GET_RPX"),
+    *("PREDICT", "MOTION_CHECK", "GET_CONF", "DRAW", "REFRESH"),
+}
+"""Requests that do not go over the line: to connect, and to the simulator."""
+
+
+def environment(robot="scout"):
+    text = f'<area length="4m" width="4m"/><robot definition="{robot}" x="2m" y="2m"/>'
+    return Environment(parse_world(f'<world version="1">{text}</world>'.encode(), "test"), 0)
+
+
+@pytest.mark.parametrize("robot", known_robots())
+def test_every_command_to_the_robot_takes_time_and_nothing_else_does(robot):
+    line = environment(robot)
+    takes = {row.name for row in REQUESTS.values() if line.link_s(row.code) > 0}
+    assert takes == {row.name for row in REQUESTS.values() if row.server == "robot"} - ELSEWHERE
+
+
+def test_a_text_takes_time_letter_by_letter():
+    line = environment()
+    spoken, silent = (line.link_s(CODES["TK"], 0, size) for size in (100, 0))
+    assert spoken - silent == pytest.approx(100 * 10 / 38400)
+    assert line.link_s(CODES["GS"], 0, 100) == line.link_s(CODES["GS"])
+
+
+@pytest.mark.parametrize(("baud", "good"), [(9600, 1), (4800, 1), (1234, 0), (-1, 0)])
+def test_conf_ser_sets_the_speed(baud, good):
+    line = environment()
+    before = line.link_s(CODES["GS"])
+    for name in ("CONNECT", "CONF_SER"):
+        message = np.zeros(1, MESSAGE)
+        message["i"][0, 1] = baud if name == "CONF_SER" else 0
+        line.serve(CODES[name], np.array([0]), message, np.zeros(1))
+    assert message["result"][0] == good
+    assert line.link_s(CODES["GS"]) == pytest.approx(before * (38400 / baud if good else 1))
