@@ -16,6 +16,8 @@ import numpy as np
 
 from crs_cc.cli.svg import Page, Point, View
 from crs_cc.cli.tracks import FloatArray, simplified
+from crs_cc.cli.x11_colours import HEX
+from crs_cc.sim.drawings import Drawing
 from crs_cc.sim.model import Cylinder, Robot, Solid, Thing, Wall, WorldModel, is_pushable
 from crs_cc.sim.scene import corners_m
 
@@ -66,6 +68,7 @@ class Picture:
         trips: the robots.
         contacts: robot number and place [m] of each contact.
         pushed: what was pushed away, at the end.
+        drawings: what programs have drawn.
     """
 
     title: str
@@ -74,6 +77,7 @@ class Picture:
     trips: Sequence[Trip]
     contacts: Sequence[tuple[int, float, float]] = ()
     pushed: Sequence[Thing] = ()
+    drawings: Sequence[Drawing] = ()
 
     def render(self) -> bytes:
         """Gives the picture as SVG."""
@@ -86,7 +90,8 @@ class _Drawing:
         low, high = _bounds(picture)
         extent = high - low
         scale = _LONG_SIDE_PX / float(extent.max())
-        self.size = tuple(max(_SHORT_SIDE_PX, float(side) * scale) for side in extent)
+        width, height = (max(_SHORT_SIDE_PX, float(side) * scale) for side in extent)
+        self.size = (width, height)
         centre = (low + high) / 2
         self.low = centre - np.array(self.size) / scale / 2
         self.high = centre + np.array(self.size) / scale / 2
@@ -101,6 +106,7 @@ class _Drawing:
             self._heading()
             self._grid()
             self._solids()
+            self._strokes()
             self._starts()
             self._paths()
             self._ends()
@@ -176,6 +182,17 @@ class _Drawing:
         ends = self.view.point(wall.x1_m, wall.y1_m), self.view.point(wall.x2_m, wall.y2_m)
         width_px = max(1.5, self.view.length(wall.thickness_m))
         self.page.line(*ends, stroke=_WALL, stroke_width=width_px, stroke_linecap="round")
+
+    def _strokes(self) -> None:
+        """Draws what programs have drawn."""
+        if not self.picture.drawings:
+            return
+        style: dict[str, str | float] = {"fill": "none", "stroke_width": 1.2}
+        with self.page.clipped((_LEFT_PX, _HEAD_PX), self.size), self.page.group(**style):
+            for drawing in self.picture.drawings:
+                for stroke in _strokes_m(self.picture, drawing):
+                    points = [self.view.point(*place) for place in stroke.tolist()]
+                    self.page.polyline(points, stroke=HEX[drawing.colour])
 
     # The robots
 
@@ -303,6 +320,7 @@ def _bounds(picture: Picture) -> tuple[FloatArray, FloatArray]:
     clouds = []
     for trip in picture.trips:
         clouds += [trip.path - trip.robot.model.radius_m, trip.path + trip.robot.model.radius_m]
+    clouds += [_drawn(picture, drawing) for drawing in picture.drawings]
     clouds += [_outline(solid) for solid in (*picture.world.solids(), *picture.pushed)]
     if not clouds:
         area = picture.world.area
@@ -311,6 +329,17 @@ def _bounds(picture: Picture) -> tuple[FloatArray, FloatArray]:
     high = np.max([cloud.max(axis=0) for cloud in clouds], axis=0)
     rim = 0.03 * float((high - low).max()) + 0.05
     return low - rim, high + rim
+
+
+def _strokes_m(picture: Picture, drawing: Drawing) -> list[FloatArray]:
+    return drawing.strokes_m(picture.trips[drawing.robot].robot.model.radius_m)
+
+
+def _drawn(picture: Picture, drawing: Drawing) -> FloatArray:
+    """Gives the points of a drawing, those beyond the world's area as near as they get in it."""
+    area = picture.world.area
+    low, high = (area.x_min_m, area.y_min_m), (area.x_max_m, area.y_max_m)
+    return np.clip(np.concatenate(_strokes_m(picture, drawing)), low, high)
 
 
 def _outline(solid: Solid) -> FloatArray:

@@ -24,6 +24,7 @@ from crs_cc.cli.summary import Run, as_json, exit_status
 from crs_cc.cli.tracks import Tracks
 from crs_cc.errors import CrsError
 from crs_cc.session.session import Session
+from crs_cc.sim.drawings import drawings_in
 from crs_cc.sim.model import Pose, Thing
 from crs_cc.sim.scene import Scene
 from crs_cc.source import Diagnostic, Diagnostics
@@ -202,7 +203,15 @@ class Runner:
         collisions = sum(robot.collisions for robot in run.result.robots)
         subtitle = f"{run.result.simulated_s:.2f} s simulated, seed {run.seed}, "
         subtitle += f"{collisions} collision{'' if collisions == 1 else 's'}"
-        return Picture(title, subtitle, world, trips, self.tracks.contacts, self._pushed(world))
+        return Picture(
+            title,
+            subtitle,
+            world,
+            trips,
+            self.tracks.contacts,
+            self._pushed(world),
+            drawings_in(state.drawings),
+        )
 
     def _pushed(self, world: WorldModel) -> list[Thing]:
         """Gives the things that were pushed away, where they are now."""

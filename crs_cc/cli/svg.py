@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from typing import Final
 
@@ -81,6 +81,14 @@ class Page:
         self._parents.append(self._add("g", attributes))
         yield
         self._parents.pop()
+
+    def clipped(self, corner: Point, size: Point) -> AbstractContextManager[None]:
+        """Puts the shapes drawn inside the `with` block into a group that ends at a rectangle."""
+        name = f"clip{len(self.root)}"
+        self._parents.append(self._add("clipPath", {"id": name}))
+        self.rectangle(corner, size)
+        self._parents.pop()
+        return self.group(clip_path=f"url(#{name})")
 
     def line(self, start: Point, end: Point, **attributes: str | float) -> None:
         """Draws a straight line."""

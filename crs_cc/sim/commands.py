@@ -18,7 +18,7 @@ from crs_cc.sim import link
 from crs_cc.sim.actuators import drive, tag
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.sensors import compass, heat, infrared, laser, odometry, sonar
-from crs_cc.sim.server import world
+from crs_cc.sim.server import drawing, world
 from crs_cc.sim.server.motion import motion_check
 from crs_cc.sim.server.whereabouts import get_rpx
 from crs_cc.sim.state import EnvState
@@ -121,8 +121,8 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("GET_CONF", refuse),
         ("REAL_ROBOT", refuse),
         ("SIMULATED_ROBOT", tell),
-        ("DRAW", refuse),
-        ("REFRESH", refuse),
+        ("DRAW", drawing.draw),
+        ("REFRESH", drawing.refresh),
         ("QUIT_SERVER", disconnect),
         ("CREATE", connect),
         ("SPECIAL", refuse),

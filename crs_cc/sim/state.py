@@ -29,6 +29,7 @@ from crs_cc.sim.scene import Scene
 from crs_cc.sim.states.battery import BatteryState
 from crs_cc.sim.states.bumper import BumperState
 from crs_cc.sim.states.compass import CompassState
+from crs_cc.sim.states.drawings import DrawingState
 from crs_cc.sim.states.drive import DriveState
 from crs_cc.sim.states.heat import HeatState
 from crs_cc.sim.states.infrared import InfraredState
@@ -71,6 +72,7 @@ class EnvState:
         heat: how hot things are.
         link: the serial lines to the robots.
         obstacles: what programs have put into the world, and taken out of it.
+        drawings: what they have drawn.
         connected: whether the program has connected.
         asked: the message of the request that a robot waits for, of dtype `MESSAGE`, zero for
             robots that do not wait.
@@ -98,6 +100,7 @@ class EnvState:
     heat: HeatState
     link: LinkState
     obstacles: ObstacleState
+    drawings: DrawingState
     connected: BoolArray
     asked: npt.NDArray[np.void]
     touching: WholeArray
@@ -128,6 +131,7 @@ class EnvState:
             mask=first_mask(count),
             battery=BatteryState.at_start(world),
             obstacles=ObstacleState.at_start(world),
+            drawings=DrawingState.at_start(),
             heat=HeatState.at_start(world, scene),
             link=LinkState.at_start(world),
             connected=np.zeros(count, dtype=np.bool_),

@@ -14,6 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.requests import CODES, REQUESTS
+from crs_cc.sim.drawings import Drawing
 from crs_cc.sim.physics import Contacts
 from crs_cc.sim.state import EnvState
 from crs_cc.sim.state_vector import BUMPER, CONF_X, MOTOR_STATUS, SONAR_0, VEL_RIGHT
@@ -107,6 +108,19 @@ class Step:
     names: tuple[str, ...]
     slices: Slices
     served: tuple[Served, ...]
+
+    @property
+    def drawings(self) -> tuple[Drawing, ...]:
+        """What programs drew in the cycle, in order; what is erased is in `served`."""
+        return tuple(
+            Drawing.of(robot, mark)
+            for served in self.served
+            if served.code == CODES["DRAW"]
+            for robot, mark, result in zip(
+                served.robots.tolist(), served.arguments.tolist(), served.results, strict=True
+            )
+            if result
+        )
 
 
 @dataclass(frozen=True, slots=True)

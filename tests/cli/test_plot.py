@@ -11,7 +11,8 @@ from lxml import etree
 
 from crs_cc.cli.plot import Picture, Trip, colour
 from crs_cc.cli.tracks import Tracks, simplified
-from crs_cc.sim.model import Area, Box, Cylinder, Pose, Robot, Wall, WorldModel
+from crs_cc.sim.drawings import LINE, ROBOT, Drawing
+from crs_cc.sim.model import Area, Box, Cylinder, Polygon, Pose, Robot, Wall, WorldModel
 from crs_cc.sim.robot_model import Drive, RobotModel
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -20,6 +21,7 @@ ROOM = WorldModel(
     "room",
     Area(0.0, 0.0, 6.0, 4.0),
     walls=(Wall("screen", 3.0, 0.0, 3.0, 2.0),),
+    polygons=(Polygon.of("wedge", ((4, 1), (5, 1), (4.2, 1.2), (4, 2))),),
     boxes=(Box("crate", Pose(1.0, 3.0, 0.3), 0.5, 0.4, mass_kg=3.0),),
     cylinders=(Cylinder("pillar", Pose(5.0, 3.0), 0.3),),
     robots=(Robot("robot0", SCOUT, Pose(1.0, 1.0, math.pi / 2)),),
@@ -78,6 +80,26 @@ def test_everything_lies_on_the_page_however_odd_the_path(
     for x, y in all_points(root):
         assert 0 <= x <= width
         assert 0 <= y <= height
+
+
+def test_drawings_of_programs_end_at_the_frame() -> None:
+    drawings = [
+        Drawing.of(0, [LINE, 0, 0, 100, 100, 0, 0, 18]),
+        Drawing.of(0, [LINE, 0, 0, 10**9, 0, 0, 0, 1]),
+        Drawing.of(0, [ROBOT, 50, 50, 0, 900, 0, 0, 3]),
+    ]
+    picture = Picture("t", "", OPEN, [trip((0, 0), (1, 1))], drawings=drawings)
+    root = draw(picture)
+    (group,) = [row for row in root.iter(f"{SVG}g") if row.get("clip-path")]
+    strokes = [(row.get("stroke"), row.get("points")) for row in group.iter(f"{SVG}polyline")]
+    assert [paint for paint, _ in strokes] == ["#ff0000", *["#000000"] * 4]
+    assert float(root.get("width")) < 1200
+    frame = root.find(f".//{SVG}clipPath/{SVG}rect")
+    left, width = float(frame.get("x")), float(frame.get("width"))
+    # The area ends at x = 5 m, where the long line leaves it.
+    start, end = (pair.split(",") for pair in strokes[1][1].split())
+    assert float(start[0]) < left + width / 2
+    assert float(end[0]) > left + width
 
 
 def test_hundreds_of_robots_fit() -> None:

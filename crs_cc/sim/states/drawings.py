@@ -1,0 +1,27 @@
+"""What programs have drawn into the simulator's window."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+import numpy.typing as npt
+
+
+@dataclass(slots=True)
+class DrawingState:
+    """All that is in the picture, the later above the earlier.
+
+    Attributes:
+        marks: each as `drawings.Drawing.of` takes it, shape (marks, 8).
+        robots: whose program drew it, (marks,).
+    """
+
+    marks: npt.NDArray[np.int32]
+    robots: npt.NDArray[np.int64]
+
+    @classmethod
+    def at_start(cls) -> Self:
+        """Gives an empty picture."""
+        return cls(np.zeros((0, 8), dtype=np.int32), np.zeros(0, dtype=np.int64))
