@@ -19,7 +19,7 @@ What answers:
   off its normal: a smooth face throws all other sound away (same source). At the foot of the
   perpendicular it always answers;
 - a corner, where a face ends or where two faces meet, and the middle of a cylinder's or robot's
-  front: from wherever it is looked at;
+  front: from wherever it is looked at. Where a face goes on in another one there is no corner;
 - a cylinder's flank, where its front lies outside of the beam.
 
 Feet, corners and fronts are found exactly, where a handful of rays would look past a thin pillar;
@@ -64,6 +64,8 @@ _SIDES: Final = np.array([-1.0, 1.0])
 _RAYS: Final = np.linspace(-1.0, 1.0, 17)
 _ON_M: Final = 1e-9  # a transducer so near to a face lies on it
 _BEFORE_M: Final = 1e-6  # what lies less than this in front of a place does not hide it
+_SEAM_M: Final = 1e-3  # faces that end so near to each other touch
+_STRAIGHT: Final = 1e-3  # sine of the angle below which one face goes on in another
 
 
 @dataclass(frozen=True, slots=True)
@@ -267,8 +269,8 @@ def _points(faces: _Faces, rounds: _Rounds, shaped: bool, voices: Points | None)
     foot = np.flatnonzero((share > 0.0) & (share < 1.0))
     front = rounds.middle * (1.0 - rounds.radius_m / np.abs(rounds.middle))
     points = Points.at(
-        (faces.ping, faces.start),
-        (faces.ping, faces.start + faces.along),
+        _ends(faces, faces.start, shaped),
+        _ends(faces, faces.start + faces.along, shaped),
         (faces.ping[foot], faces.start[foot] + share[foot] * faces.along[foot]),
         (rounds.ping, front),
         *([_corners(faces)] if shaped else []),
@@ -282,16 +284,31 @@ def _points(faces: _Faces, rounds: _Rounds, shaped: bool, voices: Points | None)
     )
 
 
+def _ends(faces: _Faces, end: ComplexArray, shaped: bool) -> tuple[IndexArray, ComplexArray]:
+    """Gives the ends of faces, without those at which another face goes on, if that matters."""
+    if not shaped:
+        return faces.ping, end
+    one, other = _pairs(faces.ping, faces.ping)
+    along, length_m = faces.along, np.abs(faces.along)[other]
+    apart = end[one] - faces.start[other]
+    over_m = (apart * along[other].conj()).real / length_m
+    goes_on = (one != other) & (np.abs(_cross(apart, along[other])) <= _SEAM_M * length_m)
+    goes_on &= (over_m >= -_SEAM_M) & (over_m <= length_m + _SEAM_M)
+    goes_on &= _parallel(along[one], along[other])
+    corner = np.ones(len(end), dtype=np.bool_)
+    corner[one[goes_on]] = False
+    return faces.ping[corner], end[corner]
+
+
 def _corners(faces: _Faces) -> tuple[IndexArray, ComplexArray]:
     """Gives where faces in the same beam cut each other, as those of walls in a room do."""
     one, other = _pairs(faces.ping, faces.ping)
-    once = one < other
+    once = (one < other) & ~_parallel(faces.along[one], faces.along[other])
     one, other = one[once], other[once]
     apart = faces.start[other] - faces.start[one]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        across = _cross(faces.along[one], faces.along[other])
-        share = _cross(apart, faces.along[other]) / across
-        others = _cross(apart, faces.along[one]) / across
+    across = _cross(faces.along[one], faces.along[other])
+    share = _cross(apart, faces.along[other]) / across
+    others = _cross(apart, faces.along[one]) / across
     meet = (share >= 0.0) & (share <= 1.0) & (others >= 0.0) & (others <= 1.0)
     one, share = one[meet], share[meet]
     return faces.ping[one], faces.start[one] + share * faces.along[one]
@@ -320,6 +337,10 @@ def _pairs(ping: IndexArray, sorted_pings: IndexArray) -> tuple[IndexArray, Inde
     """Gives pairs of things of the same ping; the second ones must be sorted by ping."""
     starts = np.searchsorted(sorted_pings, ping, side="left")
     return expand(starts, np.searchsorted(sorted_pings, ping, side="right") - starts)
+
+
+def _parallel(a: ComplexArray, b: ComplexArray) -> BoolArray:
+    return np.asarray(np.abs(_cross(a, b)) <= _STRAIGHT * np.abs(a) * np.abs(b))
 
 
 def _cross(a: ComplexArray, b: ComplexArray) -> FloatArray:

@@ -113,6 +113,20 @@ def test_the_corner_of_a_room_answers_where_its_walls_do_not():
     assert hear(*walls) == pytest.approx(corner / (1 + beside) / math.cos(TEN_DEG))
 
 
+@pytest.mark.parametrize("length", [0.1, 0.31, 0.5])
+def test_a_wall_of_many_pieces_is_as_smooth_as_one(length):
+    turn = math.radians(60)
+    along = np.array([-math.sin(turn), math.cos(turn)])
+    foot = 2.1 * np.array([math.cos(turn), math.sin(turn)])
+    ends = [foot + along * length * piece for piece in range(-100, 101)]
+    pieces = [
+        Wall(f"w{n}", *ends[n].tolist(), *ends[n + 1].tolist(), 0.2) for n in range(len(ends) - 1)
+    ]
+    assert hear(*pieces, critical=CRITICAL) == math.inf
+    ahead = 100 - round(2 * math.tan(turn) / length)
+    assert hear(*pieces[:ahead], critical=CRITICAL) == pytest.approx(4, abs=0.6)
+
+
 @pytest.mark.parametrize("y", [0.0, 0.3, -0.5])
 def test_a_cylinder_always_answers(y):
     pillar = Cylinder("c", Pose(3, y), 0.25)
