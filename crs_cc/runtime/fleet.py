@@ -27,9 +27,11 @@ import numpy.typing as npt
 import wasmtime
 
 from crs_cc.requests import ERROR_KINDS, FAILED, SLOT
+from crs_cc.runtime import pages
 from crs_cc.runtime.driver import HEADER, SLOTS, driver
 from crs_cc.runtime.executable import Executable, engine
-from crs_cc.runtime.layout import MEMORY_BYTES
+from crs_cc.runtime.layout import MEMORY_BYTES, STACK_TOP
+from crs_cc.runtime.pages import CHUNK
 from crs_cc.runtime.wasm import PAGE
 from crs_cc.source import Location
 
@@ -40,7 +42,6 @@ if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.report import ErrorReport
 
 MEMORY_END: Final = 0xFFFFFFFF  # the last address there could be
-CHUNK: Final = 4096  # a snapshot keeps the chunks of memory that are not all zero [bytes]
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,6 +102,7 @@ class Fleet:
         self.slots["stop_at"] = -1
         self._memories: list[npt.NDArray[np.uint8]] = []
         self._shadows: list[npt.NDArray[np.uint8]] = []
+        self._initial: list[range] = []  # chunks of each memory that hold objects of the program
         self._start_driver()
 
     def __len__(self) -> int:
@@ -121,6 +123,10 @@ class Fleet:
             self._memories.append(_view(self._store, own["memory"]))
             shadow = _view(self._store, own["shadow"]) if "shadow" in own else _NO_SHADOW
             self._shadows.append(shadow[:MEMORY_BYTES])
+            heap = own["heap"]
+            assert isinstance(heap, wasmtime.Global)
+            end = -(-int(heap.value(self._store)) // CHUNK)
+            self._initial.append(range(STACK_TOP // CHUNK, end))
 
     def memory(self, robot: int) -> npt.NDArray[np.uint8]:
         """Gives a robot's memory as an array of bytes that shows every change."""
@@ -220,33 +226,19 @@ class Fleet:
     def snapshot(self, robot: int) -> Snapshot:
         """Gives the whole state of one robot's program."""
         slot = self.slots[robot : robot + 1].copy()
-        return Snapshot(slot, *_save(self._memories[robot]), *_save(self._shadows[robot]))
+        kept = pages.save(self._memories[robot], self._initial[robot])
+        return Snapshot(slot, *kept, *pages.save(self._shadows[robot], _NONE))
 
     def restore(self, robot: int, snapshot: Snapshot) -> None:
         """Puts a state that `snapshot` gave into one robot's program."""
-        _load(self._memories[robot], snapshot.chunks, snapshot.content)
-        _load(self._shadows[robot], snapshot.shadow_chunks, snapshot.shadow_content)
+        memory, shadow = self._memories[robot], self._shadows[robot]
+        pages.load(memory, self._initial[robot], snapshot.chunks, snapshot.content)
+        pages.load(shadow, _NONE, snapshot.shadow_chunks, snapshot.shadow_content)
         self.slots[robot : robot + 1] = snapshot.slot
 
 
-def _save(memory: npt.NDArray[np.uint8]) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.uint8]]:
-    """Gives the numbers of the chunks that are not all zero, and their content."""
-    chunks = memory.reshape(-1, CHUNK)
-    used = np.flatnonzero(chunks.view(np.uint64).any(axis=1))
-    return used, chunks[used]
-
-
-def _load(
-    memory: npt.NDArray[np.uint8], used: npt.NDArray[np.intp], content: npt.NDArray[np.uint8]
-) -> None:
-    """Puts back what `_save` gave."""
-    chunks = memory.reshape(-1, CHUNK)
-    stale = np.flatnonzero(chunks.view(np.uint64).any(axis=1))
-    chunks[np.setdiff1d(stale, used)] = 0
-    chunks[used] = content
-
-
 _NO_SHADOW: Final = np.zeros(0, np.uint8)
+_NONE: Final = range(0)
 
 
 def _view(store: wasmtime.Store, memory: object) -> npt.NDArray[np.uint8]:
@@ -256,6 +248,3 @@ def _view(store: wasmtime.Store, memory: object) -> npt.NDArray[np.uint8]:
     buffer = (ctypes.c_uint8 * memory.data_len(store)).from_address(address)
     buffer.store = store  # type: ignore[attr-defined]
     return np.frombuffer(memoryview(buffer), np.uint8)
-
-
-assert MEMORY_BYTES % CHUNK == 0

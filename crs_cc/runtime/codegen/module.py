@@ -3,7 +3,7 @@
 The module imports the mailbox, the memory in which the slots of all robots lie, and nothing else.
 It exports its own memory, and `resume(slot) -> status`, which starts the program or lets it go on:
 the address of the robot's slot comes in, the fuel is taken from the slot and what is left of it
-is written back.
+is written back. The global `heap` says where the program's own objects end.
 """
 
 from __future__ import annotations
@@ -81,7 +81,7 @@ def compile_program(
         memory_imports=[("crs", "mailbox")],
         memories=[MEMORY_BYTES // PAGE, *([shadow.PAGES] if checked else [])],
         tables=[len(pointers) + 1],
-        globals=[("i32", 0), *jumps.GLOBALS],
+        globals=[("i32", 0), *jumps.GLOBALS, ("i32", heap)],
         elements=[(0, 1, [numbers[name] for name in pointers])] if pointers else [],
     )
     build = Build(checked, debug, trap_overflow)
@@ -94,6 +94,7 @@ def compile_program(
     module.exports = [
         ("memory", "memory", MEMORY),
         ("resume", "func", len(module.functions) - 1),
+        ("heap", "global", len(module.globals) - 1),
     ]
     module.data = [
         (MEMORY, addresses[data.name], _content(data, addresses))
