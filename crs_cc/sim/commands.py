@@ -17,12 +17,12 @@ from crs_cc.requests import CODES
 from crs_cc.sim import link
 from crs_cc.sim.actuators import drive, tag
 from crs_cc.sim.equipment import Equipment
-from crs_cc.sim.sensors import compass, heat, infrared, laser, odometry, sonar
+from crs_cc.sim.sensors import compass, heat, infrared, laser, odometry, pos_data, sonar
 from crs_cc.sim.server import drawing, world
 from crs_cc.sim.server.motion import motion_check
 from crs_cc.sim.server.whereabouts import get_rpx
 from crs_cc.sim.state import EnvState
-from crs_cc.sim.states.mask import NUM_MASK
+from crs_cc.sim.states.mask import NUM_MASK, POS_DATA
 
 BoolArray = npt.NDArray[np.bool_]
 IndexArray = npt.NDArray[np.intp]
@@ -70,6 +70,7 @@ def ct(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messa
     """Takes over which parts of `State` the program wants; refuses a mask that is not whole."""
     good: BoolArray = messages["size"] == NUM_MASK
     state.mask[rows[good]] = messages["data"][good, :NUM_MASK]
+    state.pos_data.attach(rows[state.mask[rows, POS_DATA] != 0])
     return good
 
 
@@ -107,7 +108,7 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("CONF_LS", laser.conf_ls),
         ("CONF_SG", laser.conf_sg),
         ("LASER_PAGE", laser.page),
-        ("POS_DATA", refuse),
+        ("POS_DATA", pos_data.page),
         ("TK", tell),
         ("CONF_SER", link.conf_ser),
         ("PLACE_ROBOT", refuse),

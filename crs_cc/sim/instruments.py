@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.requests import CODES, STATE_REPLIES
-from crs_cc.sim.sensors import laser
+from crs_cc.sim.sensors import laser, pos_data
 from crs_cc.sim.sensors.battery import Batteries
 from crs_cc.sim.sensors.clock import BoardClock
 from crs_cc.sim.sensors.compass import Compasses
@@ -109,7 +109,7 @@ class Instruments:
         at_s: FloatArray,
         states: npt.NDArray[np.int32],
     ) -> None:
-        """Tells batteries, clock, and how many laser readings lie ready, with a state.
+        """Tells batteries, clock, how many laser readings lie ready, and positions, with a state.
 
         Args:
             state: what is told of.
@@ -126,6 +126,8 @@ class Instruments:
         messages["i"][:, 0] = 0
         if self._has_lasers and (code in _TELLS_ALL or code in _LASER_CODES):
             messages["i"][:, 0] = _tell_laser(state, equipment, code, rows)
+        kinds = pos_data.ALL_KINDS if code in _TELLS_ALL else pos_data.ONE_KIND.get(code, 0)
+        pos_data.tell(state, equipment, self._clock, rows, kinds)
         messages["i"][:, 1], messages["i"][:, 2] = self.batteries.told(state, rows, at_s)
         messages["f"][:, 0] = self._clock.ms(rows, at_s)
 

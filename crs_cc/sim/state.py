@@ -38,6 +38,7 @@ from crs_cc.sim.states.link import LinkState
 from crs_cc.sim.states.mask import first_mask
 from crs_cc.sim.states.obstacles import ObstacleState
 from crs_cc.sim.states.odometry import OdometryState
+from crs_cc.sim.states.pos_data import PosDataState
 from crs_cc.sim.states.sonar import SonarState
 
 FloatArray = npt.NDArray[np.float64]
@@ -68,6 +69,7 @@ class EnvState:
         compass: the compasses' readings.
         laser: what the lasers saw and told.
         mask: which parts of `State` the program asks for (`Smask`), (robots, 44).
+        pos_data: where and when sensors were read, for those who ask.
         battery: what the motors took from theirs.
         heat: how hot things are.
         link: the serial lines to the robots.
@@ -96,6 +98,7 @@ class EnvState:
     compass: CompassState
     laser: LaserState
     mask: npt.NDArray[np.uint8]
+    pos_data: PosDataState
     battery: BatteryState
     heat: HeatState
     link: LinkState
@@ -129,6 +132,7 @@ class EnvState:
             compass=CompassState.at_start(world),
             laser=LaserState.at_start(world),
             mask=first_mask(count),
+            pos_data=PosDataState.at_start(world),
             battery=BatteryState.at_start(world),
             obstacles=ObstacleState.at_start(world),
             drawings=DrawingState.at_start(),
