@@ -20,6 +20,7 @@ from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.sensors import compass, heat, infrared, laser, odometry, pos_data, sonar
 from crs_cc.sim.server import drawing, world
 from crs_cc.sim.server.motion import motion_check
+from crs_cc.sim.server.place import place_robot
 from crs_cc.sim.server.whereabouts import get_rpx
 from crs_cc.sim.state import EnvState
 from crs_cc.sim.states.mask import NUM_MASK, POS_DATA
@@ -89,7 +90,7 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("WS", drive.ws),
         ("DP", odometry.dp),
         ("DA", odometry.da),
-        ("ZR", odometry.zr),
+        ("ZR", drive.zr),
         ("CONF_SN", sonar.conf_sn),
         ("CONF_TM", drive.conf_tm),
         ("GS", tell),
@@ -111,7 +112,7 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("POS_DATA", pos_data.page),
         ("TK", tell),
         ("CONF_SER", link.conf_ser),
-        ("PLACE_ROBOT", refuse),
+        ("PLACE_ROBOT", place_robot),
         ("ADD_OBSTACLE", world.add_obstacle),
         ("DELETE_OBSTACLE", world.delete_obstacle),
         ("MOVE_OBSTACLE", world.move_obstacle),
@@ -141,9 +142,10 @@ MOVES: Final = frozenset(CODES[name] for name in ("PR", "VM", "MV"))
 """Requests that can make a robot move."""
 
 CHANGES_WORLD: Final = frozenset(
-    CODES[name] for name in ("ADD_OBSTACLE", "DELETE_OBSTACLE", "MOVE_OBSTACLE", "NEW_WORLD")
+    CODES[name]
+    for name in ("ADD_OBSTACLE", "DELETE_OBSTACLE", "MOVE_OBSTACLE", "NEW_WORLD", "PLACE_ROBOT")
 )
-"""Requests after which other things may stand in the world; they take until the cycle's end."""
+"""Requests after which things may stand elsewhere; they take until the cycle's end."""
 
-WAITS: Final = frozenset({CODES["WS"]})
-"""Requests that can make a robot wait."""
+WAITS: Final[dict[int, Handler]] = {CODES["WS"]: tell, CODES["ZR"]: drive.zeroed}
+"""Requests that can make a robot wait, and what is done when its wait is over."""

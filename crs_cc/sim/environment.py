@@ -160,11 +160,9 @@ class Environment:
         goes_on_s = now_s.copy()
         if code in CHANGES_WORLD:
             goes_on_s[:] = self.end_s
-            self._refurnish()
+            self._refurnish(moved=code == CODES["PLACE_ROBOT"] and bool(good.any()))
         if code in WAITS:
-            waits = state.drive.waiting[rows].any(axis=1) & good
-            ends_s = drive.settle_waits(state, self._equipment, rows[waits], self.end_s)
-            goes_on_s[waits] = ends_s
+            goes_on_s[good] = self._wait(code, rows[good], messages[good])
         answered = np.isfinite(goes_on_s)
         if answered.all():
             self._reply(code, rows, messages, goes_on_s, good, arguments=arguments)
@@ -174,6 +172,7 @@ class Environment:
             self._reply(code, rows[answered], replies, at_s, good, arguments=arguments)
             messages[answered] = replies
             state.asked[rows[~answered]] = messages[~answered]
+            state.asked_code[rows[~answered]] = code
         return goes_on_s.copy()
 
     def step(self) -> Step:
@@ -225,9 +224,12 @@ class Environment:
         self._physics = Physics(world, scene, self.state.bodies)
         self._around = Surroundings(scene, [*self._sonars.fans, *self._instruments.fans])
 
-    def _refurnish(self) -> None:
-        """Does so where a program has changed the world."""
+    def _refurnish(self, moved: bool) -> None:
+        """Does so where a program has changed the world, or has moved its robot."""
         if self.state.obstacles.same_as(self._furnished):
+            if moved:
+                self._physics.start_from(self.state.bodies)
+                self._around.forget()
             return
         self.state.renumber(self._names, Scene(self.world_now).names)
         self._furnish()
@@ -344,9 +346,26 @@ class Environment:
         ends_s = drive.settle_waits(self.state, self._equipment, waiting, self.end_s)
         ended = np.isfinite(ends_s)
         rows, at_s = waiting[ended], ends_s[ended]
-        messages = self.state.asked[rows]
+        messages, codes = self.state.asked[rows], self.state.asked_code[rows]
         self.state.asked[rows] = np.zeros((), MESSAGE)
-        if len(rows):
-            good, arguments = np.ones(len(rows), dtype=np.bool_), messages["i"].copy()
-            self._reply(CODES["WS"], rows, messages, at_s, good, arguments=arguments)
+        self.state.asked_code[rows] = 0
+        for code in np.unique(codes).tolist():
+            mine = codes == code
+            replies, arguments = messages[mine], messages["i"][mine].copy()
+            WAITS[code](self.state, self._equipment, rows[mine], replies)
+            good = np.ones(len(replies), dtype=np.bool_)
+            self._reply(code, rows[mine], replies, at_s[mine], good, arguments=arguments)
+            messages[mine] = replies
         return rows, at_s, messages
+
+    def _wait(self, code: int, rows: IndexArray, messages: Messages) -> FloatArray:
+        """Lets robots wait; gives when those go on that do so in this cycle, else infinity."""
+        drives = self.state.drive
+        goes_on_s = drives.clock_s[rows].copy()
+        waits = drives.waiting[rows].any(axis=1)
+        if code == CODES["ZR"]:
+            drives.deadline_s[rows[waits]] = np.inf
+        goes_on_s[waits] = drive.settle_waits(self.state, self._equipment, rows[waits], self.end_s)
+        ended = np.isfinite(goes_on_s)
+        WAITS[code](self.state, self._equipment, rows[ended], messages[ended])
+        return goes_on_s

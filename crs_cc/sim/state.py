@@ -78,6 +78,7 @@ class EnvState:
         connected: whether the program has connected.
         asked: the message of the request that a robot waits for, of dtype `MESSAGE`, zero for
             robots that do not wait.
+        asked_code: the code of that request, 0 for robots that do not wait.
         touching: what robots touched in the last cycle: robot times names plus thing, sorted;
             shape (contacts,).
         distance_m: how far each robot has really moved.
@@ -106,6 +107,7 @@ class EnvState:
     drawings: DrawingState
     connected: BoolArray
     asked: npt.NDArray[np.void]
+    asked_code: WholeArray
     touching: WholeArray
     distance_m: FloatArray
     collisions: WholeArray
@@ -122,8 +124,8 @@ class EnvState:
             cycle=0,
             bodies=bodies,
             heading_rad=heading_rad,
-            turret_rad=heading_rad,
-            base_rad=heading_rad,
+            turret_rad=heading_rad.copy(),
+            base_rad=heading_rad.copy(),
             drive=DriveState.at_start(world),
             odometry=OdometryState.at_start(world),
             sonar=SonarState.at_start(world),
@@ -140,6 +142,7 @@ class EnvState:
             link=LinkState.at_start(world),
             connected=np.zeros(count, dtype=np.bool_),
             asked=np.zeros(count, MESSAGE),
+            asked_code=_whole(count),
             touching=_whole(0),
             distance_m=np.zeros(count),
             collisions=_whole(count),

@@ -256,6 +256,18 @@ def test_ws_holds_its_timeout_to_a_byte(timeout):
     assert driver.state.drive.wait_until_s[0] in {0.0, 255.0}
 
 
+def test_ws_with_a_timeout_of_0_waits_forever_where_the_definition_says_so(tmp_path):
+    change = 'ws-timeout-zero="return"', 'ws-timeout-zero="forever"'
+    driver = Driver.of(scout_file(tmp_path, change))  # robot 1
+    ends_s = []
+    for robot in range(2):
+        driver.ask("PR", 100, 100, robot=robot)
+        ends_s.append(driver.post("WS", 1, 1, 0, 0, robot=robot)[1])
+    assert ends_s == [0.0, math.inf]
+    ended = [float(step.at_s[0]) for step in driver.run_s(3) if len(step.at_s)]
+    assert ended == [pytest.approx(MOVE_S)]
+
+
 @pytest.mark.parametrize("restored", [False, True])
 def test_the_reply_to_a_wait_is_written_over_what_was_asked(restored):
     driver = Driver.of(open_world('<robot x="0" y="0"/><robot x="0" y="3"/>'))

@@ -141,3 +141,36 @@ def test_robots_of_all_kinds_share_a_world():
     assert np.degrees(driver.state.heading_rad) == pytest.approx([0, 10, 10])
     assert np.degrees(driver.state.turret_rad) == pytest.approx([0, 10, 0])
     assert np.degrees(driver.state.base_rad) == pytest.approx([0, 0, 0])
+
+
+def test_zr_turns_steering_and_turret_back_the_shorter_way_and_then_zeroes():
+    driver = nomad()
+    driver.ask("PR", 100, 900, -2700)
+    driver.run_s(12)
+    driver.ask("CONF_TM", 1)
+    _, goes_on_s = driver.post("ZR")
+    assert math.isinf(goes_on_s)
+    steps = driver.run_s(5)
+    # 90 degrees at 30 deg/s and 50 deg/s2 take 3 s and 30/50 s: they go on though no command comes.
+    assert [float(step.at_s[0]) for step in steps if len(step.at_s)] == [pytest.approx(15.6)]
+    assert driver.state.heading_rad[0] % math.tau == pytest.approx(0, abs=1e-9)
+    assert driver.state.turret_rad[0] % math.tau == pytest.approx(0, abs=1e-9)
+    told = driver.ask("GS")
+    assert told[[CONF_X, CONF_Y, CONF_STEER, CONF_TURRET, MOTOR_STATUS]].tolist() == [0] * 5
+    driver.ask("VM", 0, 300, 0)
+    driver.run_s(0.9)
+    assert driver.ask("GET_RV")[VEL_LEFT] == 300  # and conf_tm counts again
+    driver.run_s(2)
+    assert driver.ask("GET_RV")[VEL_LEFT] == 0
+
+
+def test_zr_of_robots_of_both_kinds_answers_each_in_its_time():
+    driver = Driver.of(open_world('<robot x="0" y="3"/>' + N200))
+    for robot in range(2):
+        driver.ask("PR", 0, 450, 0, robot=robot)
+    driver.run_s(8)
+    assert driver.post("ZR", robot=0)[1] == pytest.approx(8.0)
+    assert math.isinf(driver.post("ZR", robot=1)[1])
+    assert driver.ask("GET_RC", robot=0)[CONF_STEER] == 0
+    ended = [step.robots.tolist() for step in driver.run_s(8) if len(step.robots)]
+    assert ended == [[1]]

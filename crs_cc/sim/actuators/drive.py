@@ -11,9 +11,13 @@ commands into slices; here they are understood:
   for the commands that follow;
 - a command that comes while another runs replaces it, from the speed reached;
 - `conf_tm`: when no command came for so long, the axes brake to a standstill;
-- `ws` gives up after its timeout; a timeout of 0 does not wait at all.
+- `ws` gives up after its timeout; a timeout of 0 does not wait at all, or waits forever, as the
+  robot definition says;
+- `zr` sets the odometry of a differential drive to 0 at once. A synchro drive stops, turns steering
+  and turret to their zero marks, with the speeds of `sp`, and then does so; until then the program
+  waits and `conf_tm` is off.
 
-No degradation yet.
+`traction` has what contacts do, `odometry` how wheels and reality differ.
 """
 
 from __future__ import annotations
@@ -49,7 +53,7 @@ ACCELERATION: Final = 4
 SPEED: Final = 5
 """Modes of `mv` (MV_IGNORE to MV_SP, vendor header `Nclient.h` 1.29)."""
 
-_LONGEST_TIMEOUT: Final = 255  # [s]: an unsigned char
+_BYTE: Final = 255  # timeouts are unsigned chars [s]
 _TURN: Final = 2 * math.pi
 
 
@@ -223,16 +227,50 @@ def lp(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messa
     _remember(state, rows, CODES["LP"])
 
 
-def ws(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+def ws(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
     """Begins to wait until the chosen axes stand still; `settle_waits` ends it."""
     state.drive.waiting[rows] = messages["i"][:, :AXES] != 0
-    timeout_s = np.clip(messages["i"][:, 3], 0, _LONGEST_TIMEOUT)
-    state.drive.wait_until_s[rows] = state.drive.clock_s[rows] + timeout_s
+    timeout_s = (messages["i"][:, 3] & _BYTE).astype(np.float64)
+    endless = (timeout_s == 0.0) & equipment.drives.waits_forever[rows]
+    until_s = state.drive.clock_s[rows] + timeout_s
+    state.drive.wait_until_s[rows] = np.where(endless, np.inf, until_s)
+
+
+def zr(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messages) -> None:
+    """Begins to turn steering and turret to their zero marks, the shorter way; `zeroed` ends it.
+
+    The marks are where wheels and turret point ahead of the base. A differential drive has none.
+    """
+    drives = equipment.drives
+    rows = rows[drives.synchro[rows]]
+    _stop(state, equipment, rows, np.arange(AXES) == 0)
+    off_rad = np.zeros((len(rows), AXES))
+    off_rad[:, 1] = state.base_rad[rows] - state.drive.facing_rad[rows]
+    turret_rad = state.base_rad[rows] - state.drive.turret_rad[rows]
+    off_rad[:, 2] = np.where(drives.turret[rows], turret_rad, 0.0)
+    hardware.plan_move(
+        state.drive.axes,
+        rows,
+        state.drive.clock_s[rows],
+        (off_rad + math.pi) % _TURN - math.pi,
+        limit=state.drive.move_speed[rows],
+        ramp=state.drive.ramp[rows],
+        which=np.arange(AXES) > 0,
+    )
+    state.drive.waiting[rows] = True
+    state.drive.wait_until_s[rows] = np.inf
+    _remember(state, rows, CODES["ZR"])
+
+
+def zeroed(state: EnvState, _equipment: Equipment, rows: IndexArray, _messages: Messages) -> None:
+    """Sets the odometry of robots to 0 that stand at their zero marks."""
+    odometry.zero(state, rows)
+    state.drive.deadline_s[rows] = state.drive.clock_s[rows] + state.drive.timeout_s[rows]
 
 
 def conf_tm(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
     """Sets the time without a command after which the axes stop, 0 for never."""
-    timeout_s = np.clip(messages["i"][:, 0], 0, _LONGEST_TIMEOUT).astype(np.float64)
+    timeout_s = (messages["i"][:, 0] & _BYTE).astype(np.float64)
     state.drive.timeout_s[rows] = np.where(timeout_s > 0.0, timeout_s, np.inf)
 
 

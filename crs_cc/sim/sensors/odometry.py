@@ -92,8 +92,8 @@ def da(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messag
     state.odometry.turret_rad[rows] = np.where(equipment.drives.turret[rows], turret_rad, 0.0)
 
 
-def zr(state: EnvState, _equipment: Equipment, rows: IndexArray, _messages: Messages) -> None:
-    """Sets everything to 0. The N200 also turns to its zero marks; the Scout has none."""
+def zero(state: EnvState, rows: IndexArray) -> None:
+    """Sets everything to 0."""
     state.odometry.x_m[rows] = 0.0
     state.odometry.y_m[rows] = 0.0
     state.odometry.heading_rad[rows] = 0.0

@@ -1,0 +1,93 @@
+"""Robots that are put somewhere else: `place_robot`.
+
+The robot stands at the place and in the directions wanted, truly, and its odometry says so; its
+axes go on with what they were doing. A synchro drive's base keeps its direction. A place is refused
+that lies outside of the world's area or where anything else stands (chosen by us: the vendor's
+header says nothing of it). The program goes on at the end of the timestep.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.model import Cylinder, Pose, Solid
+from crs_cc.sim.placement import TOLERANCE_M, clearance_m
+from crs_cc.units import tenths_deg_to_rad, tenths_inch_to_m
+
+if TYPE_CHECKING:
+    from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.state import EnvState
+
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+Messages = npt.NDArray[np.void]
+
+_FULL_TURN: Final = 3600  # [0.1 deg]
+
+
+def place_robot(
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+) -> BoolArray:
+    """Puts robots somewhere, one after the other; refuses places that are not free."""
+    good = np.zeros(len(rows), dtype=np.bool_)
+    for row, robot in enumerate(rows.tolist()):
+        x, y, heading, turret = messages["i"][row, :4].tolist()
+        place = Pose(
+            tenths_inch_to_m(float(x)),
+            tenths_inch_to_m(float(y)),
+            tenths_deg_to_rad(float(heading % _FULL_TURN)),
+        )
+        good[row] = _is_free(state, equipment, robot, place)
+        if good[row]:
+            _put(state, equipment, robot, place, tenths_deg_to_rad(float(turret % _FULL_TURN)))
+    return good
+
+
+def _is_free(state: EnvState, equipment: Equipment, robot: int, place: Pose) -> bool:
+    area, radius_m = equipment.world.area, float(equipment.radius_m[robot]) - TOLERANCE_M
+    x_m, y_m = np.array([place.x_m]), np.array([place.y_m])
+    return (
+        area.x_min_m + radius_m <= place.x_m <= area.x_max_m - radius_m
+        and area.y_min_m + radius_m <= place.y_m <= area.y_max_m - radius_m
+        and all(
+            clearance_m(thing, x_m, y_m)[0] >= radius_m
+            for thing in _others(state, equipment, robot)
+        )
+    )
+
+
+def _others(state: EnvState, equipment: Equipment, robot: int) -> Iterator[Solid]:
+    """Gives everything else, where it is now."""
+    scene, bodies = equipment.scene, state.bodies
+    yield from scene.fixed_solids
+    moved = zip(bodies.position_m.tolist(), bodies.angle_rad.tolist(), strict=True)
+    poses = [Pose(x_m, y_m, angle_rad) for (x_m, y_m), angle_rad in moved]
+    for other, radius_m in enumerate(equipment.radius_m.tolist()):
+        if other != robot:
+            yield Cylinder("", poses[other], radius_m)
+    for thing, pose in zip(scene.pushables, poses[scene.robots :], strict=True):
+        yield replace(thing, pose=pose)
+
+
+def _put(state: EnvState, equipment: Equipment, robot: int, place: Pose, turret_rad: float) -> None:
+    drives, drive, odometry = equipment.drives, state.drive, state.odometry
+    heading_rad = place.heading_rad
+    state.bodies.position_m[robot] = place.x_m, place.y_m
+    state.bodies.velocity_mps[robot] = 0.0
+    state.bodies.slipping[robot] = state.bodies.touching[robot] = False
+    drive.hindered[robot] = False
+    drive.moved_m[robot] = 0.0
+    drive.facing_rad[robot] = state.heading_rad[robot] = heading_rad
+    drive.turret_rad[robot] = turret_rad
+    if not drives.synchro[robot]:
+        state.base_rad[robot] = heading_rad
+    own_rad = turret_rad if drives.turret[robot] else float(state.base_rad[robot])
+    state.turret_rad[robot] = own_rad
+    odometry.x_m[robot], odometry.y_m[robot] = place.x_m, place.y_m
+    odometry.heading_rad[robot] = heading_rad
+    odometry.turret_rad[robot] = turret_rad if drives.turret[robot] else 0.0
