@@ -118,7 +118,7 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("MOVE_OBSTACLE", world.move_obstacle),
         ("NEW_WORLD", world.new_world),
         ("GET_RPX", get_rpx),
-        ("PREDICT", refuse),
+        ("PREDICT", tell),
         ("MOTION_CHECK", motion_check),
         ("GET_CONF", refuse),
         ("REAL_ROBOT", refuse),

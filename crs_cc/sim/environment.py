@@ -41,6 +41,7 @@ from crs_cc.sim.scene import Scene
 from crs_cc.sim.sensors import sonar
 from crs_cc.sim.sensors.bumper import Bumpers
 from crs_cc.sim.sensors.sonar import SonarRing
+from crs_cc.sim.server.prediction import predict
 from crs_cc.sim.state import EnvState
 from crs_cc.sim.state_vector import configuration, state_vector
 from crs_cc.sim.step import Served, Step, slices_of
@@ -292,6 +293,11 @@ class Environment:
             messages["data"][:, :_STATE_BYTES] = states.astype("<i4").view(np.uint8)
         elif code == CODES["SONAR"]:
             self._tell_sonars(rows, messages)
+        elif code == CODES["PREDICT"]:
+            sensors = self._sonars, self._instruments
+            predict(
+                self.state, self._equipment, self._around, sensors, rows=rows, messages=messages
+            )
         self._served.append(Served(code, rows, at_s, arguments, results, states))
 
     def _fire_sonars(self, rows: IndexArray, to_s: FloatArray) -> None:

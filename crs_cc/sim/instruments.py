@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.requests import CODES, STATE_REPLIES
+from crs_cc.sim.sensor_elements import MAX_INFRARED
 from crs_cc.sim.sensors import laser, pos_data
 from crs_cc.sim.sensors.battery import Batteries
 from crs_cc.sim.sensors.clock import BoardClock
@@ -130,6 +131,44 @@ class Instruments:
         pos_data.tell(state, equipment, self._clock, rows, kinds)
         messages["i"][:, 1], messages["i"][:, 2] = self.batteries.told(state, rows, at_s)
         messages["f"][:, 0] = self._clock.ms(rows, at_s)
+
+    def look(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        poses: FloatArray,
+    ) -> tuple[npt.NDArray[np.int32], npt.NDArray[np.int32]]:
+        """Lets the instruments measure without any error from somewhere else.
+
+        Args:
+            state: tells where all things are; keeps what lasers see for the pages.
+            equipment: the robots' constants.
+            around: what there is to see.
+            rows: which robots, k of them.
+            poses: x, y [m] and direction [rad] of each mount, shape (k, 3).
+
+        Returns:
+            what infrared sensors tell, shape (k, 16), and how many laser readings there are, (k,).
+        """
+        infrared = np.zeros((len(rows), MAX_INFRARED), dtype=np.int32)
+        has = equipment.infrared[rows] >= 0
+        if has.any():
+            look = self._infrared.look
+            infrared[has] = look(state, equipment, around, rows[has], poses[has])
+        counts = np.zeros(len(rows), dtype=np.int32)
+        has = equipment.laser[rows] >= 0
+        if has.any():
+            mine, kept = equipment.laser[rows[has]], state.laser
+            points, seen = self._lasers.look(
+                state, equipment, around, rows[has], poses[has], exact=True
+            )
+            points = np.where(laser.is_on(kept.mode[mine]), points, 0)
+            width = laser.widths(kept.mode[mine])
+            laser.keep(state, kept.predicted, mine, width, (points, seen))
+            counts[has] = kept.predicted.count[mine]
+        return infrared, counts
 
 
 def _tell_laser(

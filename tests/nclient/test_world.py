@@ -110,3 +110,24 @@ def test_motion_check_tells_where_a_path_ends():
     )
     # The block's corners are sqrt(100^2 + 200^2) = 223.6 away from its middle, the radius is 80.
     assert done.numbers == [0, 1, 220, 0, 0, 0, 1, 1, 0]
+
+
+@pytest.mark.function("predict_sensors")
+def test_predicted_sensors_are_those_that_are_measured_there():
+    wall = '<wall x1="5ft" y1="-9ft" x2="5ft" y2="9ft"/>'
+    done = drive(
+        """long state[45]; int laser[965], i, off = 0; connect_robot(1);
+        conf_ls(51, 20, 20, 60, 4); ct();
+        printf("%d ", predict_sensors(300, 0, 0, 0, state, laser));
+        pr(300, 0, 0); ws(1, 1, 1, 20); sleep(2); gs();
+        for (i = 1; i <= 32; i++)
+            off += abs(state[i] - State[i]) > 1;
+        for (i = 1; i <= 2 * laser[0]; i++)
+            off += abs(laser[i] - Laser[i]) > 1;
+        printf("%d %d %d ", off, laser[0] > 10, laser[0] == Laser[0]);
+        printf("%ld %ld", state[17], state[33]);""",
+        things=f'<robot x="0" y="0" definition="nomad200"/>{wall}',
+    )
+    # The middle of the wall is 60 in from where the robot was, and 30 in from where it is.
+    radius_in = done.session.environment.world.robots[0].model.radius_m / 0.0254
+    assert done.numbers == [1, 0, 1, 1, round(30 - 0.05 / 0.0254 - radius_in), 0]

@@ -96,13 +96,8 @@ class InfraredRing:
         if not due.any():
             return
         rows, mine = rows[due], mine[due]
-        distance_m = np.empty((len(rows), MAX_INFRARED))
         poses = mount_poses(state, equipment, rows)
-        for kind, fan in enumerate(self.fans):
-            some = np.flatnonzero(self._kind[mine] == kind)
-            if len(some):
-                seen_m = around.distances_m(state, fan, poses[some], own=rows[some])
-                distance_m[some] = seen_m
+        distance_m = self._distances_m(state, equipment, around, rows, poses)
         if self._noise_m.any():
             distance_m += self._noise.rows(mine, ring.count[mine]) * self._noise_m[mine]
         new = np.clip(distance_m / self._step_m[mine], 0.0, FARTHEST)
@@ -111,6 +106,48 @@ class InfraredRing:
         ring.level[mine] = np.where(ring.on[mine], level, FARTHEST)
         ring.count[mine] += 1
         ring.measured.note(mine, at_s[due], configuration(state, equipment, rows))
+
+    def look(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        poses: FloatArray,
+    ) -> npt.NDArray[np.int32]:
+        """Gives what robots' rings would tell without any error if their mounts were elsewhere.
+
+        Args:
+            state: tells where all things are.
+            equipment: the robots' constants.
+            around: what there is to see.
+            rows: robots that have such a ring, k of them.
+            poses: x, y [m] and direction [rad] of each mount, shape (k, 3).
+
+        Returns:
+            readings, shape (k, 16).
+        """
+        distance_m = self._distances_m(state, equipment, around, rows, poses)
+        steps = distance_m / self._step_m[equipment.infrared[rows]]
+        return np.asarray(np.rint(np.clip(steps, 0.0, FARTHEST)), dtype=np.int32)
+
+    def _distances_m(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        poses: FloatArray,
+    ) -> FloatArray:
+        """Gives how far away things are that the sensors see from somewhere, shape (k, 16)."""
+        distance_m = np.empty((len(rows), MAX_INFRARED))
+        kinds = self._kind[equipment.infrared[rows]]
+        for kind, fan in enumerate(self.fans):
+            some = np.flatnonzero(kinds == kind)
+            if len(some):
+                seen_m = around.distances_m(state, fan, poses[some], own=rows[some])
+                distance_m[some] = seen_m
+        return distance_m
 
 
 def get_ir(

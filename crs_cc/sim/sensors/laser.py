@@ -117,6 +117,8 @@ class Lasers:
         around: Surroundings,
         rows: IndexArray,
         poses: FloatArray,
+        *,
+        exact: bool = False,
     ) -> tuple[WholeArray, WholeArray]:
         """Gives the points that the lasers of robots see from somewhere.
 
@@ -126,6 +128,7 @@ class Lasers:
             around: what there is to see.
             rows: robots that have a laser, k of them.
             poses: x, y [m] and direction [rad] of each mount, shape (k, 3).
+            exact: without any error.
 
         Returns:
             how many points each sees, shape (k,), and their x and y [0.1 in], shape (k, 964).
@@ -137,7 +140,8 @@ class Lasers:
         for kind in dict.fromkeys(kinds):
             some = np.array([place for place, each in enumerate(kinds) if each == kind])
             distance_m = around.distances_m(state, self._fan(*kind), poses[some], own=rows[some])
-            distance_m += self._errors_m(state, mine[some], distance_m)
+            if not exact:
+                distance_m += self._errors_m(state, mine[some], distance_m)
             directions = _directions(*kind)
             x = m_to_tenths_inch(kind[0].forward_m + distance_m * np.cos(directions))
             y = m_to_tenths_inch(distance_m * np.sin(directions))

@@ -1,0 +1,70 @@
+"""What the sensors would read somewhere else: `predict_sensors`.
+
+The robot is thought to be at a pose in the world frame, the sensors to measure without any error,
+and everything else, the robot itself too, to be where it was at the start of the timestep; beams
+pass through the robot's own body. Chosen by us: all sonars and infrared sensors are told, whether
+the program has switched them on or not, and the laser as `conf_ls` and `conf_sg` have set it.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.requests import NUM_STATE
+from crs_cc.sim.sonar_model import MAX_SONARS
+from crs_cc.sim.state_vector import IR_0, SONAR_0
+from crs_cc.units import tenths_deg_to_rad, tenths_inch_to_m
+
+if TYPE_CHECKING:
+    from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.instruments import Instruments
+    from crs_cc.sim.sensors.sonar import SonarRing
+    from crs_cc.sim.state import EnvState
+    from crs_cc.sim.surroundings import Surroundings
+
+FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.intp]
+Messages = npt.NDArray[np.void]
+
+
+def predict(
+    state: EnvState,
+    equipment: Equipment,
+    around: Surroundings,
+    sensors: tuple[SonarRing, Instruments],
+    *,
+    rows: IndexArray,
+    messages: Messages,
+) -> None:
+    """Answers PREDICT.
+
+    Args:
+        state: tells where all things are; keeps what lasers would see.
+        equipment: the robots' constants.
+        around: what there is to measure.
+        sensors: those of the robots.
+        rows: which robots, k of them.
+        messages: the poses, changed in place into the replies, shape (k,).
+    """
+    sonars, instruments = sensors
+    poses = _mounts(state, equipment, rows, messages["i"][:, :4].astype(np.float64))
+    told = np.zeros((len(rows), NUM_STATE), dtype="<i4")
+    told[:, SONAR_0 : SONAR_0 + MAX_SONARS] = sonars.look(state, around, rows, poses)
+    told[:, IR_0:SONAR_0], counts = instruments.look(state, equipment, around, rows, poses)
+    messages["size"] = told.itemsize * NUM_STATE
+    messages["data"][:, : told.itemsize * NUM_STATE] = told.view(np.uint8)
+    messages["i"][:, 0] = counts
+
+
+def _mounts(
+    state: EnvState, equipment: Equipment, rows: IndexArray, asked: FloatArray
+) -> FloatArray:
+    """Gives x, y [m] and direction [rad] of the mounts of robots at x, y, heading and turret."""
+    place_m = tenths_inch_to_m(asked[:, :2])
+    heading_rad, turret_rad = tenths_deg_to_rad(asked[:, 2:]).T
+    drives = equipment.drives
+    base_rad = np.where(drives.synchro[rows], state.base_rad[rows], heading_rad)
+    return np.column_stack([place_m, np.where(drives.turret[rows], turret_rad, base_rad)])
