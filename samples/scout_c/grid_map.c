@@ -25,10 +25,11 @@
 #define ROBOT_ID   1
 #define N_SONARS   16
 #define SHELL      8.0      /* radius of the robot, inches */
+#define NO_ECHO    255
 #define STEP       14.0     /* between two stops, inches */
 #define CELL       5.0      /* side of a cell, inches */
 #define BEAM       10.0     /* half width of the beam, degrees */
-#define FAR        100.0    /* echoes from farther away are not trusted, inches */
+#define FAR        70.0     /* farther away we believe nothing: often a glancing wall, inches */
 #define THICK      3.0      /* the arc is so thick, to both sides, inches */
 #define FREE       20.0     /* evidence on the axis of the beam */
 #define OCCUPIED   260.0    /* evidence for a whole arc */
@@ -141,6 +142,8 @@ static void scan(Grid *grid)
     y = State[STATE_CONF_Y] / 10.0;
     heading = State[STATE_CONF_STEER] * M_PI / 1800.0;
     for (i = 0; i < N_SONARS; i++) {
+        if (State[STATE_SONAR_0 + i] == NO_ECHO)
+            continue;               /* nothing there, or a wall that glanced it away */
         direction = heading + i * 2.0 * M_PI / N_SONARS;
         enter(grid, x + SHELL * cos(direction), y + SHELL * sin(direction), direction,
               State[STATE_SONAR_0 + i]);

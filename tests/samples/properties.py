@@ -46,6 +46,7 @@ def counts_the_doors(drive: Drive) -> None:
     found = [
         (side, kind, float(start), float(end))
         for side, start, end, kind in re.findall(pattern, drive.text)
+        if kind != "gap"
     ]
     doors = {
         ("left", "door"): [(60, 96), (300, 336)],

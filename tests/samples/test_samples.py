@@ -82,11 +82,11 @@ class Run:
         words += ["--", *self.arguments] if self.arguments else []
         return " ".join(words).replace(f"{ROOT}/", "")
 
-    def drive(self) -> Drive:
-        """Runs it."""
+    def drive(self, setup: str = "") -> Drive:
+        """Runs it, with a setup of the robots."""
         return Drive(
             self.program(),
-            load_world(self.world_file()),
+            load_world(self.world_file(), setup),
             arguments=self.arguments,
             files={name: (ROOT / name).read_bytes() for name in self.reads},
             standard=self.standard,
@@ -132,6 +132,13 @@ def test_a_sample_does_what_it_shows_and_prints_what_it_printed(
         assert (robot.outcome, robot.exit_status) == ("exited", 0), robot.error
     run.holds(drive)
     check_golden(HERE / f"{run.name}.out", drive.output)
+
+
+@slow
+@pytest.mark.parametrize("sample", ["count_doors", "potential", "localise", "patrol"])
+def test_a_sample_does_it_with_noisy_sonars_too(sample: str) -> None:
+    (run,) = [run for run in RUNS if run.sample == sample]
+    run.holds(run.drive("noisy"))
 
 
 MASK = """
