@@ -189,4 +189,4 @@ def _tell_laser(
 
 
 def _asked(state: EnvState, rows: IndexArray, group: slice) -> npt.NDArray[np.bool_]:
-    return np.asarray(state.mask[rows, group].any(axis=1))
+    return np.asarray((state.mask[rows, group].view(np.int8) > 0).any(axis=1))

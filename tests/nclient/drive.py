@@ -18,7 +18,7 @@ from crs_cc.session.build import build_executable
 from crs_cc.session.host import Client
 from crs_cc.session.session import Session
 from crs_cc.sim.step import Step
-from crs_cc.sim.world_xml import parse_world
+from crs_cc.sim.world_xml import SCOUT, parse_world
 from crs_cc.source import Diagnostics
 from crs_cc.units import m_to_inch
 
@@ -81,6 +81,7 @@ def drive(
     seconds: float = 60.0,
     seed: int = 0,
     setup: str = "",
+    robot: str = SCOUT,
     client: Client = "nclient",
     arguments: Sequence[Sequence[str]] = (),
     dialect: Dialect | None = None,
@@ -95,12 +96,13 @@ def drive(
         seconds: end the run after so long.
         seed: decides all that is random.
         setup: the robots' setup.
+        robot: the kind of robots that say none, or the path of a definition.
         client: which of the vendor's client libraries to behave like.
         arguments: `argv` of each robot.
         dialect: whose functions the programs call; by default what they look like.
     """
     text = f'<world version="1" timestep="{timestep}"><area {area}/>{things}</world>'
-    world = parse_world(text.encode(), "test", setup)
+    world = parse_world(text.encode(), "test", setup, robot)
     built = [_build(source, dialect) for source in programs]
     executables = built if len(built) == len(world.robots) else built * len(world.robots)
     done = Drive(len(executables))
