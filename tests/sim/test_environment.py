@@ -403,7 +403,7 @@ def play(environment: Environment, cycles: range) -> list:
                 messages["i"][:, [0, 2, 4]] = rng.integers(0, 4, (len(robots), 3))
             if code == CODES["WS"]:
                 messages["i"][:, :4] = 1, 1, 0, 2
-            if code in {CODES["DISCONNECT"], CODES["CONF_SN"]}:
+            if REQUESTS[code].name in {"DISCONNECT", "CONF_SN", "QUIT_SERVER", "NEW_WORLD"}:
                 code = CODES["VM"]
             clock_s = environment.time_s + rng.random(len(robots)) * DT
             goes_on_s = environment.serve(code, robots, messages, clock_s)
