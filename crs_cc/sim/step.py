@@ -17,13 +17,23 @@ from crs_cc.requests import CODES, REQUESTS
 from crs_cc.sim.drawings import Drawing
 from crs_cc.sim.physics import Contacts
 from crs_cc.sim.state import EnvState
-from crs_cc.sim.state_vector import BUMPER, CONF_X, MOTOR_STATUS, SONAR_0, VEL_RIGHT
+from crs_cc.sim.state_vector import (
+    BUMPER,
+    COMPASS,
+    CONF_X,
+    IR_0,
+    MOTOR_STATUS,
+    SONAR_0,
+    VEL_RIGHT,
+)
 
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]
 WholeArray = npt.NDArray[np.int64]
 
 _SONARS: Final = ("sonar_in", slice(SONAR_0, BUMPER))
+_INFRARED: Final = ("infrared", slice(IR_0, SONAR_0))
+_COMPASS: Final = ("compass", slice(COMPASS, COMPASS + 1))
 _BUMPERS: Final = ("bumper", slice(BUMPER, BUMPER + 1))
 _POSE: Final = ("pose", slice(CONF_X, CONF_X + 3))
 _SPEEDS: Final = ("speed", slice(VEL_RIGHT, VEL_RIGHT + 2))
@@ -32,6 +42,8 @@ _ANSWERS: Final = {
     CODES["GS"]: (_SONARS, _BUMPERS, _POSE, _SPEEDS, _MOTORS),
     CODES["GET_SN"]: (_SONARS,),
     CODES["GET_BP"]: (_BUMPERS,),
+    CODES["GET_IR"]: (_INFRARED,),
+    CODES["GET_CP"]: (_COMPASS,),
     CODES["GET_RC"]: (_POSE,),
     CODES["GET_RV"]: (_SPEEDS,),
 }

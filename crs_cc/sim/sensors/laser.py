@@ -164,9 +164,8 @@ class Lasers:
             return np.zeros(1)
         spread = self._noise_per_m[mine] / np.sqrt(state.laser.averaged[mine])
         deviates = self._noise.rows(mine, state.laser.count[mine])[:, : distance_m.shape[1]]
-        return np.where(
-            np.isfinite(distance_m), deviates * spread[:, None] * distance_m * distance_m, 0.0
-        )
+        seen_m = np.where(np.isfinite(distance_m), distance_m, 0.0)
+        return np.asarray(deviates * spread[:, None] * seen_m * seen_m)
 
 
 def is_on(mode: npt.NDArray[np.integer]) -> BoolArray:
