@@ -84,8 +84,9 @@ static int use_mask(const int *mask)
 
     for (i = 0; i < NUM_MASK; i++) {
         __crs_client.mask[i] = mask[i];
-        message.data[i] = mask[i];
+        message.data[i] = (signed char)mask[i] > 0;
     }
+    message.data[SMASK_POS_DATA] = mask[SMASK_POS_DATA];
     message.size = NUM_MASK;
     return __crs_post_state(CRS_CT, &message);
 }

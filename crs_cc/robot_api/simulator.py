@@ -1,0 +1,207 @@
+"""The functions that reach the simulator, those about times and places of readings, and packets."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from crs_cc.robot_api.row import ALL, HEADER, OURS, SOURCE, Function, Group
+
+_BOTH: Final = (HEADER, SOURCE)
+_NOTHING: Final = "TRUE, nothing happens"
+_POLYGON: Final = "long obs[2 * MAX_VERTICES + 1]"
+
+
+def _polygon(name: str, does: str, request: str, more: str = "", chosen: str = "") -> Function:
+    return Function(
+        f"int {name}({_POLYGON}{more})", does, units="0.1 in", posts=(request,),
+        under_ndirect=_NOTHING, source=_BOTH, chosen=chosen,
+    )  # fmt: skip
+
+
+WORLD: Final = Group("World", (
+    _polygon("add_obstacle", "adds a polygon of obs[0] vertices, counter-clockwise, to the world",
+             "ADD_OBSTACLE"),
+    _polygon("add_Obs", "the same", "ADD_OBSTACLE"),
+    _polygon("delete_obstacle", "takes a polygon away", "DELETE_OBSTACLE"),
+    _polygon("delete_Obs", "the same", "DELETE_OBSTACLE"),
+    _polygon("move_obstacle", "moves a polygon, and obs with it", "MOVE_OBSTACLE",
+             ", long dx, long dy"),
+    _polygon("move_Obs", "the same", "MOVE_OBSTACLE", ", long dx, long dy"),
+    Function(
+        "int new_world(void)", "takes all polygons away", posts=("NEW_WORLD",),
+        under_ndirect=_NOTHING, source=_BOTH,
+    ),
+    Function(
+        "int place_robot(int x, int y, int th, int tu)",
+        "puts the robot, and where its odometry believes to be, somewhere else",
+        units="0.1 in, 0.1 in, 0.1 deg, 0.1 deg", posts=("PLACE_ROBOT",),
+        under_ndirect="`dp` and `da`", source=_BOTH,
+    ),
+    Function(
+        "int get_rpx(long *robot_pos)",
+        "tells where all robots are: their number, then x, y, heading of each",
+        units="0.1 in, 0.1 in, 0.1 deg", posts=("GET_RPX",),
+        under_ndirect="FALSE, robot_pos[0] is -1", source=(SOURCE, OURS),
+        chosen="That the third number is the heading; robots stand in the order of the world file.",
+    ),
+    Function(
+        "int predict_sensors(int x, int y, int th, int tu, long *state, int *laser)",
+        "tells what the sensors would read somewhere else: state[1] to state[32], 0 behind, and"
+        " the laser", units="as State", posts=("PREDICT", "LASER_PAGE"),
+        under_ndirect=_NOTHING, source=_BOTH,
+        chosen="laser may be NULL.",
+    ),
+    Function(
+        "int motion_check(long type, double a1, double a2, double a3, double a4, double a5,"
+        " double a6, double a7, double collide[3])",
+        "TRUE when the robot would collide on a path: where its middle is then, and the direction"
+        " into the obstacle. Type 0: a segment from (a1, a2) to (a3, a4). Type 1: an arc that"
+        " begins in (a1, a2), from angle a3 to a4 around (a6, a7), radius a5",
+        units="0.1 in, 0.1 in, rad", posts=("MOTION_CHECK",), under_ndirect="FALSE",
+        source=_BOTH,
+    ),
+    Function(
+        "int get_robot_conf(long *conf)", "asks the user to point at a place in the window",
+        units="0.1 in, 0.1 in, 0.1 deg, 0.1 deg", posts=("GET_CONF",),
+        under_ndirect=_NOTHING, source=_BOTH, chosen="Nobody points: FALSE.",
+    ),
+))  # fmt: skip
+
+
+def _refresh(name: str, what: str) -> Function:
+    return Function(
+        f"int {name}(void)", f"erases {what}", posts=("REFRESH",), source=_BOTH,
+        under_ndirect="is not there; ours gives TRUE",
+    )  # fmt: skip
+
+
+_COLOURS: Final = "mode: 1 black, 2 black to be erased by drawing again, from 3 the colour of its"
+GRAPHICS: Final = Group("Window", (
+    Function(
+        "int draw_robot(long x, long y, int th, int tu, int mode)",
+        "draws a robot; mode: 1 black to be erased by drawing again, 2 with an arrow that stays,"
+        " 3 black, from 4 the colour of its number less 3", units="0.1 in, 0.1 deg",
+        posts=("DRAW",), under_ndirect=_NOTHING, source=_BOTH,
+    ),
+    Function(
+        "int draw_line(long x_1, long y_1, long x_2, long y_2, int mode)",
+        f"draws a line; {_COLOURS} number less 2", units="0.1 in", posts=("DRAW",),
+        under_ndirect=_NOTHING, source=_BOTH,
+    ),
+    Function(
+        "int draw_arc(long x_0, long y_0, long w, long h, int th1, int th2, int mode)",
+        "draws a part of the ellipse in the rectangle with the upper left corner (x_0, y_0); modes"
+        " as of a line", units="0.1 in, 0.1 deg", posts=("DRAW",), under_ndirect=_NOTHING,
+        source=_BOTH,
+    ),
+    _refresh("refresh_all", "all that follows"),
+    _refresh("refresh_all_traces", "the robot's ways"),
+    _refresh("refresh_actual_trace", "its true way"),
+    _refresh("refresh_encoder_trace", "the way its odometry believes in"),
+    _refresh("refresh_all_sensors", "the sensors' readings"),
+    _refresh("refresh_bumper_sensor", "the bumpers'"),
+    _refresh("refresh_infrared_sensor", "the infrared sensors'"),
+    _refresh("refresh_sonar_sensor", "the sonars'"),
+    _refresh("refresh_laser_sensor", "the laser's"),
+    _refresh("refresh_client_graphics", "what programs have drawn"),
+))  # fmt: skip
+
+
+def _position(name: str, parameters: str, what: str) -> Function:
+    return Function(
+        f"int {name}({parameters})", f"copies {what}; always TRUE", units="as State, ms",
+        posts=("POS_DATA",), source=_BOTH,
+    )  # fmt: skip
+
+
+POSDATA: Final = Group("Where and when sensors were read", (
+    Function(
+        "int posDataRequest(int posRequest)",
+        "asks that replies tell it of some kinds of sensors (Smask[0], `ct`); always TRUE",
+        refreshes=ALL, posts=("CT",), source=_BOTH,
+        under_ndirect="on a Scout or Nomad 150 nothing is sent",
+    ),
+    Function("int posDataCheck(void)", "gives the kinds that were asked for", source=_BOTH),
+    _position("posInfraredRingGet", "PosData posData[INFRAREDS]", "that of all infrared sensors"),
+    _position("posInfraredGet", "PosData *posData, int infraredNumber", "that of one"),
+    _position("posSonarRingGet", "PosData posData[SONARS]", "that of all sonars"),
+    _position("posSonarGet", "PosData *posData, int sonarNumber", "that of one"),
+    _position("posBumperGet", "PosData *posData", "that of the last time when a bumper was hit"),
+    _position("posLaserGet", "PosData *posData", "that of the laser, 30 times a second"),
+    _position("posCompassGet", "PosData *posData", "that of the compass, 10 times a second"),
+    Function(
+        "int posTimeGet(void)",
+        "gives the time of the sensor board [ms], as the last reply told it; it counts in steps of"
+        " 16.4 ms", source=_BOTH,
+    ),
+))  # fmt: skip
+
+
+def _stuff(name: str, data: str, what: str) -> Function:
+    return Function(
+        f"int {name}({data} data, unsigned char *buffer, unsigned short *index)",
+        f"puts {what} into the buffer, gives the new index", source=_BOTH,
+    )  # fmt: skip
+
+
+def _extract(data: str, name: str, what: str) -> Function:
+    return Function(
+        f"{data} {name}(unsigned char *buffer, unsigned short *index)",
+        f"takes {what} from the buffer", source=_BOTH,
+    )  # fmt: skip
+
+
+_SIGNED: Final = "sign and magnitude"
+PACKETS: Final = Group("Packets of the user's own", (
+    Function(
+        "int special_request(unsigned char *user_send_buffer, unsigned char *user_receive_buffer)",
+        "sends a packet to the robot, and waits for its answer", posts=("SPECIAL",),
+        source=_BOTH, chosen="No robot here knows packets of the user's own: FALSE.",
+    ),
+    Function(
+        "int init_receive_buffer(unsigned short *index)",
+        "sets the index to 4, behind the header, and gives it", source=_BOTH,
+    ),
+    Function(
+        "int extract_receive_buffer_header(unsigned short *length, unsigned char *serial_number,"
+        " unsigned char *packet_type, unsigned char *buffer)",
+        "takes the header apart: the length in two bytes, a number, a type; gives the length",
+        source=_BOTH,
+    ),
+    Function(
+        "int init_send_buffer(unsigned short *index)",
+        "sets the index to 4, behind the header, and gives it", source=_BOTH,
+    ),
+    Function(
+        "int stuff_send_buffer_header(unsigned short index, unsigned char serial_number,"
+        " unsigned char packet_type, unsigned char *buffer)",
+        "writes the header; gives the index", source=_BOTH,
+    ),
+    _stuff("stuffchar", "signed char", f"one byte, {_SIGNED},"),
+    _stuff("stuff2byteint", "signed short", f"two bytes, {_SIGNED}, the low one first,"),
+    _stuff("stuff4byteint", "signed long", f"four bytes, {_SIGNED}, the lowest first,"),
+    _stuff("stuffuchar", "unsigned char", "one byte"),
+    _stuff("stuff2byteuint", "unsigned short", "two bytes, the low one first,"),
+    _stuff("stuff4byteuint", "unsigned long", "four bytes, the lowest first,"),
+    _stuff("stuffdouble", "double", "eight bytes, the lowest first,"),
+    _extract("signed char", "extractchar", f"one byte, {_SIGNED},"),
+    _extract("signed short", "extract2byteint", f"two bytes, {_SIGNED},"),
+    _extract("signed long", "extract4byteint", f"four bytes, {_SIGNED},"),
+    _extract("unsigned char", "extractuchar", "one byte"),
+    _extract("unsigned short", "extract2byteuint", "two bytes"),
+    _extract("unsigned long", "extract4byteuint", "four bytes"),
+    _extract("double", "extractdouble", "eight bytes"),
+    Function(
+        "long arm_mv(long l_mode, long l_v, long g_mode, long g_v)",
+        "moves lift and gripper of the arm; gives the number that it answers with",
+        posts=("SPECIAL",), source=_BOTH, chosen="No robot here has an arm: 0.",
+    ),
+    Function(
+        "long arm_ws(short lift, short grip, long timeout, long *time_remain)",
+        "waits for the arm", posts=("SPECIAL",), source=_BOTH, chosen="The same.",
+    ),
+    Function(
+        "long arm_zr(short mode)", "zeroes the arm", posts=("SPECIAL",), source=_BOTH,
+        chosen="The same.",
+    ),
+))  # fmt: skip
