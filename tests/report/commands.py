@@ -76,7 +76,8 @@ COMMANDS = (
     Command("int st(void)", "", "stops the wheels", "", "2.2.2, 3.3"),
     Command(
         "int ws(int x, int y, int z, int dummy)", "",
-        "waits until both wheels stand still, whatever the arguments, however long",
+        "waits until the robot stands, whatever the arguments, however long; also when something"
+        " holds it up",
         "waits for the wheels that are chosen, and at most as many seconds as the last argument"
         " says", "appendix A",
     ),

@@ -85,6 +85,12 @@ def test_ws_waits_for_both_wheels_whatever_its_arguments(arguments: str):
     assert done.x_in[-1] == pytest.approx(3.0, abs=0.005)
 
 
+def test_ws_ends_when_something_holds_the_robot_up():
+    done = run(f"pr(1000, 0, 0); {STANDING} get_bp(); return State[STATE_BUMPER];", cylinder(60))
+    assert done.status == 1
+    assert done.session.time_s < 8
+
+
 def test_mv_commands_each_wheel():
     done = run(f"mv(MV_PR, 100, MV_PR, 100, MV_IGNORE, 0); {STANDING}")
     assert done.x_in[-1] == pytest.approx(10.0, abs=0.005)

@@ -11,7 +11,7 @@
 
 #define INCHES_PER_DEGREE 0.118597      /* that a wheel runs: the vendor's ROTATION_CONSTANT */
 #define BOTH_MOTORS 3
-#define LONGEST_WAIT 255
+#define LOOKS_AFTER_S 1
 #define FARTHEST 1e9
 
 static int is_connected = 1, has_greeted;
@@ -149,14 +149,22 @@ int st(void)
     return command(CRS_ST, 0, 0, 0, 0);
 }
 
-/* "Until the robot comes to a stand still" (appendix A): both wheels, however long it takes. */
+static int is_still(void)
+{
+    int has_arrived = (State[STATE_MOTOR_STATUS] & BOTH_MOTORS) == 0;
+
+    return has_arrived || (State[STATE_VEL_RIGHT] == 0 && State[STATE_VEL_LEFT] == 0);
+}
+
+/* "Until the robot comes to a stand still" (appendix A), however long it takes; a robot that
+   something holds up stands, too, though its motors do not rest. */
 int ws(int x, int y, int z, int dummy)
 {
     int result;
 
     do
-        result = command(CRS_WS, 1, 1, 0, LONGEST_WAIT);
-    while (result && (State[STATE_MOTOR_STATUS] & BOTH_MOTORS) != 0);
+        result = command(CRS_WS, 1, 1, 0, LOOKS_AFTER_S);
+    while (result && !is_still());
     return result;
 }
 
