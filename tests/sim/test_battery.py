@@ -70,6 +70,17 @@ def test_a_robot_that_is_held_back_uses_more():
     assert used[1] > 2 * used[0]
 
 
+def test_an_axis_that_turns_works_on_the_shell(tmp_path):
+    cells = 'friction="50N" efficiency="0.5" stall="120W"'
+    plain = 'friction="50N" efficiency="1" stall="0W"'
+    driver = Driver.of(own_world(tmp_path, (cells, plain), robot="nomad200"))
+    driver.ask("PR", 0, 0, 1800)
+    driver.run_s(12)
+    rim_m, rim_mps = np.pi * 0.225, np.radians(30) * 0.225
+    expected_j = 50 * rim_m + 60 / 2 * rim_mps**2
+    assert driver.state.battery.moved_j[0] == pytest.approx(expected_j, rel=0.01)
+
+
 def test_empty_motors_have_no_force(tmp_path):
     # The cut-off of 11 V is half of the charge: 1800 J at 36 W are gone after 50 s.
     cells = 'capacity="1Wh" power="36W" curve="10 12" cutoff="11V"'
