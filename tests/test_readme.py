@@ -34,10 +34,11 @@ def commands() -> list[str]:
 
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder with the samples, the worlds and the README's own program, to work in."""
+    """A folder with the samples, the worlds and the README's own programs, to work in."""
     for name in ("samples", "worlds"):
         shutil.copytree(ROOT / name, tmp_path / name)
-    (tmp_path / "approach.c").write_text("".join(blocks("c")))
+    for name, program in zip(("approach.c", "cool.c"), blocks("c"), strict=True):
+        (tmp_path / name).write_text(program)
     monkeypatch.chdir(tmp_path)
     return tmp_path
 
