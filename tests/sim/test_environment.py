@@ -394,7 +394,7 @@ def play(environment: Environment, cycles: range) -> list:
     for cycle in cycles:
         rng = np.random.default_rng(cycle)  # the same requests in the same cycle, always
         for _ in range(2):
-            code = int(rng.choice([*ROBOT_CODES, *[CODES["VM"]] * 10]))
+            code = int(rng.choice([*ROBOT_CODES, *[CODES["VM"]] * 30]))
             robots = np.flatnonzero(rng.random(10) < 0.6)
             robots = robots[~environment.state.drive.waiting[robots].any(axis=1)]
             messages = np.zeros(len(robots), MESSAGE)
