@@ -21,7 +21,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.model import WorldModel
-from crs_cc.sim.robot_model import STILL, Drive
+from crs_cc.sim.robot_model import STILL, Drive, Odometry
 from crs_cc.units import tenths_deg_to_rad, tenths_inch_to_m
 
 FloatArray = npt.NDArray[np.float64]
@@ -39,6 +39,10 @@ class Drives:
         ramp_limit: the fastest that its speed can change; 1 for one that is not there.
         forward: way of the robot for each unit of each axis' way.
         turn: by how much the wheels' direction turns for each unit of each axis' way [rad].
+        true_forward: the way that the robot truly goes for it, see `actuators.rolling`.
+        true_turn: the angle by which it truly turns.
+        count: the way of each axis for one count of its encoder; 0 for any.
+        counts: whether any robot's encoders count in steps.
         rolls: 1 for the axes whose wheels roll when the robot is moved along them, else 0.
         yields: whether the motors are weaker than the wheels' grip, so that they stall.
         roll_out_mps2: how fast limp wheels lose their speed.
@@ -54,6 +58,10 @@ class Drives:
     ramp_limit: FloatArray
     forward: FloatArray
     turn: FloatArray
+    true_forward: FloatArray
+    true_turn: FloatArray
+    count: FloatArray
+    counts: bool
     rolls: FloatArray
     yields: BoolArray
     roll_out_mps2: FloatArray
@@ -67,13 +75,19 @@ class Drives:
     def of(cls, world: WorldModel) -> Self:
         """Gives the drives of a world's robots."""
         drives = [robot.model.drive for robot in world.robots]
+        errors = [robot.model.odometry for robot in world.robots]
+        both = list(zip(drives, errors, strict=True))
         axes = [[axis or STILL for axis in drive.axes] for drive in drives]
         return cls(
             unit=_rows([_units(drive) for drive in drives]),
             speed_limit=_rows([[axis.speed_limit for axis in three] for three in axes]),
             ramp_limit=_rows([[axis.acceleration_limit for axis in three] for three in axes]),
-            forward=_rows([_forward(drive) for drive in drives]),
-            turn=_rows([_turn(drive) for drive in drives]),
+            forward=_rows([_forward(drive, Odometry()) for drive in drives]),
+            turn=_rows([_turn(drive, Odometry()) for drive in drives]),
+            true_forward=_rows([_forward(drive, wrong) for drive, wrong in both]),
+            true_turn=_rows([_turn(drive, wrong) for drive, wrong in both]),
+            count=_rows([_counts(drive, wrong) for drive, wrong in both]),
+            counts=any(wrong.resolution_m or wrong.resolution_rad for wrong in errors),
             rolls=_rows([[1.0, float(drive.steering is None), 0.0] for drive in drives]),
             yields=_flags([drive.force_n < drive.grip_n for drive in drives]),
             roll_out_mps2=np.array([drive.roll_out_mps2 for drive in drives]),
@@ -100,14 +114,29 @@ def _units(drive: Drive) -> list[float]:
     return [unit if axis else 0.0 for unit, axis in zip(units, drive.axes, strict=True)]
 
 
-def _forward(drive: Drive) -> list[float]:
-    return [0.5, 0.5, 0.0] if drive.steering is None else [1.0, 0.0, 0.0]
+def _forward(drive: Drive, wrong: Odometry) -> list[float]:
+    if drive.steering is not None:
+        return [wrong.scale, 0.0, 0.0]
+    return [0.5 * wheel for wheel in _wheels(wrong)] + [0.0]
 
 
-def _turn(drive: Drive) -> list[float]:
-    if drive.steering is None:
-        return [1 / drive.wheel_base_m, -1 / drive.wheel_base_m, 0.0]
-    return [0.0, 1.0, 0.0]
+def _turn(drive: Drive, wrong: Odometry) -> list[float]:
+    if drive.steering is not None:
+        return [wrong.drift_radpm, 1.0, 0.0]
+    wheel_base_m = drive.wheel_base_m * wrong.wheel_base
+    right, left = _wheels(wrong)
+    return [right / wheel_base_m, -left / wheel_base_m, 0.0]
+
+
+def _wheels(wrong: Odometry) -> tuple[float, float]:
+    """Gives how much larger than believed the right and the left wheel are."""
+    left = 2 / (wrong.diameters + 1)
+    return wrong.scale * wrong.diameters * left, wrong.scale * left
+
+
+def _counts(drive: Drive, wrong: Odometry) -> list[float]:
+    way, angle = wrong.resolution_m, wrong.resolution_rad
+    return [way, way, 0.0] if drive.steering is None else [way, angle, angle]
 
 
 def _rows(values: list[list[float]]) -> FloatArray:

@@ -31,6 +31,7 @@ import numpy.typing as npt
 
 from crs_cc.requests import CODES, MESSAGE, NUM_STATE, STATE_REPLIES
 from crs_cc.sim.actuators import drive, traction
+from crs_cc.sim.actuators.rolling import RollingNoise
 from crs_cc.sim.commands import CHANGES_WORLD, CONNECTS, HANDLERS, MOVES, WAITS
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.instruments import Instruments
@@ -91,6 +92,7 @@ class Environment:
         self._equipment = Equipment.of(world)
         self._bumpers = Bumpers(world)
         self._instruments = Instruments(world, seed)
+        self._rolling = RollingNoise(world, seed)
         self._sonars = SonarRing(world, seed)
         self._furnish()
         self._sonars.begin(self.state, self._equipment, self._around)
@@ -183,6 +185,7 @@ class Environment:
         # What falls on the end belongs to the next cycle, when the bodies are where they got to.
         self._fire_sonars(np.arange(robots), np.full(robots, np.nextafter(self.end_s, 0.0)))
         drive.advance(state, self._equipment, _ALL, np.full(robots, self.end_s))
+        self._rolling.add(state, self._equipment)
         before_m = state.bodies.position_m[:robots].copy()
         contacts = self._physics.step(state.bodies, traction.pull(state, self._equipment))
         went_m = state.bodies.position_m[:robots] - before_m

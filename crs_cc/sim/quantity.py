@@ -98,5 +98,6 @@ VOLTAGE: Final = Kind("a voltage", (("V", 1.0),), "V", "12.5V", 1e3)
 FREQUENCY: Final = Kind(
     "a frequency", (("Hz", 1.0), ("kHz", 1e3), ("MHz", 1e6), ("GHz", 1e9)), "Hz", "50MHz", 1e12
 )
+RATIO: Final = Kind("a ratio", (("", 1.0),), "", "1.002", 1e3)
 HEAT: Final = Kind("a heat", (("", 1.0),), "", "1", 1e6)
 """How hot a thing is, without unit."""

@@ -10,17 +10,19 @@ from crs_cc.sim import sensor_elements, sonar_elements
 from crs_cc.sim.document import Element, Reader
 from crs_cc.sim.quantity import (
     ACCELERATION,
+    ANGLE,
     FORCE,
     FREQUENCY,
     LENGTH,
     MASS,
+    RATIO,
     SPEED,
     TIME,
     TURN_ACCELERATION,
     TURN_RATE,
     Kind,
 )
-from crs_cc.sim.robot_model import Axis, Drive, Heat, Link, RobotModel
+from crs_cc.sim.robot_model import Axis, Drive, Heat, Link, Odometry, RobotModel
 
 VENDOR_MODELS: Final = ("nomad200", "nomad150", "scout")
 """The vendor's models by their numbers (vendor header `Nclient.h` 1.29: MODEL_N200, ...)."""
@@ -41,6 +43,7 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         root.attributes["name"],
         radius_m=reader.positive(body, "radius", LENGTH),
         drive=_drive(root.first("drive"), reader),
+        odometry=_odometry(root.first("odometry"), reader),
         mass_kg=reader.positive(body, "mass", MASS),
         sonars=sonars,
         sonar_board=sonar_elements.board(root.first("sonars"), sonars, reader),
@@ -77,6 +80,20 @@ def _drive(element: Element, reader: Reader) -> Drive:
         roll_out_mps2=reader.positive(element, "roll-out", ACCELERATION),
         give_up_s=reader.not_negative(element, "give-up", TIME) or math.inf,
         waits_forever=element.attributes.get("ws-timeout-zero") == "forever",
+    )
+
+
+def _odometry(element: Element, reader: Reader) -> Odometry:
+    return Odometry(
+        resolution_m=reader.not_negative(element, "resolution", LENGTH),
+        resolution_rad=reader.not_negative(element, "turn-resolution", ANGLE),
+        scale=reader.positive(element, "scale", RATIO),
+        diameters=reader.positive(element, "diameters", RATIO),
+        wheel_base=reader.positive(element, "wheel-base", RATIO),
+        drift_radpm=reader.quantity(element, "drift", ANGLE),
+        way_noise_m=reader.not_negative(element, "way-noise", LENGTH),
+        turn_noise_rad=reader.not_negative(element, "turn-noise", ANGLE),
+        spin_noise_rad=reader.not_negative(element, "spin-noise", ANGLE),
     )
 
 

@@ -98,6 +98,33 @@ class Drive:
 
 
 @dataclass(frozen=True, slots=True)
+class Odometry:
+    """The encoders, and how the wheels differ from what they are believed to be.
+
+    Attributes:
+        resolution_m: way of a wheel for one count of its encoder; 0 for any.
+        resolution_rad: the same for steering and turret.
+        scale: true over believed way.
+        diameters: diameter of the right wheel over that of the left one.
+        wheel_base: true over believed distance of the wheels.
+        drift_radpm: by how much a synchro drive turns with each metre.
+        way_noise_m: standard deviation of the way after a metre.
+        turn_noise_rad: that of the direction after a metre.
+        spin_noise_rad: that of the direction after a full turn.
+    """
+
+    resolution_m: float = 0.0
+    resolution_rad: float = 0.0
+    scale: float = 1.0
+    diameters: float = 1.0
+    wheel_base: float = 1.0
+    drift_radpm: float = 0.0
+    way_noise_m: float = 0.0
+    turn_noise_rad: float = 0.0
+    spin_noise_rad: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
 class Heat:
     """What senses heat, and takes it away.
 
@@ -135,6 +162,7 @@ class RobotModel:
         name: the definition's name.
         radius_m: radius of its round body.
         drive: its wheels.
+        odometry: its encoders, and what is wrong with its wheels.
         mass_kg: its mass.
         sonars: its sonars, by rising id.
         sonar_board: what they have in common.
@@ -155,6 +183,7 @@ class RobotModel:
     name: str
     radius_m: float
     drive: Drive
+    odometry: Odometry = Odometry()
     mass_kg: float = 20.0
     sonars: tuple[Sonar, ...] = ()
     sonar_board: SonarBoard = NO_SONARS

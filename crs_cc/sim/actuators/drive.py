@@ -17,7 +17,7 @@ commands into slices; here they are understood:
   and turret to their zero marks, with the speeds of `sp`, and then does so; until then the program
   waits and `conf_tm` is off.
 
-`traction` has what contacts do, `odometry` how wheels and reality differ.
+`traction` has what contacts do, `rolling` how wheels differ from what is believed of them.
 """
 
 from __future__ import annotations
@@ -133,8 +133,9 @@ def _turn(
     if not way.any():
         return
     facing_rad = state.drive.facing_rad[rows]
-    turn_rad = weighted(way, equipment.drives.turn[rows])
-    x_m, y_m = odometry.arc(facing_rad, weighted(way, equipment.drives.forward[rows]), turn_rad)
+    turn_rad = weighted(way, equipment.drives.true_turn[rows])
+    way_m = weighted(way, equipment.drives.true_forward[rows])
+    x_m, y_m = odometry.arc(facing_rad, way_m, turn_rad)
     state.drive.moved_m[rows, 0] += x_m
     state.drive.moved_m[rows, 1] += y_m
     state.drive.facing_rad[rows] = facing_rad + turn_rad

@@ -8,10 +8,11 @@ A differential drive, with the ways of its right and left wheel:
 A synchro drive tells way and turn by its axes 1 and 2. While the speeds of the axes keep, the robot
 runs along an arc; its chord is way * sinc(turn / 2), at half the turn from the old heading (exact:
 J. Borenstein, H. R. Everett, L. Feng, "Where am I?", 1996, section 1.2, gives the same with the
-chord taken for the arc). Wheels that slip turn all the same, so after a collision odometry is
-wrong, as it is on the robot.
+chord taken for the arc). `actuators.traction` has what counts when a robot is held up.
 
-Units on the interface: 0.1 in and 0.1 deg (vendor header `Nclient.h` 1.29). No degradation yet.
+Encoders count in steps: the way of an axis is told as a whole number of them. Units on the
+interface: 0.1 in and 0.1 deg (vendor header `Nclient.h` 1.29). Odometry takes the wheels for what
+they should be; `actuators.rolling` has what they are.
 
 >>> quarter = np.array([math.pi / 2]), np.array([math.pi / 2])    # along a circle of radius 1
 >>> [round(float(part[0]), 6) for part in arc(np.array([0.0]), *quarter)]
@@ -64,7 +65,9 @@ def arc(
 def count_turns(
     state: EnvState, equipment: Equipment, rows: IndexArray | slice, way: FloatArray
 ) -> None:
-    """Takes the axes' ways since the last time into the odometry."""
+    """Takes the axes' ways since the last time into the odometry, as the encoders count them."""
+    if equipment.drives.counts:
+        way = _counted(state, equipment, rows, way)
     heading_rad = state.odometry.heading_rad[rows]
     turn_rad = weighted(way, equipment.drives.turn[rows])
     x_m, y_m = arc(heading_rad, weighted(way, equipment.drives.forward[rows]), turn_rad)
@@ -76,6 +79,19 @@ def count_turns(
             equipment.drives.turret[rows], way[:, 2], 0.0
         )
         state.odometry.turret_rad[rows] = turret_rad % _TURN
+
+
+def _counted(
+    state: EnvState, equipment: Equipment, rows: IndexArray | slice, way: FloatArray
+) -> FloatArray:
+    """Gives the ways in whole counts; what is left over counts later."""
+    count = equipment.drives.count[rows]
+    shaft = state.odometry.shaft[rows] + way
+    step = np.where(count > 0.0, count, 1.0)
+    counts = np.rint(shaft / step).astype(np.int64)
+    whole = (counts - state.odometry.counts[rows]) * step
+    state.odometry.shaft[rows], state.odometry.counts[rows] = shaft, counts
+    return np.where(count > 0.0, whole, way)
 
 
 def dp(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages) -> None:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.sim.hardware import AXES
 from crs_cc.sim.model import WorldModel
 
 FloatArray = npt.NDArray[np.float64]
@@ -15,15 +16,29 @@ FloatArray = npt.NDArray[np.float64]
 
 @dataclass(slots=True)
 class OdometryState:
-    """Where each robot believes to be, in the frame of its odometry; shape (robots,) each."""
+    """Where each robot believes to be, in the frame of its odometry; shape (robots,) each.
+
+    Attributes:
+        x_m: where.
+        y_m: the same.
+        heading_rad: where it believes its wheels to point.
+        turret_rad: the same for the turret; 0 without one.
+        shaft: how far the shaft of each axis' encoder has turned, in the way of its axis,
+            (robots, 3).
+        counts: the encoders' counts, (robots, 3).
+    """
 
     x_m: FloatArray
     y_m: FloatArray
     heading_rad: FloatArray
     turret_rad: FloatArray
+    shaft: FloatArray
+    counts: npt.NDArray[np.int64]
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
         """Gives the odometry of robots that were just switched on."""
         count = len(world.robots)
-        return cls(*(np.zeros(count) for _ in fields(cls)))
+        shaft = np.zeros((count, AXES))
+        x_m, y_m, heading_rad, turret_rad = np.zeros((4, count))
+        return cls(x_m, y_m, heading_rad, turret_rad, shaft, shaft.astype(np.int64))
