@@ -209,11 +209,11 @@ def test_odometry_and_true_pose_agree_after_a_long_drive():
         driver.run(int(rng.integers(1, 12)))
     state, turn = driver.state, math.radians(40)
     x, y = float(state.odometry.x_m[0]), float(state.odometry.y_m[0])
-    assert state.distance_m[0] > 15
-    assert state.x_m[0] == pytest.approx(1 + x * math.cos(turn) - y * math.sin(turn), abs=1e-6)
-    assert state.y_m[0] == pytest.approx(2 + x * math.sin(turn) + y * math.cos(turn), abs=1e-6)
+    assert state.distance_m[0] > 15  # and all that is lost are parts of counts
+    assert state.x_m[0] == pytest.approx(1 + x * math.cos(turn) - y * math.sin(turn), abs=2e-3)
+    assert state.y_m[0] == pytest.approx(2 + x * math.sin(turn) + y * math.cos(turn), abs=2e-3)
     off = state.heading_rad[0] - state.odometry.heading_rad[0] - turn
-    assert math.remainder(off, math.tau) == pytest.approx(0, abs=1e-9)
+    assert math.remainder(off, math.tau) == pytest.approx(0, abs=3e-4)
 
 
 def test_dp_da_and_zr_set_the_odometry_and_move_nothing():
