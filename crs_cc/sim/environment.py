@@ -352,7 +352,7 @@ class Environment:
         waiting = np.flatnonzero(self.state.drive.waiting.any(axis=1))
         if not len(waiting):
             return waiting, np.zeros(0), np.zeros(0, MESSAGE)
-        ends_s = drive.settle_waits(self.state, self._equipment, waiting, self.end_s)
+        ends_s = self._settle_waits(waiting)
         ended = np.isfinite(ends_s)
         rows, at_s = waiting[ended], ends_s[ended]
         messages, codes = self.state.asked[rows], self.state.asked_code[rows]
@@ -374,7 +374,15 @@ class Environment:
         waits = drives.waiting[rows].any(axis=1)
         if code == CODES["ZR"]:
             drives.deadline_s[rows[waits]] = np.inf
-        goes_on_s[waits] = drive.settle_waits(self.state, self._equipment, rows[waits], self.end_s)
+        goes_on_s[waits] = self._settle_waits(rows[waits])
         ended = np.isfinite(goes_on_s)
         WAITS[code](self.state, self._equipment, rows[ended], messages[ended])
         return goes_on_s
+
+    def _settle_waits(self, rows: IndexArray) -> FloatArray:
+        """Ends the waits that end in this cycle, and lets sonars fire on the way to their ends."""
+        ends_s = drive.wait_end_s(self.state, rows)
+        soon = ends_s < self.end_s
+        until_s = np.minimum(ends_s, self.state.drive.deadline_s[rows])
+        self._fire_sonars(rows[soon], until_s[soon])
+        return drive.settle_waits(self.state, self._equipment, rows, self.end_s)

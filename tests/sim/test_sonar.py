@@ -6,6 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from crs_cc.sim.environment import Environment
 from crs_cc.sim.model import Area, Pose, Robot, WorldModel
@@ -228,6 +230,56 @@ def test_the_timestep_does_not_decide_where_a_sonar_fires_from(timestep):
     way_in = 39 * (at_s - 0.002) - 39**2 / (2 * 78)
     assert driver.state.sonar.fired_s[0, 0] == pytest.approx(at_s)
     assert driver.state.sonar.echo_m[0, 0] == pytest.approx((200 - way_in) * INCH, abs=0.02 * INCH)
+
+
+@pytest.mark.parametrize("timestep", ["20ms", "100ms"])
+def test_sonars_fire_during_a_wait_from_where_the_robot_is(timestep):
+    driver = Driver.of(open_world('<robot x="0" y="0"/>' + wall_at(200), timestep=timestep))
+    driver.ask("AC", 780, 780)
+    conf_sn(driver, 17, 0, at_s=0.001)
+    driver.ask("VM", 390, 390, at_s=0.002)
+    driver.run(int(0.085 / driver.environment.timestep_s))
+    _, goes_on_s = driver.post("WS", 1, 1, 0, 2, at_s=0.085)  # gives up at 2.085, in a cycle
+    assert math.isinf(goes_on_s)
+    while not len(driver.run(1)[0].robots):
+        assert driver.environment.time_s < 3
+    at_s = 0.001 + 30 * 0.068  # 2.041: its echo comes before the end of the wait
+    way_in = 39 * (at_s - 0.002) - 39**2 / (2 * 78)
+    assert driver.state.sonar.fired_s[0, 0] == pytest.approx(at_s)
+    assert driver.state.sonar.echo_m[0, 0] == pytest.approx((200 - way_in) * INCH, abs=1e-9)
+
+
+def play(asks: list[bool], orders: list[tuple[int, list[int]]], speeds: list[int]) -> Driver:
+    """Lets a robot drive about while its order changes; `asks` says when it asks in between."""
+    driver = Driver.of(world_of('<robot x="5m" y="5m"/>'))
+    for ask, (rate, order), speed in zip(asks, orders, speeds, strict=True):
+        time_s = driver.environment.time_s
+        driver.post("CONF_SN", rate, data=bytes(order), at_s=time_s + 0.004)
+        driver.ask("VM", speed, -speed, at_s=time_s + 0.01)
+        for _ in range(5):
+            if ask:
+                driver.ask("GS", at_s=driver.environment.time_s + 0.013)
+                driver.ask("GET_SN", at_s=driver.environment.time_s + 0.041)
+            driver.run(1)
+            sonar = driver.state.sonar
+            assert sonar.listening[0] < 0 or sonar.sent_s[0] < sonar.heard_s[0]
+            assert sonar.heard_s[0] <= sonar.next_s[0] or sonar.listening[0] < 0
+            assert sonar.next_s[0] >= driver.environment.time_s
+            assert (sonar.fired_s[0] <= driver.environment.time_s).all()
+    return driver
+
+
+ORDERS = st.tuples(st.integers(0, 60), st.lists(st.integers(0, 15), max_size=16))
+
+
+@settings(max_examples=12, deadline=None)
+@given(st.lists(st.tuples(st.booleans(), ORDERS, st.integers(-300, 300)), min_size=2, max_size=5))
+def test_asking_changes_nothing_whatever_the_orders(plan):
+    asks, orders, speeds = (list(column) for column in zip(*plan, strict=True))
+    asked, unasked = play(asks, orders, speeds), play([False] * len(plan), orders, speeds)
+    assert asked.state.sonar.echo_m == pytest.approx(unasked.state.sonar.echo_m, abs=1e-9)
+    assert np.array_equal(asked.state.sonar.fired_s, unasked.state.sonar.fired_s)
+    assert np.array_equal(asked.state.sonar.turn, unasked.state.sonar.turn)
 
 
 def test_at_the_start_all_sonars_have_just_told_of_where_the_robot_stands():

@@ -98,20 +98,21 @@ def settle_waits(
     Returns:
         the instant at which each wait ended, infinite for those that go on, shape (k,).
     """
-    end_s = _wait_end_s(state, rows)
+    end_s = wait_end_s(state, rows)
     # The time for a stop may be up before; then the axes stand earlier than it seemed.
     cut = (state.drive.deadline_s[rows] < end_s) & (state.drive.deadline_s[rows] < limit_s)
     if cut.any():
         deadline_s = state.drive.deadline_s[rows[cut]]
         advance(state, equipment, rows[cut], np.nextafter(deadline_s, np.inf))
-        end_s = _wait_end_s(state, rows)
+        end_s = wait_end_s(state, rows)
     ended = end_s < limit_s
     advance(state, equipment, rows[ended], end_s[ended])
     state.drive.waiting[rows[ended]] = False
     return np.where(ended, end_s, np.inf)
 
 
-def _wait_end_s(state: EnvState, rows: IndexArray) -> FloatArray:
+def wait_end_s(state: EnvState, rows: IndexArray) -> FloatArray:
+    """Gives when the waits of robots will end, if the time without a command allows; shape (k,)."""
     end_s = state.drive.axes.end_s(rows)
     # A move that is held up is not done when it should be.
     late = state.drive.hindered[rows, None] & (state.drive.axes.limit[rows] > 0.0)

@@ -23,8 +23,7 @@ told before. Chosen by us, because nothing is known of it:
 A reading counts from the sensor, which sits on the shell, to the nearest thing that answers into
 the beam (`echoes`), in whole inches; 255 stands for no echo, as the reading is a byte on the line
 (vendor source `Ndirect.c` 2.7). The robot is where its wheels have taken it when the sonar fires;
-everything else, and a robot that touches something, where it was at the start of the cycle. Wheels
-that were already turned on beyond that instant, as at the end of a `ws`, are not turned back.
+everything else, and a robot that touches something, where it was at the start of the cycle.
 Degradation: see `sonar_errors`.
 """
 
