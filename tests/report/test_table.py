@@ -8,9 +8,10 @@ import pytest
 
 from crs_cc.frontend.options import Options
 from crs_cc.frontend.unit import compile_text
+from crs_cc.robot_api.report import COMMANDS, REPORT_STATE, Command
 from crs_cc.session.library import HEADERS, library
 from crs_cc.source import Diagnostics
-from tests.report.commands import COMMANDS, STATE, Command, section
+from tests.robot_api.dialects import section
 
 HEADER = (HEADERS / "crs" / "report.h").read_text()
 DECLARED = re.findall(r'^(int \w+\([^;]*?\))\s+__asm__\("(\w+)"\);', HEADER, re.MULTILINE)
@@ -57,7 +58,7 @@ def test_the_indices_are_those_of_the_header_and_else_of_the_vendors() -> None:
     defined = dict(re.findall(r"#define (NUM_STATE|STATE_\w+) +(\d+)", HEADER))
     vendors = (HEADERS / "Nclient.h").read_text()
     theirs = dict(re.findall(r"#define (NUM_STATE|STATE_\w+) +(\d+)", vendors))
-    assert {name for name, _, _ in STATE} <= set(defined)
+    assert {name for name, _, _ in REPORT_STATE} <= set(defined)
     assert {name for name, value in defined.items() if theirs.get(name) != value} == {
         "NUM_STATE", "STATE_HEAT",
     }  # fmt: skip

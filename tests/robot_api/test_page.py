@@ -27,7 +27,7 @@ from crs_cc.robot_api import (
 )  # fmt: skip
 from crs_cc.sim.environment import Environment
 from crs_cc.sim.world_xml import empty_world
-from tests.report.commands import section
+from tests.robot_api.dialects import section
 
 PAGE = Path(__file__).parents[2] / "docs" / "robot-api.md"
 ROBOTS = Path(crs_cc.sim.__file__).parent / "robots"

@@ -1,13 +1,13 @@
-"""The report's dialect beside the vendor's: the tables behind a part of `docs/robot-api.md`.
+"""The commands of the CRS report: what they mean, and what is otherwise with the vendor's.
 
-Each command of the report stands here with what it means there, and how that differs from what the
-vendor's function of its name does. `section` makes Markdown of it.
+>>> next(each for each in COMMANDS if each.name == "get_bp").vendors
+'a bit for each bumper'
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Final
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +35,7 @@ class Command:
         return self.prototype.partition("(")[0].split()[-1].lstrip("*")
 
 
-COMMANDS = (
+COMMANDS: Final = (
     Command(
         "int connect_robot(int id, ...)", "",
         "connects; what follows the number is read by nobody: (id, port, machine), or (id, model,"
@@ -128,7 +128,7 @@ COMMANDS = (
 """Every command of the report's dialect."""
 
 
-STATE = (
+REPORT_STATE: Final = (
     ("STATE_SONAR_0", "inches, 255 for nothing", "0.1 inch, -1 for nothing, and before any check"),
     ("STATE_BUMPER", "bit n for switch n", "1 or 0"),
     ("STATE_CONF_X", "0.1 inch", "the same"),
@@ -140,7 +140,7 @@ STATE = (
 )
 """What stands in State: its index, in the vendor's dialect, in the report's."""
 
-CHOICES = """\
+CHOICES: Final = """\
 - `scout_pr` and `scout_vm` turn to the right, as 2.2.3 says in so many words, although the vendor's
   macros turn to the left. With the vendor's sense Table 2 would drive past the object that sonar 1,
   ahead to the left, has found.
@@ -157,33 +157,3 @@ CHOICES = """\
 - `STATE_HEAT` is the element behind the vendor's `State`.
 """
 """Where the report is silent, or says two things."""
-
-
-def section() -> Iterator[str]:
-    """Gives the lines of the page's part about the dialects."""
-    yield "## The two dialects"
-    yield ""
-    yield (
-        "A program that includes `Nclient.h` or has a `main` lives by the vendor's rules. One with"
-        " a `runcode` instead, and no such header, lives by those of the CRS report; with"
-        " `--dialect report` it may also be just the statements of its body. `--dialect`, and"
-        ' `dialect="report"` of a robot in a world file, decide where the program does not look'
-        " like what it is. In the report's dialect nothing need be included, `String` is `char *`,"
-        " and `boolean`, `true` and `false` are there."
-    )
-    yield ""
-    yield "| in the report's dialect | units | does | the vendor's | report |"
-    yield "| --- | --- | --- | --- | --- |"
-    for each in COMMANDS:
-        vendors = {"": "the same", "-": "none"}.get(each.vendors, each.vendors)
-        units = each.units or "-"
-        yield f"| `{each.prototype}` | {units} | {each.meaning} | {vendors} | {each.source} |"
-    yield ""
-    yield "| in State | vendor's | report's |"
-    yield "| --- | --- | --- |"
-    for index, vendors, reports in STATE:
-        yield f"| `{index}` | {vendors} | {reports} |"
-    yield ""
-    yield "Chosen by us:"
-    yield ""
-    yield CHOICES.rstrip("\n")
