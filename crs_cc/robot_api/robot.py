@@ -245,8 +245,7 @@ READING: Final = Group("Reading", (
     ),
     Function(
         "int tk(char *talk)", "speaks", posts=("TK",), source=(HEADER, OURS),
-        under_ndirect="on a Scout or Nomad 150 writes to the file /dev/dbtk of the robot's disk;"
-        " FALSE without that file",
+        under_ndirect="FALSE on a Scout or Nomad 150, whose host has no /dev/dbtk",
         chosen="What is said stands on stdout, a line for each call.",
     ),
 ))  # fmt: skip

@@ -1,0 +1,163 @@
+"""Programs as they were written: with names of their own, without headers, in old C."""
+
+from __future__ import annotations
+
+import pytest
+
+from crs_cc.errors import CompileError
+from crs_cc.frontend.options import Options
+from crs_cc.frontend.unit import compile_text
+from crs_cc.session.library import HEADERS
+from crs_cc.source import Diagnostics
+from tests.nclient.drive import drive
+
+OWN_MACROS = """
+#define ROTATION_CONSTANT    0.118597  /* inches/degree */
+#define RIGHT(trans, steer)  (trans + (int)((float)steer*ROTATION_CONSTANT))
+#define LEFT(trans, steer)   (trans - (int)((float)steer*ROTATION_CONSTANT))
+#define scout_vm(trans, steer)   vm(RIGHT(trans, steer), LEFT(trans, steer), 0)
+#define scout_pr(trans, steer)   pr(RIGHT(trans, steer), LEFT(trans, steer), 0)
+#define scout_ws(secs)           ws((unsigned char)1, (unsigned char)1, \\
+                                    (unsigned char)0, (unsigned char)secs)
+"""
+QUARTER_TURN = """
+int main(void)
+{
+    connect_robot(1);
+    scout_pr(100, 0);
+    scout_ws(60);
+    scout_pr(0, 900);
+    scout_ws(60);
+    return 0;
+}
+"""
+
+
+def warnings_of(text):
+    diagnostics = Diagnostics()
+    compile_text(text, "program.c", Options(system_paths=(HEADERS,)), diagnostics)
+    return [each.text for each in diagnostics.messages if each.severity == "warning"]
+
+
+@pytest.mark.function("pr", "ws", "vm")
+@pytest.mark.parametrize(
+    "head",
+    [
+        '#include "Nclient.h"\n' + OWN_MACROS,
+        OWN_MACROS + "#include <Nclient.h>\n",
+        "#include <Nclient.h>\n",
+        OWN_MACROS,
+        "",
+    ],
+    ids=["own behind", "own before", "ours", "own without header", "nothing"],
+)
+def test_the_scouts_macros(head):
+    done = drive(head + QUARTER_TURN)
+    assert done.x_in[-1] == pytest.approx(10, abs=0.05)
+    assert done.heading_deg[-1] == pytest.approx(90, abs=1)
+
+
+def test_the_same_macros_again_are_taken_silently_others_with_a_warning():
+    include = '#include "Nclient.h"\n'
+    assert warnings_of(include + OWN_MACROS + "int unit;\n") == []
+    assert warnings_of(OWN_MACROS + include + "int unit;\n") == []
+    told = warnings_of(include + "#define LEFT(a, b) (b)\nint x = LEFT(1, 2);\n")
+    assert len(told) == 1
+    assert "LEFT" in told[0]
+
+
+def test_a_programs_own_macro_wins():
+    done = drive("""
+        #include <stdio.h>
+        #include <Nclient.h>
+        #undef LEFT
+        #define LEFT(a, b) 42
+        #define ROTATION 1
+        int RIGHT = 7;
+        int main(void) { printf("%d %d", LEFT(1, 2), RIGHT); return 0; }
+    """)
+    assert done.numbers == [42, 7]
+
+
+@pytest.mark.function("connect_robot", "dp", "gs")
+def test_a_program_defines_the_clients_variables_itself():
+    done = drive("""
+        #include <stdio.h>
+        #include "Nclient.h"
+        long State[NUM_STATE];
+        int Smask[NUM_MASK], Laser[2 * NUM_LASER + 1];
+        char SERVER_MACHINE_NAME[80];
+        int SERV_TCP_PORT = 7023;
+        int main(void)
+        {
+            printf("%d ", connect_robot(1));
+            dp(12, 34);
+            printf("%ld %ld %d", State[STATE_CONF_X], State[STATE_CONF_Y], Smask[3]);
+            return 0;
+        }
+    """)
+    assert done.numbers == [7023, 12, 34, 1]
+
+
+@pytest.mark.function("vm", "conf_tm", "conf_ser", "pa", "ac", "get_sn", "tk")
+def test_a_program_without_any_header():
+    done = drive("""
+        long State[45];
+        main()
+        {
+            if (!connect_robot(1))
+                return 1;
+            conf_tm(5); ac(300, 300, 0); conf_ser(0, 9600);
+            vm(100, 100, 0);
+            sleep(2);
+            st(), ws(1, 1, 0, 10);
+            get_sn();
+            tk("done");
+            printf("%d %d\\n", pa(1, 2, 3), State[17]);
+            return 0;
+        }
+    """)
+    assert done.output[0] == "done\n0 255\n"
+    assert done.x_in[-1] > 15
+
+
+@pytest.mark.function("mv")
+def test_mv_sends_only_what_it_knows():
+    done = drive("""
+        connect_robot(1);
+        printf("%d %d ", mv(MV_PA, 1, MV_IGNORE, 0, MV_IGNORE, 0), mv(0, 0, 0, 0, -1, 0));
+        printf("%d", mv(MV_PR, 100, MV_PR, 100, MV_IGNORE, 0));
+        ws(1, 1, 0, 60);
+    """)
+    assert done.numbers == [0, 0, 1]
+    assert done.x_in[-1] == pytest.approx(10, abs=0.01)
+
+
+@pytest.mark.function("tk")
+def test_speaking():
+    assert drive('connect_robot(1); printf("%d", tk("hello world"));').output[0] == "hello world\n1"
+    connect = 'connect_robot(1, MODEL_SCOUT, "/dev/ttyS0", 38400);'
+    silent = drive(f'{connect} return tk("hello");', client="ndirect")
+    assert (silent.status, "hello" in silent.output[0]) == (0, False)
+
+
+def test_writing_behind_the_mask_is_told():
+    done = drive("int i; connect_robot(1); for (i = 0; i <= NUM_MASK; i++) Smask[i] = 1;")
+    error = done.session.result().robots[0].error
+    assert error is not None
+    assert "right behind the end of 'Smask'" in error.text
+
+
+@pytest.mark.parametrize(
+    ("call", "meant"),
+    [
+        ("conect_robot(1)", "connect_robot"),
+        ("get_sonar()", "get_sn"),
+        ("State[STATE_SONAR_16]", "STATE_SONAR_1"),
+        ("posSonarRingget(0)", "posSonarRingGet"),
+    ],
+)
+def test_a_misspelt_name_is_told_with_the_one_that_was_meant(call, meant):
+    with pytest.raises(CompileError) as caught:
+        drive(f"connect_robot(1); {call};")
+    assert meant in "".join(each.render() for each in caught.value.diagnostics)
