@@ -30,6 +30,7 @@ ROLLING: Final = 4
 """Numbers of the sensors."""
 
 _BLOCK: Final = 64  # rows in a block: few enough to make quickly, many enough to make rarely
+_LARGEST_BLOCK: Final = 4096  # numbers in a block: every robot has room for one
 
 
 class Noise:
@@ -38,15 +39,16 @@ class Noise:
     def __init__(self, seed: int, sensor: int, width: int, robots: int) -> None:
         self._seed = seed
         self._sensor = sensor
-        self._blocks = np.zeros((robots, _BLOCK, width))
+        self._size = min(_BLOCK, max(1, _LARGEST_BLOCK // width))
+        self._blocks = np.zeros((robots, self._size, width))
         self._numbers = np.full(robots, -1, dtype=np.int64)
 
     def rows(self, robots: IndexArray, numbers: IndexArray) -> FloatArray:
         """Gives row number `numbers[i]` of the stream of robot `robots[i]`, shape (k, width)."""
-        blocks = numbers // _BLOCK
+        blocks = numbers // self._size
         for place in np.flatnonzero(self._numbers[robots] != blocks):
             self._make(int(robots[place]), int(blocks[place]))
-        return np.asarray(self._blocks[robots, numbers % _BLOCK])
+        return np.asarray(self._blocks[robots, numbers % self._size])
 
     def _make(self, robot: int, block: int) -> None:
         seeds = np.random.SeedSequence(self._seed, spawn_key=(robot, self._sensor, block))

@@ -57,7 +57,7 @@ class Compasses:
         self._offset_rad = np.array([compass.offset_rad for compass in found])
         self._deviation_rad = np.array([compass.deviation_rad for compass in found])
         self._noise_rad = np.array([compass.noise_rad for compass in found])
-        self._noise = Noise(seed, COMPASS, 1, len(found))
+        self._noise = Noise(seed, COMPASS, 1, len(found) if self._noise_rad.any() else 0)
 
     def read(
         self, state: EnvState, equipment: Equipment, rows: IndexArray, at_s: FloatArray

@@ -70,7 +70,7 @@ class InfraredRing:
         step_m = [ring.step_m * math.sqrt(ring.reflectance) for ring in rings]
         self._step_m = np.array(step_m)[:, None]
         self._noise_m = np.array([ring.noise_m for ring in rings])[:, None]
-        self._noise = Noise(seed, INFRARED, MAX_INFRARED, len(rings))
+        self._noise = Noise(seed, INFRARED, MAX_INFRARED, len(rings) if self._noise_m.any() else 0)
 
     def read(
         self,
