@@ -137,7 +137,11 @@ CONFIGURATION: Final = Group("Configuration", (
         "sets which sonars fire in turn, and how often one of them; 255 ends the order, and at its"
         " begin switches the sonars off; NULL does so too", units="4 ms, sonar numbers",
         refreshes=ALL, posts=("CONF_SN",), source=(HEADER, SOURCE, "CARMEN"),
-        chosen="NULL is our reading of what CARMEN passes.",
+        chosen="NULL is our reading of what CARMEN passes. Rates below the definition's least"
+        " interval (40 ms on a Scout, the time of the longest echo), 0 too, mean that interval. The"
+        " first sonar fires at once; what the one before has not heard yet is lost. Sonars that are"
+        " not in the order read 255. Until the program calls it, sonars fire in the definition's"
+        " order, and a round of it has just ended when the program starts.",
     ),
     Function(
         "int conf_ir(int history, int order[16])",
@@ -197,8 +201,12 @@ READING: Final = Group("Reading", (
         posts=("GET_IR",), under_ndirect=_NO_SENSOR, source=_BOTH,
     ),
     Function(
-        "int get_sn(void)", "reads the sonars", refreshes="STATE_SONAR_*", posts=("GET_SN",),
-        source=_BOTH,
+        "int get_sn(void)", "reads what each sonar heard when it was its turn, in whole inches",
+        refreshes="STATE_SONAR_*", posts=("GET_SN",), source=_BOTH,
+        chosen="A reading changes when its echo comes, 1.8 ms after the firing for each foot, or"
+        " when the sound has been to the end of the range and back. The parameters of <sonars> in a"
+        " robot definition say what is heard; the formulas are in `crs_cc/sim/echoes.py` and"
+        " `crs_cc/sim/sensors/sonar_errors.py`.",
     ),
     Function(
         "int get_rc(void)", "reads the odometry's pose", refreshes="STATE_CONF_*",
