@@ -12,6 +12,8 @@ from crs_cc.sim.sonar_model import MAX_SONARS, SONAR_TICK_S, Sonar, SonarBoard
 _RATE: Final = 15  # times 4 ms: what nearly all programs give to `conf_sn`
 _MOST_RATE: Final = 255
 _LEAST_INTERVAL_S: Final = 0.04  # an echo from 255 in takes 37.7 ms, and the clock ticks in 4 ms
+_SHORTEST_S: Final = 0.001  # one robot must not keep the simulator busy with firing
+_THINNEST_RAD: Final = math.radians(0.01)
 _RIGHT_ANGLE: Final = math.pi / 2
 
 
@@ -48,12 +50,17 @@ def board(element: Element, of: tuple[Sonar, ...], reader: Reader) -> SonarBoard
         reader: takes mistakes.
     """
     least_s = reader.positive(element, "least-interval", TIME, _LEAST_INTERVAL_S)
+    if least_s < _SHORTEST_S:
+        reader.refuse(element, "least-interval: must be at least 1 ms")
+    lobe_rad = reader.not_negative(element, "lobe", ANGLE)
+    if 0.0 < lobe_rad < _THINNEST_RAD:
+        reader.refuse(element, "lobe: must be 0, or at least 0.01 degrees")
     rate = reader.whole(element, "rate", 0, _MOST_RATE, absent=_RATE)
     return SonarBoard(
         _order(element, of, reader),
         interval_s=max(rate * SONAR_TICK_S, least_s),
         least_interval_s=least_s,
-        lobe_rad=reader.not_negative(element, "lobe", ANGLE),
+        lobe_rad=lobe_rad,
         critical_rad=reader.not_negative(element, "critical-angle", ANGLE, _RIGHT_ANGLE),
         blind_m=reader.not_negative(element, "blind", LENGTH),
         minimum_m=reader.not_negative(element, "minimum", LENGTH),

@@ -446,3 +446,26 @@ def test_a_ping_in_the_air_survives_a_snapshot():
         for _ in range(60):
             environment.step()
     assert driver.environment.hash() == other.hash()
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"blind_m": 1e4},
+        {"minimum_m": 1e4},
+        {"noise_m": 1e4, "noise_share": 1.0},
+        {"lobe_rad": math.radians(0.01), "critical_rad": 0.0},
+        {"lobe_rad": 1e4, "critical_rad": 1e4, "crosstalk": 1.0},
+        {"interval_s": 0.001, "least_interval_s": 0.001, "crosstalk": 1.0},
+        {"dropouts": 1.0, "crosstalk": 1.0},
+    ],
+)
+@pytest.mark.filterwarnings("error")
+def test_no_board_breaks_the_simulator(changes):
+    things = '<robot x="5m" y="5m"/><robot x="6m" y="5m" heading="180"/>'
+    driver = Driver.of(with_board(world_of(things), **changes))
+    driver.ask("VM", 200, 200)
+    for _ in range(40):
+        readings = driver.ask("GS")[RING]
+        assert ((readings >= 0) & (readings <= NO_ECHO)).all()
+        driver.run(1)

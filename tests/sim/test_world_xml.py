@@ -548,6 +548,27 @@ def test_every_setup_that_comes_with_crs_can_be_used(robot):
         assert load_robot(path, setup).name == robot
 
 
+@pytest.mark.parametrize(
+    ("attribute", "complaint"),
+    [
+        ('least-interval="1us"', "'1us' is not a time"),
+        ('least-interval="0.1ms"', "at least 1 ms"),
+        ('least-interval="0s"', "greater than 0"),
+        ('rate="256"', "0 to 255"),
+        ('lobe="1e-200deg"', "at least 0.01 degrees"),
+        ('lobe="-1deg"', "must not be negative"),
+        ('critical-angle="wide"', "not an angle"),
+        ('dropouts="1.5"', "dropouts"),
+        ('crosstalk="-1"', "crosstalk"),
+        ('blind="much"', "not a length"),
+    ],
+)
+def test_a_sonar_board_that_makes_no_sense_is_refused(tmp_path, attribute, complaint):
+    setup = f'<setup name="odd"><sonars {attribute}/></setup>'
+    with pytest.raises(WorldError, match=complaint):
+        load_robot(definition(tmp_path, setup), "odd")
+
+
 def definition(tmp_path, setup):
     text = (SIM / "robots" / "scout.xml").read_text()
     path = tmp_path / "own.xml"
