@@ -18,10 +18,11 @@ or column changes.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Final, Literal, TypeAlias
 
+from crs_cc.frontend.hopeless import report
 from crs_cc.frontend.lex import Token
 from crs_cc.frontend.scope import ENTRIES
 from crs_cc.source import Diagnostics
@@ -38,8 +39,11 @@ _DECLARES: Final = frozenset({
     "UNSIGNED", "VOID", "VOLATILE", "_ALIGNAS", "_ATOMIC", "_BOOL", "_NORETURN", "_STATIC_ASSERT",
     "_THREAD_LOCAL",
 })  # fmt: skip
+_TYPES: Final = _DECLARES - {"SEMI"}
+"""What may follow the parameters of an old-style definition."""
+
 _BEHIND_DECLARED: Final = frozenset({"COMMA", "EQUALS", "LBRACKET", "LPAREN", "SEMI"})
-_OPENING: Final = {"RPAREN": "LPAREN", "RBRACKET": "LBRACKET", "RBRACE": "LBRACE"}
+_CLOSED_BY: Final = {"LPAREN": "RPAREN", "LBRACKET": "RBRACKET", "LBRACE": "RBRACE"}
 
 _HINT: Final = "statements stand in a function; for just the body of a program say --dialect report"
 
@@ -73,6 +77,9 @@ def with_body(tokens: Sequence[Token], file: str, diagnostics: Diagnostics) -> l
     Returns:
         the tokens; as they were, where there are no such statements or one of `scope.ENTRIES` is
         defined.
+
+    Raises:
+        GiveUp: when the file is hopeless.
     """
     items = list(items_of(tokens))
     statements = [number for number, item in enumerate(items) if item.kind == "statement"]
@@ -116,7 +123,8 @@ def _balanced(body: Sequence[Token], diagnostics: Diagnostics) -> list[Token]:
         elif token.type == "RBRACE":
             if not opened:
                 text = "this '}' closes nothing"
-                diagnostics.error(token.location, text, "the statements before it stand in no '{'")
+                hint = "the statements before it stand in no '{'"
+                report(diagnostics, token.location, text, hint)
                 continue
             opened.pop()
         kept.append(token)
@@ -140,37 +148,50 @@ def items_of(tokens: Sequence[Token]) -> Iterator[Item]:
 def _item(tokens: Sequence[Token], start: int) -> Item:
     item = Item(_kind(tokens, start), start)
     is_control = tokens[start].type in _CONTROLS
-    opened: list[str] = []
+    brackets = _Brackets()
     ends_with_brace, is_set, is_old_style = is_control, False, False
     for index in range(start, len(tokens)):
         token = tokens[index]
-        if not opened:
+        if not brackets.opened:
             is_set = is_set or token.type == "EQUALS"
             closes = index > start and tokens[index - 1].type == "RPAREN"
             is_old_style = is_old_style or (
-                closes and not (is_control or is_set) and token.type in _DECLARES - {"SEMI"}
+                closes and not (is_control or is_set) and token.type in _TYPES
             )
             if token.type == "LBRACE" and not (is_control or is_set) and (closes or is_old_style):
                 item.kind, item.name = "function", _name(tokens[start:index])
                 ends_with_brace = True
-        if token.type in _OPENING.values():
-            opened.append(token.type)
-        elif token.type in _OPENING:
-            _close(opened, _OPENING[token.type])
+        brackets.read(token.type)
         ends = token.type == "SEMI" and not is_old_style
         ends = ends or (token.type == "RBRACE" and (ends_with_brace or index == start))
-        if not opened and ends:
+        if not brackets.opened and ends:
             item.stop = index + 1
             return item
     item.stop = len(tokens)
     return item
 
 
-def _close(opened: list[str], opening: str) -> None:
-    """Closes the last parenthesis, bracket or brace of a kind, and what was left open in it."""
-    if opening in opened:
-        while opened.pop() != opening:
-            pass
+@dataclass(slots=True)
+class _Brackets:
+    """The parentheses, brackets and braces that are open.
+
+    What closes none of its kind counts for nothing; a brace closes what was left open behind it.
+    """
+
+    opened: list[str] = field(default_factory=list)
+    braces: int = 0
+
+    def read(self, kind: str) -> None:
+        """Takes the next token."""
+        if kind in _CLOSED_BY:
+            self.opened.append(kind)
+            self.braces += kind == "LBRACE"
+        elif kind == "RBRACE" and self.braces:
+            self.braces -= 1
+            while self.opened.pop() != "LBRACE":
+                pass
+        elif self.opened and _CLOSED_BY[self.opened[-1]] == kind:
+            self.opened.pop()
 
 
 def _kind(tokens: Sequence[Token], start: int) -> Kind:
