@@ -21,6 +21,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Final
 
 import numpy as np
@@ -170,23 +171,23 @@ class _Piece:
     slants_m: tuple[float, float] = (math.inf, math.inf)
 
 
-def _pieces(solid: Solid) -> list[_Piece]:
+@lru_cache(maxsize=4096)  # they are asked for with each obstacle that comes or goes
+def _pieces(solid: Solid) -> tuple[_Piece, ...]:
     """Gives what a solid is made of, apart from what is round."""
     if isinstance(solid, Cylinder):
-        return []
+        return ()
     if isinstance(solid, Wall):
         start, end = complex(solid.x1_m, solid.y1_m), complex(solid.x2_m, solid.y2_m)
         along = np.exp(1j * np.angle(end - start))
-        return [
-            _Piece((start + end) / 2, along, 0j, 1, abs(end - start) / 2, solid.thickness_m / 2)
-        ]
+        half_m = abs(end - start) / 2
+        return (_Piece((start + end) / 2, along, 0j, 1, half_m, solid.thickness_m / 2),)
     place = complex(solid.pose.x_m, solid.pose.y_m)
     facing = complex(np.exp(1j * solid.pose.heading_rad))
     if isinstance(solid, Box):
-        return [_Piece(place, facing, 0j, 1, solid.length_m / 2, solid.width_m / 2)]
+        return (_Piece(place, facing, 0j, 1, solid.length_m / 2, solid.width_m / 2),)
     corners = own_corners_m(solid)
     places = corners[:, 0] + 1j * corners[:, 1]
-    return [_triangle(place, facing, places[three]) for three in triangles_of(solid)]
+    return tuple(_triangle(place, facing, places[three]) for three in triangles_of(solid))
 
 
 def _triangle(place: complex, facing: complex, corners: ComplexArray) -> _Piece:

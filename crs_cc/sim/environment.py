@@ -94,7 +94,7 @@ class Environment:
         self._instruments = Instruments(world, seed)
         self._rolling = RollingNoise(world, seed)
         self._sonars = SonarRing(world, seed)
-        self._furnish()
+        self._furnish(self._equipment.scene)
         self._sonars.begin(self.state, self._equipment, self._around)
         self._served: list[Served] = []
         self._axes = tuple(robot.model.drive.axis_names for robot in world.robots)
@@ -208,7 +208,7 @@ class Environment:
         """Goes back to a snapshot of an environment with the same world and seed."""
         self.state = snapshot.state.copy()
         if not self.state.obstacles.same_as(self._furnished):
-            self._furnish()
+            self._furnish(Scene(self.world_now))
         bodies = self._physics.restore(snapshot.physics)
         assert np.array_equal(bodies.position_m, self.state.bodies.position_m)
         self._served = list(snapshot.served)
@@ -218,14 +218,12 @@ class Environment:
         """Gives the SHA-256 of the whole state."""
         return self.state.sha256()
 
-    def _furnish(self) -> None:
+    def _furnish(self, scene: Scene) -> None:
         """Makes all that follows from which things stand where."""
         self._furnished = self.state.obstacles
-        world = self.world_now
-        scene = Scene(world)
         self._names = scene.names
-        self._equipment = replace(self._equipment, scene=scene, things=Things.of(world))
-        self._physics = Physics(world, scene, self.state.bodies)
+        self._equipment = replace(self._equipment, scene=scene, things=Things.of(scene))
+        self._physics = Physics(scene.world, scene, self.state.bodies)
         self._around = Surroundings(scene, [*self._sonars.fans, *self._instruments.fans])
 
     def _refurnish(self, moved: bool) -> None:
@@ -235,8 +233,9 @@ class Environment:
                 self._physics.start_from(self.state.bodies)
                 self._around.forget()
             return
-        self.state.renumber(self._names, Scene(self.world_now).names)
-        self._furnish()
+        scene = Scene(self.world_now)
+        self.state.renumber(self._names, scene.names)
+        self._furnish(scene)
 
     def _handle(self, code: int, rows: IndexArray, messages: Messages) -> BoolArray:
         """Lets connected robots do what is asked; gives which requests were good."""

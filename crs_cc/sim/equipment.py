@@ -59,6 +59,7 @@ class Equipment:
     def of(cls, world: WorldModel) -> Self:
         """Gives the equipment of a world's robots."""
         models = [robot.model for robot in world.robots]
+        scene = Scene(world)
         return cls(
             world.timestep_s,
             Drives.of(world),
@@ -73,8 +74,8 @@ class Equipment:
             np.array([model.heat.tag_range_m for model in models]),
             np.array([model.radius_m for model in models]),
             world,
-            Scene(world),
-            Things.of(world),
+            scene,
+            Things.of(scene),
         )
 
 

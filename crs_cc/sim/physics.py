@@ -31,7 +31,7 @@ from pymunk import batch
 from crs_cc.sim.clearance import clearance_m
 from crs_cc.sim.friction import friction_n, friction_nm, moment_kgm2
 from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Thing, Wall, WorldModel
-from crs_cc.sim.scene import Scene, corners_m, own_corners_m, triangles_of
+from crs_cc.sim.scene import Scene, convex_parts_of, corners_m, own_corners_m
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
@@ -455,5 +455,5 @@ def _straight_shapes(
     """Gives the shapes of a box or polygon; pymunk's polygons are convex."""
     if isinstance(thing, Box):
         return [pymunk.Poly(body, [(x, y) for x, y in corners.tolist()])]
-    pieces = corners[triangles_of(thing)].tolist()
+    pieces = corners[convex_parts_of(thing)].tolist()
     return [pymunk.Poly(body, [(x, y) for x, y in piece]) for piece in pieces]

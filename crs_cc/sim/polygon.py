@@ -71,6 +71,12 @@ def complaint(corners_m: FloatArray) -> str:
     return ""
 
 
+def is_convex(corners_m: FloatArray) -> bool:
+    """Tells whether a polygon whose corners run counter-clockwise has no dents."""
+    before, after = np.roll(corners_m, 1, axis=0), np.roll(corners_m, -1, axis=0)
+    return bool((_turn(before, corners_m, after) >= 0.0).all())
+
+
 def triangles(corners_m: FloatArray) -> IndexArray:
     """Gives the triangles of a polygon whose corners run counter-clockwise.
 

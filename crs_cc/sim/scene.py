@@ -23,7 +23,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Thing, Wall, WorldModel, is_pushable
-from crs_cc.sim.polygon import triangles
+from crs_cc.sim.polygon import is_convex, triangles
 
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]
@@ -52,6 +52,7 @@ class Scene:
     """The outlines of a world: those that never move, and those that do, at each pose.
 
     Attributes:
+        world: the world.
         robots: how many robots there are: the first bodies.
         fixed: the outlines of what does not move.
         pushables: what can be pushed, in the order of the bodies.
@@ -62,6 +63,7 @@ class Scene:
 
     def __init__(self, world: WorldModel) -> None:
         solids = world.solids()
+        self.world = world
         self.robots = len(world.robots)
         self.pushables: tuple[Thing, ...] = tuple(
             solid for solid in solids if not isinstance(solid, Wall) and is_pushable(solid)
@@ -124,20 +126,31 @@ def own_corners_m(thing: Box | Polygon) -> FloatArray:
     return np.array([(-x, -y), (x, -y), (x, y), (-x, y)])
 
 
+@lru_cache(maxsize=4096)  # a scene is made anew with each obstacle that comes or goes
 def corners_m(thing: Box | Polygon) -> FloatArray:
     """Gives the corners of a thing in the world frame, counter-clockwise, shape (corners, 2)."""
-    return _thing_segments(thing)[:, :2]
+    corners = _thing_segments([thing])[:, :2]
+    corners.flags.writeable = False
+    return corners
 
 
-@lru_cache(maxsize=4096)  # a scene is made anew with each obstacle that comes or goes
+@lru_cache(maxsize=4096)
 def triangles_of(polygon: Polygon) -> IndexArray:
     """Gives the triangles that a polygon is made of: numbers of three corners each, (n, 3)."""
     return triangles(own_corners_m(polygon))
 
 
+@lru_cache(maxsize=4096)
+def convex_parts_of(polygon: Polygon) -> IndexArray:
+    """Gives the convex parts of a polygon: itself, or its triangles; numbers of corners, (n, m)."""
+    corners = own_corners_m(polygon)
+    return np.arange(len(corners))[None] if is_convex(corners) else triangles_of(polygon)
+
+
 def _fixed_outlines(solids: Sequence[Solid]) -> Outlines:
-    segments: list[FloatArray] = []
+    segments: list[FloatArray] = [np.zeros((0, 5))]
     circles: list[tuple[float, float, float]] = []
+    things: list[Box | Polygon] = []
     for solid in solids:
         if isinstance(solid, Wall):
             segments.append(_wall_segments(solid))
@@ -146,9 +159,9 @@ def _fixed_outlines(solids: Sequence[Solid]) -> Outlines:
         elif isinstance(solid, Cylinder):
             circles.append((solid.pose.x_m, solid.pose.y_m, solid.radius_m))
         else:
-            segments.append(_thing_segments(solid))
+            things.append(solid)
     return Outlines(
-        np.concatenate(segments) if segments else np.zeros((0, 5)),
+        np.concatenate([*segments, _thing_segments(things)]),
         np.array(circles).reshape(-1, 3),
         np.full(len(circles), -1, dtype=np.intp),
     )
@@ -162,9 +175,10 @@ def _wall_segments(wall: Wall) -> FloatArray:
     return _with_length(np.array(sides))
 
 
-def _thing_segments(thing: Box | Polygon) -> FloatArray:
-    pose, sides = thing.pose, _Sides([(0, thing)])
-    return sides.segments(np.array([[pose.x_m, pose.y_m]]), np.array([pose.heading_rad]))
+def _thing_segments(things: Sequence[Box | Polygon]) -> FloatArray:
+    rows = [(thing.pose.x_m, thing.pose.y_m, thing.pose.heading_rad) for thing in things]
+    poses = np.array(rows).reshape(-1, 3)
+    return _Sides(enumerate(things)).segments(poses[:, :2], poses[:, 2])
 
 
 def _with_length(ends_m: FloatArray) -> FloatArray:

@@ -6,7 +6,7 @@ rectangle is a point and the margin its radius.
 >>> from crs_cc.sim.model import Area, Box, Cylinder, Pose, WorldModel
 >>> desk, bin = Box("desk", Pose(3.0, 0.0), 2.0, 1.0), Cylinder("bin", Pose(0.0, 4.0), 0.5)
 >>> area = Area(-5, -5, 10, 10, edge_m=0)
->>> things = Things.of(WorldModel("w", area, boxes=(desk,), cylinders=(bin,)))
+>>> things = Things.of(Scene(WorldModel("w", area, boxes=(desk,), cylinders=(bin,))))
 >>> things.distance_m(things.fixed, np.array([0, 1]), np.zeros(2), np.zeros(2)).tolist()
 [2.0, 3.5]
 """
@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Self
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.model import Box, Cylinder, Robot, Solid, Wall, WorldModel
+from crs_cc.sim.model import Box, Cylinder, Robot, Solid, Wall
 from crs_cc.sim.scene import Scene
 
 if TYPE_CHECKING:
@@ -44,10 +44,9 @@ class Things:
     fixed: FloatArray
 
     @classmethod
-    def of(cls, world: WorldModel) -> Self:
-        """Gives the things of a world; walls and polygons are points, as nobody asks for them."""
-        scene = Scene(world)
-        things = (*world.robots, *scene.pushables, *scene.fixed_solids)
+    def of(cls, scene: Scene) -> Self:
+        """Gives the things in a scene; walls and polygons are points, as nobody asks for them."""
+        things = (*scene.world.robots, *scene.pushables, *scene.fixed_solids)
         shapes = np.array([_shape(thing) for thing in things], dtype=np.float64).reshape(-1, 3)
         fixed = [_pose(thing) for thing in scene.fixed_solids]
         return cls(shapes[:, :2], shapes[:, 2], np.array(fixed, dtype=np.float64).reshape(-1, 3))

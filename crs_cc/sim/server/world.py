@@ -33,10 +33,10 @@ BoolArray = npt.NDArray[np.bool_]
 IndexArray = npt.NDArray[np.intp]
 Messages = npt.NDArray[np.void]
 
-MAX_OWN: Final = 250
+MAX_OWN: Final = 100
 """The most polygons that one robot's program can have in the world at a time."""
 
-MAX_ALL: Final = 1_000
+MAX_ALL: Final = 500
 """The most that all programs together can have."""
 
 _FURTHEST: Final = int(m_to_tenths_inch(LENGTH.limit))
@@ -59,24 +59,29 @@ def delete_obstacle(
     """Takes a polygon away, which is named by its corners."""
     good = np.zeros(len(rows), dtype=np.bool_)
     for row, message in enumerate(messages):
-        without = _without(state.obstacles, equipment, _corners(message))
-        if without is not None:
-            state.obstacles, good[row] = without, True
+        place = _find(state.obstacles, equipment, _corners(message))
+        if place is not None:
+            state.obstacles, good[row] = _without(state.obstacles, place), True
     return good
 
 
 def move_obstacle(
     state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
 ) -> BoolArray:
-    """Moves a polygon, which is named by its corners, and answers with its new ones."""
+    """Moves a polygon, which is named by its corners, and answers with its new ones.
+
+    What another program has added stays its own; what stood in the world file is the mover's.
+    """
     good = np.zeros(len(rows), dtype=np.bool_)
-    for row, (robot, message) in enumerate(zip(rows, messages, strict=True)):
+    for row, (robot, message) in enumerate(zip(rows.tolist(), messages, strict=True)):
         before, corners = state.obstacles, _corners(message)
-        without = _without(before, equipment, corners)
-        if corners is None or without is None:
+        place = _find(before, equipment, corners)
+        if corners is None or place is None:
             continue
-        state.obstacles, moved = without, corners + message["i"][1:3].astype(np.int64)
-        good[row] = _add(state, equipment, int(robot), moved)
+        owner = int(before.owners[place]) if place >= 0 else robot
+        state.obstacles = _without(before, place)
+        moved = corners + message["i"][1:3].astype(np.int64)
+        good[row] = _add(state, equipment, owner, moved)
         if good[row]:
             message["data"][: 8 * len(moved)] = moved.astype("<i4").reshape(-1).view(np.uint8)
         else:
@@ -131,23 +136,34 @@ def _add(
     return True
 
 
-def _without(
+def _find(
     obstacles: ObstacleState, equipment: Equipment, corners: npt.NDArray[np.int64] | None
-) -> ObstacleState | None:
-    """Gives the obstacles without the first with some corners; None if there is none."""
+) -> int | None:
+    """Gives the first polygon with some corners; None if there is none.
+
+    Returns:
+        the row of one that was added; of a thing of the world file its number, inverted (~).
+    """
     if corners is None:
         return None
     wanted = _in_order(corners)
     for added in np.flatnonzero(obstacles.sizes == len(corners)).tolist():
         if _in_order(obstacles.of(added)) == wanted:
-            return _take(obstacles, np.delete(np.arange(len(obstacles.sizes)), added))
+            return int(added)
     things = things_of(equipment.world)
     for number in np.flatnonzero(obstacles.standing).tolist():
         if _in_order(_tenths_inch(things[number])) == wanted:
-            standing = obstacles.standing.copy()
-            standing[number] = False
-            return replace(obstacles, standing=standing)
+            return ~int(number)
     return None
+
+
+def _without(obstacles: ObstacleState, place: int) -> ObstacleState:
+    """Gives the obstacles without the one that was found at a place."""
+    if place >= 0:
+        return _take(obstacles, np.delete(np.arange(len(obstacles.sizes)), place))
+    standing = obstacles.standing.copy()
+    standing[~place] = False
+    return replace(obstacles, standing=standing)
 
 
 def _take(obstacles: ObstacleState, rows: IndexArray) -> ObstacleState:

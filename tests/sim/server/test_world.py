@@ -118,7 +118,9 @@ def test_there_is_an_end_to_the_obstacles_of_a_robot_and_of_all(monkeypatch):
     assert told == [1, 1, 1, 0]
     told = [obstacle(driver, "ADD_OBSTACLE", place, robot=1)["result"] for place in places[4:]]
     assert told == [1, 1, 0, 0]
-    # Anybody may move or take away what another one added.
+    # Anybody may move or take away what another one added; it stays the other one's.
+    assert obstacle(driver, "MOVE_OBSTACLE", places[4], 0, 500)["result"] == 1
+    assert driver.state.obstacles.owners.tolist() == [0, 0, 0, 1, 1]
     assert obstacle(driver, "DELETE_OBSTACLE", places[0], robot=1)["result"] == 1
     assert obstacle(driver, "ADD_OBSTACLE", places[0], robot=1)["result"] == 1
 
