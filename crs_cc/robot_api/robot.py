@@ -148,10 +148,14 @@ CONFIGURATION: Final = Group("Configuration", (
         "sets which infrared sensors measure, and how much of a reading stays in the next",
         units="0.1, sensor numbers", refreshes=ALL, posts=("CONF_IR",),
         under_ndirect=_NO_SENSOR, source=_BOTH,
+        chosen="Sensors that are not in the order read 15.",
     ),
     Function(
-        "int conf_cp(int mode)", "switches the compass: 0 off, 1 on, 2 calibrates it, 3 minutes of"
-        " turning on the spot", refreshes=ALL, posts=("CONF_CP",), under_ndirect=_NO_SENSOR,
+        "int conf_cp(int mode)", "switches the compass: 0 off, 1 on, 2 calibrates it, while the"
+        " robot turns once around in 3 minutes", refreshes=ALL, posts=("CONF_CP",),
+        under_ndirect=_NO_SENSOR,
+        chosen="It is off at first, and what it read last stays while it is off. What turns for the"
+        " calibration is the turret, while the program goes on; `ws` waits for it.",
     ),
     Function(
         "int conf_ls(unsigned int mode, unsigned int threshold, unsigned int width,"
@@ -159,12 +163,17 @@ CONFIGURATION: Final = Group("Configuration", (
         "configures the laser: 51 gives points, 33 segments, 0 switches it off",
         units="-, -, pixel, readings, pixel", refreshes=ALL, posts=("CONF_LS",),
         under_ndirect=_NO_SENSOR,
+        chosen="Modes that tell pixels are refused; threshold and width of the line mean nothing;"
+        " points lie at equal angles from the right to the left of the field of view, and 0 asks"
+        " for all of them; averaging pixels makes errors smaller.",
     ),
     Function(
         "int conf_sg(unsigned int threshold, unsigned int min_points, unsigned int gap)",
-        "configures how the laser's points become segments", units="0.1 in, points, 0.1 in",
+        "configures how the laser's points become segments", units="(0.1 in)^2, points, 0.1 in",
         refreshes=ALL, posts=("CONF_SG",), under_ndirect=_NO_SENSOR,
-        chosen="The unit of the threshold.",
+        chosen="The threshold is the largest mean square of the distances of points from their"
+        " segment; before the first call what the vendor's header advises holds, 50, 4 and 30."
+        " `crs_cc/sim/segments.py` tells the rest.",
     ),
     Function(
         "int conf_tm(unsigned char timeout)",
@@ -199,6 +208,8 @@ READING: Final = Group("Reading", (
     Function(
         "int get_ir(void)", "reads the infrared sensors", refreshes="STATE_IR_*",
         posts=("GET_IR",), under_ndirect=_NO_SENSOR, source=_BOTH,
+        chosen="A reading is the distance in inches of a white surface, 15 for nothing near; one"
+        " that reflects a quarter seems to be twice as far away.",
     ),
     Function(
         "int get_sn(void)", "reads what each sonar heard when it was its turn, in whole inches",
@@ -224,14 +235,19 @@ READING: Final = Group("Reading", (
     Function(
         "int get_cp(void)", "reads the compass", refreshes="STATE_COMPASS", posts=("GET_CP",),
         under_ndirect=_NO_SENSOR, source=_BOTH,
+        chosen="It turns with the turret, and counts counter-clockwise from the world's x axis.",
     ),
     Function(
         "int get_ls(void)", "reads the laser's points", refreshes="Laser",
         posts=("GET_LS", "LASER_PAGE"), under_ndirect=_NO_SENSOR, source=_BOTH,
+        chosen="Points are in the frame of the turret, which carries the laser; directions in which"
+        " nothing is in range give none. It tells points whatever the mode is, `get_sg` segments.",
     ),
     Function(
         "int get_bp(void)", "reads the bumpers", refreshes="STATE_BUMPER", posts=("GET_BP",),
         source=_BOTH,
+        chosen="Which bit each switch of a Scout sets; <bumpers> of the robot definition lays the"
+        " switches out. A switch is pressed in the timestep after a contact, while it lasts.",
     ),
     Function(
         "int get_sg(void)", "reads the laser's segments", refreshes="Laser",
@@ -250,6 +266,8 @@ READING: Final = Group("Reading", (
     Function(
         "float voltMotorGet(void)",
         "gives the voltage of the motors' battery [V], as the last state told it", source=_BOTH,
+        chosen="Below the cut-off of the definition, 10.8 V, the motors have no force any more. How"
+        " it drains is told in `crs_cc/sim/sensors/battery.py`.",
     ),
     Function(
         "int tk(char *talk)", "speaks", posts=("TK",), source=(HEADER, OURS),

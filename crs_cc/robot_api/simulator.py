@@ -133,6 +133,8 @@ POSDATA: Final = Group("Where and when sensors were read", (
         "int posTimeGet(void)",
         "gives the time of the sensor board [ms], as the last reply told it; it counts in steps of"
         " 16.4 ms", source=_BOTH,
+        chosen="The robot is switched on when the run begins; a definition can say that it was"
+        " before.",
     ),
 ))  # fmt: skip
 
