@@ -190,7 +190,7 @@ def test_a_link_inside_the_folders_is_followed(project: Path) -> None:
         ("complex.h", "crs has no complex numbers"),
         ("conio.h", "DOS or Windows"),
         ("iostream", "C++"),
-        ("nclient.h", "did you mean 'Nclient.h'?"),
+        ("Nclint.h", "did you mean 'Nclient.h'?"),
         ("sys/tme.h", "did you mean 'sys/time.h'?"),
         ("something_else.h", ""),
     ],
@@ -203,6 +203,40 @@ def test_a_missing_header_is_explained(project: Path, name: str, hint: str) -> N
     )
     assert hint in diagnostics.messages[0].hint
     assert bool(hint) == bool(diagnostics.messages[0].hint)
+
+
+@pytest.mark.parametrize(
+    ("name", "meant"),
+    [
+        ("nclient.h", "Nclient.h"),
+        ("NCLIENT.H", "Nclient.h"),
+        ("/usr/local/nomad/include/Nclient.h", "Nclient.h"),
+        ("../../client/nclient.h", "Nclient.h"),
+        (r"c:\nomad\nclient.h", "Nclient.h"),
+        ("Sys/Time.H", "sys/time.h"),
+        ("/usr/include/sys/time.h", "sys/time.h"),
+    ],
+)
+def test_a_header_of_ours_is_known_by_other_names(project: Path, name: str, meant: str) -> None:
+    ours = {"system__Nclient_h": "Nclient.h", "system__sys__time_h": "sys/time.h"}
+    program, diagnostics = run(f'#include "{name}"\n', **ours)
+    assert program.text.strip() == meant
+    assert len(diagnostics.messages) == 1
+    assert first_line(diagnostics) == (
+        f"user/main.c:1:10: warning: '{name}' is not found; '{meant}' is taken for it"
+    )
+
+
+def test_only_the_vendors_header_is_known_below_any_path(project: Path) -> None:
+    for name in ("../time.h", "/opt/time.h", "../system/../outside/TIME.H", "x/time.h"):
+        _, diagnostics = run(f'#include "{name}"\n', system__time_h="")
+        assert len(diagnostics.errors) == 1
+
+
+def test_another_name_of_a_header_is_none_to_has_include(project: Path) -> None:
+    source = '#if __has_include("nclient.h")\nyes\n#else\nno\n#endif\n'
+    program, diagnostics = run(source, system__Nclient_h="")
+    assert (program.text.strip(), diagnostics.messages) == ("no", [])
 
 
 @pytest.mark.parametrize(

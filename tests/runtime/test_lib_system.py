@@ -154,6 +154,73 @@ def test_waiting_for_input_is_a_sleep_and_output_is_ready() -> None:
     ]
 
 
+def test_how_much_can_be_read_is_known() -> None:
+    source = r"""
+    #include <fcntl.h>
+    #include <sys/ioctl.h>
+    int main(void)
+    {
+        int waiting = -1, on = 1, file = open("log", O_RDWR | O_CREAT, 0600);
+        printf("%d", ioctl(0, FIONREAD, &waiting));
+        printf(" %d\n", waiting);
+        write(file, "abcde", 5);
+        lseek(file, 2, SEEK_SET);
+        ioctl(file, FIONREAD, &waiting);
+        printf("%d %d\n", waiting, ioctl(0, FIONBIO, &on));
+        printf("%d", ioctl(0, TIOCGWINSZ, &on) < 0 && errno == ENOTTY);
+        printf(" %d\n", ioctl(50, FIONREAD, &waiting) < 0 && errno == EBADF);
+        return 0;
+    }
+    """
+    assert lines(source) == ["0 0", "3 0", "1 1"]
+
+
+def test_memory_comes_by_the_page_and_a_file_as_a_copy() -> None:
+    source = r"""
+    #include <fcntl.h>
+    #include <sys/mman.h>
+    static void *map(int protection, int flags, int file, long offset)
+    {
+        return mmap(NULL, 6000, protection, flags, file, offset);
+    }
+    int main(void)
+    {
+        int i, zero = 1, both = PROT_READ | PROT_WRITE, file = open("map", O_RDWR | O_CREAT, 0600);
+        char *memory = map(both, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0), *copy;
+        for (i = 0; i < 8192; i++)
+            zero &= memory[i] == 0;
+        printf("%d %d %d\n", zero, (unsigned)memory % getpagesize() == 0, mlockall(MCL_CURRENT));
+        memset(memory, 'a', 4096);
+        strcpy(memory + 4096, "second page");
+        write(file, memory, 5000);
+        printf("%d %d\n", munmap(memory + 1, 1), munmap(memory, 6000));
+        copy = map(both, MAP_PRIVATE, file, 0);
+        printf("%c %s %d", copy[4095], copy + 4096, copy[5000]);
+        copy[0] = 'b';
+        printf(" %ld %d\n", (long)lseek(file, 0, SEEK_CUR), munmap(copy, 6000));
+        copy = map(PROT_READ, MAP_SHARED, file, 4096);
+        printf("%s\n", copy);
+        lseek(file, 0, SEEK_SET);
+        read(file, &i, 1);
+        printf("%c\n", i);
+        printf("%d", map(both, MAP_SHARED, file, 0) == MAP_FAILED);
+        printf(" %d", errno == ENODEV);
+        printf(" %d", map(both, MAP_PRIVATE, 40, 0) == MAP_FAILED && errno == EBADF);
+        printf(" %d", map(both, MAP_PRIVATE, 0, 0) == MAP_FAILED && errno == ENODEV);
+        printf(" %d\n", map(both, MAP_PRIVATE, file, 7) == MAP_FAILED && errno == EINVAL);
+        return 0;
+    }
+    """
+    assert lines(source) == [
+        "1 1 0",
+        "-1 0",
+        "a second page 0 5000 0",
+        "second page",
+        "a",
+        "1 1 1 1 1",
+    ]
+
+
 def test_what_a_sandbox_cannot_give_is_said_once() -> None:
     source = r"""
     #include <arpa/inet.h>

@@ -141,9 +141,13 @@ def _include(state: State, line: _Line) -> None:
         name, quoted=quoted, folder=state.reader.folder, after=here.root if here else None
     )
     if isinstance(found, Refusal):
-        state.report.error(place, found.text, found.hint)
-    else:
-        state.include(found, place)
+        ours = state.headers.find_ours(name, quoted=quoted, folder=state.reader.folder)
+        if ours is None:
+            state.report.error(place, found.text, found.hint)
+            return
+        meant, found = ours
+        state.report.warning(place, f"'{shown(name)}' is not found; '{meant}' is taken for it")
+    state.include(found, place)
 
 
 def _header_name(state: State, line: _Line) -> tuple[str, bool, Place] | None:

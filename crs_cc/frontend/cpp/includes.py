@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from crs_cc.frontend.cpp.missing import hint_for_missing
+from crs_cc.frontend.cpp.missing import header_of_ours, hint_for_missing
 from crs_cc.frontend.cpp.tokens import shown
 from crs_cc.frontend.options import Options
 
@@ -109,6 +109,12 @@ class Headers:
         if outside:
             return Refusal(f"'{shown(name)}' lies outside the folders that a program may read")
         return self._missing(name, folders)
+
+    def find_ours(self, name: str, *, quoted: bool, folder: Path) -> tuple[str, Header] | None:
+        """Gives the header of ours that a name stands for which `find` refuses, with its name."""
+        meant = header_of_ours(name, self.system_paths)
+        found = self.find(meant, quoted=quoted, folder=folder) if meant else None
+        return (meant, found) if isinstance(found, Header) else None
 
     def _missing(self, name: str, folders: list[Path]) -> Refusal:
         own = [str(each) for each in folders if each not in self.system_paths]

@@ -1,4 +1,4 @@
-"""What to tell a user whose header is missing.
+"""What a user meant whose header is missing, or what to tell him.
 
 >>> hint_for_missing("fstream", [])
 'it belongs to C++, and crs compiles C'
@@ -26,7 +26,7 @@ def _all(names: str, hint: str) -> dict[str, str]:
 
 _HINTS: Final = {
     **_all("net/if.h rpc/rpc.h netinet/ip.h", _NETWORK),
-    **_all("sys/ipc.h sys/shm.h sys/sem.h sys/msg.h sys/mman.h", _PROCESSES),
+    **_all("sys/ipc.h sys/shm.h sys/sem.h sys/msg.h", _PROCESSES),
     **_all("sys/ptrace.h pthread.h semaphore.h threads.h sched.h spawn.h dlfcn.h", _PROCESSES),
     "stdatomic.h": f"a control program is a single thread here, which needs no atomics: {_GUARD}",
     "complex.h": f"crs has no complex numbers: {_GUARD}",
@@ -39,6 +39,32 @@ _HINTS: Final = {
 }
 
 _MAX_LISTED: Final = 1000
+_VENDORS: Final = "nclient.h"
+
+
+def header_of_ours(name: str, folders: Sequence[Path]) -> str:
+    """Gives the header in one of our folders that a name stands for which names no file.
+
+    Programs of other systems write letters in another case, and name the standard headers and the
+    vendor's, wherever it was installed, with their paths.
+
+    Args:
+        name: what stands between the quotes or angle brackets.
+        folders: those of our own headers.
+
+    Returns:
+        Its name, or empty text if there is none.
+    """
+    wanted = Path(name.replace("\\", "/").lower().removeprefix("/usr/include/"))
+    if wanted.name == _VENDORS:
+        wanted = Path(_VENDORS)
+    if wanted.is_absolute() or ".." in wanted.parts:
+        return ""
+    for folder in folders:
+        for each in _names_in(folder / wanted.parent):
+            if each.lower() == wanted.name:
+                return str(wanted.with_name(each))
+    return ""
 
 
 def hint_for_missing(name: str, folders: Sequence[Path]) -> str:

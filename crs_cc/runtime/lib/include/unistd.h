@@ -58,6 +58,7 @@ char *getcwd(char *text, size_t size);
 int chown(const char *name, uid_t owner, gid_t group);
 int pipe(int descriptors[2]);
 int getpagesize(void);
+int getdtablesize(void);
 long sysconf(int name);
 
 /* Time and signals. */

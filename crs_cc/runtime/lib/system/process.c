@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <crs/descriptor.h>
 #include <crs/refuse.h>
 
 UNAVAILABLE(pid_t, fork, (void), -1, ENOSYS)
@@ -164,13 +165,18 @@ int getpagesize(void)
     return 4096;
 }
 
+int getdtablesize(void)
+{
+    return CRS_DESCRIPTORS;
+}
+
 long sysconf(int name)
 {
     switch (name) {
     case _SC_CLK_TCK:
         return 100;
     case _SC_OPEN_MAX:
-        return 64;
+        return CRS_DESCRIPTORS;
     case _SC_PAGESIZE:
         return 4096;
     case _SC_NPROCESSORS_CONF: case _SC_NPROCESSORS_ONLN:

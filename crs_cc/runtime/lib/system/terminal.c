@@ -1,5 +1,6 @@
 /* Terminals and devices (POSIX termios.h, ioctl): no descriptor is one. */
 #include <errno.h>
+#include <stdarg.h>
 #include <sys/ioctl.h>
 #include <termios.h>
 
@@ -42,9 +43,29 @@ int tcsendbreak(int descriptor, int duration)
     return no_terminal(descriptor);
 }
 
+/* Gives how many bytes can be read at once: of a file what is left, of the input none, as nobody
+   types at a simulated robot while its program asks. */
+static int waiting_bytes(struct __crs_open_file *file, int descriptor)
+{
+    long left = file->number < 0 ? 0 : __crs_resize(descriptor, -1) - file->offset;
+
+    return left > 0 ? left : 0;
+}
+
 int ioctl(int descriptor, unsigned long request, ...)
 {
-    (void)request;
+    struct __crs_open_file *file = __crs_find(descriptor);
+    va_list arguments;
+
+    if (file == 0)
+        return -1;
+    if (request == FIONREAD) {
+        va_start(arguments, request);
+        *va_arg(arguments, int *) = waiting_bytes(file, descriptor);
+        va_end(arguments);
+    }
+    if (request == FIONREAD || request == FIONBIO)
+        return 0;
     return no_terminal(descriptor);
 }
 

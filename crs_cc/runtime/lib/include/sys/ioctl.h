@@ -1,4 +1,4 @@
-/* POSIX sys/ioctl.h: no descriptor is a device, so that ioctl fails with ENOTTY. */
+/* BSD sys/ioctl.h: how much can be read; no descriptor is a device to ask for more. */
 #ifndef _SYS_IOCTL_H
 #define _SYS_IOCTL_H
 
