@@ -23,7 +23,7 @@ def header_hint(name: str, folders: Sequence[Path]) -> str:
         folders: the folders of the headers that come with crs.
     """
     pattern = re.compile(
-        rf"^#define {re.escape(name)}\b|^[^#\n/]*[ *]{re.escape(name)}(?:\(|;$)", re.MULTILINE
+        rf"^#define {re.escape(name)}\b|^[^#\n/]*[ *]{re.escape(name)}(?:[([]|;$)", re.MULTILINE
     )
     for folder in folders:
         for header, text in _headers(folder):

@@ -161,3 +161,42 @@ def test_a_misspelt_name_is_told_with_the_one_that_was_meant(call, meant):
     with pytest.raises(CompileError) as caught:
         drive(f"connect_robot(1); {call};")
     assert meant in "".join(each.render() for each in caught.value.diagnostics)
+
+
+@pytest.mark.parametrize("use", ["State[0]", "SERV_TCP_PORT", "STATE_SONAR_0"])
+def test_a_name_without_its_header_leads_to_it(use):
+    with pytest.raises(CompileError) as caught:
+        drive(f"int main(void) {{ return {use}; }}")
+    assert "include <Nclient.h>" in "".join(each.render() for each in caught.value.diagnostics)
+
+
+VENDORS_WAY = """
+#ifndef _HOST_CLIENT_NCLIENT_H_
+#define _HOST_CLIENT_NCLIENT_H_
+#define NUM_STATE 45
+#define STATE_CONF_X 34
+extern long State[NUM_STATE];
+int connect_robot(long robot_id, ...);
+int vm(int t_vm, int s_vm, int r_vm);
+int dp(int x, int y);
+#endif
+"""
+
+
+@pytest.mark.function("connect_robot", "dp")
+def test_a_program_brings_a_header_of_its_own():
+    done = drive(VENDORS_WAY + """
+        #include <stdio.h>
+        #include "Nclient.h"
+        int main(void) { connect_robot(1); dp(5, 6); printf("%ld", State[STATE_CONF_X]); return 0; }
+    """)  # fmt: skip
+    assert done.numbers == [5]
+
+
+@pytest.mark.function("predict_sensors", "posSonarRingGet", "get_rpx")
+def test_pointers_that_lead_nowhere_stop_the_program_alone():
+    for call in ("get_rpx(NULL)", "posSonarRingGet(NULL)", "get_state(NULL)", "tk(NULL)"):
+        done = drive(f"connect_robot(1); posDataRequest(POS_SONAR); {call};")
+        error = done.session.result().robots[0].error
+        assert error is not None, call
+        assert error.kind == "null pointer", call
