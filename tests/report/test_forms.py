@@ -214,6 +214,19 @@ def test_a_body_that_does_not_hold_together_is_told_where(
     )
 
 
+@pytest.mark.parametrize(
+    ("call", "expected"),
+    [
+        ("vm()", "1:1: too few arguments to function call, expected 1, have 0"),
+        ("vm(1, 2)", "1:1: too few arguments to function call, expected 3, have 2"),
+        ("vm(1, 2, 3, 4)", "1:1: too many arguments to function call, expected 3, have 4"),
+        ("vm(1, 2, speed)", "1:10: use of undeclared identifier 'speed'"),
+    ],
+)
+def test_vm_takes_one_argument_or_three(call: str, expected: str, tmp_path: Path):
+    assert errors_in(f"{call};\n", tmp_path)[0].startswith(expected)
+
+
 def test_names_in_messages_are_the_users(tmp_path: Path):
     messages = errors_in("pr(1);\nvm();\nState = 0;\nheatSensorCheck = 1;\n", tmp_path)
     assert messages

@@ -104,7 +104,9 @@ int tagTarget(void) __asm__("__report_tagTarget");
 
 /* Chapter 2 has vm with the wheels' speeds, chapter 3 with that of the robot: both are meant. */
 int vm_of_wheels(int r_wheel, int l_wheel, int dummy) __asm__("__report_vm_of_wheels");
-#define __report_fourth(a, b, c, name, ...) name
-#define vm(...) __report_fourth(__VA_ARGS__, vm_of_wheels, vm_of_wheels, vm)(__VA_ARGS__)
+#define __report_sixth(a, b, c, d, e, name, ...) name
+#define vm(...)                                                                                \
+    __report_sixth(__VA_ARGS__, vm_of_wheels, vm_of_wheels, vm_of_wheels, vm_of_wheels, vm)    \
+    (__VA_ARGS__)
 
 #endif
