@@ -97,7 +97,8 @@ ROBOT_REQUESTS: Final = (
            arguments(("i[0]", "x", _LENGTH), ("i[1]", "y", _LENGTH))),
     _robot("DA", 111, "int da(int th, int tu)", "sets the angles of the odometry",
            arguments(("i[0]", "heading", _ANGLE), ("i[1]", "turret", _ANGLE))),
-    _robot("ZR", 112, "int zr(void)", "sets the odometry to zero"),
+    _robot("ZR", 112, "int zr(void)",
+           "sets the odometry to zero, when steering and turret have turned to their zero marks"),
     _robot(
         "CONF_SN", 113, "int conf_sn(int rate, int order[16])", "sets the sonars' firing order",
         (*arguments(("i[0]", "time between two firings", "4 ms")), *_ORDER),

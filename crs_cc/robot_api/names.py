@@ -74,8 +74,8 @@ STATE: Final = (
     Name("STATE_VEL_STEER", "39", "speed of the steering [0.1 deg/s]"),
     Name("STATE_VEL_LEFT", "39", "speed of a Scout's left wheel [0.1 in/s]"),
     Name("STATE_VEL_TURRET", "40", "speed of the turret [0.1 deg/s]"),
-    Name("STATE_MOTOR_STATUS", "41", "bit 0: the first axis moves (right wheel), 1: second (left),"
-         " 2: the turret"),
+    Name("STATE_MOTOR_STATUS", "41", "bit 0: the motor of the first axis works (right wheel), also"
+         " in vain, 1: second (left), 2: the turret"),
     Name("STATE_LASER", "42", "mode of the laser"),
     Name("STATE_COMPASS", "43", "compass [0.1 deg]"),
     Name("STATE_ERROR", "44", "0 after a good reply, 111 without one, 1 when it was refused"),

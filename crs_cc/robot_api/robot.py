@@ -82,6 +82,9 @@ MOTION: Final = Group("Motion", (
         "int pr(int trans, int steer, int turret)",
         "starts a move by so much, and returns", units=_LENGTHS,
         refreshes=ALL, posts=("PR",), source=_BOTH,
+        chosen="It starts from the speed reached; where that is too fast to stop in time the axis"
+        " comes back. A move that something holds up goes on when the way is free; until then its"
+        " motors work, and `ws` waits.",
     ),
     Function(
         "int pa(int trans, int steer, int turret)", "FALSE; nothing is sent",
@@ -92,6 +95,10 @@ MOTION: Final = Group("Motion", (
         "int vm(int trans, int steer, int turret)",
         "runs at these speeds until the next command, or the timeout of `conf_tm`",
         units=_per("s"), refreshes=ALL, posts=("VM",), source=_BOTH,
+        chosen="Held up, motors weaker than the wheels' grip stall, and odometry counts what the"
+        " wheels roll; stronger ones let the wheels slip, and it counts as if nothing were there"
+        " (`force`, `grip`). Motors give up after the time `give-up`, if there is one. Contacts"
+        " never turn a robot.",
     ),
     Function(
         "int mv(int t_mode, int t_mv, int s_mode, int s_mv, int r_mode, int r_mv)",
@@ -103,9 +110,12 @@ MOTION: Final = Group("Motion", (
     Function(
         "int st(void)", "stops, and holds the axes where they are",
         refreshes=ALL, posts=("ST",),
+        chosen="It brakes with the acceleration of `ac`, and then holds with the wheels' grip.",
     ),
     Function(
         "int lp(void)", "lets the motors go limp", refreshes=ALL, posts=("LP",),
+        chosen="The wheels roll out (`roll-out`), and roll and count when the robot is pushed along"
+        " them; steering and turret stop.",
     ),
     Function(
         "int ws(unsigned char trans, unsigned char steer, unsigned char turret,"
@@ -127,7 +137,8 @@ MOTION: Final = Group("Motion", (
         "int zr(void)", "sets the odometry to 0; a Nomad turns steering and turret to their zero",
         refreshes=ALL, posts=("ZR",), source=(HEADER, "RWI", "CARMEN"),
         waits="for what it turns, 120 s at most",
-        chosen="A Scout does not move.",
+        chosen="A Scout does not move. A Nomad stops, and turns the shorter way, with the speeds of"
+        " `sp`, to where wheels and turret point ahead of the base; `conf_tm` is off until then.",
     ),
 ))  # fmt: skip
 

@@ -36,6 +36,8 @@ WORLD: Final = Group("World", (
         "puts the robot, and where its odometry believes to be, somewhere else",
         units="0.1 in, 0.1 in, 0.1 deg, 0.1 deg", posts=("PLACE_ROBOT",),
         under_ndirect="`dp` and `da`", source=_BOTH,
+        chosen="x and y are those of the world file. A place outside of the world, or in something,"
+        " is refused. A motion goes on from there; the base of a Nomad keeps its direction.",
     ),
     Function(
         "int get_rpx(long *robot_pos)",

@@ -15,7 +15,7 @@ ways of its axes, each with a weight. So differential and synchro drives share a
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
+from typing import Final, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -26,6 +26,8 @@ from crs_cc.units import tenths_deg_to_rad, tenths_inch_to_m
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
+
+_FINEST: Final = 1e-12  # what an encoder counts in that counts everything
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,8 +43,7 @@ class Drives:
         turn: by how much the wheels' direction turns for each unit of each axis' way [rad].
         true_forward: the way that the robot truly goes for it, see `actuators.rolling`.
         true_turn: the angle by which it truly turns.
-        count: the way of each axis for one count of its encoder; 0 for any.
-        counts: whether any robot's encoders count in steps.
+        count: the way of each axis for one count of its encoder.
         rolls: 1 for the axes whose wheels roll when the robot is moved along them, else 0.
         yields: whether the motors are weaker than the wheels' grip, so that they stall.
         roll_out_mps2: how fast limp wheels lose their speed.
@@ -61,7 +62,6 @@ class Drives:
     true_forward: FloatArray
     true_turn: FloatArray
     count: FloatArray
-    counts: bool
     rolls: FloatArray
     yields: BoolArray
     roll_out_mps2: FloatArray
@@ -87,7 +87,6 @@ class Drives:
             true_forward=_rows([_forward(drive, wrong) for drive, wrong in both]),
             true_turn=_rows([_turn(drive, wrong) for drive, wrong in both]),
             count=_rows([_counts(drive, wrong) for drive, wrong in both]),
-            counts=any(wrong.resolution_m or wrong.resolution_rad for wrong in errors),
             rolls=_rows([[1.0, float(drive.steering is None), 0.0] for drive in drives]),
             yields=_flags([drive.force_n < drive.grip_n for drive in drives]),
             roll_out_mps2=np.array([drive.roll_out_mps2 for drive in drives]),
@@ -135,8 +134,8 @@ def _wheels(wrong: Odometry) -> tuple[float, float]:
 
 
 def _counts(drive: Drive, wrong: Odometry) -> list[float]:
-    way, angle = wrong.resolution_m, wrong.resolution_rad
-    return [way, way, 0.0] if drive.steering is None else [way, angle, angle]
+    way, angle = wrong.resolution_m or _FINEST, wrong.resolution_rad or _FINEST
+    return [way, way, way] if drive.steering is None else [way, angle, angle]
 
 
 def _rows(values: list[list[float]]) -> FloatArray:

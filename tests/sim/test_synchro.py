@@ -164,6 +164,19 @@ def test_zr_turns_steering_and_turret_back_the_shorter_way_and_then_zeroes():
     assert driver.ask("GET_RV")[VEL_LEFT] == 0
 
 
+def test_zr_gives_up_after_two_minutes():
+    driver = nomad()
+    driver.ask("DA", 123, 45)
+    driver.ask("PR", 0, 900, 0)
+    driver.run_s(5)
+    driver.ask("SP", 100, 5, 5)  # 90 degrees would take three minutes
+    driver.post("ZR")
+    (step,) = [step for step in driver.run_s(125) if len(step.robots)]
+    assert step.at_s[0] == pytest.approx(125)
+    assert step.messages["result"][0] == 0
+    assert driver.ask("GET_RC")[CONF_STEER] != 0
+
+
 def test_zr_of_robots_of_both_kinds_answers_each_in_its_time():
     driver = Driver.of(open_world('<robot x="0" y="3"/>' + N200))
     for robot in range(2):

@@ -593,6 +593,32 @@ def test_every_misspelt_name_is_told_with_the_one_that_was_meant():
     ]
 
 
+TURRET = '<turret speed-limit="1deg/s" acceleration-limit="1" speed="1" acceleration="1"/>'
+STEERING = TURRET.replace("turret", "steering")
+
+
+@pytest.mark.parametrize(
+    ("drive", "complaint"),
+    [
+        (f'type="synchro">{TURRET}', "synchro drive, and no other, has <steering>"),
+        (f'wheel-base="1ft">{STEERING}', "synchro drive, and no other, has <steering>"),
+        (f'wheel-base="1ft">{TURRET}', "differential drive has no <turret>"),
+        (">", "has the attribute 'wheel-base'"),
+        ('type="hovering">', "hovering"),
+        (f'type="synchro">{STEERING.replace("1deg/s", "1m/s")}', "is not a speed of turning"),
+        ('wheel-base="1ft" ws-timeout-zero="later">', "later"),
+    ],
+)
+def test_a_drive_that_makes_no_sense_is_refused(tmp_path, drive, complaint):
+    limits = 'speed-limit="1m/s" acceleration-limit="1m/s2" speed="1m/s" acceleration="1m/s2" '
+    (tmp_path / "own.xml").write_text(
+        '<robot-definition version="1" name="own"><body radius="8in" mass="1kg"/>'
+        f"<drive {limits}{drive}</drive></robot-definition>"
+    )
+    with pytest.raises(WorldError, match=complaint):
+        load_robot(tmp_path / "own.xml")
+
+
 @pytest.mark.parametrize(
     ("setup", "name", "complaint"),
     [

@@ -15,7 +15,7 @@ commands into slices; here they are understood:
   robot definition says;
 - `zr` sets the odometry of a differential drive to 0 at once. A synchro drive stops, turns steering
   and turret to their zero marks, with the speeds of `sp`, and then does so; until then the program
-  waits and `conf_tm` is off.
+  waits, 120 s at most, and `conf_tm` is off.
 
 `traction` has what contacts do, `rolling` how wheels differ from what is believed of them.
 """
@@ -54,6 +54,7 @@ SPEED: Final = 5
 """Modes of `mv` (MV_IGNORE to MV_SP, vendor header `Nclient.h` 1.29)."""
 
 _BYTE: Final = 255  # timeouts are unsigned chars [s]
+_ZERO_TIMEOUT_S: Final = 120.0  # so long the vendor's client waits (`Ndirect.c` 2.7)
 _TURN: Final = 2 * math.pi
 
 
@@ -260,13 +261,16 @@ def zr(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messa
         which=np.arange(AXES) > 0,
     )
     state.drive.waiting[rows] = True
-    state.drive.wait_until_s[rows] = np.inf
+    state.drive.wait_until_s[rows] = state.drive.clock_s[rows] + _ZERO_TIMEOUT_S
     _remember(state, rows, CODES["ZR"])
 
 
-def zeroed(state: EnvState, _equipment: Equipment, rows: IndexArray, _messages: Messages) -> None:
-    """Sets the odometry of robots to 0 that stand at their zero marks."""
-    odometry.zero(state, rows)
+def zeroed(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+    """Sets the odometry of robots to 0; fails for those that did not get to their zero marks."""
+    stands = (state.drive.axes.end_s(rows) <= state.drive.clock_s[rows, None]).all(axis=1)
+    done = stands | ~equipment.drives.synchro[rows]
+    odometry.zero(state, rows[done])
+    messages["result"] = done
     state.drive.deadline_s[rows] = state.drive.clock_s[rows] + state.drive.timeout_s[rows]
 
 

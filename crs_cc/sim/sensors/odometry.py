@@ -66,8 +66,7 @@ def count_turns(
     state: EnvState, equipment: Equipment, rows: IndexArray | slice, way: FloatArray
 ) -> None:
     """Takes the axes' ways since the last time into the odometry, as the encoders count them."""
-    if equipment.drives.counts:
-        way = _counted(state, equipment, rows, way)
+    way = _counted(state, equipment, rows, way)
     heading_rad = state.odometry.heading_rad[rows]
     turn_rad = weighted(way, equipment.drives.turn[rows])
     x_m, y_m = arc(heading_rad, weighted(way, equipment.drives.forward[rows]), turn_rad)
@@ -85,13 +84,11 @@ def _counted(
     state: EnvState, equipment: Equipment, rows: IndexArray | slice, way: FloatArray
 ) -> FloatArray:
     """Gives the ways in whole counts; what is left over counts later."""
-    count = equipment.drives.count[rows]
     shaft = state.odometry.shaft[rows] + way
-    step = np.where(count > 0.0, count, 1.0)
-    counts = np.rint(shaft / step).astype(np.int64)
-    whole = (counts - state.odometry.counts[rows]) * step
-    state.odometry.shaft[rows], state.odometry.counts[rows] = shaft, counts
-    return np.where(count > 0.0, whole, way)
+    told = np.rint(shaft / equipment.drives.count[rows]) * equipment.drives.count[rows]
+    whole = told - state.odometry.told[rows]
+    state.odometry.shaft[rows], state.odometry.told[rows] = shaft, told
+    return np.asarray(whole)
 
 
 def dp(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages) -> None:

@@ -25,7 +25,7 @@ class OdometryState:
         turret_rad: the same for the turret; 0 without one.
         shaft: how far the shaft of each axis' encoder has turned, in the way of its axis,
             (robots, 3).
-        counts: the encoders' counts, (robots, 3).
+        told: how far it has turned by the counts of the encoder, (robots, 3).
     """
 
     x_m: FloatArray
@@ -33,7 +33,7 @@ class OdometryState:
     heading_rad: FloatArray
     turret_rad: FloatArray
     shaft: FloatArray
-    counts: npt.NDArray[np.int64]
+    told: FloatArray
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
@@ -41,4 +41,4 @@ class OdometryState:
         count = len(world.robots)
         shaft = np.zeros((count, AXES))
         x_m, y_m, heading_rad, turret_rad = np.zeros((4, count))
-        return cls(x_m, y_m, heading_rad, turret_rad, shaft, shaft.astype(np.int64))
+        return cls(x_m, y_m, heading_rad, turret_rad, shaft, shaft.copy())
