@@ -94,7 +94,6 @@ class Instruments:
         if self._has_compasses and (code in _TELLS_ALL or code == CODES["GET_CP"]):
             asked = _asked(state, rows, COMPASS) | (code == CODES["GET_CP"])
             self._compasses.read(state, equipment, rows[asked], at_s[asked])
-
         if self._has_lasers and (code in _TELLS_ALL or code in _LASER_CODES):
             asked = _asked(state, rows, LASER) | (code in _LASER_CODES)
             self._lasers.read(state, equipment, around, rows[asked], at_s[asked])

@@ -399,6 +399,8 @@ def play(environment: Environment, cycles: range) -> list:
             robots = robots[~environment.state.drive.waiting[robots].any(axis=1)]
             messages = np.zeros(len(robots), MESSAGE)
             messages["i"][:, :6] = rng.integers(-200, 390, (len(robots), 6))
+            if code == CODES["VM"]:  # rather straight on than on the spot
+                messages["i"][:, 1] = messages["i"][:, 0] + rng.integers(-40, 40, len(robots))
             if code == CODES["MV"]:
                 messages["i"][:, [0, 2, 4]] = rng.integers(0, 4, (len(robots), 3))
             if code == CODES["WS"]:
