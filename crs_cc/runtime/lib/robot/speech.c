@@ -4,7 +4,7 @@
 
 #include <crs/robot.h>
 
-/* Ndirect on a robot that is its own host writes to the synthesizer's device, which is not there. */
+/* Ndirect on a robot that is its own host writes to its synthesizer, which is not there. */
 int tk(char *talk)
 {
     struct __crs_message message;
