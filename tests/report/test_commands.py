@@ -224,6 +224,10 @@ def test_a_disconnected_robot_does_nothing_until_it_is_connected_again():
     assert done.x_in[-1] == pytest.approx(5, abs=0.01)
 
 
+def test_there_is_a_simulated_robot_and_no_real_one():
+    assert run('printf("%d %d\\n", simulated_robot(), real_robot());').output[0] == "1 0\n"
+
+
 def test_two_robots_sense_each_others_heat():
     things = '<robot x="0" y="0" heat="1"/><robot x="1m" y="0" heat="1"/>'
     done = run('heatSensorCheck(); printf("%ld\\n", State[STATE_HEAT]);', things)
