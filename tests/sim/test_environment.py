@@ -379,7 +379,7 @@ BUSY = (
     '<box x="3.2m" y="2.3m" length="40cm" width="30cm" mass="1kg"/>'
     '<cylinder x="1.6m" y="2.3m" radius="15cm" mass="1kg"/>'
 ) + "".join(
-    f'<robot x="{1 + 0.8 * (n % 5)}m" y="{1 + 0.8 * (n // 5)}m" heading="{60 + 17 * n}"/>'
+    f'<robot x="{1 + 0.8 * (n % 5)}m" y="{1 + 0.8 * (n // 5)}m" heading="{60 + 7 * n}"/>'
     for n in range(10)
 )
 
@@ -405,8 +405,10 @@ def play(environment: Environment, cycles: range) -> list:
                 messages["i"][:, [0, 2, 4]] = rng.integers(0, 4, (len(robots), 3))
             if code == CODES["WS"]:
                 messages["i"][:, :4] = 1, 1, 0, 2
-            if REQUESTS[code].name in {"DISCONNECT", "CONF_SN", "QUIT_SERVER", "NEW_WORLD"}:
+            if REQUESTS[code].name in {"AC", "DISCONNECT", "CONF_SN", "QUIT_SERVER", "NEW_WORLD"}:
                 code = CODES["VM"]
+            if code == CODES["VM"]:  # on the whole ahead, into the things
+                messages["i"][:, 1] = messages["i"][:, 0] - 30
             clock_s = environment.time_s + rng.random(len(robots)) * DT
             goes_on_s = environment.serve(code, robots, messages, clock_s)
             seen += [messages.tobytes(), goes_on_s.tobytes()]
