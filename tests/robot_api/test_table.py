@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 from crs_cc.requests import CODES
 from crs_cc.robot_api import CONSTANTS, GROUPS, MACROS, SMASK, SOURCES, STATE, TYPES, VARIABLES
@@ -14,6 +15,7 @@ HEADER = re.sub(r"/\*.*?\*/", "", (HEADERS / "Nclient.h").read_text(), flags=re.
 NOT_THE_VENDORS = {"scout_pr", "scout_ws", "sonarSensorCheck"}
 """What Scout programs defined for themselves, and we declare."""
 
+TESTS = Path(__file__).parents[1] / "nclient"
 OTHERS = {"report", "runcode"}
 CLIENT = [path for path in (LIBRARY / "robot").glob("*.c") if path.stem not in OTHERS]
 
@@ -85,3 +87,14 @@ def test_the_library_posts_what_the_table_says() -> None:
 def test_every_source_is_named() -> None:
     for function in FUNCTIONS:
         assert set(function.source) <= SOURCES.keys(), function.name
+
+
+def test_every_function_has_a_test() -> None:
+    marks = "".join(
+        "".join(re.findall(r"mark\.function\(([^)]*)\)", path.read_text()))
+        for path in TESTS.glob("test_*.py")
+    )
+    tested = set(re.findall(r'"(\w+)"', marks))
+    known = {function.name for function in FUNCTIONS} | NOT_THE_VENDORS
+    assert tested <= known
+    assert known - NOT_THE_VENDORS - tested == set()
