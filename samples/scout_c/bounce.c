@@ -92,6 +92,7 @@ static void wait_until_it_stands(void)
     do {
         gs();
         mark(State[STATE_CONF_X], State[STATE_CONF_Y]);
+        usleep(40000);
         status.word = State[STATE_MOTOR_STATUS];
     } while (status.is.right_moves || status.is.left_moves);
 }
@@ -118,7 +119,7 @@ int main(int argc, char **argv)
         do {
             scout_vm(SPEED, 0);
             mark(State[STATE_CONF_X], State[STATE_CONF_Y]);
-            usleep(20000);
+            usleep(40000);
         } while (State[STATE_BUMPER] == 0);
         hit = State[STATE_BUMPER];
         st();

@@ -15,6 +15,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <unistd.h>
 #include "Nclient.h"
 
 #define ROBOT_ID  1
@@ -141,8 +142,6 @@ static void summary(void)
 
 int main(void)
 {
-    int call;
-
     if (!connect_robot(ROBOT_ID, MODEL_SCOUT, "/dev/ttyS0", 38400)) {
         fprintf(stderr, "count_doors: no robot\n");
         return 1;
@@ -152,13 +151,14 @@ int main(void)
     ac(100, 100, 0);
     dp(0, 0);
     da(0, 0);
-    for (call = 0; call < 20; call++)      /* until each sonar has fired */
-        gs();
+    usleep(300000);                        /* until each sonar has fired */
+    gs();
 
     while (State[STATE_SONAR_0] > END && State[STATE_BUMPER] == 0) {
         look(LEFT_SIDE, State[STATE_CONF_X] / 10.0);
         look(RIGHT_SIDE, State[STATE_CONF_X] / 10.0);
         scout_vm(SPEED, steering());
+        usleep(30000);
         gs();
     }
     st();

@@ -8,8 +8,9 @@
  *
  * The robot drives a square to the left and one to the right (Borenstein and Feng
  * 1994: errors that one of them hides, the other shows), then runs into a wall at
- * an angle and goes on pushing. Its wheels slip, and from then on the encoders are
- * wrong, for good: that is what walls, doors and other things one knows are for.
+ * an angle and goes on pushing. Its motors stall, and its wheels slip along the
+ * wall, of which the encoders feel nothing: from then on they are wrong, for good.
+ * That is what walls, doors and other things one knows the place of are for.
  *
  * All places are told in the frame of the start.
  *

@@ -66,7 +66,7 @@ static void finish(void)
         if (State[STATE_BUMPER] != 0)
             fail("bumped at (%.1f, %.1f)", State[STATE_CONF_X] / 10.0,
                  State[STATE_CONF_Y] / 10.0);
-        usleep(20000);
+        usleep(60000);
     } while (State[STATE_MOTOR_STATUS] & 3);
 }
 

@@ -19,6 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <math.h>
+#include <unistd.h>
 #include "Nclient.h"
 
 #define ROBOT_ID   1
@@ -231,6 +232,7 @@ static int drive(double to_x, double to_y)
             st();
             return FALSE;
         }
+        usleep(40000);
         gs();
     }
     st();

@@ -24,6 +24,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <math.h>
+#include <unistd.h>
 #include "Nclient.h"
 
 #define ROBOT_ID   1
@@ -155,8 +156,8 @@ int main(int argc, char **argv)
     ac(150, 150, 0);
     dp(0, 0);
     da(0, 0);
-    for (loop = 0; loop < 70; loop++)      /* until each sonar has fired */
-        sense();
+    usleep(1000000);                       /* until each sonar has fired */
+    sense();
 
     before = here;
     best = distance(goal, here);
@@ -196,8 +197,7 @@ int main(int argc, char **argv)
         total.x += away.x;
         total.y += away.y;
         follow(total);
-        for (int call = 0; call < 5; call++)
-            sense();
+        usleep((unsigned) (1e6 * LOOP) - 30000);   /* what the two commands leave of it */
     }
     st();
     ws(1, 1, 0, 5);

@@ -6,7 +6,7 @@
 
 # define SPEED        100          /* 0.1 inch/s */
 # define NEAR         12           /* something this near ahead: stop, inches */
-# define MAX_CALLS    4000
+# define MAX_CALLS    1500
 
 start_motion()
 {
@@ -66,6 +66,7 @@ go_to(where)
             scout_vm(sign * SPEED, steer);
         else
             scout_vm(sign * (20 + (int) labs(rest) / 2), steer);
+        usleep(40000);
     }
     halt();
     get_rc();
