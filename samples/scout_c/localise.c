@@ -13,12 +13,13 @@
  *     resample  particles are drawn anew by their weights; a few are thrown
  *               anywhere, in case that all are wrong
  *
- * The estimate is the middle of the particles around the best one. To judge it
- * the program is told where the robot really started; it uses that for nothing
- * but the last columns.
+ * The estimate is the middle of the particles around the best one. To judge it the
+ * simulator is asked for the truth, get_rpx(), and for comparison the last column
+ * has the error of encoders that were told the truth at the start: where wheels
+ * slip (crs run --setup noisy) theirs grows, and that of the estimate does not.
  *
  * Usage:  crs run localise.c studio.xml --file worlds/studio.map
- *         ... -- MAP X Y HEADING        another map, true start in inches and degrees
+ *         ... -- MAP                    another map
  */
 
 #include <errno.h>
@@ -41,6 +42,7 @@
 #define CELL        2.0      /* of the field, inches */
 #define MARGIN      20.0     /* around the room, inches */
 #define MAX_WALLS   200
+#define MAX_ROBOTS  20
 #define RADIANS(d)  ((d) * M_PI / 180.0)
 #define DEGREES(r)  ((r) * 180.0 / M_PI)
 
@@ -330,6 +332,36 @@ static Pose encoders(void)
     return pose;
 }
 
+/* Where the robot really is; FALSE where nobody knows it. */
+static int truth(Pose *pose)
+{
+    long robots[1 + 3 * MAX_ROBOTS];
+
+    if (!get_rpx(robots) || robots[0] < 1)
+        return FALSE;
+    pose->x = robots[1] / 10.0;
+    pose->y = robots[2] / 10.0;
+    pose->heading = RADIANS(robots[3] / 10.0);
+    return TRUE;
+}
+
+/* Where encoders say that we are, in the room, when they began at a true start. */
+static Pose in_room(const Pose *start, const Pose *moved)
+{
+    Pose pose;
+
+    pose.x = start->x + moved->x * cos(start->heading) - moved->y * sin(start->heading);
+    pose.y = start->y + moved->x * sin(start->heading) + moved->y * cos(start->heading);
+    pose.heading = start->heading + moved->heading;
+    return pose;
+}
+
+static void print_pose(const Pose *pose)
+{
+    printf("   %6.1f %6.1f %6.1f", pose->x, pose->y,
+           DEGREES(remainder(pose->heading, 2.0 * M_PI)));
+}
+
 /* Stands until each sonar has fired. */
 static void listen(void)
 {
@@ -374,18 +406,10 @@ static void drive(void)
 int main(int argc, char **argv)
 {
     const char *map = argc > 1 ? argv[1] : "worlds/studio.map";
-    Pose start = { 40.0, 35.0, 0.0 }, before, after, guess, truth;
+    Pose start = { 0.0, 0.0, 0.0 }, before, after, guess, real, reckoned;
     double share;
     int step;
 
-    if (argc == 5) {
-        start.x = atof(argv[2]);
-        start.y = atof(argv[3]);
-        start.heading = RADIANS(atof(argv[4]));
-    } else if (argc > 2) {
-        fprintf(stderr, "usage: localise [map [x y heading]]\n");
-        return 2;
-    }
     read_map(map);
     make_field();
     srand(1999);
@@ -402,8 +426,10 @@ int main(int argc, char **argv)
     sp(100, 100, 0);
     dp(0, 0);
     da(0, 0);
+    truth(&start);
     printf("%d walls, %d particles\n", n_walls, PARTICLES);
-    printf("step    estimate              sure    truth                  error\n");
+    printf("step    estimate              sure     truth                  error"
+           "                 of encoders\n");
 
     listen();
     before = encoders();
@@ -417,13 +443,17 @@ int main(int argc, char **argv)
         before = after;
         look();
         guess = estimate(&share);
-        truth.x = start.x + after.x * cos(start.heading) - after.y * sin(start.heading);
-        truth.y = start.y + after.x * sin(start.heading) + after.y * cos(start.heading);
-        truth.heading = start.heading + after.heading;
-        printf("%3d   %6.1f %6.1f %6.1f   %4.0f %%   %6.1f %6.1f %6.1f   %5.1f in %6.1f deg\n",
-               step, guess.x, guess.y, DEGREES(guess.heading), 100.0 * share, truth.x, truth.y,
-               DEGREES(remainder(truth.heading, 2.0 * M_PI)), apart(&guess, &truth),
-               DEGREES(remainder(guess.heading - truth.heading, 2.0 * M_PI)));
+        printf("%3d ", step);
+        print_pose(&guess);
+        printf("   %4.0f %%", 100.0 * share);
+        if (truth(&real)) {
+            reckoned = in_room(&start, &after);
+            print_pose(&real);
+            printf("   %5.1f in %6.1f deg   %5.1f in", apart(&guess, &real),
+                   DEGREES(remainder(guess.heading - real.heading, 2.0 * M_PI)),
+                   apart(&reckoned, &real));
+        }
+        printf("\n");
         resample();
     }
     st();

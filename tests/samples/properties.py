@@ -64,7 +64,7 @@ def arrives_untouched(drive: Drive) -> None:
     (x_in, y_in, off_in) = drive.numbers(r"arrived at \((\S+), (\S+)\), (\S+) in from the goal")
     assert off_in < 6
     assert drive.places[-1] - drive.places[0] == pytest.approx(
-        [x_in * INCH_M, y_in * INCH_M], abs=0.1
+        [x_in * INCH_M, y_in * INCH_M], abs=0.25
     )
 
 
@@ -123,12 +123,12 @@ def to_wall_in(x_in: float, y_in: float) -> float:
 
 def finds_itself(drive: Drive) -> None:
     touches_nothing(drive)
-    errors = np.array(re.findall(r"(\S+) in +(\S+) deg$", drive.text, re.MULTILINE), dtype=float)
+    errors = np.array(re.findall(r"(\S+) in +(\S+) deg +(\S+) in", drive.text), dtype=float)
     assert errors[0, 0] > 20
     assert (errors[-5:, 0] < 6).all()
     assert (abs(errors[-5:, 1]) < 10).all()
     x_in, y_in, heading_deg = map(float, drive.text.splitlines()[-1].split("%")[1].split()[:3])
-    assert [x_in, y_in] == pytest.approx(drive.places[-1] / INCH_M, abs=1)
+    assert [x_in, y_in] == pytest.approx(drive.places[-1] / INCH_M, abs=0.2)
     assert np.cos(np.radians(heading_deg) - drive.robot.pose[2]) > 0.999
 
 
@@ -146,7 +146,7 @@ def finds_two_doors_open(drive: Drive) -> None:
     states = re.findall(r"(OPEN|closed) +nothing for", drive.text)
     assert states == ["OPEN", "closed", "closed", "OPEN"]
     assert "4 doors, 2 open, 2 closed\n" in drive.text
-    assert np.hypot(*(drive.places[-1] - drive.places[0])) < 3 * INCH_M
+    assert np.hypot(*(drive.places[-1] - drive.places[0])) < 12 * INCH_M
 
 
 def reads_what_it_wrote(drive: Drive) -> None:
