@@ -1,7 +1,8 @@
 """The serial line between host and robot: how long commands and replies are on their way.
 
 A byte is ten bits on the line: a start bit, eight of data, a stop bit. How many bytes a command and
-its reply have says the robot's definition; one that is not named there takes no time.
+its reply have says the robot's definition; one that is not named there takes no time. What only a
+simulator does goes over the network instead, which takes the same time for all.
 """
 
 from __future__ import annotations
@@ -25,6 +26,16 @@ _SPEEDS_BAUD: Final = (4800, 9600, 19200, 38400)  # vendor source `Ndirect.c` 2.
 _CARRIED: Final = frozenset({CODES["TK"], CODES["SPECIAL"]})  # their data goes over the line
 
 
+_TO_SIMULATOR: Final = frozenset(
+    CODES[name]
+    for name in (
+        "PLACE_ROBOT", "ADD_OBSTACLE", "DELETE_OBSTACLE", "MOVE_OBSTACLE", "NEW_WORLD", "GET_RPX",
+        "PREDICT", "MOTION_CHECK", "GET_CONF", "REAL_ROBOT", "SIMULATED_ROBOT", "DRAW", "REFRESH",
+        "QUIT_SERVER",
+    )
+)  # fmt: skip
+
+
 class SerialLine:
     """The lines to all robots of a world."""
 
@@ -38,9 +49,10 @@ class SerialLine:
             {CODES[name]: count for name, count in robot.model.link.byte_counts}
             for robot in world.robots
         ]
+        self._network_s = [robot.model.link.network_s for robot in world.robots]
 
     def time_s(self, state: LinkState, code: int, robot: int, size: int) -> float:
-        """Gives how long a request and its reply are on the line [s].
+        """Gives how long a request and its reply are on the line, or on the network [s].
 
         Args:
             state: the speeds.
@@ -48,6 +60,8 @@ class SerialLine:
             robot: whose it is.
             size: bytes of its data.
         """
+        if code in _TO_SIMULATOR:
+            return self._network_s[robot]
         count = self._byte_counts[robot].get(code, 0)
         if count and code in _CARRIED:
             count += min(max(size, 0), DATA_SIZE)

@@ -127,4 +127,5 @@ def _link(element: Element, reader: Reader) -> Link:
         count += reader.whole(command, "receives", 0, _MOST_BYTES)
         counts[name] = count
     baud = reader.whole(element, "baud", 1, _MOST_BAUD, absent=1)
-    return Link(baud, tuple(sorted(counts.items())))
+    network_s = reader.not_negative(element, "network", TIME)
+    return Link(baud, tuple(sorted(counts.items())), network_s)

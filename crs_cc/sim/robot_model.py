@@ -139,15 +139,17 @@ class Heat:
 
 @dataclass(frozen=True, slots=True)
 class Link:
-    """The serial line between the host and the robot.
+    """The serial line between the host and the robot, and the network to the simulator.
 
     Attributes:
         baud: its speed until the program sets another [bit/s].
         byte_counts: bytes that each command and its reply take, by name.
+        network_s: time that a request to the simulator and its reply take on the network.
     """
 
     baud: int
     byte_counts: tuple[tuple[str, int], ...] = ()
+    network_s: float = 0.0
 
 
 IDEAL_LINK: Final = Link(1)

@@ -47,3 +47,8 @@ def test_drawings_go_where_the_program_says(what, left):
     done = drive(f'{DRAWINGS} printf("%d", refresh_{what}());')
     assert done.numbers == [1, 1, 1, 0, 1]
     assert len(drawings_in(done.session.environment.state.drawings)) == left
+
+
+def test_drawing_takes_its_time_on_the_network():
+    done = drive("int n = 0; connect_robot(1); while (n < 1000) draw_line(n++, 0, 0, 0, 1);")
+    assert done.session.time_s == pytest.approx(1.0, abs=0.1)

@@ -9,13 +9,18 @@ from crs_cc.requests import CODES, MESSAGE, REQUESTS
 from crs_cc.sim.environment import Environment
 from crs_cc.sim.world_xml import known_robots, parse_world
 
-ELSEWHERE = {
-    *("CONNECT", "DISCONNECT", "CREATE", "QUIT_SERVER", "REAL_ROBOT", "SIMULATED_ROBOT"),
+NOWHERE = {
+    *("CONNECT", "DISCONNECT", "CREATE"),
     *("LASER_PAGE", "POS_DATA"),  # they came with the reply
+}
+"""Requests that take no time on their way."""
+
+TO_SIMULATOR = {
     *("PLACE_ROBOT", "ADD_OBSTACLE", "DELETE_OBSTACLE", "MOVE_OBSTACLE", "NEW_WORLD", "GET_RPX"),
     *("PREDICT", "MOTION_CHECK", "GET_CONF", "DRAW", "REFRESH"),
+    *("QUIT_SERVER", "REAL_ROBOT", "SIMULATED_ROBOT"),
 }
-"""Requests that do not go over the line: to connect, and to the simulator."""
+"""Requests that go over the network."""
 
 
 def environment(robot="scout"):
@@ -27,7 +32,8 @@ def environment(robot="scout"):
 def test_every_command_to_the_robot_takes_time_and_nothing_else_does(robot):
     line = environment(robot)
     takes = {row.name for row in REQUESTS.values() if line.link_s(row.code) > 0}
-    assert takes == {row.name for row in REQUESTS.values() if row.server == "robot"} - ELSEWHERE
+    assert takes == {row.name for row in REQUESTS.values() if row.server == "robot"} - NOWHERE
+    assert {line.link_s(CODES[name]) for name in TO_SIMULATOR} == {0.001}
 
 
 def test_a_text_takes_time_letter_by_letter():
