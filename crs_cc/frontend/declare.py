@@ -15,6 +15,7 @@ from pycparser import c_ast
 from crs_cc.frontend import constant, tree, vla
 from crs_cc.frontend.check import CheckError, Unit, expression
 from crs_cc.frontend.convert import convert
+from crs_cc.frontend.foreign import hint_for_type
 from crs_cc.frontend.parse import Node
 from crs_cc.frontend.refuse import refused
 from crs_cc.frontend.scope import BrokenName, ObjectSymbol, TypedefName
@@ -109,14 +110,6 @@ def _identifier(unit: Unit, node: Node) -> CType:
     return _unknown(unit, names, unit.at(node))
 
 
-_FOREIGN: Final = {
-    "string": "C has no type for text: use 'char *', or an array of char",
-    "boolean": "C's is 'bool', of <stdbool.h>",
-    "byte": "use 'unsigned char'",
-}
-"""Types of other languages, in small letters, and what to use for them."""
-
-
 def _unknown(unit: Unit, names: tuple[str, ...], location: Location) -> CType:
     for name in names:
         if name in {"_Complex", "__int128", "_Decimal32", "_Decimal64", "_Decimal128"}:
@@ -126,7 +119,7 @@ def _unknown(unit: Unit, names: tuple[str, ...], location: Location) -> CType:
     if (names[0], "type") in unit.unknown:
         raise CheckError(location, "")
     unit.unknown.add((names[0], "type"))
-    hint = _FOREIGN.get(names[0].lower()) or unit.suggest(names[0], TypedefName)
+    hint = hint_for_type(names[0]) or unit.suggest(names[0], TypedefName)
     raise CheckError(location, f"unknown type name '{names[0]}'", hint)
 
 

@@ -26,6 +26,7 @@ from pycparser.c_parser import ParseError
 
 from crs_cc.frontend.attributes import take_attributes
 from crs_cc.frontend.cpp.tokens import shown
+from crs_cc.frontend.foreign import CPLUSPLUS, is_cplusplus
 from crs_cc.frontend.hopeless import GiveUp, report
 from crs_cc.frontend.lex import Token
 from crs_cc.frontend.parse_expression import NAMES
@@ -259,6 +260,7 @@ class _Parser(MisspeltParser):
         elif wanted == "SEMI" and before is not token:
             text = f"expected ';' after '{shown(before.value)}'"
             place = _behind(before)
+        hint = self._foreign() or hint
         is_misspelt = wanted == "WHILE" and closest_keyword(token.value, ["while"])
         report(self._diagnostics, place, text, "did you mean 'while'?" if is_misspelt else hint)
         if is_misspelt:
@@ -268,6 +270,13 @@ class _Parser(MisspeltParser):
             self._last_patch = self._index
             return token.copy("SEMI", ";")
         raise ParseError(text)
+
+    def _foreign(self) -> str:
+        """Gives a hint where the tokens around the next one are of another language."""
+        around = [each for each in self._buffer[max(0, self._index - 2) : self._index + 2] if each]
+        declared = set[str]().union(*self._scope_stack)
+        words = [each.value for each in around if each.value not in declared]
+        return CPLUSPLUS if is_cplusplus(words) else ""
 
     def _opened(self, opening: str, what: str) -> str:
         """Gives a hint to the last parenthesis, bracket or brace that is still open."""

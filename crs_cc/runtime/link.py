@@ -47,6 +47,9 @@ ENDS: Final = "__crs_ends"
 HEAP_SYMBOLS: Final = ("__heap_start", "__heap_end")
 """Names that the code generator defines: the ends of the memory left for `malloc`."""
 
+CONNECTS: Final = "connect_robot"
+"""The function with which every program begins to talk to its robot."""
+
 _SIMILAR: Final = 0.7  # of four letters three
 
 
@@ -90,11 +93,21 @@ def link(units: Sequence[Program], library: Library, diagnostics: Diagnostics) -
             continue
         work.extend(references(found))
     if not diagnostics.errors:
+        _check_client(whole, diagnostics)
         _check_uses(whole, diagnostics)
         _check_arguments(whole, diagnostics)
     if diagnostics.errors:
         raise CompileError(diagnostics.errors)
     return whole
+
+
+def _check_client(whole: Program, diagnostics: Diagnostics) -> None:
+    """Warns of a program that brings the vendor's client, and so talks to no simulated robot."""
+    connects = whole.functions.get(CONNECTS)
+    if connects is not None and not in_library(connects.location):
+        text = f"'{CONNECTS}' is defined here: the program does not reach its simulated robot"
+        hint = "leave out the vendor's Ndirect.c or Nclient.c: crs has their functions"
+        diagnostics.warning(connects.location, text, hint)
 
 
 def _check_uses(whole: Program, diagnostics: Diagnostics) -> None:

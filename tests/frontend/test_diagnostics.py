@@ -30,6 +30,19 @@ ONE_ERROR = {
         "1:1 error: unknown type name 'string'"
         " [C has no type for text: use 'char *', or an array of char]",
     "Boolean on;": "1:1 error: unknown type name 'Boolean' [C's is 'bool', of <stdbool.h>]",
+    # What is no C
+    "class robot { int x; };":
+        "1:1 error: unknown type name 'class' [it belongs to C++, and crs compiles C]",
+    "using namespace std;":
+        "1:16 error: expected ';' after 'namespace' [it belongs to C++, and crs compiles C]",
+    "int *f(void) { return new int[4]; }":
+        "1:26 error: expected ';' after 'new' [it belongs to C++, and crs compiles C]",
+    "void g(void); void f(void) { try { g(); } }":
+        "1:34 error: function definition is not allowed here"
+        " [it belongs to C++, and crs compiles C]",
+    "int f(void) { int this = 1\n int y; return this; }": "1:27 error: expected ';' after '1'",
+    "int f(void) { int new = 1; new new; return 0; }": "1:31 error: expected ';' after 'new'",
+    # Names again
     "#define STATE_X 34\nint f(int *s) { return s[state_x]; }":
         "2:26 error: use of undeclared identifier 'state_x' [did you mean 'STATE_X'?]",
     "speed_t fast; int f(speed_t s) { return s + fast; }":

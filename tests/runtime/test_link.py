@@ -16,8 +16,8 @@ from crs_cc.session.library import HEADERS, library
 from crs_cc.source import Diagnostic, Diagnostics
 
 
-def linked(*sources: str) -> Program:
-    diagnostics = Diagnostics()
+def linked(*sources: str, diagnostics: Diagnostics | None = None) -> Program:
+    diagnostics = diagnostics or Diagnostics()
     options = Options(system_paths=(HEADERS,))
     units = [
         compile_text(source, f"{name}.c", options, diagnostics)
@@ -61,6 +61,17 @@ def test_a_program_may_define_an_object_of_the_library_tentatively() -> None:
 def test_the_users_definition_replaces_the_librarys() -> None:
     whole = linked("int abs(int x) { return x; }\nint main(void) { return abs(-1); }")
     assert whole.functions["abs"].location.file == "a.c"
+
+
+def test_a_program_that_brings_the_vendors_client_is_warned() -> None:
+    client = "int connect_robot(long id, ...)\n{ return id == 1; }"
+    diagnostics = Diagnostics()
+    linked('#include "Nclient.h"\nint main(void) { return connect_robot(1); }', client,
+           diagnostics=diagnostics)  # fmt: skip
+    (message,) = diagnostics.messages
+    assert (message.severity, str(message.location)) == ("warning", "b.c:1:5")
+    assert "does not reach its simulated robot" in message.text
+    assert "Ndirect.c" in message.hint
 
 
 def test_two_definitions_of_a_function_are_refused() -> None:

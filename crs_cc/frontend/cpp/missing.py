@@ -12,12 +12,13 @@ from itertools import islice
 from pathlib import Path
 from typing import Final
 
+from crs_cc.frontend.foreign import CPLUSPLUS
+
 _GUARD: Final = "put what needs it between '#ifndef __CRS__' and '#endif'"
 _NETWORK: Final = f"a control program has no network of its own here: {_GUARD}"
 _PROCESSES: Final = f"a control program is a single process here: {_GUARD}"
 _TERMINAL: Final = f"a control program has no terminal or display here: {_GUARD}"
 _DOS: Final = f"it belongs to DOS or Windows: {_GUARD}"
-_CPLUSPLUS: Final = "it belongs to C++, and crs compiles C"
 
 
 def _all(names: str, hint: str) -> dict[str, str]:
@@ -34,7 +35,7 @@ _HINTS: Final = {
     **_all("readline/readline.h", _TERMINAL),
     **_all("X11/Xlib.h X11/Xutil.h X11/Xos.h X11/Intrinsic.h GL/gl.h GL/glut.h", _TERMINAL),
     **_all("conio.h dos.h bios.h io.h windows.h winsock.h winsock2.h", _DOS),
-    **_all("iostream iostream.h fstream string vector map cstdio cstdlib cmath", _CPLUSPLUS),
+    **_all("iostream iostream.h fstream string vector map cstdio cstdlib cmath", CPLUSPLUS),
     "varargs.h": "include <stdarg.h> instead, and give the function a named parameter",
 }
 

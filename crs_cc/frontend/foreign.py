@@ -1,0 +1,43 @@
+"""Knows what programs in other languages look like, to say so where they cannot be understood.
+
+>>> hint_for_type("boolean")
+"C's is 'bool', of <stdbool.h>"
+"""
+
+from __future__ import annotations
+
+import itertools
+from typing import Final
+
+CPLUSPLUS: Final = "it belongs to C++, and crs compiles C"
+
+_TYPES: Final = {
+    "string": "C has no type for text: use 'char *', or an array of char",
+    "boolean": "C's is 'bool', of <stdbool.h>",
+    "byte": "use 'unsigned char'",
+}
+"""Types of other languages, in small letters, and what to use for them."""
+
+_WORDS: Final = frozenset(
+    {
+        "catch", "class", "cout", "delete", "friend", "namespace", "new", "operator", "private",
+        "protected", "public", "std", "template", "this", "throw", "try", "using", "virtual",
+    }
+)  # fmt: skip
+"""Words with a meaning in C++ that are names in C."""
+
+
+def hint_for_type(name: str) -> str:
+    """Gives what to use for an unknown type, empty text if it is of no language that we know."""
+    return CPLUSPLUS if name in _WORDS else _TYPES.get(name.lower(), "")
+
+
+def is_cplusplus(words: list[str]) -> bool:
+    """Tells whether the tokens around an error, in order, are of C++.
+
+    >>> is_cplusplus(["p", "=", "new", "Robot"]), is_cplusplus(["Robot", ":", ":", "turn"])
+    (True, True)
+    >>> is_cplusplus(["a", "?", "b", ":", "c"])
+    False
+    """
+    return any(word in _WORDS for word in words) or (":", ":") in itertools.pairwise(words)
