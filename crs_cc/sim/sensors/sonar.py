@@ -58,6 +58,7 @@ IndexArray = npt.NDArray[np.intp]
 Messages = npt.NDArray[np.void]
 
 _END: Final = 255  # ends a firing order
+_ROBOTS_AT_ONCE: Final = 64  # whose sonars are all looked at: pings and what is near them
 _RATES: Final = 256  # the rate is an unsigned char
 
 
@@ -189,6 +190,20 @@ class SonarRing:
         turn: ComplexArray,
     ) -> FloatArray:
         """Gives the true distances that all sonars of robots measure, shape (k, 16)."""
+        parts = [np.zeros((0, MAX_SONARS))]
+        for first in range(0, len(rows), _ROBOTS_AT_ONCE):
+            part = slice(first, first + _ROBOTS_AT_ONCE)
+            parts.append(self._around_few(state, around, rows[part], place[part], turn[part]))
+        return np.concatenate(parts)
+
+    def _around_few(
+        self,
+        state: EnvState,
+        around: Surroundings,
+        rows: IndexArray,
+        place: ComplexArray,
+        turn: ComplexArray,
+    ) -> FloatArray:
         each = np.repeat(np.arange(len(rows)), MAX_SONARS)
         number = np.tile(np.arange(MAX_SONARS), len(rows))
         pings = self._beams.pings(rows[each], number, place[each], turn[each])
