@@ -20,16 +20,22 @@ def _polygon(name: str, does: str, request: str, more: str = "", chosen: str = "
 
 WORLD: Final = Group("World", (
     _polygon("add_obstacle", "adds a polygon of obs[0] vertices, counter-clockwise, to the world",
-             "ADD_OBSTACLE"),
+             "ADD_OBSTACLE",
+             chosen="Sides that meet, a polygon on a robot, a program's 101st polygon and a world's"
+             " 501st are refused. All programs change the same world; a change is there from the"
+             " next timestep on, when the program goes on."),
     _polygon("add_Obs", "the same", "ADD_OBSTACLE"),
-    _polygon("delete_obstacle", "takes a polygon away", "DELETE_OBSTACLE"),
+    _polygon("delete_obstacle", "takes a polygon away", "DELETE_OBSTACLE",
+             chosen="Whichever corner comes first. Fixed boxes and polygons of the world file can"
+             " be named too."),
     _polygon("delete_Obs", "the same", "DELETE_OBSTACLE"),
     _polygon("move_obstacle", "moves a polygon, and obs with it", "MOVE_OBSTACLE",
-             ", long dx, long dy"),
+             ", long dx, long dy", chosen="As `delete_obstacle` and `add_obstacle`."),
     _polygon("move_Obs", "the same", "MOVE_OBSTACLE", ", long dx, long dy"),
     Function(
-        "int new_world(void)", "takes all polygons away", posts=("NEW_WORLD",),
+        "int new_world(void)", "takes all obstacles away", posts=("NEW_WORLD",),
         under_ndirect=_NOTHING, source=_BOTH,
+        chosen="All but the edge of the world and the robots, also what stood in the world file.",
     ),
     Function(
         "int place_robot(int x, int y, int th, int tu)",
@@ -51,7 +57,8 @@ WORLD: Final = Group("World", (
         "tells what the sensors would read somewhere else: state[1] to state[32], 0 behind, and"
         " the laser", units="as State", posts=("PREDICT", "LASER_PAGE"),
         under_ndirect=_NOTHING, source=_BOTH,
-        chosen="laser may be NULL.",
+        chosen="Without any error, all sonars and infrared sensors, also those that are switched"
+        " off; the laser as it is set, which may be NULL.",
     ),
     Function(
         "int motion_check(long type, double a1, double a2, double a3, double a4, double a5,"
@@ -61,6 +68,8 @@ WORLD: Final = Group("World", (
         " begins in (a1, a2), from angle a3 to a4 around (a6, a7), radius a5",
         units="0.1 in, 0.1 in, rad", posts=("MOTION_CHECK",), under_ndirect="FALSE",
         source=_BOTH,
+        chosen="An arc turns left where a4 is greater than a3; from (a1, a2) nearer to its second"
+        " end it comes back. What the robot touches already is hit only if the path leads into it.",
     ),
     Function(
         "int get_robot_conf(long *conf)", "asks the user to point at a place in the window",
@@ -84,6 +93,8 @@ GRAPHICS: Final = Group("Window", (
         "draws a robot; mode: 1 black to be erased by drawing again, 2 with an arrow that stays,"
         " 3 black, from 4 the colour of its number less 3", units="0.1 in, 0.1 deg",
         posts=("DRAW",), under_ndirect=_NOTHING, source=_BOTH,
+        chosen="`crs run --plot` shows what is drawn at the end. The oldest of more than 10,000"
+        " marks is forgotten; other modes are refused.",
     ),
     Function(
         "int draw_line(long x_1, long y_1, long x_2, long y_2, int mode)",
@@ -94,7 +105,7 @@ GRAPHICS: Final = Group("Window", (
         "int draw_arc(long x_0, long y_0, long w, long h, int th1, int th2, int mode)",
         "draws a part of the ellipse in the rectangle with the upper left corner (x_0, y_0); modes"
         " as of a line", units="0.1 in, 0.1 deg", posts=("DRAW",), under_ndirect=_NOTHING,
-        source=_BOTH,
+        source=_BOTH, chosen="From the first angle to the second, counter-clockwise from x.",
     ),
     _refresh("refresh_all", "all that follows"),
     _refresh("refresh_all_traces", "the robot's ways"),
