@@ -45,7 +45,7 @@ def compile_(
     """Shows the code that a C program becomes, on stdout."""
     paths = [Path(name) for name in files]
     diagnostics = Diagnostics()
-    with gathered(diagnostics):
+    with gathered(diagnostics, quiet=quiet):
         for path in paths:
             demand_readable(path)
         if emit == "ir":

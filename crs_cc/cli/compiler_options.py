@@ -98,12 +98,15 @@ def compiler_options(command: Callable[..., int]) -> Callable[..., int]:
 
 
 @contextmanager
-def gathered(diagnostics: Diagnostics) -> Iterator[None]:
-    """Completes an error that leaves the block by the warnings found before it."""
+def gathered(diagnostics: Diagnostics, *, quiet: bool = False) -> Iterator[None]:
+    """Completes an error that leaves the block by the warnings found before it, or has none."""
     try:
         yield
     except CrsError as error:
-        raise type(error)(merged(diagnostics.messages, error.diagnostics)) from None
+        messages = merged(diagnostics.messages, error.diagnostics)
+        if quiet:
+            messages = [each for each in messages if each.severity != "warning"]
+        raise type(error)(messages) from None
 
 
 def merged(first: Sequence[Diagnostic], second: Sequence[Diagnostic]) -> list[Diagnostic]:

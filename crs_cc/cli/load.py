@@ -49,7 +49,7 @@ def load(options: RunOptions, diagnostics: Diagnostics) -> Loaded:
         WorldError: the world file is at fault.
         click.UsageError: a robot has no program.
     """
-    with gathered(diagnostics):
+    with gathered(diagnostics, quiet=options.quiet):
         world = _world(options)
         programs = [_program(robot, options) for robot in world.robots]
         dialects = [options.compiler.dialect or robot.dialect for robot in world.robots]

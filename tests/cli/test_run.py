@@ -145,6 +145,19 @@ def test_warnings_are_shown_unless_quiet(capfd: pytest.CaptureFixture[str]) -> N
     assert capfd.readouterr() == ("", "")
 
 
+@pytest.mark.parametrize("command", ["run", "compile"])
+def test_beside_an_error_no_warning_is_shown_if_quiet(
+    command: str, capfd: pytest.CaptureFixture[str]
+) -> None:
+    Path("old.c").write_text("main()\n{\n    return missing;\n}\n")
+    assert main([command, "old.c"]) == 121
+    assert "warning: " in capfd.readouterr().err
+    assert main([command, "-q", "old.c"]) == 121
+    shown = capfd.readouterr().err
+    assert "error: use of undeclared identifier 'missing'" in shown
+    assert "warning: " not in shown
+
+
 # -- programs, arguments, input --------------------------------------------------------------------
 
 
