@@ -57,9 +57,9 @@ through sixteen bits of sign and magnitude: 40000 arrives as -7232.
 in use lets it through; a `get_` function refreshes its own part whatever the mask. A loop without
 any call reads what it read before.
 
-**Time.** A call takes the time of its bytes on the serial line; the table has it for a Scout at
-38400 baud. `--link ideal` makes it none. Calls do not wait for what they start, but for those that
-say so.
+**Time.** A call takes the time of its bytes on the serial line, one to the simulator that of the
+network; the table has it for a Scout at 38400 baud. `--link ideal` makes it none. Calls do not wait
+for what they start, but for those that say so.
 
 **Own definitions.** A program's own `State`, `RIGHT`, `LEFT`, `scout_vm`, `ROTATION_CONSTANT` take
 the place of the header's. `scout_pr(trans, steer)` and `scout_ws(seconds)`, which programs for the
