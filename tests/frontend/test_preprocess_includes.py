@@ -189,6 +189,7 @@ def test_a_link_inside_the_folders_is_followed(project: Path) -> None:
         ("net/if.h", "network"),
         ("complex.h", "crs has no complex numbers"),
         ("conio.h", "DOS or Windows"),
+        ("linux/serial.h", "no devices but its robot"),
         ("iostream", "C++"),
         ("Nclint.h", "did you mean 'Nclient.h'?"),
         ("sys/tme.h", "did you mean 'sys/time.h'?"),

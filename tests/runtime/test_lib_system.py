@@ -154,6 +154,21 @@ def test_waiting_for_input_is_a_sleep_and_output_is_ready() -> None:
     ]
 
 
+def test_the_time_is_read_as_before_gettimeofday() -> None:
+    source = r"""
+    #include <sys/timeb.h>
+    int main(void)
+    {
+        struct timeb now;
+        usleep(2345678);
+        printf("%d", ftime(&now));
+        printf(" %ld %d %d\n", (long)now.time - 946684800, now.millitm, now.timezone);
+        return 0;
+    }
+    """
+    assert lines(source) == ["0 2 345 0"]
+
+
 def test_how_much_can_be_read_is_known() -> None:
     source = r"""
     #include <fcntl.h>

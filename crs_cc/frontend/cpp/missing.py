@@ -18,6 +18,7 @@ _GUARD: Final = "put what needs it between '#ifndef __CRS__' and '#endif'"
 _NETWORK: Final = f"a control program has no network of its own here: {_GUARD}"
 _PROCESSES: Final = f"a control program is a single process here: {_GUARD}"
 _TERMINAL: Final = f"a control program has no terminal or display here: {_GUARD}"
+_DEVICES: Final = f"a control program has no devices but its robot here: {_GUARD}"
 _DOS: Final = f"it belongs to DOS or Windows: {_GUARD}"
 
 
@@ -34,6 +35,7 @@ _HINTS: Final = {
     **_all("curses.h ncurses.h term.h termio.h sgtty.h", _TERMINAL),
     **_all("readline/readline.h", _TERMINAL),
     **_all("X11/Xlib.h X11/Xutil.h X11/Xos.h X11/Intrinsic.h GL/gl.h GL/glut.h", _TERMINAL),
+    **_all("asm/io.h sys/io.h linux/serial.h linux/joystick.h linux/videodev.h", _DEVICES),
     **_all("conio.h dos.h bios.h io.h windows.h winsock.h winsock2.h", _DOS),
     **_all("iostream iostream.h fstream string vector map cstdio cstdlib cmath", CPLUSPLUS),
     "varargs.h": "include <stdarg.h> instead, and give the function a named parameter",

@@ -1,7 +1,8 @@
 /* Reading the time and waiting (C17 7.27.2; gettimeofday, clock_gettime, nanosleep, sleep, usleep,
-   times: POSIX). */
+   times: POSIX; ftime: 4.3BSD). */
 #include <errno.h>
 #include <sys/time.h>
+#include <sys/timeb.h>
 #include <sys/times.h>
 #include <time.h>
 #include <unistd.h>
@@ -39,6 +40,18 @@ int gettimeofday(struct timeval *now, void *zone)
         ((struct timezone *)zone)->tz_minuteswest = 0;
         ((struct timezone *)zone)->tz_dsttime = 0;
     }
+    return 0;
+}
+
+int ftime(struct timeb *now)
+{
+    long long microseconds = microseconds_of(__crs_now(NULL));
+
+    if (__crs_after_request != NULL)
+        __crs_after_request();
+    now->time = CRS_START + (time_t)(microseconds / 1000000);
+    now->millitm = microseconds / 1000 % 1000;
+    now->timezone = now->dstflag = 0;
     return 0;
 }
 
