@@ -172,16 +172,23 @@ class Session:
             else:
                 size = int(slots["message"]["size"][robot])
                 link_s = self.environment.link_s(code, robot, size)
+                if not link_s:  # else a program that asks without end would keep the simulator busy
+                    self._call_system(robot)
                 self._due_s[robot] = self.clock_s[robot] + link_s
+
+    def _call_system(self, robot: int) -> None:
+        """Lets a program pay for a request with its host's processor time."""
+        self.fuel[robot] += SYSTEM_CALL
+        self.clock_s[robot] += SYSTEM_CALL / self._speed_hz[robot]
 
     def _answer_host(self, robot: int, code: int) -> None:
         if code == CODES["UNCONNECTED"]:
             self.unconnected_calls[robot] = self.fleet.library_call(robot)
-        self.fuel[robot] += SYSTEM_CALL
-        speed_hz = float(self._speed_hz[robot])
-        clock_s = float(self.clock_s[robot]) + SYSTEM_CALL / speed_hz
+        self._call_system(robot)
         message = self.fleet.slots["message"][robot : robot + 1][0]
-        request = HostRequest(robot, message, clock_s, float(self.fuel[robot]) / speed_hz)
+        clock_s = float(self.clock_s[robot])
+        used_s = float(self.fuel[robot] / self._speed_hz[robot])
+        request = HostRequest(robot, message, clock_s, used_s)
         self.clock_s[robot] = self._host.serve(code, request)
         if self._host.exit_status[robot] is not None:
             self._end(np.array([robot]))

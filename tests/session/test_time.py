@@ -7,7 +7,10 @@ from pathlib import Path
 
 import pytest
 
+from crs_cc.session.host import SYSTEM_CALL
+from crs_cc.session.session import Session
 from crs_cc.sim.model import WorldModel
+from crs_cc.sim.step import Step
 from crs_cc.sim.world_xml import empty_world
 from tests.session.programs import build, run
 
@@ -63,3 +66,35 @@ def test_reading_the_state_takes_its_bytes_on_the_line(tmp_path: Path) -> None:
 
 def test_an_ideal_link_takes_no_time(tmp_path: Path) -> None:
     assert printed(empty_world().with_ideal_link(), tmp_path, ASK) / 100 < 50
+
+
+PAGES = """#include <crs_request.h>
+#include "Nclient.h"
+int main(void)
+{
+    struct __crs_message message = {0};
+    connect_robot(1);
+    for (;;)
+        __crs_request(CRS_LASER_PAGE, &message);
+}
+"""
+
+
+def test_a_request_that_is_not_on_the_line_costs_the_time_of_a_system_call(tmp_path: Path) -> None:
+    trace = Requests()
+    world = with_host(5e7)
+    session = Session(world, [build(tmp_path, PAGES)], trace=trace)
+    for _ in range(4):
+        session.step()
+    assert 0 < trace.served <= 4 * world.timestep_s * 5e7 / SYSTEM_CALL
+
+
+class Requests:
+    """Counts the requests that robots answer."""
+
+    def __init__(self) -> None:
+        self.served = 0
+
+    def step(self, step: Step) -> None:
+        """Counts those of a timestep."""
+        self.served += len(step.served)

@@ -64,6 +64,12 @@ def test_points_out_of_range_are_left_out():
     assert readings(laser("")) == []
 
 
+def test_a_beam_straight_ahead_that_sees_nothing_gives_no_warning():
+    with np.errstate(all="raise"):  # an infinite distance times the sine of 0
+        assert readings(laser("", 51, 20, 20, 7, 4)) == []
+        assert len(readings(laser(WALL, 51, 20, 20, 7, 4))) == 7
+
+
 def test_all_482_points_come_in_pages():
     found = readings(laser(WALL, 51, 20, 20, 482, 4))
     assert len(found) == 482

@@ -143,11 +143,11 @@ class Lasers:
             if not exact:
                 distance_m += self._errors_m(state, mine[some], distance_m)
             directions = _directions(*kind)
-            x = m_to_tenths_inch(kind[0].forward_m + distance_m * np.cos(directions))
-            y = m_to_tenths_inch(distance_m * np.sin(directions))
-            for place, ahead, left in zip(some, x, y, strict=True):
-                hit = np.isfinite(ahead)
-                points = np.rint(np.column_stack([ahead[hit], left[hit]]))
+            for place, seen_m in zip(some, distance_m, strict=True):
+                hit = np.isfinite(seen_m)
+                x_m = kind[0].forward_m + seen_m[hit] * np.cos(directions[hit])
+                y_m = seen_m[hit] * np.sin(directions[hit])
+                points = np.rint(m_to_tenths_inch(np.column_stack([x_m, y_m])))
                 counts[place] = len(points)
                 numbers[place, : points.size] = points.ravel()
         return counts, numbers
