@@ -338,6 +338,23 @@ def test_a_ping_in_another_direction_is_not_taken_for_an_echo():
     assert driver.ask("GS", at_s=0.19)[SONAR_0] == 84
 
 
+def test_the_ping_of_another_robot_goes_where_its_turret_points():
+    # Their wheels are turned aside; their turrets still face each other.
+    robots = PAIR.replace("<robot", '<robot definition="nomad200"')
+    told = {}
+    for crosstalk in (0.0, 1.0):
+        driver = Driver.of(with_board(open_world(robots), crosstalk=crosstalk))
+        for robot in (0, 1):
+            driver.ask("PR", 0, 900, 0, robot=robot)
+        driver.run_s(6)
+        for robot in (1, 0):  # both fire now, and robot 0 listens to what robot 1 has begun
+            driver.post("CONF_SN", 250, robot=robot, data=bytes([0]))
+        driver.run(1)
+        told[crosstalk] = driver.ask("GS")[SONAR_0]
+    assert told[0.0] < NO_ECHO
+    assert told[1.0] == pytest.approx(told[0.0] / 2, abs=0.5)
+
+
 # -- errors ------------------------------------------------------------------------------------
 
 

@@ -129,7 +129,7 @@ def overheard(
     turn = np.maximum(np.ceil(since_s / round_s), 0).astype(np.int64)
     number = sonar.order[other, turn % sonar.length[other]]
     place = state.x_m[other] + 1j * state.y_m[other]
-    theirs = beams.pings(other, number, place, np.exp(1j * state.heading_rad[other]))
+    theirs = beams.pings(other, number, place, np.exp(1j * state.turret_rad[other]))
     seen = theirs.local(np.arange(len(other)), start[listener])
     way_m = np.abs(seen)
     come_s = sonar.start_s[other] + turn * round_s + way_m / SOUND_MPS
