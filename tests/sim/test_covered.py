@@ -162,6 +162,7 @@ def inside(x: float, y: float, solid: Box | Wall | Polygon) -> bool:
     return abs(x * cos + y * sin) <= length / 2 and abs(y * cos - x * sin) <= width / 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("few", [0, 10**9])
 def test_many_robots_among_many_things_are_covered_as_each_pair_says(few, monkeypatch):
     monkeypatch.setattr(covered, "_FEW_PAIRS", few)
