@@ -178,7 +178,7 @@ ROBOT_REQUESTS: Final = (
            "sets the speed of a serial port",
            arguments(("i[0]", "port", "1"), ("i[1]", "speed", "baud"))),
     _robot("PLACE_ROBOT", 140, "int place_robot(int x, int y, int th, int tu)",
-           "puts the robot somewhere, and its odometry", _POSE),
+           "puts the robot somewhere, and its odometry", _POSE, results=_DONE),
     _robot("ADD_OBSTACLE", 141, "int add_obstacle(long obs[2 * MAX_VERTICES + 1])",
            "adds a polygon to the world", _VERTICES, results=_DONE),
     _robot("DELETE_OBSTACLE", 142, "int delete_obstacle(long obs[2 * MAX_VERTICES + 1])",

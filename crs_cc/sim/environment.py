@@ -182,8 +182,7 @@ class Environment:
         """Ends the cycle, and gives what happened in it and which waits end in the next."""
         state = self.state
         robots = len(state.drive.clock_s)
-        # What falls on the end belongs to the next cycle, when the bodies are where they got to.
-        self._fire_sonars(np.arange(robots), np.full(robots, np.nextafter(self.end_s, 0.0)))
+        self._fire_sonars(np.arange(robots), np.full(robots, self.end_s))
         drive.advance(state, self._equipment, _ALL, np.full(robots, self.end_s))
         self._rolling.add(state, self._equipment)
         before_m = state.bodies.position_m[:robots].copy()
@@ -303,6 +302,9 @@ class Environment:
         self._served.append(Served(code, rows, at_s, arguments, results, states))
 
     def _fire_sonars(self, rows: IndexArray, to_s: FloatArray) -> None:
+        """Lets sonars fire and hear until an instant of this cycle."""
+        # What falls on the end belongs to the next cycle, when the bodies are where they got to.
+        to_s = np.minimum(to_s, np.nextafter(self.end_s, 0.0))
         self._sonars.advance(self.state, self._equipment, self._around, rows, to_s)
 
     def _tell_sonars(self, rows: IndexArray, messages: Messages) -> None:

@@ -249,6 +249,23 @@ def test_sonars_fire_during_a_wait_from_where_the_robot_is(timestep):
     assert driver.state.sonar.echo_m[0, 0] == pytest.approx((200 - way_in) * INCH, abs=1e-9)
 
 
+@pytest.mark.parametrize(
+    ("name", "at_s"), [("NEW_WORLD", 0.01), ("PLACE_ROBOT", 0.01), ("GS", 0.05)]
+)
+def test_a_request_that_ends_with_the_cycle_leaves_the_firing_then_to_the_next(name, at_s):
+    driver = Driver.of(open_world(PAIR, timestep="50ms"))
+    driver.ask("VM", 300, 300, robot=1)
+    driver.run_s(1)
+    conf_sn(driver, 25, 0, at_s=1.0)  # at 1.0 s, 1.1 s and so on
+    driver.run(1)
+    assert driver.post(name, at_s=1.05 + at_s)[1] == driver.environment.end_s
+    driver.run(1)
+    gap_m = driver.state.x_m[1] - driver.state.x_m[0]
+    driver.run(1)
+    assert driver.state.sonar.fired_s[0, 0] == pytest.approx(1.1)
+    assert driver.state.sonar.echo_m[0, 0] == pytest.approx(gap_m - 2 * SCOUT_RADIUS_M)
+
+
 def play(asks: list[bool], orders: list[tuple[int, list[int]]], speeds: list[int]) -> Driver:
     """Lets a robot drive about while its order changes; `asks` says when it asks in between."""
     driver = Driver.of(world_of('<robot x="5m" y="5m"/>'))

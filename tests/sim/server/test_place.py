@@ -7,6 +7,7 @@ import pytest
 
 from crs_cc.sim.environment import Environment
 from crs_cc.sim.state_vector import CONF_STEER, CONF_TURRET, CONF_X, CONF_Y, SONAR_0
+from crs_cc.sim.step import describe_slice
 from tests.sim.driver import INCH, Driver, world_of
 
 ROOM = 'length="400in" width="400in"'
@@ -34,6 +35,15 @@ def test_a_robot_stands_where_it_was_put_and_knows_it():
     driver.ask("PR", 500, 500)
     driver.run_s(10)
     assert [state.x_m[0], state.y_m[0]] == pytest.approx([100 * INCH, 350 * INCH])
+
+
+def test_no_state_comes_with_the_answer():
+    # The axes have been turned to the instant of the request; the program goes on at a later one.
+    driver = Driver.of(world_of(TWO, ROOM))
+    message, _ = driver.post("PLACE_ROBOT", 1000, 3000, 900, 450, at_s=0.01)
+    assert message["size"] == 0
+    (step,) = driver.run(1)
+    assert describe_slice(step, 0).answers[-1].values == {}
 
 
 def test_sensors_see_from_the_new_place_and_others_see_it_there():
