@@ -585,3 +585,12 @@ def test_a_world_without_robots_lets_time_pass():
     environment = Environment(WorldModel("nobody", Area(0, 0, 5, 5)), 0)
     step = environment.step()
     assert (environment.time_s, len(step.robots)) == (DT, 0)
+
+
+def test_a_motion_of_longer_than_can_be_counted_has_no_end(tmp_path):
+    driver = Driver.of(scout_file(tmp_path, ('speed="10in/s"', 'speed="1e-300m/s"')))
+    driver.post("PR", 100, 100, robot=1)
+    with np.errstate(invalid="raise"):
+        driver.run(1)
+        step = driver.environment.step()
+    assert describe_slice(step, 1).count is None
