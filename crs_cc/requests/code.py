@@ -35,6 +35,7 @@ class RequestCode:
         meaning: what it does.
         arguments: what the message holds when it is posted.
         results: what the message holds when the program goes on.
+        tells_state: whether that is all of `State`.
     """
 
     name: str
@@ -44,6 +45,7 @@ class RequestCode:
     meaning: str
     arguments: tuple[Argument, ...] = ()
     results: tuple[Argument, ...] = ()
+    tells_state: bool = False
 
 
 def arguments(*rows: tuple[str, str, str]) -> tuple[Argument, ...]:

@@ -51,9 +51,14 @@ def _axes(unit: str) -> tuple[Argument, ...]:
 
 def _robot(
     name: str, code: int, prototype: str, meaning: str, arguments: tuple[Argument, ...] = (),
-    *, results: tuple[Argument, ...] = _STATE,
+    *, results: tuple[Argument, ...] | None = None,
 ) -> RequestCode:  # fmt: skip
-    return RequestCode(name, code, "robot", prototype, meaning, arguments, results)
+    """Gives a request of the robot's; without results of its own it is answered with `State`."""
+    tells_state = results is None
+    return RequestCode(
+        name, code, "robot", prototype, meaning, arguments,
+        _STATE if results is None else results, tells_state,
+    )  # fmt: skip
 
 
 ROBOT_REQUESTS: Final = (
@@ -272,7 +277,5 @@ ROBOT_REQUESTS: Final = (
 )  # fmt: skip
 """Every request that a robot, or the simulator it lives in, answers."""
 
-STATE_REPLIES: Final = frozenset(
-    request.code for request in ROBOT_REQUESTS if request.results is _STATE
-)
+STATE_REPLIES: Final = frozenset(request.code for request in ROBOT_REQUESTS if request.tells_state)
 """The codes of those that are answered with all of `State`."""

@@ -224,6 +224,15 @@ def test_a_disconnected_robot_does_nothing_until_it_is_connected_again():
     assert done.x_in[-1] == pytest.approx(5, abs=0.01)
 
 
+@pytest.mark.parametrize("call", ["connect_robot", "disconnect_robot"])
+def test_state_took_garbage_from_the_reply_to_a_connection(call: str):
+    program = f"""
+        void soil(void) {{ volatile int deep[999], i; for (i = 0; i < 999; i++) deep[i] = 7; }}
+        void runcode() {{ dp(30, 40); soil(); {call}(1);
+            printf("%ld %ld\\n", State[STATE_CONF_X], State[STATE_CONF_Y]); }}"""
+    assert run(program).output[0] == "30 40\n"
+
+
 def test_there_is_a_simulated_robot_and_no_real_one():
     assert run('printf("%d %d\\n", simulated_robot(), real_robot());').output[0] == "1 0\n"
 

@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 import crs_cc.runtime
-from crs_cc.requests import CODES, DATA_SIZE, ERROR_KINDS, MESSAGE
+from crs_cc.requests import CODES, DATA_SIZE, ERROR_KINDS, MESSAGE, STATE_REPLIES
 
 LIBRARY = Path(crs_cc.runtime.__file__).parent / "lib"
 HEADER = (LIBRARY / "include" / "crs_request.h").read_text()
@@ -45,3 +45,18 @@ def test_library_stops_programs_with_known_error_kinds() -> None:
     kinds = {kind for text in sources for kind in re.findall(r'__crs_stop\("([^"]*)"[,)]', text)}
     assert kinds
     assert kinds <= set(ERROR_KINDS)
+
+
+# Functions that take State out of a reply, with the code as their first argument.
+READERS = (
+    "__crs_command", "__crs_post_state", "__crs_read_group", "__crs_read_sensors", "command",
+    "axes", "exchange", "magnitudes", "wheels",
+)  # fmt: skip
+
+
+def test_state_is_taken_from_replies_that_hold_it() -> None:
+    sources = [path.read_text() for path in sorted((LIBRARY / "robot").glob("*.c"))]
+    calls = rf"\b(?:{'|'.join(READERS)})\(CRS_(\w+)"
+    read = {name for source in sources for name in re.findall(calls, source)}
+    assert {"GS", "MV", "WS", "CONF_SN", "CT", "GET_RC"} <= read
+    assert {name for name in read if CODES[name] not in STATE_REPLIES} == set()

@@ -76,13 +76,17 @@ static int ask(int code, int argument, struct __crs_message *message)
 /* Which robot it is, and how to reach it, is settled before the program starts. */
 int connect_robot(int id, ...)
 {
+    struct __crs_message message;
+
     is_connected = has_greeted = 1;
-    return command(CRS_CONNECT, id, 0, 0, 0);
+    message.i[1] = 0;
+    return ask(CRS_CONNECT, id, &message);
 }
 
 int disconnect_robot(int id)
 {
-    int result = command(CRS_DISCONNECT, id, 0, 0, 0);
+    struct __crs_message message;
+    int result = ask(CRS_DISCONNECT, id, &message);
 
     is_connected = 0;
     return result;
