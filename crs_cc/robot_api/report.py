@@ -114,8 +114,8 @@ COMMANDS: Final = (
         "a bit for each bumper", "2.2.5, 4.3.2",
     ),
     Command(
-        "int sonarSensorCheck(void)", "", "lets all sonars fire and reads them", "-",
-        "3.3, appendix A",
+        "int sonarSensorCheck(void)", "", "lets all sonars fire and reads them",
+        "none; with `Nclient.h` it is another name of `get_sn`", "3.3, appendix A",
     ),
     Command(
         "int heatSensorCheck(void)", "", "reads the heat of all things in the sensor's range", "-",

@@ -120,9 +120,10 @@ MOTION: Final = Group("Motion", (
     Function(
         "int ws(unsigned char trans, unsigned char steer, unsigned char turret,"
         " unsigned char timeout)",
-        "waits until the axes that are not 0 stand still, without stopping them",
+        "stops nothing",
         units="-, -, -, s",
-        refreshes=ALL, posts=("WS",), waits="for the axes, `timeout` seconds at most",
+        refreshes=ALL, posts=("WS",),
+        waits="until the axes that are not 0 stand still, `timeout` seconds at most",
         source=_BOTH, chosen="What a timeout of 0 says is a parameter, `ws-timeout-zero`.",
     ),
     Function(
@@ -163,10 +164,10 @@ CONFIGURATION: Final = Group("Configuration", (
     ),
     Function(
         "int conf_cp(int mode)", "switches the compass: 0 off, 1 on, 2 calibrates it, while the"
-        " robot turns once around in 3 minutes", refreshes=ALL, posts=("CONF_CP",),
+        " turret turns once around in 3 minutes", refreshes=ALL, posts=("CONF_CP",),
         under_ndirect=_NO_SENSOR,
-        chosen="It is off at first, and what it read last stays while it is off. What turns for the"
-        " calibration is the turret, while the program goes on; `ws` waits for it.",
+        chosen="It is off at first, and what it read last stays while it is off. The program goes"
+        " on during the calibration; `ws` waits for it.",
     ),
     Function(
         "int conf_ls(unsigned int mode, unsigned int threshold, unsigned int width,"

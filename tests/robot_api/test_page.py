@@ -62,8 +62,9 @@ network; the table has it for a Scout at 38400 baud. `--link ideal` makes it non
 for what they start, but for those that say so.
 
 **Own definitions.** A program's own `State`, `RIGHT`, `LEFT`, `scout_vm`, `ROTATION_CONSTANT` take
-the place of the header's. `scout_pr(trans, steer)` and `scout_ws(seconds)`, which programs for the
-Scout used to define, are there for those that do not. Programs without any header link too.
+the place of the header's. `scout_pr(trans, steer)`, `scout_ws(seconds)` and `sonarSensorCheck()`
+(`get_sn` by another name), which programs for the Scout used to define, are there for those that do
+not. Programs without any header link too.
 
 """
 
