@@ -255,7 +255,11 @@ class Session:
         return self._host.disks[robot].missed
 
     def snapshot(self) -> SessionSnapshot:
-        """Gives the whole state between two timesteps."""
+        """Gives the whole state between two timesteps.
+
+        How far standard input has been read is not part of it: `read` belongs to the caller, who
+        has to give a restored session one that goes on from there.
+        """
         return SessionSnapshot(
             self.environment.snapshot(),
             tuple(self.fleet.snapshot(robot) for robot in range(len(self.fleet))),

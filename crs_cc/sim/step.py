@@ -59,7 +59,7 @@ class Served:
         robots: who asked, rising.
         clock_s: when each program went on.
         arguments: the integer arguments, shape (k, 8).
-        results: 1 done, 0 refused.
+        results: 0 refused, else 1 or what the request counts (results in `REQUESTS`), (k,).
         states: `State` as it was told, shape (k, 45).
     """
 
@@ -144,9 +144,10 @@ class Answer:
         name: the request's name in `REQUESTS`.
         clock_s: when the program went on.
         arguments: its integer arguments, as many as it has.
-        result: 1 done, 0 refused.
-        values: what a sensor request told, in the vendor's units: `sonar_in`, `bumper`, `pose`
-            (0.1 in, 0.1 in, 0.1 deg), `speed` (0.1 in/s right, left), `motors`.
+        result: 0 refused, else 1 or what the request counts (results in `REQUESTS`).
+        values: what a sensor request told, in the vendor's units: `sonar_in`, `infrared` (0 to 15),
+            `compass` (0.1 deg), `bumper`, `pose` (0.1 in, 0.1 in, 0.1 deg), `speed` (0.1 in/s
+            right, left), `motors`.
     """
 
     name: str
