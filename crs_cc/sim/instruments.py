@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.requests import CODES, STATE_REPLIES
-from crs_cc.sim.sensor_elements import MAX_INFRARED
+from crs_cc.sim.sensor_model import MAX_INFRARED
 from crs_cc.sim.sensors import laser, pos_data
 from crs_cc.sim.sensors.battery import Batteries
 from crs_cc.sim.sensors.clock import BoardClock
@@ -37,8 +37,7 @@ Messages = npt.NDArray[np.void]
 _OF_A_GROUP: Final = frozenset(
     CODES[name]
     for name in (
-        "CONNECT", "DISCONNECT", "GET_SN", "GET_BP", "GET_RC", "GET_RV", "GET_RA", "GET_IR",
-        "GET_CP", "GET_LS", "GET_SG",
+        "GET_SN", "GET_BP", "GET_RC", "GET_RV", "GET_RA", "GET_IR", "GET_CP", "GET_LS", "GET_SG",
     )
 )  # fmt: skip
 _LASER_CODES: Final = frozenset({CODES["GET_LS"], CODES["GET_SG"]})

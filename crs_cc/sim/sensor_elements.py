@@ -10,6 +10,8 @@ from crs_cc.sim.quantity import ANGLE, ENERGY, FORCE, FREQUENCY, LENGTH, POWER, 
 from crs_cc.sim.sensor_model import (
     ENDLESS,
     ENDLESS_MOTORS,
+    MAX_INFRARED,
+    NUM_LASER,
     USUAL_BOARD,
     Battery,
     Compass,
@@ -22,12 +24,6 @@ from crs_cc.sim.sensor_model import (
 
 BUMPER_BITS: Final = 24
 """The bumpers' state is 3 bytes wide (vendor source `Ndirect.c` 2.7)."""
-
-MAX_INFRARED: Final = 16
-"""The vendor's `State` array has 16 places for them (vendor header `Nclient.h` 1.29)."""
-
-NUM_LASER: Final = 482
-"""The most points that a laser can tell (vendor header `Nclient.h` 1.29)."""
 
 _TURN: Final = 2 * math.pi
 _CLOCKWISE: Final = "clockwise"

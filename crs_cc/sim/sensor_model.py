@@ -10,6 +10,12 @@ import math
 from dataclasses import dataclass
 from typing import Final
 
+MAX_INFRARED: Final = 16
+"""The vendor's `State` array has 16 places for them (vendor header `Nclient.h` 1.29)."""
+
+NUM_LASER: Final = 482
+"""The most points that a laser can tell (vendor header `Nclient.h` 1.29)."""
+
 
 @dataclass(frozen=True, slots=True)
 class Switch:

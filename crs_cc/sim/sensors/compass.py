@@ -39,9 +39,8 @@ IndexArray = npt.NDArray[np.intp]
 Messages = npt.NDArray[np.void]
 
 OFF: Final = 0
-ON: Final = 1
 CALIBRATE: Final = 2
-"""Modes of `conf_cp` (vendor header `Nclient.h` 1.29)."""
+"""Modes of `conf_cp`; 1 switches it on (vendor header `Nclient.h` 1.29)."""
 
 _TURN: Final = 2 * math.pi
 _FULL_TURN: Final = 3600

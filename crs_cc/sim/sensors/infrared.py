@@ -30,7 +30,7 @@ import numpy.typing as npt
 from crs_cc.sim.mount import mount_poses
 from crs_cc.sim.noise import INFRARED, Noise
 from crs_cc.sim.rays import Fan
-from crs_cc.sim.sensor_elements import MAX_INFRARED
+from crs_cc.sim.sensor_model import MAX_INFRARED
 from crs_cc.sim.state_vector import configuration
 from crs_cc.sim.states.infrared import FARTHEST
 

@@ -34,7 +34,7 @@ from crs_cc.sim.mount import mount_poses
 from crs_cc.sim.noise import LASER, Noise
 from crs_cc.sim.rays import Fan
 from crs_cc.sim.segments import segments
-from crs_cc.sim.sensor_elements import NUM_LASER
+from crs_cc.sim.sensor_model import NUM_LASER
 from crs_cc.sim.state_vector import configuration
 from crs_cc.sim.states.laser import Told
 from crs_cc.units import m_to_tenths_inch

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.model import WorldModel
-from crs_cc.sim.sensor_elements import MAX_INFRARED
+from crs_cc.sim.sensor_model import MAX_INFRARED
 from crs_cc.sim.states.moments import Moments
 
 FARTHEST: Final = 15

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.model import WorldModel
-from crs_cc.sim.sensor_elements import NUM_LASER
+from crs_cc.sim.sensor_model import NUM_LASER
 from crs_cc.sim.states.moments import Moments
 
 WholeArray = npt.NDArray[np.int32]
