@@ -79,7 +79,7 @@ static int is_let_through(int index)
         || (signed char)__crs_client.mask[index] > 0;
 }
 
-static void take_board_time(const struct __crs_message *message)
+void __crs_take_board_time(const struct __crs_message *message)
 {
     __crs_client.board_ms = (unsigned long)(long long)message->f[0];
 }
@@ -96,7 +96,7 @@ int __crs_post_state(int code, struct __crs_message *message)
             State[i] = numbers[i];
     if (!__crs_is_direct())
         State[STATE_ERROR] = 0;
-    take_board_time(message);
+    __crs_take_board_time(message);
     __crs_client.cpu_battery = message->i[1];
     __crs_client.motor_battery = message->i[2];
     points = message->i[0];
@@ -129,7 +129,7 @@ static int read_group(int code, int first, int last, int tells_time)
     for (i = first; i <= last; i++)
         State[i] = numbers[i];
     if (tells_time)
-        take_board_time(&message);
+        __crs_take_board_time(&message);
     return TRUE;
 }
 

@@ -32,7 +32,7 @@ static int read_readings(int code)
     message.size = 0;
     if (!__crs_post(code, &message))
         return __crs_was_refused();
-    __crs_client.board_ms = (unsigned long)(long long)message.f[0];
+    __crs_take_board_time(&message);
     __crs_read_laser(Laser, message.i[0], 0);
     return TRUE;
 }

@@ -35,7 +35,7 @@ static long ask_arm(int type, int count, const unsigned long *numbers, const int
                     long *second)
 {
     unsigned char sent[32] = {0}, received[CRS_DATA_SIZE] = {0};
-    int length = 4, i, byte;
+    int length = 4, answer, i, byte;
 
     for (i = 0; i < count; i++)
         for (byte = 0; byte < sizes[i]; byte++)
@@ -45,8 +45,8 @@ static long ask_arm(int type, int count, const unsigned long *numbers, const int
     exchange(sent, received);
     if (second != NULL)
         memcpy(second, received + 8, 4);
-    memcpy(&length, received + 4, 4);
-    return length;
+    memcpy(&answer, received + 4, 4);
+    return answer;
 }
 
 long arm_zr(short mode)

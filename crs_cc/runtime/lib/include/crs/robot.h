@@ -37,6 +37,9 @@ int __crs_post(int code, struct __crs_message *message);
 /* What a command gives whose request was not done: TRUE under Ndirect if the robot has answered. */
 int __crs_was_refused(void);
 
+/* Keeps the sensor board's time that a reply tells. */
+void __crs_take_board_time(const struct __crs_message *message);
+
 /* Posts a request that is answered with the whole state, and refreshes what the mask in use lets
    through; gives TRUE when it was done. */
 int __crs_post_state(int code, struct __crs_message *message);
