@@ -23,8 +23,10 @@ array([0.02])
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Final
+from functools import partial
+from typing import Final, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -39,7 +41,6 @@ from crs_cc.sim.link import SerialLine
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.physics import Contacts, Physics, PhysicsSnapshot
 from crs_cc.sim.scene import Scene
-from crs_cc.sim.sensors import sonar
 from crs_cc.sim.sensors.bumper import Bumpers
 from crs_cc.sim.sensors.sonar import SonarRing
 from crs_cc.sim.server.prediction import predict
@@ -53,6 +54,9 @@ FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
 IndexArray = npt.NDArray[np.intp]
 Messages = npt.NDArray[np.void]
+
+Answer: TypeAlias = Callable[[EnvState, Equipment, Surroundings, IndexArray, Messages], None]
+"""Writes what robots are told, other than `State`, over their messages."""
 
 _ALL: Final = slice(None)
 _STATE_BYTES: Final = 4 * NUM_STATE
@@ -94,6 +98,10 @@ class Environment:
         self._instruments = Instruments(world, seed)
         self._rolling = RollingNoise(world, seed)
         self._sonars = SonarRing(world, seed)
+        self._answers: dict[int, Answer] = {
+            CODES["SONAR"]: self._sonars.tell,
+            CODES["PREDICT"]: partial(predict, sensors=(self._sonars, self._instruments)),
+        }
         self._furnish(self._equipment.scene)
         self._sonars.begin(self.state, self._equipment, self._around)
         self._served: list[Served] = []
@@ -292,13 +300,10 @@ class Environment:
             )
             messages["size"] = _STATE_BYTES
             messages["data"][:, :_STATE_BYTES] = states.astype("<i4").view(np.uint8)
-        elif code == CODES["SONAR"]:
-            self._tell_sonars(rows, messages)
-        elif code == CODES["PREDICT"]:
-            sensors = self._sonars, self._instruments
-            predict(
-                self.state, self._equipment, self._around, sensors, rows=rows, messages=messages
-            )
+        elif code in self._answers:
+            answers = messages[good]
+            self._answers[code](self.state, self._equipment, self._around, rows[good], answers)
+            messages[good] = answers
         self._served.append(Served(code, rows, at_s, arguments, results, states))
 
     def _fire_sonars(self, rows: IndexArray, to_s: FloatArray) -> None:
@@ -306,16 +311,6 @@ class Environment:
         # What falls on the end belongs to the next cycle, when the bodies are where they got to.
         to_s = np.minimum(to_s, np.nextafter(self.end_s, 0.0))
         self._sonars.advance(self.state, self._equipment, self._around, rows, to_s)
-
-    def _tell_sonars(self, rows: IndexArray, messages: Messages) -> None:
-        """Answers SONAR: what was heard last, or what all sonars hear now."""
-        echo_m = self.state.sonar.echo_m[rows]
-        now = messages["i"][:, 0] != 0
-        if now.any():
-            echo_m[now] = self._sonars.hear_now(
-                self.state, self._equipment, self._around, rows[now]
-            )
-        sonar.tell_tenths(echo_m, messages)
 
     def _touch(self, contacts: Contacts) -> Contacts:
         """Presses bumpers, counts collisions, and gives the contacts that began."""

@@ -137,6 +137,23 @@ def test_a_robot_that_is_not_connected_refuses_everything_but_connect():
     assert driver.post("ST")[0]["result"] == 0
 
 
+@pytest.mark.parametrize("name", ["SONAR", "PREDICT"])
+def test_nothing_is_measured_for_a_robot_that_is_refused(name):
+    environment = Environment(world_of('<robot x="2m" y="5m"/><robot x="2m" y="7m"/>'), 0)
+    driver = Driver(environment)
+    driver.ask("CONNECT", robot=1)
+    driver.ask("GS")  # what is due at the start has fired
+    before = environment.state.sonar.count[0]
+    messages = np.zeros(2, MESSAGE)
+    messages["i"][:, 0] = 1
+    environment.serve(CODES[name], np.arange(2), messages, np.zeros(2))
+    assert messages["result"].tolist() == [0, 1]
+    assert messages["size"][0] == 0
+    assert not messages["data"][0].any()
+    assert messages["data"][1].any()
+    assert environment.state.sonar.count[0] == before
+
+
 # -- conf_tm -----------------------------------------------------------------------------------
 
 

@@ -124,6 +124,33 @@ class SonarRing:
             state.sonar.count[rows] += 1
         return told_m
 
+    def tell(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        messages: Messages,
+    ) -> None:
+        """Answers SONAR as the CRS report has it: in 0.1 in, -1 for no echo.
+
+        Args:
+            state: what was heard last; counts the firings.
+            equipment: the robots' constants.
+            around: what there is to hear.
+            rows: which robots, k of them.
+            messages: whether all their sonars are to fire now, changed in place into the replies.
+        """
+        echo_m = state.sonar.echo_m[rows]
+        now = messages["i"][:, 0] != 0
+        if now.any():
+            echo_m[now] = self.hear_now(state, equipment, around, rows[now])
+        heard = np.isfinite(echo_m)
+        tenths = np.rint(m_to_tenths_inch(np.where(heard, echo_m, 0.0)))
+        told = np.where(heard, tenths, -1).astype("<i4")
+        messages["size"] = told.itemsize * MAX_SONARS
+        messages["data"][:, : told.itemsize * MAX_SONARS] = told.view(np.uint8)
+
     def look(
         self, state: EnvState, around: Surroundings, rows: IndexArray, poses: FloatArray
     ) -> npt.NDArray[np.int32]:
@@ -229,15 +256,6 @@ def conf_sn(
         rows, np.where(given, order, 0), given.sum(axis=1), state.drive.clock_s[rows]
     )
     return good
-
-
-def tell_tenths(echo_m: FloatArray, messages: Messages) -> None:
-    """Puts distances as the CRS report has them into replies: 0.1 in, -1 for no echo."""
-    heard = np.isfinite(echo_m)
-    tenths = np.rint(m_to_tenths_inch(np.where(heard, echo_m, 0.0)))
-    told = np.where(heard, tenths, -1).astype("<i4")
-    messages["size"] = told.itemsize * MAX_SONARS
-    messages["data"][:, : told.itemsize * MAX_SONARS] = told.view(np.uint8)
 
 
 def _fan(model: RobotModel) -> Fan:

@@ -34,10 +34,10 @@ def predict(
     state: EnvState,
     equipment: Equipment,
     around: Surroundings,
-    sensors: tuple[SonarRing, Instruments],
-    *,
     rows: IndexArray,
     messages: Messages,
+    *,
+    sensors: tuple[SonarRing, Instruments],
 ) -> None:
     """Answers PREDICT.
 
@@ -45,9 +45,9 @@ def predict(
         state: tells where all things are; keeps what lasers would see.
         equipment: the robots' constants.
         around: what there is to measure.
-        sensors: those of the robots.
         rows: which robots, k of them.
         messages: the poses, changed in place into the replies, shape (k,).
+        sensors: those of the robots.
     """
     sonars, instruments = sensors
     poses = _mounts(state, equipment, rows, messages["i"][:, :4].astype(np.float64))
