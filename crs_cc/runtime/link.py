@@ -360,7 +360,7 @@ def _no_main(user: Program, diagnostics: Diagnostics) -> None:
         found = user.functions[own[close[0]]]
         diagnostics.error(found.location, text, f"is '{found.name}' to be 'main'?")
         return
-    diagnostics.error(_first_place(user), text, "it is where a program begins")
+    diagnostics.error(_first_place(user, diagnostics), text, "it is where a program begins")
 
 
 def _where_declared(name: str, used: Location, user: Program) -> str:
@@ -372,7 +372,9 @@ def _where_declared(name: str, used: Location, user: Program) -> str:
     return f"it is declared at {place.file}:{place.line}; is its C file missing from the command?"
 
 
-def _first_place(user: Program) -> Location:
+def _first_place(user: Program, diagnostics: Diagnostics) -> Location:
+    """Gives the user's first file; there may be nothing in it."""
     places = [function.location for function in user.functions.values()]
     places += [data.location for data in user.data.values()]
-    return Location(places[0].file if places else "<program>")
+    files = [place.file for place in places if not in_library(place)]
+    return Location(next(iter([*files, *diagnostics.lines]), "<program>"))

@@ -501,6 +501,15 @@ def test_an_ideal_link_lets_a_program_run_faster(capfd: pytest.CaptureFixture[st
     assert ends_s[1] < ends_s[0]
 
 
+@pytest.mark.parametrize("dialect", ["nomad", "report"])
+def test_an_empty_file_is_named_as_it_has_no_main(
+    dialect: str, capfd: pytest.CaptureFixture[str]
+) -> None:
+    Path("empty.c").write_text("")
+    assert main(["run", "empty.c", "--dialect", dialect]) == 121
+    assert "empty.c: error: the program has no function 'main'" in capfd.readouterr().err
+
+
 def test_an_unknown_robot_is_told_with_those_there_are(capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "drive.c", "--robot", "marvin"]) == 2
     assert "scout" in capfd.readouterr().err
