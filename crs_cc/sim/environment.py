@@ -163,17 +163,19 @@ class Environment:
         self._fire_sonars(rows, now_s)
         drive.advance(state, self._equipment, rows, now_s)
         arguments = messages["i"].copy()
+        state.commands[rows] += 1
+        drive.renew_deadline(state, rows)
         good = self._handle(code, rows, messages)
         if code in MOVES:
-            self._hold(rows, now_s)
-        state.commands[rows] += 1
-        state.drive.deadline_s[rows] = now_s + state.drive.timeout_s[rows]
+            self._let_go_if_empty(rows, now_s)
         goes_on_s = now_s.copy()
         if code in CHANGES_WORLD:
             goes_on_s[:] = self.end_s
             self._refurnish(moved=code == CODES["PLACE_ROBOT"] and bool(good.any()))
         if code in WAITS:
-            goes_on_s[good] = self._wait(code, rows[good], messages[good])
+            waiting = messages[good]
+            goes_on_s[good] = self._wait(code, rows[good], waiting)
+            messages[good] = waiting
         answered = np.isfinite(goes_on_s)
         if answered.all():
             self._reply(code, rows, messages, goes_on_s, good, arguments=arguments)
@@ -200,7 +202,8 @@ class Environment:
         slices = slices_of(state, self._axes, self.timestep_s)
         state.distance_m += np.hypot(went_m[:, 0], went_m[:, 1])
         drive.face(state, self._equipment)
-        self._hold(self._instruments.batteries.drain(state, self.timestep_s), self.end_s)
+        worked = self._instruments.batteries.drain(state, self.timestep_s)
+        self._let_go_if_empty(worked, self.end_s)
         began = self._touch(contacts)
         cycle, time_s, served = state.cycle, self.time_s, tuple(self._served)
         self._begin_cycle()
@@ -262,13 +265,13 @@ class Environment:
             good[good] = verdict
         return good
 
-    def _hold(self, rows: IndexArray, at_s: FloatArray | float) -> None:
+    def _let_go_if_empty(self, rows: IndexArray, at_s: FloatArray | float) -> None:
         """Takes the motors' force from robots whose batteries are empty."""
         if not len(rows):
             return
         empty = rows[self._instruments.batteries.empty(self.state, rows, at_s)]
         if len(empty):
-            HANDLERS[CODES["LP"]](self.state, self._equipment, empty, np.zeros(0, MESSAGE))
+            drive.lp(self.state, self._equipment, empty, np.zeros(len(empty), MESSAGE))
 
     def _reply(
         self,
@@ -364,15 +367,18 @@ class Environment:
         return rows, at_s, messages
 
     def _wait(self, code: int, rows: IndexArray, messages: Messages) -> FloatArray:
-        """Lets robots wait; gives when those go on that do so in this cycle, else infinity."""
+        """Lets robots wait; gives when those go on that do so in this cycle, else infinity.
+
+        Answers these, in place.
+        """
         drives = self.state.drive
         goes_on_s = drives.clock_s[rows].copy()
         waits = drives.waiting[rows].any(axis=1)
-        if code == CODES["ZR"]:
-            drives.deadline_s[rows[waits]] = np.inf
         goes_on_s[waits] = self._settle_waits(rows[waits])
         ended = np.isfinite(goes_on_s)
-        WAITS[code](self.state, self._equipment, rows[ended], messages[ended])
+        replies = messages[ended]
+        WAITS[code](self.state, self._equipment, rows[ended], replies)
+        messages[ended] = replies
         return goes_on_s
 
     def _settle_waits(self, rows: IndexArray) -> FloatArray:

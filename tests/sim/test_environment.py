@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from crs_cc.requests import CODES, MESSAGE, REQUESTS
 from crs_cc.sim import world_xml
-from crs_cc.sim.commands import HANDLERS
+from crs_cc.sim.commands import HANDLERS, WAITS
 from crs_cc.sim.environment import Environment
 from crs_cc.sim.model import Area, WorldModel
 from crs_cc.sim.state_vector import CONF_X, MOTOR_STATUS, VEL_RIGHT
@@ -191,6 +191,15 @@ def test_the_time_can_be_up_in_the_cycle_in_which_the_next_command_comes():
     assert told_s[VEL_RIGHT] == round(100 - 390 * 0.02)
 
 
+def test_conf_tm_counts_from_its_own_instant_with_its_own_time():
+    driver = Driver.of(open_world())
+    driver.ask("VM", 100, 100)
+    driver.run_s(2)
+    for timeout, deadline_s in ((3, 5.02), (1, 3.03), (0, math.inf)):
+        driver.ask("CONF_TM", timeout, at_s=deadline_s - timeout if timeout else 2.04)
+        assert driver.state.drive.deadline_s[0] == pytest.approx(deadline_s)
+
+
 # -- ws ----------------------------------------------------------------------------------------
 
 # A move of 10 in at 10 in/s with 20 in/s^2 takes 0.5 + 0.5 + 0.5 s.
@@ -304,6 +313,21 @@ def test_the_reply_to_a_wait_is_written_over_what_was_asked(restored):
     for place, results in (("i", 3), ("f", 1)):
         assert (messages[place][:, results:] == asked[place][:, results:]).all()
     assert messages["result"].tolist() == [1, 1]
+
+
+def test_what_the_end_of_a_wait_answers_is_told_by_those_that_end_at_once(monkeypatch):
+    def fail(_state, _equipment, _rows, messages) -> None:
+        messages["result"] = 0
+
+    driver = Driver.of(open_world('<robot x="0" y="0"/><robot x="0" y="3"/>'))
+    driver.ask("PR", 100, 100)
+    messages = np.zeros(2, MESSAGE)
+    messages["i"][:, :4] = 1, 1, 0, 20
+    monkeypatch.setitem(WAITS, CODES["WS"], fail)
+    goes_on_s = driver.environment.serve(CODES["WS"], np.arange(2), messages, np.zeros(2))
+    assert goes_on_s.tolist() == [math.inf, 0.0]
+    assert messages["result"][1] == 0
+    assert wait_for(driver)[1]["result"] == 0
 
 
 def test_a_wait_ends_for_each_robot_on_its_own():

@@ -83,6 +83,11 @@ def advance(
     _turn(state, equipment, rows, to_s)
 
 
+def renew_deadline(state: EnvState, rows: IndexArray) -> None:
+    """Lets the time without a command begin at the instant to which the axes have been turned."""
+    state.drive.deadline_s[rows] = state.drive.clock_s[rows] + state.drive.timeout_s[rows]
+
+
 def settle_waits(
     state: EnvState, equipment: Equipment, rows: IndexArray, limit_s: float
 ) -> FloatArray:
@@ -262,6 +267,7 @@ def zr(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messa
     )
     state.drive.waiting[rows] = True
     state.drive.wait_until_s[rows] = state.drive.clock_s[rows] + _ZERO_TIMEOUT_S
+    state.drive.deadline_s[rows] = np.inf  # until `zeroed`
     _remember(state, rows, CODES["ZR"])
 
 
@@ -271,13 +277,14 @@ def zeroed(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Me
     done = stands | ~equipment.drives.synchro[rows]
     odometry.zero(state, rows[done])
     messages["result"] = done
-    state.drive.deadline_s[rows] = state.drive.clock_s[rows] + state.drive.timeout_s[rows]
+    renew_deadline(state, rows)
 
 
 def conf_tm(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
     """Sets the time without a command after which the axes stop, 0 for never."""
     timeout_s = (messages["i"][:, 0] & _BYTE).astype(np.float64)
     state.drive.timeout_s[rows] = np.where(timeout_s > 0.0, timeout_s, np.inf)
+    renew_deadline(state, rows)
 
 
 def _set(
