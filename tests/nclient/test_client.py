@@ -80,7 +80,10 @@ def test_the_speed_that_ndirect_connects_with_is_the_lines():
 
 def test_ndirect_reads_arguments_that_are_not_there():
     done = drive("connect_robot(1);", client="ndirect")
-    assert done.session.result().robots[0].outcome == "failed"
+    error = done.session.result().robots[0].error
+    assert error is not None
+    assert error.kind == "missing argument"
+    assert "ndirect wants model, device, and baud rate or port" in error.notes[0]
 
 
 @pytest.mark.function("server_is_running", "create_robot", "real_robot", "simulated_robot")

@@ -28,6 +28,10 @@ _CALL: Final = re.compile(r"\(?\s*\*?\s*([\w.>\[\]-]+?)\s*\)?\s*\(")
 LARGEST_SCALAR: Final = 8  # bytes; a larger access begins inside the object that it leaves
 FORMATTED: Final = ("printf", "scanf")
 FORMAT_HINT: Final = "hint: does the format fit the arguments?"
+CONNECT_HINT: Final = (
+    "hint: --client ndirect wants model, device, and baud rate or port as well:"
+    ' connect_robot(1, MODEL_SCOUT, "/dev/ttyS0", 38400)'
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -245,6 +249,8 @@ def _missing_argument(case: Case) -> Explanation:
     if case.callee is not None:
         name = case.callee.function
         text = f"{name} is asked for more arguments than were passed"
+        if name == "connect_robot":
+            return Explanation(text, (CONNECT_HINT,))
         return Explanation(text, (FORMAT_HINT,) if name.endswith(FORMATTED) else ())
     return Explanation("va_arg asks for an argument that was not passed", shows_values=False)
 
