@@ -68,25 +68,33 @@ def test_an_ideal_link_takes_no_time(tmp_path: Path) -> None:
     assert printed(empty_world().with_ideal_link(), tmp_path, ASK) / 100 < 50
 
 
-PAGES = """#include <crs_request.h>
+LOOP = """#include <crs_request.h>
 #include "Nclient.h"
 int main(void)
 {
     struct __crs_message message = {0};
     connect_robot(1);
     for (;;)
-        __crs_request(CRS_LASER_PAGE, &message);
+        __crs_request(CALL, &message);
 }
 """
 
 
-def test_a_request_that_is_not_on_the_line_costs_the_time_of_a_system_call(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("request_name", "is_ideal"),
+    [("LASER_PAGE", False), ("POS_DATA", False), ("CONNECT", False), ("GS", True)],
+)
+def test_a_request_that_is_not_on_the_line_costs_the_time_of_a_system_call(
+    request_name: str, is_ideal: bool, tmp_path: Path
+) -> None:
     trace = Requests()
     world = with_host(5e7)
-    session = Session(world, [build(tmp_path, PAGES)], trace=trace)
-    for _ in range(4):
-        session.step()
-    assert 0 < trace.served <= 4 * world.timestep_s * 5e7 / SYSTEM_CALL
+    if is_ideal:
+        world = world.with_ideal_link()
+    program = build(tmp_path, LOOP.replace("CALL", f"CRS_{request_name}"))
+    session = Session(world, [program], trace=trace)
+    session.step()
+    assert 0 < trace.served <= world.timestep_s * 5e7 / SYSTEM_CALL
 
 
 class Requests:
