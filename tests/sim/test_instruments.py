@@ -89,14 +89,20 @@ def test_noise_depends_on_the_seed_alone():
     assert play(connected(1), range(10)) != play(connected(2), range(10))
 
 
+READS = (
+    ("GET_IR",), ("GET_LS",), ("GET_CP",), ("SONAR", 1), ("PREDICT", 700, 700, 10, 20),
+    ("LASER_PAGE", 0), ("POS_DATA", 1, 0), ("HEAT",),
+)  # fmt: skip
+
+
 def test_what_one_robot_reads_changes_nothing_for_the_others():
     def readings(asking: bool) -> bytes:
         driver = Driver(connected())
         seen = b""
         for _ in range(15):
             if asking:
-                for name in ("GET_IR", "GET_LS", "GET_CP"):
-                    driver.post(name, robot=0)
+                for name, *arguments in READS:
+                    driver.post(name, *arguments, robot=0)
             message, _ = driver.post("GS", robot=2)
             seen += message.tobytes()
             driver.run(1)
