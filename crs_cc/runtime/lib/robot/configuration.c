@@ -1,23 +1,12 @@
 /* Configuring: sensors, masks, the motors' timeout, the serial line. */
+#include <crs/order.h>
 #include <crs/robot.h>
-
-/* The order ends with 255 or after sixteen sensors; without one no sensor fires. */
-static void put_order(struct __crs_message *message, const int *order)
-{
-    int size = 0;
-
-    while (order != NULL && size < 16 && (order[size] & 255) != 255) {
-        message->data[size] = order[size];
-        size++;
-    }
-    message->size = size;
-}
 
 int conf_sn(int rate, int order[16])
 {
     struct __crs_message message;
 
-    put_order(&message, order);
+    __crs_put_order(&message, order);
     message.i[0] = rate & 255;
     return __crs_post_state(CRS_CONF_SN, &message);
 }
@@ -28,7 +17,7 @@ int conf_ir(int history, int order[16])
 
     if (__crs_is_direct_without_sensors())
         return FALSE;
-    put_order(&message, order);
+    __crs_put_order(&message, order);
     message.i[0] = history > 10 ? 10 : history & 255;
     return __crs_post_state(CRS_CONF_IR, &message);
 }

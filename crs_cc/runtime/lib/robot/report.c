@@ -3,6 +3,7 @@
    What a sensor tells gets into State when it is asked, the rest of State with every command. A
    program need not connect: in the report the robot is connected by whoever starts it. */
 #include <crs/clock.h>
+#include <crs/order.h>
 #include <crs/report.h>
 #include <crs_request.h>
 #include <stddef.h>
@@ -209,17 +210,11 @@ int sp(int r_wheel, int l_wheel, int dummy)
     return command(CRS_SP, magnitude(r_wheel), magnitude(l_wheel), 0, 0);
 }
 
-/* The order ends with 255 or after sixteen sonars; without one no sonar fires. */
 int conf_sn(int rate, int order[])
 {
     struct __crs_message message;
-    int size = 0;
 
-    while (order != NULL && size < 16 && (order[size] & 255) != 255) {
-        message.data[size] = order[size];
-        size++;
-    }
-    message.size = size;
+    __crs_put_order(&message, order);
     message.i[0] = rate & 255;
     return exchange(CRS_CONF_SN, &message);
 }
