@@ -31,8 +31,26 @@ def mount_poses(state: EnvState, equipment: Equipment, rows: IndexArray) -> Floa
     """Gives x, y [m] and direction [rad] of the mount of robots, world frame, shape (k, 3)."""
     moved_m = np.where(state.bodies.slipping[rows, None], 0.0, state.drive.moved_m[rows])
     place_m = state.bodies.position_m[rows] + moved_m
-    base_rad = np.where(
-        equipment.drives.synchro[rows], state.base_rad[rows], state.drive.facing_rad[rows]
-    )
-    angle_rad = np.where(equipment.drives.turret[rows], state.drive.turret_rad[rows], base_rad)
-    return np.column_stack([place_m, angle_rad])
+    facing_rad, turret_rad = state.drive.facing_rad[rows], state.drive.turret_rad[rows]
+    return np.column_stack([place_m, mount_rad(state, equipment, rows, facing_rad, turret_rad)])
+
+
+def mount_rad(
+    state: EnvState,
+    equipment: Equipment,
+    rows: IndexArray,
+    facing_rad: FloatArray,
+    turret_rad: FloatArray,
+) -> FloatArray:
+    """Gives where the mount points when wheels and turret point somewhere [rad], shape (k,).
+
+    Args:
+        state: tells where the bases of synchro drives point, which never turn.
+        equipment: the robots' constants.
+        rows: which robots, k of them.
+        facing_rad: where the wheels of each point, shape (k,).
+        turret_rad: where its turret does; of use where there is one, shape (k,).
+    """
+    drives = equipment.drives
+    base_rad = np.where(drives.synchro[rows], state.base_rad[rows], facing_rad)
+    return np.where(drives.turret[rows], turret_rad, base_rad)

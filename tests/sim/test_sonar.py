@@ -266,6 +266,22 @@ def test_a_request_that_ends_with_the_cycle_leaves_the_firing_then_to_the_next(n
     assert driver.state.sonar.echo_m[0, 0] == pytest.approx(gap_m - 2 * SCOUT_RADIUS_M)
 
 
+def test_a_robot_that_leaves_what_it_touches_fires_from_where_it_is():
+    # Its bumper is pressed when the cycle begins, but nothing holds it back.
+    driver = Driver.of(open_world('<robot x="0" y="0"/>' + wall_at(10), timestep="100ms"))
+    driver.ask("VM", 100, 100)
+    driver.run_s(3)
+    driver.ask("ST")
+    driver.run_s(1)
+    driver.ask("AC", 780, 780)
+    driver.ask("VM", -300, -300)
+    conf_sn(driver, 250, 0, at_s=4.09)
+    assert driver.state.bumpers.pressed[0]
+    gap_m = 10 * INCH - driver.state.x_m[0]
+    way_m = 78 * INCH * 0.09**2 / 2
+    assert driver.state.sonar.heard_m[0] == pytest.approx(gap_m + way_m)
+
+
 def play(asks: list[bool], orders: list[tuple[int, list[int]]], speeds: list[int]) -> Driver:
     """Lets a robot drive about while its order changes; `asks` says when it asks in between."""
     driver = Driver.of(world_of('<robot x="5m" y="5m"/>'))

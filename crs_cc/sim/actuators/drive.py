@@ -150,12 +150,6 @@ def _turn(
         state.drive.turret_rad[rows] += way[:, 2]
 
 
-def mount_rad(state: EnvState, equipment: Equipment, rows: IndexArray) -> FloatArray:
-    """Gives where the mount of the sensors points, as the axes were turned last, shape (k,)."""
-    fixed_rad = np.where(equipment.drives.synchro, state.base_rad, state.drive.facing_rad)
-    return np.where(equipment.drives.turret, state.drive.turret_rad, fixed_rad)[rows]
-
-
 def face(state: EnvState, equipment: Equipment) -> None:
     """Ends a cycle: robots face where their axes were turned to."""
     state.heading_rad = state.drive.facing_rad % _TURN

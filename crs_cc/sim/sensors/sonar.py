@@ -23,7 +23,7 @@ told before. Chosen by us, because nothing is known of it:
 A reading counts from the sensor, which sits on the shell, to the nearest thing that answers into
 the beam (`echoes`), in whole inches; 255 stands for no echo, as the reading is a byte on the line
 (vendor source `Ndirect.c` 2.7). The robot is where its wheels have taken it when the sonar fires;
-everything else, and a robot that touches something, where it was at the start of the cycle.
+everything else, and a robot that something holds back, where it was at the start of the cycle.
 Degradation: see `sonar_errors`.
 """
 
@@ -36,6 +36,7 @@ import numpy.typing as npt
 
 from crs_cc.sim.actuators import drive
 from crs_cc.sim.echoes import first_echo
+from crs_cc.sim.mount import mount_poses
 from crs_cc.sim.rays import Fan
 from crs_cc.sim.sensors.sonar_beams import Beams, overheard
 from crs_cc.sim.sensors.sonar_errors import SonarErrors
@@ -204,9 +205,8 @@ class SonarRing:
         self, state: EnvState, equipment: Equipment, rows: IndexArray
     ) -> tuple[ComplexArray, ComplexArray]:
         """Gives where robots are, and where their rings' fronts point."""
-        moved_m = np.where(state.bumpers.pressed[rows, None] != 0, 0.0, state.drive.moved_m[rows])
-        x_m, y_m = state.x_m[rows] + moved_m[:, 0], state.y_m[rows] + moved_m[:, 1]
-        return x_m + 1j * y_m, np.exp(1j * drive.mount_rad(state, equipment, rows))
+        x_m, y_m, angle_rad = mount_poses(state, equipment, rows).T
+        return x_m + 1j * y_m, np.exp(1j * angle_rad)
 
     def _around(
         self,

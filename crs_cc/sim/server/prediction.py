@@ -14,6 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.requests import NUM_STATE
+from crs_cc.sim.mount import mount_rad
 from crs_cc.sim.sonar_model import MAX_SONARS
 from crs_cc.sim.state_vector import IR_0, SONAR_0
 from crs_cc.units import tenths_deg_to_rad, tenths_inch_to_m
@@ -65,6 +66,4 @@ def _mounts(
     """Gives x, y [m] and direction [rad] of the mounts of robots at x, y, heading and turret."""
     place_m = tenths_inch_to_m(asked[:, :2])
     heading_rad, turret_rad = tenths_deg_to_rad(asked[:, 2:]).T
-    drives = equipment.drives
-    base_rad = np.where(drives.synchro[rows], state.base_rad[rows], heading_rad)
-    return np.column_stack([place_m, np.where(drives.turret[rows], turret_rad, base_rad)])
+    return np.column_stack([place_m, mount_rad(state, equipment, rows, heading_rad, turret_rad)])
