@@ -64,7 +64,7 @@ def as_json(run: Run) -> str:
         "world": run.world or None,
         "seed": run.seed,
         "timesteps": result.timesteps,
-        "simulated_s": result.simulated_s,
+        "simulated_s": round(result.simulated_s, 9),
         "state_hash": result.state_hash,
         "interrupted": run.interrupted,
         "exit_status": exit_status(run),

@@ -51,7 +51,12 @@ CONSTANTS: Final = (
 MACROS: Final = (
     Name("RIGHT(trans, steer)", "", "right wheel of a Scout that moves and turns to the left"),
     Name("LEFT(trans, steer)", "", "its left wheel"),
-    Name("scout_vm(trans, steer)", "", "`vm` of a Scout that moves and turns to the left"),
+    Name(
+        "scout_vm(trans, steer)",
+        "",
+        "`vm` of a Scout that moves and turns to the left; arguments are used as they are "
+        "written: put brackets around `a ? b : c`",
+    ),
     Name("POS_INFRARED_P", "", "1 when that data has been asked for, else 0"),
     Name("POS_SONAR_P", "", "the same"),
     Name("POS_BUMPER_P", "", "the same"),

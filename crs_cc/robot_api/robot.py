@@ -195,7 +195,8 @@ CONFIGURATION: Final = Group("Configuration", (
     ),
     Function(
         "int conf_ser(unsigned char port, unsigned short baud)",
-        "sets the speed of the serial line, 4800, 9600, 19200 or 38400; FALSE on a Nomad 200",
+        "sets the speed of the serial line, 4800, 9600, 19200 or 38400; FALSE on a Nomad 200; "
+        "no header declares it",
         units="-, baud", refreshes=ALL, posts=("CONF_SER",), source=(SOURCE,), declared=False,
         chosen="Nclient has no such function, ours does the same; the port does not count.",
     ),

@@ -1,4 +1,4 @@
-"""Quick runs take the first tests of each file: each one compiles and runs a C program."""
+"""Quick runs take the first test of each file: each one compiles and runs a C program."""
 
 from __future__ import annotations
 
@@ -8,4 +8,4 @@ from tests.quick import mark_others_slow
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    mark_others_slow(items, folder=__file__, first=3)
+    mark_others_slow(items, folder=__file__, first=1)

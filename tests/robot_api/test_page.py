@@ -58,8 +58,14 @@ in use lets it through; a `get_` function refreshes its own part whatever the ma
 any call reads what it read before.
 
 **Time.** A call takes the time of its bytes on the serial line, one to the simulator that of the
-network; the table has it for a Scout at 38400 baud. `--link ideal` makes it none. Calls do not wait
-for what they start, but for those that say so.
+network, 1 ms; the table has it for a Scout at 38400 baud. Calls that change the world come back
+when the timestep ends. `--link ideal` takes the line away: a call then costs 20 microseconds of the
+host computer, so that a loop without a pause asks 50,000 times a second, and the simulation is
+slow; let it sleep. Calls do not wait for what they start, but for those that say so.
+
+**Robots.** A robot is a Scout unless the world file (`definition="nomad200"`) or `--robot nomad200`
+says otherwise, whatever model the program passes to `connect_robot`. `--setup noisy`, or `setup=`
+in the world, gives sensors and odometry their errors; without, they have none.
 
 **Own definitions.** A program's own `State`, `RIGHT`, `LEFT`, `scout_vm`, `ROTATION_CONSTANT` take
 the place of the header's. `scout_pr(trans, steer)`, `scout_ws(seconds)` and `sonarSensorCheck()`

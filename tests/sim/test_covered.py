@@ -115,6 +115,7 @@ def test_a_robot_driven_into_a_thing_reads_less_and_less_and_then_keeps_0(name):
     assert set(touching[LATE:]) == {0}
 
 
+@pytest.mark.slow
 def test_a_robot_that_pushes_a_box_reads_0_all_the_way():
     box = '<box x="2m" y="1.5m" length="30cm" width="60cm" mass="3kg"/>'
     told = drive_into(box, 14)

@@ -169,6 +169,7 @@ def test_wheels_stop_when_no_command_came_for_the_timeout():
     assert describe_slice(steps[25], 0).command == "CONF_TM"
 
 
+@pytest.mark.slow
 def test_any_command_keeps_the_wheels_going():
     driver = Driver.of(open_world())
     driver.ask("CONF_TM", 1)

@@ -71,6 +71,7 @@ def play(environment: Environment, cycles: range) -> list:
     return seen
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("at", [0, 41])
 def test_from_a_snapshot_all_readings_are_the_same_again(at):
     environment = connected()

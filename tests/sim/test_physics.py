@@ -196,6 +196,7 @@ def test_a_box_between_a_robot_and_a_wall_holds_the_robot():
     assert bench.bodies.position_m[0, 0] == pytest.approx(1.6 - SCOUT_RADIUS_M, abs=0.02)
 
 
+@pytest.mark.slow
 def test_contacts_never_turn_a_robot():
     driver = Driver.of(world_of('<robot x="9m" y="5m" heading="70"/>'))
     driver.ask("VM", 300, 300)
