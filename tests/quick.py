@@ -8,13 +8,13 @@ from pathlib import Path
 import pytest
 
 
-def mark_others_slow(items: list[pytest.Item], *, folder: str, first: int) -> None:
+def mark_others_slow(items: list[pytest.Item], *, folder: str, first: int | None = None) -> None:
     """Marks tests as slow, but for the first ones of each file, one case of each.
 
     Args:
         items: all tests that were collected, in order.
         folder: a file in the folder whose tests are meant.
-        first: how many tests of a file are quick.
+        first: how many tests of a file are quick; all by default.
     """
     quick: Counter[Path] = Counter()
     seen: set[str] = set()
