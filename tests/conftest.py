@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.quick import mark_others_slow
+
 TESTS = Path(__file__).resolve().parent
 JUDGED = ["c/valid", "fuzz"]
 """Folders whose `.out` files hold what gcc said."""
@@ -19,6 +21,10 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         action="store_true",
         help="rewrite expected outputs that differ, and fail once so that the difference is read",
     )
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    mark_others_slow(items)
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -1,28 +1,39 @@
-"""Which tests quick runs leave out where all of them would take too long."""
+"""Which tests quick runs leave out, folder by folder: all of them would take too long."""
 
 from __future__ import annotations
 
 from collections import Counter
 from pathlib import Path
+from typing import Final
 
 import pytest
 
+HERE: Final = Path(__file__).parent
 
-def mark_others_slow(items: list[pytest.Item], *, folder: str, first: int | None = None) -> None:
-    """Marks tests as slow, but for the first ones of each file, one case of each.
+ALL: Final = 1_000_000
 
-    Args:
-        items: all tests that were collected, in order.
-        folder: a file in the folder whose tests are meant.
-        first: how many tests of a file are quick; all by default.
-    """
+FIRST_OF_EACH_FILE: Final = {
+    HERE / "cli": ALL,
+    HERE / "nclient": 1,  # each of these compiles and runs a C program
+    HERE / "report": 1,
+    HERE / "runtime": ALL,
+    HERE / "session": ALL,
+    HERE / "sim": ALL,
+    HERE / "sim" / "server": 2,  # each of these makes worlds anew
+}
+"""How many tests of each file in a folder quick runs take, and of each of them one case."""
+
+
+def mark_others_slow(items: list[pytest.Item]) -> None:
+    """Marks the other tests of these folders as slow; `items` are all tests, in order."""
     quick: Counter[Path] = Counter()
     seen: set[str] = set()
     for item in items:
-        if item.path.parent != Path(folder).parent:
+        most = FIRST_OF_EACH_FILE.get(item.path.parent)
+        if most is None:
             continue
         name = item.nodeid.split("[")[0]
-        if name in seen or quick[item.path] == first:
+        if name in seen or quick[item.path] == most:
             item.add_marker(pytest.mark.slow)
         else:
             quick[item.path] += 1
