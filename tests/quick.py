@@ -16,9 +16,9 @@ FIRST_OF_EACH_FILE: Final = {
     HERE / "cli": ALL,
     HERE / "nclient": 1,  # each of these compiles and runs a C program
     HERE / "report": 1,
-    HERE / "runtime": ALL,
+    HERE / "runtime": 4,
     HERE / "session": ALL,
-    HERE / "sim": ALL,
+    HERE / "sim": 6,
     HERE / "sim" / "server": 2,  # each of these makes worlds anew
 }
 """How many tests of each file in a folder quick runs take, and of each of them one case."""
