@@ -44,7 +44,6 @@ CALIBRATE: Final = 2
 
 _TURN: Final = 2 * math.pi
 _FULL_TURN: Final = 3600
-_ROUNDING_S: Final = 1e-9
 
 
 class Compasses:
@@ -71,9 +70,7 @@ class Compasses:
         """
         compass = state.compass
         mine = equipment.compass[rows]
-        due = mine >= 0
-        due &= compass.on[mine]
-        due &= at_s - compass.measured.at_s[mine] >= self._interval_s[mine] - _ROUNDING_S
+        due = compass.measured.are_due(mine, at_s, self._interval_s) & compass.on[mine]
         if not due.any():
             return
         rows, mine = rows[due], mine[due]

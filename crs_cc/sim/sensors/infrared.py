@@ -49,7 +49,6 @@ Messages = npt.NDArray[np.void]
 _TURN: Final = 2 * math.pi
 _TENTHS: Final = 10
 _ENDS_ORDER: Final = 255
-_ROUNDING_S: Final = 1e-9
 
 
 class InfraredRing:
@@ -91,8 +90,7 @@ class InfraredRing:
         """
         ring = state.infrared
         mine = equipment.infrared[rows]
-        due = mine >= 0
-        due &= at_s - ring.measured.at_s[mine] >= self._interval_s[mine] - _ROUNDING_S
+        due = ring.measured.are_due(mine, at_s, self._interval_s)
         if not due.any():
             return
         rows, mine = rows[due], mine[due]

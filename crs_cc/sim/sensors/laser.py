@@ -60,7 +60,6 @@ _ON: Final = 1
 _POINT_MODES: Final = (19, 51)
 _SEGMENT_MODES: Final = (1, 33)
 _PAGE: Final = 62  # numbers
-_ROUNDING_S: Final = 1e-9
 
 
 class Lasers:
@@ -98,9 +97,7 @@ class Lasers:
         """
         laser = state.laser
         mine = equipment.laser[rows]
-        due = mine >= 0
-        due &= is_on(laser.mode[mine])
-        due &= at_s - laser.measured.at_s[mine] >= self._interval_s[mine] - _ROUNDING_S
+        due = laser.measured.are_due(mine, at_s, self._interval_s) & is_on(laser.mode[mine])
         if not due.any():
             return
         rows, mine = rows[due], mine[due]

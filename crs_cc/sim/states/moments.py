@@ -4,6 +4,9 @@
 >>> moments.note(np.array([1]), np.array([0.5]), np.array([[10, 0, 900, 900, 0, 0, 0]]))
 >>> moments.at_s.tolist(), moments.configuration[1, 2]
 ([-1.0, 0.5], np.int32(900))
+>>> have = np.array([0, 1, -1])                        # the third robot has no such instrument
+>>> moments.are_due(have, np.full(3, 0.6), np.array([0.2, 0.2])).tolist()
+[True, False, False]
 """
 
 from __future__ import annotations
@@ -17,6 +20,7 @@ import numpy.typing as npt
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]
 
+_ROUNDING_S: Final = 1e-9
 _CONFIGURATION: Final = 7  # x, y, heading, turret, and the speeds of three axes
 
 
@@ -36,6 +40,19 @@ class Moments:
     def never(cls, count: int) -> Self:
         """Gives robots that have not measured yet."""
         return cls(np.full(count, -1.0), np.zeros((count, _CONFIGURATION), dtype=np.int32))
+
+    def are_due(
+        self, rows: IndexArray, at_s: FloatArray, interval_s: FloatArray
+    ) -> npt.NDArray[np.bool_]:
+        """Tells which robots have the instrument, and may measure with it again.
+
+        Args:
+            rows: the row of each robot here, negative for one that has no such instrument, (k,).
+            at_s: when each would measure, (k,).
+            interval_s: the least time between two measurements, (n,).
+        """
+        due = at_s - self.at_s[rows] >= interval_s[rows] - _ROUNDING_S
+        return np.asarray((rows >= 0) & due)
 
     def note(
         self, rows: IndexArray, at_s: FloatArray | float, configuration: npt.NDArray[np.integer]
