@@ -31,6 +31,7 @@ from crs_cc.sim.mount import mount_poses
 from crs_cc.sim.noise import INFRARED, Noise
 from crs_cc.sim.rays import Fan
 from crs_cc.sim.sensor_model import MAX_INFRARED
+from crs_cc.sim.sensors.order import orders
 from crs_cc.sim.state_vector import configuration
 from crs_cc.sim.states.infrared import FARTHEST
 
@@ -48,7 +49,6 @@ Messages = npt.NDArray[np.void]
 
 _TURN: Final = 2 * math.pi
 _TENTHS: Final = 10
-_ENDS_ORDER: Final = 255
 
 
 class InfraredRing:
@@ -158,15 +158,10 @@ def get_ir(
 def conf_ir(
     state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
 ) -> BoolArray:
-    """Sets the share that stays and the sensors that measure; refuses sensors that cannot be.
-
-    The order ends with its last element, or before the first 255.
-    """
-    order = messages["data"][:, :MAX_INFRARED].astype(np.intp)
-    given = np.arange(MAX_INFRARED) < np.clip(messages["size"], 0, MAX_INFRARED)[:, None]
-    given &= np.cumsum(order == _ENDS_ORDER, axis=1) == 0
+    """Sets the share that stays and the sensors that measure; refuses sensors that cannot be."""
+    order, given, good = orders(messages, MAX_INFRARED)
     mine = equipment.infrared[rows]
-    good: BoolArray = (mine >= 0) & ((order < MAX_INFRARED) | ~given).all(axis=1)
+    good &= mine >= 0
     on = np.zeros((len(rows), MAX_INFRARED), dtype=np.bool_)
     robot, element = np.nonzero(given & good[:, None])
     on[robot, order[robot, element]] = True

@@ -38,6 +38,7 @@ from crs_cc.sim.actuators import drive
 from crs_cc.sim.echoes import first_echo
 from crs_cc.sim.mount import mount_poses
 from crs_cc.sim.rays import Fan
+from crs_cc.sim.sensors.order import orders
 from crs_cc.sim.sensors.sonar_beams import Beams, overheard
 from crs_cc.sim.sensors.sonar_errors import SonarErrors
 from crs_cc.sim.sonar_model import MAX_SONARS, SONAR_TICK_S
@@ -58,7 +59,6 @@ ComplexArray = npt.NDArray[np.complex128]
 IndexArray = npt.NDArray[np.intp]
 Messages = npt.NDArray[np.void]
 
-_END: Final = 255  # ends a firing order
 _ROBOTS_AT_ONCE: Final = 64  # whose sonars are all looked at: pings and what is near them
 _RATES: Final = 256  # the rate is an unsigned char
 
@@ -240,15 +240,8 @@ class SonarRing:
 def conf_sn(
     state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
 ) -> BoolArray:
-    """Sets which sonars fire and how often; refuses an order with a sonar there cannot be.
-
-    The order ends with its last element, or before the first 255.
-    """
-    order = messages["data"][:, :MAX_SONARS].astype(np.intp)
-    place = np.arange(MAX_SONARS)
-    given = place < np.clip(messages["size"], 0, MAX_SONARS)[:, None]
-    given &= np.cumsum(order == _END, axis=1) == 0
-    good: BoolArray = ((order < MAX_SONARS) | ~given).all(axis=1)
+    """Sets which sonars fire and how often; refuses an order with a sonar there cannot be."""
+    order, given, good = orders(messages, MAX_SONARS)
     rows, order, given = rows[good], order[good], given[good]
     interval_s = messages["i"][good, 0] % _RATES * SONAR_TICK_S
     state.sonar.interval_s[rows] = np.maximum(interval_s, equipment.least_interval_s[rows])

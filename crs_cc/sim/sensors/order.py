@@ -1,0 +1,42 @@
+"""The order of sensors that `conf_sn` and `conf_ir` hand over.
+
+It ends with its last element, or before the first 255 (vendor header `Nclient.h` 1.29).
+
+>>> from crs_cc.requests import MESSAGE
+>>> messages = np.zeros(2, MESSAGE)
+>>> messages["size"] = 3
+>>> messages["data"][:, :3] = [[0, 8, 255], [4, 99, 5]]
+>>> order, given, good = orders(messages, 16)
+>>> order[0, :3].tolist(), given.sum(axis=1).tolist(), good.tolist()
+([0, 8, 255], [2, 3], [True, False])
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+Messages = npt.NDArray[np.void]
+
+_END: Final = 255
+
+
+def orders(messages: Messages, most: int) -> tuple[IndexArray, BoolArray, BoolArray]:
+    """Gives the orders in some messages.
+
+    Args:
+        messages: the messages, of dtype `MESSAGE`, shape (k,).
+        most: how many sensors a robot can have; they are numbered from 0.
+
+    Returns:
+        sensor numbers, shape (k, most); which of them belong to the order, the first ones, shape
+        (k, most); and whether each order names none but sensors that there can be, shape (k,).
+    """
+    order = messages["data"][:, :most].astype(np.intp)
+    given = np.arange(most) < np.clip(messages["size"], 0, most)[:, None]
+    given &= np.cumsum(order == _END, axis=1) == 0
+    return order, given, np.asarray(((order < most) | ~given).all(axis=1))
