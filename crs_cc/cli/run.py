@@ -159,7 +159,7 @@ def _time(_ctx: click.Context, _option: click.Parameter, time_s: float | None) -
     type=click.Choice(["serial", "ideal"]),
     default="serial",
     show_default=True,
-    help="Let commands take their time on the line to the robot, or none.",
+    help="Let commands take their time on the line to the robot, or next to none.",
 )
 @click.option(
     "--client",

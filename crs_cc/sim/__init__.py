@@ -1,1 +1,13 @@
-"""The simulated world: what it is, how it is read from files, and how a timestep changes it."""
+"""The simulated world: what it is, how it is read from files, and how a timestep changes it.
+
+- What it is: `model` (a world), `robot_model` and the devices' models (a robot). Constant.
+- From files: `world_xml`, which alone knows lxml; `world_elements`, `robot_elements`, ...; robots
+  that come with crs in `robots/`.
+- What changes: `state.EnvState`, made of one part for each device, in `states/`.
+- What happens: `environment.Environment` serves requests and ends cycles. `commands` has the
+  handler of each request; those of the vendor's simulator window and world are in `server/`.
+- Motion: `hardware` (profiles of axes), `actuators/` (what commands mean), `physics` (contacts).
+- Seeing: `scene` (outlines of all things), `obstacles` (those within reach), `rays` and `echoes`
+  (what beams hit), `surroundings` (all of that in the current cycle), `sensors/`.
+- What it tells: `state_vector` (the vendor's `State`), `step` (a cycle, for traces and viewers).
+"""

@@ -1,1 +1,18 @@
-"""The sensors, one file each."""
+"""The sensors. Each device's file opens with its formula, its units and its source.
+
+There are three ways in which a sensor measures:
+
+- by its own timer, whether anybody asks or not: the sonars (`sonar`, with `sonar_beams` and
+  `sonar_errors`), which `Environment` lets fire before every request and at the end of a cycle;
+- when a reply tells its reading, at most at its rate: infrared, compass, laser. `Instruments` knows
+  which replies those are (ADR 11);
+- when the program asks for just that: heat. Its handler answers (`commands.HANDLERS`).
+
+Bumpers are pressed by the contacts of a cycle (`Environment`); odometry is what the wheels turned.
+
+A new sensor has its constants in `sensor_model`, read by `sensor_elements` from what `robot.xsd`
+allows; its changing state in `states`, as a field of `state.EnvState`; its stream in `noise`; its
+requests in `crs_cc.requests.robot` and `commands`, with their length on the line in the robot
+definitions; its functions in the C library and in `crs_cc.robot_api`. Tests hold these together:
+they name what is missing.
+"""
