@@ -81,6 +81,16 @@ def test_history_lets_a_share_of_the_last_reading_stay():
     assert levels == [8, 6, 6, 5]  # 7.5, 6.25, 5.625, 5.3125: the reply to conf_ir had 10
 
 
+def test_they_measure_twenty_times_a_second_at_most():
+    driver = Driver.of(open_world(NOMAD + wall(5)))
+    driver.post("CONF_IR", 5, data=bytes([0, 255]))
+    driver.run(1)
+    within = [ring(driver)[0] for _ in range(5)]
+    assert len(set(within)) == 1  # one measurement, one step from 15 towards 5
+    driver.run(1)
+    assert ring(driver)[0] < within[0]
+
+
 def test_history_0_forgets_at_once_and_10_never_learns():
     driver = Driver.of(open_world(NOMAD + wall(5)))
     driver.ask("CONF_IR", 10, data=bytes(range(16)))
