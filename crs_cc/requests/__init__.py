@@ -4,7 +4,7 @@ A program can do one thing to the world: fill in a message, post it with a reque
 Whoever runs it finds the message in the program's slot, writes the reply over it, and resumes the
 program. All slots of a fleet lie side by side in one memory that C cannot address; `SLOT` is how
 numpy sees it. `REQUESTS` lists every code; nothing else crosses. `host` has those that a program's
-host computer answers, `robot` those that go to its robot.
+host computer answers, `robot` those that go to its robot, `device` those of `crs.h`.
 
 >>> import numpy as np
 >>> slots = np.zeros(2, SLOT)                       # two robots
@@ -19,6 +19,7 @@ from __future__ import annotations
 from typing import Final
 
 from crs_cc.requests.code import Argument, RequestCode
+from crs_cc.requests.device import DEVICE_REQUESTS
 from crs_cc.requests.door import (
     DATA_SIZE,
     ERROR_KINDS,
@@ -50,7 +51,7 @@ __all__ = [
     "slot_offset",
 ]
 
-_TABLE: Final = (*HOST_REQUESTS, *ROBOT_REQUESTS)
+_TABLE: Final = (*HOST_REQUESTS, *ROBOT_REQUESTS, *DEVICE_REQUESTS)
 
 REQUESTS: Final[dict[int, RequestCode]] = {request.code: request for request in _TABLE}
 """Every request by its number."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-Server = Literal["host", "robot"]
+Server = Literal["host", "robot", "device"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +30,8 @@ class RequestCode:
     Attributes:
         name: its name, `CRS_<name>` in C.
         code: its number.
-        server: who answers it: the session as the program's host, or the simulated robot.
+        server: who answers it: the session as the program's host; the simulated robot, or
+            the simulator that it lives in; or a device of `crs.h`, which needs no connection.
         prototype: the C function that posts it.
         meaning: what it does.
         arguments: what the message holds when it is posted.

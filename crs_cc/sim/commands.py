@@ -13,7 +13,7 @@ from typing import Final, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.requests import CODES
+from crs_cc.requests import CODES, REQUESTS
 from crs_cc.sim import link
 from crs_cc.sim.actuators import drive, tag
 from crs_cc.sim.equipment import Equipment
@@ -131,11 +131,16 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("SONAR", tell),
         ("HEAT", heat.sense),
         ("TAG", tag.tag),
+        ("GPS", tell),
     )
 }
-"""The handler of each request that a robot answers."""
+"""The handler of each request that a robot answers, or one of its devices."""
 
-CONNECTS: Final = frozenset(CODES[name] for name in ("CONNECT", "CREATE"))
+UNCONNECTED: Final = frozenset(
+    code
+    for code, request in REQUESTS.items()
+    if request.server == "device" or request.name in {"CONNECT", "CREATE"}
+)
 """Requests for which a program need not be connected."""
 
 MOVES: Final = frozenset(CODES[name] for name in ("PR", "VM", "MV"))

@@ -23,10 +23,8 @@ array([0.02])
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import partial
-from typing import Final, TypeAlias
+from typing import Final
 
 import numpy as np
 import numpy.typing as npt
@@ -34,16 +32,16 @@ import numpy.typing as npt
 from crs_cc.requests import CODES, MESSAGE, NUM_STATE, STATE_REPLIES
 from crs_cc.sim.actuators import drive, traction
 from crs_cc.sim.actuators.rolling import RollingNoise
-from crs_cc.sim.commands import CHANGES_WORLD, CONNECTS, HANDLERS, MOVES, WAITS
+from crs_cc.sim.asked import Asked
+from crs_cc.sim.commands import CHANGES_WORLD, HANDLERS, MOVES, UNCONNECTED, WAITS
+from crs_cc.sim.devices import Devices
 from crs_cc.sim.equipment import Equipment
-from crs_cc.sim.instruments import Instruments
+from crs_cc.sim.events import Event, EventLog
 from crs_cc.sim.link import SerialLine
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.physics import Contacts, Physics, PhysicsSnapshot
 from crs_cc.sim.scene import Scene
 from crs_cc.sim.sensors.bumper import Bumpers
-from crs_cc.sim.sensors.sonar import SonarRing
-from crs_cc.sim.server.prediction import predict
 from crs_cc.sim.state import EnvState
 from crs_cc.sim.state_vector import configuration, state_vector
 from crs_cc.sim.step import Served, Step, slices_of
@@ -54,9 +52,6 @@ FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
 IndexArray = npt.NDArray[np.intp]
 Messages = npt.NDArray[np.void]
-
-Answer: TypeAlias = Callable[[EnvState, Equipment, Surroundings, IndexArray, Messages], None]
-"""Writes what robots are told, other than `State`, over their messages."""
 
 _ALL: Final = slice(None)
 _STATE_BYTES: Final = 4 * NUM_STATE
@@ -69,6 +64,7 @@ class Snapshot:
     state: EnvState
     physics: PhysicsSnapshot
     served: tuple[Served, ...]
+    events: tuple[Event, ...]
 
 
 class Environment:
@@ -95,15 +91,11 @@ class Environment:
         self.state = EnvState.at_start(world)
         self._equipment = Equipment.of(world)
         self._bumpers = Bumpers(world)
-        self._instruments = Instruments(world, seed)
         self._rolling = RollingNoise(world, seed)
-        self._sonars = SonarRing(world, seed)
-        self._answers: dict[int, Answer] = {
-            CODES["SONAR"]: self._sonars.tell,
-            CODES["PREDICT"]: partial(predict, sensors=(self._sonars, self._instruments)),
-        }
+        self._log = EventLog()
+        self._devices = Devices(world, seed, self._log)
         self._furnish(self._equipment.scene)
-        self._sonars.begin(self.state, self._equipment, self._around)
+        self._devices.begin(self.state, self._equipment, self._around)
         self._served: list[Served] = []
         self._axes = tuple(robot.model.drive.axis_names for robot in world.robots)
         self._line = SerialLine(world)
@@ -160,7 +152,7 @@ class Environment:
             messages["result"] = 0
             return np.array(clock_s, dtype=np.float64)
         now_s = np.fmin(np.fmax(clock_s, state.drive.clock_s[rows]), self.end_s)
-        self._fire_sonars(rows, now_s)
+        self._advance(rows, now_s)
         drive.advance(state, self._equipment, rows, now_s)
         arguments = messages["i"].copy()
         state.commands[rows] += 1
@@ -192,7 +184,7 @@ class Environment:
         """Ends the cycle, and gives what happened in it and which waits end in the next."""
         state = self.state
         robots = len(state.drive.clock_s)
-        self._fire_sonars(np.arange(robots), np.full(robots, self.end_s))
+        self._advance(np.arange(robots), np.full(robots, self.end_s))
         drive.advance(state, self._equipment, _ALL, np.full(robots, self.end_s))
         self._rolling.add(state, self._equipment)
         before_m = state.bodies.position_m[:robots].copy()
@@ -202,17 +194,19 @@ class Environment:
         slices = slices_of(state, self._axes, self.timestep_s)
         state.distance_m += np.hypot(went_m[:, 0], went_m[:, 1])
         drive.face(state, self._equipment)
-        worked = self._instruments.batteries.drain(state, self.timestep_s)
+        worked = self._devices.instruments.batteries.drain(state, self.timestep_s)
         self._let_go_if_empty(worked, self.end_s)
         began = self._touch(contacts)
         cycle, time_s, served = state.cycle, self.time_s, tuple(self._served)
+        events = self._log.take()
         self._begin_cycle()
         rows, at_s, messages = self._end_waits()
-        return Step(cycle, time_s, rows, at_s, messages, began, self._names, slices, served)
+        return Step(cycle, time_s, rows, at_s, messages, began, self._names, slices, served, events)
 
     def snapshot(self) -> Snapshot:
         """Gives all that is needed to come back to this instant."""
-        return Snapshot(self.state.copy(), self._physics.snapshot(), tuple(self._served))
+        physics, events = self._physics.snapshot(), self._log.snapshot()
+        return Snapshot(self.state.copy(), physics, tuple(self._served), events)
 
     def restore(self, snapshot: Snapshot) -> None:
         """Goes back to a snapshot of an environment with the same world and seed."""
@@ -222,6 +216,7 @@ class Environment:
         bodies = self._physics.restore(snapshot.physics)
         assert np.array_equal(bodies.position_m, self.state.bodies.position_m)
         self._served = list(snapshot.served)
+        self._log.restore(snapshot.events)
         self._around.forget()
 
     def hash(self) -> str:
@@ -234,7 +229,7 @@ class Environment:
         self._names = scene.names
         self._equipment = replace(self._equipment, scene=scene, things=Things.of(scene))
         self._physics = Physics(scene.world, scene, self.state.bodies)
-        self._around = Surroundings(scene, [*self._sonars.fans, *self._instruments.fans])
+        self._around = Surroundings(scene, self._devices.fans)
 
     def _refurnish(self, moved: bool) -> None:
         """Does so where a program has changed the world, or has moved its robot."""
@@ -250,7 +245,7 @@ class Environment:
     def _handle(self, code: int, rows: IndexArray, messages: Messages) -> BoolArray:
         """Lets connected robots do what is asked; gives which requests were good."""
         messages["result"] = 1
-        if code in CONNECTS:
+        if code in UNCONNECTED:
             good = np.ones(len(rows), dtype=np.bool_)
         else:
             good = self.state.connected[rows]
@@ -269,7 +264,8 @@ class Environment:
         """Takes the motors' force from robots whose batteries are empty."""
         if not len(rows):
             return
-        empty = rows[self._instruments.batteries.empty(self.state, rows, at_s)]
+        batteries = self._devices.instruments.batteries
+        empty = rows[batteries.empty(self.state, rows, at_s)]
         if len(empty):
             drive.lp(self.state, self._equipment, empty, np.zeros(len(empty), MESSAGE))
 
@@ -284,15 +280,15 @@ class Environment:
         arguments: npt.NDArray[np.int32],
     ) -> None:
         """Writes replies over messages."""
-        self._fire_sonars(rows, at_s)
-        self._instruments.read(
+        self._advance(rows, at_s)
+        instruments = self._devices.instruments
+        instruments.read(
             self.state, self._equipment, self._around, code=code, rows=rows[good], at_s=at_s[good]
         )
         states = state_vector(self.state, self._equipment, rows)
         messages["result"][~good] = 0
-        results = messages["result"].copy()
         if code in STATE_REPLIES:
-            self._instruments.tell(
+            instruments.tell(
                 self.state,
                 self._equipment,
                 code=code,
@@ -303,17 +299,29 @@ class Environment:
             )
             messages["size"] = _STATE_BYTES
             messages["data"][:, :_STATE_BYTES] = states.astype("<i4").view(np.uint8)
-        elif code in self._answers:
-            answers = messages[good]
-            self._answers[code](self.state, self._equipment, self._around, rows[good], answers)
-            messages[good] = answers
+        elif code in self._devices.answers:
+            self._answer(code, rows, messages, at_s, good)
+        results = messages["result"].copy()
         self._served.append(Served(code, rows, at_s, arguments, results, states))
 
-    def _fire_sonars(self, rows: IndexArray, to_s: FloatArray) -> None:
-        """Lets sonars fire and hear until an instant of this cycle."""
+    def _answer(
+        self, code: int, rows: IndexArray, messages: Messages, at_s: FloatArray, good: BoolArray
+    ) -> None:
+        """Lets devices write their answers over the messages of good requests."""
+        replies = messages[good]
+        asked = Asked(
+            self.state, self._equipment, self._around, rows[good], replies, at_s=at_s[good]
+        )
+        verdict = self._devices.answers[code](asked)
+        if verdict is not None:
+            replies["result"][~verdict] = 0
+        messages[good] = replies
+
+    def _advance(self, rows: IndexArray, to_s: FloatArray) -> None:
+        """Lets devices with timers work until an instant of this cycle."""
         # What falls on the end belongs to the next cycle, when the bodies are where they got to.
         to_s = np.minimum(to_s, np.nextafter(self.end_s, 0.0))
-        self._sonars.advance(self.state, self._equipment, self._around, rows, to_s)
+        self._devices.advance(self.state, self._equipment, self._around, rows, to_s)
 
     def _touch(self, contacts: Contacts) -> Contacts:
         """Presses bumpers, counts collisions, and gives the contacts that began."""
@@ -382,9 +390,9 @@ class Environment:
         return goes_on_s
 
     def _settle_waits(self, rows: IndexArray) -> FloatArray:
-        """Ends the waits that end in this cycle, and lets sonars fire on the way to their ends."""
+        """Ends the waits that end in this cycle, and lets devices work on the way to their ends."""
         ends_s = drive.wait_end_s(self.state, rows)
         soon = ends_s < self.end_s
         until_s = np.minimum(ends_s, self.state.drive.deadline_s[rows])
-        self._fire_sonars(rows[soon], until_s[soon])
+        self._advance(rows[soon], until_s[soon])
         return drive.settle_waits(self.state, self._equipment, rows, self.end_s)

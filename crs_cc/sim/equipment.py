@@ -29,6 +29,7 @@ class Equipment:
         infrared: number of each robot among those that have an infrared ring, -1 for the others.
         compass: the same for compasses.
         laser: the same for lasers.
+        gps: the same for GPS receivers.
         laser_points: how many points a laser can tell.
         calibration_s: how long a compass turns around to be calibrated.
         heat_range_m: how far the heat sensor senses, 0 where there is none.
@@ -46,6 +47,7 @@ class Equipment:
     infrared: IndexArray
     compass: IndexArray
     laser: IndexArray
+    gps: IndexArray
     laser_points: npt.NDArray[np.int32]
     calibration_s: FloatArray
     heat_range_m: FloatArray
@@ -68,6 +70,7 @@ class Equipment:
             _numbers([model.infrared is not None for model in models]),
             _numbers([model.compass is not None for model in models]),
             _numbers([model.laser is not None for model in models]),
+            _numbers([model.gps is not None for model in models]),
             np.array([model.laser.points if model.laser else 0 for model in models], np.int32),
             np.array([model.compass.calibration_s if model.compass else 0.0 for model in models]),
             np.array([model.heat.range_m for model in models]),

@@ -2,7 +2,8 @@
 
 A byte is ten bits on the line: a start bit, eight of data, a stop bit. How many bytes a command and
 its reply have says the robot's definition; one that is not named there takes no time. What only a
-simulator does goes over the network instead, which takes the same time for all.
+simulator does, and what devices of `crs.h` do, goes over the network instead, which takes the same
+time for all.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.requests import CODES, DATA_SIZE
+from crs_cc.requests import CODES, DATA_SIZE, REQUESTS
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.state import EnvState
@@ -34,6 +35,9 @@ _TO_SIMULATOR: Final = frozenset(
         "QUIT_SERVER",
     )
 )  # fmt: skip
+_OVER_NETWORK: Final = _TO_SIMULATOR | {
+    code for code, request in REQUESTS.items() if request.server == "device"
+}
 
 
 class SerialLine:
@@ -60,7 +64,7 @@ class SerialLine:
             robot: whose it is.
             size: bytes of its data.
         """
-        if code in _TO_SIMULATOR:
+        if code in _OVER_NETWORK:
             return self._network_s[robot]
         count = self._byte_counts[robot].get(code, 0)
         if count and code in _CARRIED:

@@ -80,6 +80,26 @@ class Area:
 
 
 @dataclass(frozen=True, slots=True)
+class Material:
+    """What the surface of a thing is made of.
+
+    Attributes:
+        colour: red, green and blue, 0 to 255, as cameras see it.
+        sonar: the share of sound that it reflects, 0 to 1.
+        infrared: the share of infrared light that it reflects, 0 to 1; None for what the sensor's
+            definition takes surfaces for.
+    """
+
+    colour: tuple[int, int, int] = (128, 128, 128)
+    sonar: float = 1.0
+    infrared: float | None = None
+
+
+PLAIN: Final = Material()
+"""What things are made of that say nothing else."""
+
+
+@dataclass(frozen=True, slots=True)
 class Wall:
     """A fixed wall: a line segment with thickness, round at both ends."""
 
@@ -89,6 +109,8 @@ class Wall:
     x2_m: float
     y2_m: float
     thickness_m: float = 0.1
+    heat: float = 0.0
+    material: Material = PLAIN
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,6 +126,7 @@ class Box:
     width_m: float
     mass_kg: float = FIXED_KG
     heat: float = 0.0
+    material: Material = PLAIN
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,6 +138,7 @@ class Cylinder:
     radius_m: float
     mass_kg: float = FIXED_KG
     heat: float = 0.0
+    material: Material = PLAIN
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,12 +151,16 @@ class Polygon:
         corners_m: x and y of each corner from there as it stands when it is not turned,
             counter-clockwise.
         mass_kg: its mass.
+        heat: as of a box.
+        material: as of a box.
     """
 
     id: str
     pose: Pose
     corners_m: tuple[tuple[float, float], ...]
     mass_kg: float = FIXED_KG
+    heat: float = 0.0
+    material: Material = PLAIN
 
     @classmethod
     def of(

@@ -20,6 +20,7 @@ from crs_cc.sim.sensor_model import (
     USUAL_BOARD,
     Battery,
     Compass,
+    Gps,
     Infrared,
     Laser,
     MotorBattery,
@@ -173,6 +174,7 @@ class RobotModel:
         infrared: its infrared ring, None where there is none.
         compass: its compass, None where there is none.
         laser: its laser, None where there is none.
+        gps: its GPS receiver, None where there is none.
         computer_battery: what feeds its computers.
         motor_battery: what feeds its motors.
         board: the computer that reads its sensors.
@@ -194,6 +196,7 @@ class RobotModel:
     infrared: Infrared | None = None
     compass: Compass | None = None
     laser: Laser | None = None
+    gps: Gps | None = None
     computer_battery: Battery = ENDLESS
     motor_battery: MotorBattery = ENDLESS_MOTORS
     board: SensorBoard = USUAL_BOARD

@@ -15,6 +15,7 @@ from crs_cc.sim.sensor_model import (
     USUAL_BOARD,
     Battery,
     Compass,
+    Gps,
     Infrared,
     Laser,
     MotorBattery,
@@ -116,6 +117,16 @@ def laser(root: Element, reader: Reader) -> Laser | None:
         noise_m=reader.not_negative(element, "noise", LENGTH),
         mode=int(element.attributes["mode"]),
     )
+
+
+def gps(root: Element, reader: Reader) -> Gps | None:
+    """Gives the GPS receiver, None for a robot without one."""
+    for element in root.all("gps"):
+        return Gps(
+            reader.positive(element, "rate", FREQUENCY),
+            reader.not_negative(element, "noise", LENGTH),
+        )
+    return None
 
 
 def computer_battery(root: Element, reader: Reader) -> Battery:

@@ -100,6 +100,19 @@ class Laser:
 
 
 @dataclass(frozen=True, slots=True)
+class Gps:
+    """A receiver that tells where the robot is in the world.
+
+    Attributes:
+        rate_hz: how often it measures at most.
+        noise_m: standard deviation of the error along x and along y.
+    """
+
+    rate_hz: float
+    noise_m: float
+
+
+@dataclass(frozen=True, slots=True)
 class Battery:
     """A battery and what it feeds.
 

@@ -31,6 +31,7 @@ from crs_cc.sim.states.bumper import BumperState
 from crs_cc.sim.states.compass import CompassState
 from crs_cc.sim.states.drawings import DrawingState
 from crs_cc.sim.states.drive import DriveState
+from crs_cc.sim.states.gps import GpsState
 from crs_cc.sim.states.heat import HeatState
 from crs_cc.sim.states.infrared import InfraredState
 from crs_cc.sim.states.laser import LaserState
@@ -68,6 +69,7 @@ class EnvState:
         infrared: the infrared sensors' readings.
         compass: the compasses' readings.
         laser: what the lasers saw and told.
+        gps: what GPS receivers told.
         mask: which parts of `State` the program asks for (`Smask`), (robots, 44).
         pos_data: where and when sensors were read, for those who ask.
         battery: what the motors took from theirs.
@@ -98,6 +100,7 @@ class EnvState:
     infrared: InfraredState
     compass: CompassState
     laser: LaserState
+    gps: GpsState
     mask: npt.NDArray[np.uint8]
     pos_data: PosDataState
     battery: BatteryState
@@ -133,6 +136,7 @@ class EnvState:
             infrared=InfraredState.at_start(world),
             compass=CompassState.at_start(world),
             laser=LaserState.at_start(world),
+            gps=GpsState.at_start(world),
             mask=first_mask(count),
             pos_data=PosDataState.at_start(world),
             battery=BatteryState.at_start(world),

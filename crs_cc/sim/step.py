@@ -15,6 +15,7 @@ import numpy.typing as npt
 
 from crs_cc.requests import CODES, REQUESTS
 from crs_cc.sim.drawings import Drawing
+from crs_cc.sim.events import Event
 from crs_cc.sim.physics import Contacts
 from crs_cc.sim.state import EnvState
 from crs_cc.sim.state_vector import (
@@ -110,6 +111,7 @@ class Step:
         names: what `contacts.other` counts: robots, things, walls.
         slices: what the axes did in the cycle.
         served: the requests that were answered in the cycle, in order.
+        events: what else happened in it, in order.
     """
 
     cycle: int
@@ -121,6 +123,7 @@ class Step:
     names: tuple[str, ...]
     slices: Slices
     served: tuple[Served, ...]
+    events: tuple[Event, ...]
 
     @property
     def drawings(self) -> tuple[Drawing, ...]:

@@ -22,7 +22,7 @@ from crs_cc.sim.world_xml import SCOUT, parse_world
 from crs_cc.source import Diagnostics
 from crs_cc.units import m_to_inch
 
-HEADERS = ("stdio", "stdlib", "string", "math", "unistd", "sys/time")
+HEADERS = ("stdio", "stdlib", "string", "math", "unistd", "sys/time", "crs")
 
 OPEN = '<robot x="0" y="0"/>'
 """A Scout with nothing around it."""

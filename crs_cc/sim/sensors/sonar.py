@@ -47,6 +47,7 @@ from crs_cc.sim.states.sonar import inches
 from crs_cc.units import SOUND_MPS, m_to_tenths_inch
 
 if TYPE_CHECKING:
+    from crs_cc.sim.asked import Asked
     from crs_cc.sim.equipment import Equipment
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.robot_model import RobotModel
@@ -125,27 +126,13 @@ class SonarRing:
             state.sonar.count[rows] += 1
         return told_m
 
-    def tell(
-        self,
-        state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
-        rows: IndexArray,
-        messages: Messages,
-    ) -> None:
-        """Answers SONAR as the CRS report has it: in 0.1 in, -1 for no echo.
-
-        Args:
-            state: what was heard last; counts the firings.
-            equipment: the robots' constants.
-            around: what there is to hear.
-            rows: which robots, k of them.
-            messages: whether all their sonars are to fire now, changed in place into the replies.
-        """
+    def tell(self, asked: Asked) -> None:
+        """Answers SONAR as the CRS report has it: in 0.1 in, -1 for no echo."""
+        state, rows, messages = asked.state, asked.rows, asked.messages
         echo_m = state.sonar.echo_m[rows]
         now = messages["i"][:, 0] != 0
         if now.any():
-            echo_m[now] = self.hear_now(state, equipment, around, rows[now])
+            echo_m[now] = self.hear_now(state, asked.equipment, asked.around, rows[now])
         heard = np.isfinite(echo_m)
         tenths = np.rint(m_to_tenths_inch(np.where(heard, echo_m, 0.0)))
         told = np.where(heard, tenths, -1).astype("<i4")

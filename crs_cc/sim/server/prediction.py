@@ -20,37 +20,26 @@ from crs_cc.sim.state_vector import IR_0, SONAR_0
 from crs_cc.units import tenths_deg_to_rad, tenths_inch_to_m
 
 if TYPE_CHECKING:
+    from crs_cc.sim.asked import Asked
     from crs_cc.sim.equipment import Equipment
     from crs_cc.sim.instruments import Instruments
     from crs_cc.sim.sensors.sonar import SonarRing
     from crs_cc.sim.state import EnvState
-    from crs_cc.sim.surroundings import Surroundings
 
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]
-Messages = npt.NDArray[np.void]
 
 
-def predict(
-    state: EnvState,
-    equipment: Equipment,
-    around: Surroundings,
-    rows: IndexArray,
-    messages: Messages,
-    *,
-    sensors: tuple[SonarRing, Instruments],
-) -> None:
+def predict(asked: Asked, *, sensors: tuple[SonarRing, Instruments]) -> None:
     """Answers PREDICT.
 
     Args:
-        state: tells where all things are; keeps what lasers would see.
-        equipment: the robots' constants.
-        around: what there is to measure.
-        rows: which robots, k of them.
-        messages: the poses, changed in place into the replies, shape (k,).
+        asked: the poses; the state keeps what lasers would see.
         sensors: those of the robots.
     """
     sonars, instruments = sensors
+    state, equipment, around = asked.state, asked.equipment, asked.around
+    rows, messages = asked.rows, asked.messages
     poses = _mounts(state, equipment, rows, messages["i"][:, :4].astype(np.float64))
     told = np.zeros((len(rows), NUM_STATE), dtype="<i4")
     told[:, SONAR_0 : SONAR_0 + MAX_SONARS] = sonars.look(state, around, rows, poses)

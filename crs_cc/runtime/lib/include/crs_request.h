@@ -82,6 +82,7 @@ struct __crs_message {
 #define CRS_SONAR 160
 #define CRS_HEAT 161
 #define CRS_TAG 162
+#define CRS_GPS 200
 
 /* Posts the message and gives the reply's result. */
 int __crs_request(int code, struct __crs_message *message);

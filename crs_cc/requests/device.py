@@ -1,0 +1,30 @@
+"""The requests to devices that the vendor's robots did not have: those of `crs.h`.
+
+They need no connection, and take the time of a short message on a network.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from crs_cc.requests.code import Argument, RequestCode, arguments
+
+_LENGTH: Final = "0.1 in"
+_DONE: Final = arguments(("result", "1 when done, else 0", "1"))
+
+
+def _device(
+    name: str, code: int, prototype: str, meaning: str, arguments: tuple[Argument, ...] = (),
+    *, results: tuple[Argument, ...] = (),
+) -> RequestCode:  # fmt: skip
+    results = (*_DONE, *results)
+    return RequestCode(name, code, "device", prototype, meaning, arguments, results)
+
+
+DEVICE_REQUESTS: Final = (
+    _device(
+        "GPS", 200, "int crs_gps(int *x, int *y)", "tells where the robot is in the world",
+        results=arguments(("i[0]", "x in the world", _LENGTH), ("i[1]", "y", _LENGTH)),
+    ),
+)  # fmt: skip
+"""Every request that a device of `crs.h` answers."""

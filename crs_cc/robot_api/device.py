@@ -1,0 +1,23 @@
+"""The functions of `crs.h`: what robots have here beyond the vendor's.
+
+`docs/crs-h.md` is made of it, and a test holds it, the header and the library together.
+
+>>> [function.name for group in DEVICE_GROUPS for function in group.functions][0]
+'crs_gps'
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from crs_cc.robot_api.row import OURS, Function, Group
+
+SENSORS: Final = Group("Sensors", (
+    Function(
+        "int crs_gps(int *x, int *y)", "tells where the robot is in the world", units="0.1 in",
+        posts=("GPS",), source=(OURS,),
+    ),
+))  # fmt: skip
+
+DEVICE_GROUPS: Final = (SENSORS,)
+"""All functions, by what they are about."""

@@ -1,0 +1,14 @@
+/* How crs.h reaches its devices, for the library itself. */
+#ifndef CRS_DEVICE_H
+#define CRS_DEVICE_H
+
+#include <crs.h>
+#include <crs_request.h>
+
+/* Posts a request with up to four numbers as its arguments and no data; gives its result. */
+int __crs_ask_device(int code, struct __crs_message *message, int a, int b, int c, int d);
+
+/* Posts a request that has been filled in; gives its result. */
+int __crs_post_device(int code, struct __crs_message *message);
+
+#endif

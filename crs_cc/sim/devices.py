@@ -1,0 +1,86 @@
+"""All devices of all robots that measure by themselves, or answer in a form of their own.
+
+A new one is made here, and entered into `answers`; one with a timer is also told by `advance` how
+far time has come.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.requests import CODES
+from crs_cc.sim.instruments import Instruments
+from crs_cc.sim.sensors.gps import GpsReceivers
+from crs_cc.sim.sensors.sonar import SonarRing
+from crs_cc.sim.server.prediction import predict
+
+if TYPE_CHECKING:
+    from crs_cc.sim.asked import Answer
+    from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.events import EventLog
+    from crs_cc.sim.model import WorldModel
+    from crs_cc.sim.rays import Fan
+    from crs_cc.sim.state import EnvState
+    from crs_cc.sim.surroundings import Surroundings
+
+FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.intp]
+
+
+class Devices:
+    """The devices of all robots of a world.
+
+    Attributes:
+        sonars: the sonars.
+        instruments: what the vendor's sensor board reads.
+        answers: who answers the requests that are not answered with `State`, by code.
+    """
+
+    def __init__(self, world: WorldModel, seed: int, log: EventLog) -> None:
+        """Makes the devices.
+
+        Args:
+            world: the world.
+            seed: decides their errors.
+            log: takes what happens to them.
+        """
+        self.log = log
+        self.sonars = SonarRing(world, seed)
+        self.instruments = Instruments(world, seed)
+        self.answers: dict[int, Answer] = {
+            CODES["SONAR"]: self.sonars.tell,
+            CODES["PREDICT"]: partial(predict, sensors=(self.sonars, self.instruments)),
+            CODES["GPS"]: GpsReceivers(world, seed).tell,
+        }
+
+    @property
+    def fans(self) -> list[Fan]:
+        """Gives the beams of those that measure distances."""
+        return [*self.sonars.fans, *self.instruments.fans]
+
+    def begin(self, state: EnvState, equipment: Equipment, around: Surroundings) -> None:
+        """Lets them begin, before the first cycle."""
+        self.sonars.begin(state, equipment, around)
+
+    def advance(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        to_s: FloatArray,
+    ) -> None:
+        """Lets those with timers work until an instant of the current cycle.
+
+        Args:
+            state: changed in place.
+            equipment: the robots' constants.
+            around: what there is to see.
+            rows: whose, k of them.
+            to_s: until when, for each, (k,).
+        """
+        self.sonars.advance(state, equipment, around, rows, to_s)

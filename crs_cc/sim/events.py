@@ -1,0 +1,55 @@
+"""What happens in a world besides motion: said by whoever does it, heard with the cycle's `Step`.
+
+>>> log = EventLog()
+>>> log.say(0.05, "message", "lost: out of range", robot=2)
+>>> log.take()
+(Event(time_s=0.05, kind='message', text='lost: out of range', robot=2),)
+>>> log.take()
+()
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """Something that happened at an instant.
+
+    Attributes:
+        time_s: when.
+        kind: which part of the world tells it, one word.
+        text: what happened, for people.
+        robot: whom it happened to, -1 for none.
+    """
+
+    time_s: float
+    kind: str
+    text: str
+    robot: int = -1
+
+
+class EventLog:
+    """The events of the current cycle, in the order in which they were said."""
+
+    def __init__(self) -> None:
+        self._events: list[Event] = []
+
+    def say(self, time_s: float, kind: str, text: str, robot: int = -1) -> None:
+        """Adds an event, see `Event`."""
+        self._events.append(Event(float(time_s), kind, text, int(robot)))
+
+    def take(self) -> tuple[Event, ...]:
+        """Gives all events, and forgets them."""
+        events = tuple(self._events)
+        self._events.clear()
+        return events
+
+    def snapshot(self) -> tuple[Event, ...]:
+        """Gives all events."""
+        return tuple(self._events)
+
+    def restore(self, events: tuple[Event, ...]) -> None:
+        """Goes back to a snapshot."""
+        self._events[:] = events

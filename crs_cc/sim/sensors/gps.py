@@ -1,0 +1,56 @@
+"""The GPS receiver.
+
+    reading = position of the robot's middle + normal deviates with the definition's noise
+
+along x and y of the world frame, to the nearest 0.1 inch. It measures when the program asks, at
+most at its rate; between two measurements it tells the last one. All of it was chosen by us: the
+CRS report (6.2) wishes for such a device, and has no law for it.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.mount import mount_poses
+from crs_cc.sim.noise import GPS, Noise
+from crs_cc.units import m_to_tenths_inch
+
+if TYPE_CHECKING:
+    from crs_cc.sim.asked import Asked
+    from crs_cc.sim.model import WorldModel
+
+IndexArray = npt.NDArray[np.intp]
+
+_ROUNDING_S: Final = 1e-9
+
+
+class GpsReceivers:
+    """The receivers of all robots that have one."""
+
+    def __init__(self, world: WorldModel, seed: int) -> None:
+        found = [gps for robot in world.robots if (gps := robot.model.gps) is not None]
+        self._interval_s = np.array([1.0 / gps.rate_hz for gps in found])
+        self._noise_m = np.array([gps.noise_m for gps in found])
+        self._noise = Noise(seed, GPS, 2, len(found) if self._noise_m.any() else 0)
+
+    def tell(self, asked: Asked) -> npt.NDArray[np.bool_]:
+        """Answers GPS; refuses robots that have no receiver."""
+        has = asked.equipment.gps[asked.rows] >= 0
+        rows, at_s = asked.rows[has], asked.at_s[has]
+        gps, mine = asked.state.gps, asked.equipment.gps[rows]
+        due = at_s - gps.at_s[mine] >= self._interval_s[mine] - _ROUNDING_S
+        self._measure(asked, rows[due], at_s[due])
+        tenths = np.rint(m_to_tenths_inch(gps.fix_m[mine]))
+        asked.messages["i"][has, :2] = tenths.astype(np.int32)
+        return np.asarray(has)
+
+    def _measure(self, asked: Asked, rows: IndexArray, at_s: npt.NDArray[np.float64]) -> None:
+        gps, mine = asked.state.gps, asked.equipment.gps[rows]
+        fix_m = mount_poses(asked.state, asked.equipment, rows)[:, :2]
+        if self._noise_m.any():
+            fix_m += self._noise.rows(mine, gps.count[mine]) * self._noise_m[mine, None]
+        gps.fix_m[mine], gps.at_s[mine] = fix_m, at_s
+        gps.count[mine] += 1
