@@ -29,8 +29,9 @@ class RunOptions:
         compiler: how to compile.
         checked: with checks of every memory access.
         trap_overflow: stop a program at signed overflow.
-        seed: start of all random numbers.
-        max_time_s: stop at the first timestep that ends at or after it [s]; None for no end.
+        seed: start of all random numbers; None for the world's, else 0.
+        max_time_s: stop at the first timestep that ends at or after it [s]; None for the world's,
+            else no end.
         plot: the picture to draw.
         inputs_on_disk: files that the programs can read, by the names that they have for them.
         outputs: the folder that takes the files that the programs write; None to drop them.
@@ -49,7 +50,7 @@ class RunOptions:
     compiler: CompilerOptions = field(default_factory=CompilerOptions)
     checked: bool = True
     trap_overflow: bool = False
-    seed: int = 0
+    seed: int | None = None
     max_time_s: float | None = None
     plot: Path | None = None
     inputs_on_disk: Mapping[str, Path] = field(default_factory=dict)
@@ -111,15 +112,15 @@ def _time(_ctx: click.Context, _option: click.Parameter, time_s: float | None) -
     type=click.FloatRange(min=0, min_open=True),
     callback=_time,
     metavar="S",
-    help="Stop at the first timestep that ends at or after S seconds of simulated time.",
+    help="Stop at the first timestep that ends at or after S seconds of simulated time; "
+    "by default at the world file's duration.",
 )
 @click.option(
     "--seed",
     type=click.IntRange(min=0),
-    default=0,
-    show_default=True,
     metavar="N",
-    help="Start of all random numbers: the same seed gives the same run.",
+    help="Start of all random numbers: the same seed gives the same run; by default the world "
+    "file's, else 0.",
 )
 @click.option(
     "--plot",

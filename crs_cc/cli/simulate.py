@@ -84,10 +84,13 @@ class Runner:
     def __init__(self, loaded: Loaded, options: RunOptions) -> None:
         self._loaded = loaded
         self._options = options
+        world = loaded.world
+        self._seed = options.seed if options.seed is not None else world.seed or 0
+        self._end_s = options.max_time_s or world.duration_s
         talks = not (options.quiet or options.trace_requests)
         self._progress = ProgressLine(sys.stderr if talks and is_terminal(sys.stderr) else None)
         self._output = ProgramOutput(
-            [robot.id for robot in loaded.world.robots],
+            [robot.id for robot in world.robots],
             sys.stderr.buffer if options.as_json else sys.stdout.buffer,
             sys.stderr.buffer,
             self._progress,
@@ -95,12 +98,12 @@ class Runner:
         self._interrupt = Interrupt()
         self._started_s = time.monotonic()
         self.tracks = Tracks()
-        names = [robot.id for robot in loaded.world.robots]
+        names = [robot.id for robot in world.robots]
         self._trace = _request_trace(names) if options.trace_requests else None
         self.session = Session(
-            loaded.world,
+            world,
             loaded.executables,
-            seed=options.seed,
+            seed=self._seed,
             arguments=loaded.arguments,
             output=self._output.write,
             read=self._read,
@@ -122,7 +125,7 @@ class Runner:
         return Run(
             self.session.result(),
             str(self._options.inputs.world or ""),
-            self._options.seed,
+            self._seed,
             time.monotonic() - self._started_s,
             self._interrupt.requested,
             tuple(self._current_calls()),
@@ -135,7 +138,7 @@ class Runner:
             yield self.session.current_call(robot) if wanted else None
 
     def _step_to_end(self) -> None:
-        end_s = self._options.max_time_s
+        end_s = self._end_s
         self._look()
         while not self._interrupt.requested and self.session.step():
             self._look()

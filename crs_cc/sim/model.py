@@ -40,6 +40,9 @@ from crs_cc.sim.robot_model import IDEAL_LINK, RobotModel
 FIXED_KG: Final = math.inf
 """The mass of what cannot be pushed."""
 
+TALL_M: Final = math.inf
+"""The height of what is as high as anything that looks at it."""
+
 
 @dataclass(frozen=True, slots=True)
 class Pose:
@@ -48,35 +51,6 @@ class Pose:
     x_m: float = 0.0
     y_m: float = 0.0
     heading_rad: float = 0.0
-
-
-@dataclass(frozen=True, slots=True)
-class Area:
-    """The rectangle that the world is about.
-
-    Attributes:
-        x_min_m: its left edge.
-        y_min_m: its lower edge.
-        length_m: its size along x.
-        width_m: its size along y.
-        edge_m: thickness of the walls around it, which stand outside of it; 0 when it is open.
-    """
-
-    x_min_m: float
-    y_min_m: float
-    length_m: float
-    width_m: float
-    edge_m: float = 0.1
-
-    @property
-    def x_max_m(self) -> float:
-        """The right edge."""
-        return self.x_min_m + self.length_m
-
-    @property
-    def y_max_m(self) -> float:
-        """The upper edge."""
-        return self.y_min_m + self.width_m
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,8 +74,39 @@ PLAIN: Final = Material()
 
 
 @dataclass(frozen=True, slots=True)
+class Area:
+    """The rectangle that the world is about.
+
+    Attributes:
+        x_min_m: its left edge.
+        y_min_m: its lower edge.
+        length_m: its size along x.
+        width_m: its size along y.
+        edge_m: thickness of the walls around it, which stand outside of it; 0 when it is open.
+        material: what these walls are made of.
+    """
+
+    x_min_m: float
+    y_min_m: float
+    length_m: float
+    width_m: float
+    edge_m: float = 0.1
+    material: Material = PLAIN
+
+    @property
+    def x_max_m(self) -> float:
+        """The right edge."""
+        return self.x_min_m + self.length_m
+
+    @property
+    def y_max_m(self) -> float:
+        """The upper edge."""
+        return self.y_min_m + self.width_m
+
+
+@dataclass(frozen=True, slots=True)
 class Wall:
-    """A fixed wall: a line segment with thickness, round at both ends."""
+    """A fixed wall: a line segment with thickness, round at both ends; the rest as of a box."""
 
     id: str
     x1_m: float
@@ -111,13 +116,15 @@ class Wall:
     thickness_m: float = 0.1
     heat: float = 0.0
     material: Material = PLAIN
+    height_m: float = TALL_M
 
 
 @dataclass(frozen=True, slots=True)
 class Box:
     """A rectangular object; `length_m` lies along the heading of its pose, `width_m` across.
 
-    How hot it is at the start is `heat`, as `sensors.heat` senses it.
+    How hot it is at the start is `heat`, as `sensors.heat` senses it; `height_m` is how far it
+    rises above the ground that it stands on.
     """
 
     id: str
@@ -127,11 +134,12 @@ class Box:
     mass_kg: float = FIXED_KG
     heat: float = 0.0
     material: Material = PLAIN
+    height_m: float = TALL_M
 
 
 @dataclass(frozen=True, slots=True)
 class Cylinder:
-    """A round object; `heat` as of a box."""
+    """A round object; the rest as of a box."""
 
     id: str
     pose: Pose
@@ -139,6 +147,7 @@ class Cylinder:
     mass_kg: float = FIXED_KG
     heat: float = 0.0
     material: Material = PLAIN
+    height_m: float = TALL_M
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,6 +162,7 @@ class Polygon:
         mass_kg: its mass.
         heat: as of a box.
         material: as of a box.
+        height_m: as of a box.
     """
 
     id: str
@@ -161,6 +171,7 @@ class Polygon:
     mass_kg: float = FIXED_KG
     heat: float = 0.0
     material: Material = PLAIN
+    height_m: float = TALL_M
 
     @classmethod
     def of(
@@ -201,6 +212,7 @@ class Robot:
         heat: how hot it is at the start, as of a box.
         dialect: whose functions the program calls: the vendor's, `nomad`, or those of the CRS
             report, `report`; None when the world does not say.
+        material: what its shell is made of.
     """
 
     id: str
@@ -210,11 +222,16 @@ class Robot:
     arguments: tuple[str, ...] = ()
     heat: float = 0.0
     dialect: Literal["nomad", "report"] | None = None
+    material: Material = PLAIN
 
 
 @dataclass(frozen=True, slots=True)
 class WorldModel:
-    """A whole world; the order within each tuple is that of the file, and is part of it."""
+    """A whole world; the order within each tuple is that of the file, and is part of it.
+
+    `duration_s` is how long a run lasts, and `seed` where its random numbers start; None where
+    whoever runs it has to say so.
+    """
 
     name: str
     area: Area
@@ -224,6 +241,8 @@ class WorldModel:
     polygons: tuple[Polygon, ...] = ()
     robots: tuple[Robot, ...] = ()
     timestep_s: float = 0.05
+    duration_s: float | None = None
+    seed: int | None = None
 
     def with_ideal_link(self) -> WorldModel:
         """Gives the same world with commands that take no time on their way to the robot."""
@@ -237,13 +256,14 @@ class WorldModel:
         area, half_m = self.area, self.area.edge_m / 2
         if area.edge_m == 0.0:
             return ()
+        form = (area.edge_m, 0.0, area.material)
         west, east = area.x_min_m - half_m, area.x_max_m + half_m
         south, north = area.y_min_m - half_m, area.y_max_m + half_m
         return (
-            Wall("edge-south", west, south, east, south, area.edge_m),
-            Wall("edge-east", east, south, east, north, area.edge_m),
-            Wall("edge-north", east, north, west, north, area.edge_m),
-            Wall("edge-west", west, north, west, south, area.edge_m),
+            Wall("edge-south", west, south, east, south, *form),
+            Wall("edge-east", east, south, east, north, *form),
+            Wall("edge-north", east, north, west, north, *form),
+            Wall("edge-west", west, north, west, south, *form),
         )
 
     def solids(self) -> tuple[Solid, ...]:

@@ -22,6 +22,7 @@ import numpy.typing as npt
 
 from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Wall, WorldModel
 from crs_cc.sim.neighbours import Discs, overlapping
+from crs_cc.sim.polygon import distances_m
 from crs_cc.sim.scene import corners_m
 
 FloatArray = npt.NDArray[np.float64]
@@ -80,24 +81,10 @@ def _from_box_m(box: Box, across_x: FloatArray, across_y: FloatArray) -> FloatAr
 
 
 def _from_polygon_m(polygon: Polygon, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
-    """Gives the distance from the nearest side, negative inside.
-
-    A point is inside where a line to the right of it meets an odd number of sides (Shimrat,
-    "Algorithm 112: position of point relative to polygon", 1962).
-    """
-    starts = corners_m(polygon)
-    nearest_m = np.full(np.shape(x_m), np.inf)
-    inside = np.zeros(np.shape(x_m), dtype=np.bool_)
-    for (ax, ay), (bx, by) in zip(starts, np.roll(starts, -1, axis=0), strict=True):
-        along_x, along_y, across_x, across_y = bx - ax, by - ay, x_m - ax, y_m - ay
-        share = (across_x * along_x + across_y * along_y) / (along_x**2 + along_y**2)
-        share = np.clip(share, 0.0, 1.0)
-        side_m = np.hypot(across_x - share * along_x, across_y - share * along_y)
-        nearest_m = np.minimum(nearest_m, side_m)
-        if ay != by:
-            spans = (ay > y_m) != (by > y_m)
-            inside ^= spans & (across_x < along_x * across_y / along_y)
-    return np.where(inside, -nearest_m, nearest_m)
+    corners, count = corners_m(polygon), np.size(x_m)
+    points = np.column_stack([np.ravel(x_m), np.ravel(y_m)])
+    counts = np.full(count, len(corners))
+    return distances_m(points, np.tile(corners, (count, 1)), counts).reshape(np.shape(x_m))
 
 
 def _outside(world: WorldModel, ids: list[str], robots: Discs) -> Iterator[tuple[int, str]]:

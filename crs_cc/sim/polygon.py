@@ -53,6 +53,37 @@ def second_moment_m4(corners_m: FloatArray) -> float:
     return float((cross * squares).sum() / 12)
 
 
+def distances_m(points_m: FloatArray, corners_m: FloatArray, counts: IndexArray) -> FloatArray:
+    """Gives how far points are from polygons, each from one of its own; negative inside.
+
+    A point is inside where a line to the right of it meets an odd number of sides (Shimrat,
+    "Algorithm 112: position of point relative to polygon", 1962).
+
+    Args:
+        points_m: the points, (k, 2).
+        corners_m: the corners of each point's polygon, one polygon after the other, (n, 2).
+        counts: how many corners each of them has, (k,).
+
+    Returns:
+        the distances from the nearest side, (k,).
+    """
+    if not len(points_m):
+        return np.zeros(0)
+    ends = np.cumsum(counts)
+    after = np.arange(1, len(corners_m) + 1)
+    after[ends - 1] = ends - counts
+    side = corners_m[after] - corners_m
+    across = np.repeat(points_m, counts, axis=0) - corners_m
+    share = (across * side).sum(axis=1) / (side * side).sum(axis=1)
+    off = across - np.clip(share, 0.0, 1.0)[:, None] * side
+    nearest_m = np.minimum.reduceat(np.hypot(off[:, 0], off[:, 1]), ends - counts)
+    spans = (across[:, 1] < 0.0) != (across[:, 1] < side[:, 1])
+    rise = np.where(spans, side[:, 1], 1.0)
+    meets = spans & (across[:, 0] < side[:, 0] * across[:, 1] / rise)
+    inside = np.logical_xor.reduceat(meets, ends - counts)
+    return np.where(inside, -nearest_m, nearest_m)
+
+
 def complaint(corners_m: FloatArray) -> str:
     """Says what keeps corners, in either order, from being a polygon; nothing if nothing does."""
     count = len(corners_m)

@@ -1,7 +1,7 @@
 """The shapes of all things, and how far a point is from them.
 
 A thing is a rectangle with a margin around it: of a box the margin is 0, of what is round the
-rectangle is a point and the margin its radius.
+rectangle is a point and the margin its radius, of a wall it is a line. Polygons have corners.
 
 >>> from crs_cc.sim.model import Area, Box, Cylinder, Pose, WorldModel
 >>> desk, bin = Box("desk", Pose(3.0, 0.0), 2.0, 1.0), Cylinder("bin", Pose(0.0, 4.0), 0.5)
@@ -13,13 +13,15 @@ rectangle is a point and the margin its radius.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Self
 
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.model import Box, Cylinder, Robot, Solid, Wall
+from crs_cc.sim.model import Box, Cylinder, Polygon, Robot, Solid, Wall
+from crs_cc.sim.polygon import distances_m
 from crs_cc.sim.scene import Scene
 
 if TYPE_CHECKING:
@@ -36,20 +38,35 @@ class Things:
     Attributes:
         half_m: half the length and width of the rectangle, (things, 2).
         margin_m: how far the thing reaches beyond it, (things,).
+        corners_m: the corners of all polygons in their own frames, one after the other, (n, 2).
+        first: the first corner of each thing, (things,).
+        corners: how many there are, 0 of what is no polygon, (things,).
         fixed: x, y [m] and heading [rad] of the things that never move, the last ones, (fixed, 3).
     """
 
     half_m: FloatArray
     margin_m: FloatArray
+    corners_m: FloatArray
+    first: IndexArray
+    corners: IndexArray
     fixed: FloatArray
 
     @classmethod
     def of(cls, scene: Scene) -> Self:
-        """Gives the things in a scene; walls and polygons are points, as nobody asks for them."""
+        """Gives the things in a scene."""
         things = (*scene.world.robots, *scene.pushables, *scene.fixed_solids)
         shapes = np.array([_shape(thing) for thing in things], dtype=np.float64).reshape(-1, 3)
         fixed = [_pose(thing) for thing in scene.fixed_solids]
-        return cls(shapes[:, :2], shapes[:, 2], np.array(fixed, dtype=np.float64).reshape(-1, 3))
+        own = [thing.corners_m if isinstance(thing, Polygon) else () for thing in things]
+        counts = np.array([len(corners) for corners in own], dtype=np.intp)
+        return cls(
+            shapes[:, :2],
+            shapes[:, 2],
+            np.array([corner for corners in own for corner in corners]).reshape(-1, 2),
+            np.cumsum(counts) - counts,
+            counts,
+            np.array(fixed, dtype=np.float64).reshape(-1, 3),
+        )
 
     @property
     def reach_m(self) -> FloatArray:
@@ -75,10 +92,20 @@ class Things:
         pose = poses[things]
         east_m, north_m = x_m - pose[:, 0], y_m - pose[:, 1]
         cos, sin = np.cos(pose[:, 2]), np.sin(pose[:, 2])
-        ahead_m = np.abs(cos * east_m + sin * north_m) - self.half_m[things, 0]
-        aside_m = np.abs(cos * north_m - sin * east_m) - self.half_m[things, 1]
-        outside_m = np.hypot(np.maximum(ahead_m, 0.0), np.maximum(aside_m, 0.0))
-        return np.asarray(outside_m - self.margin_m[things])
+        own_m = np.column_stack([cos * east_m + sin * north_m, cos * north_m - sin * east_m])
+        beyond_m = np.maximum(np.abs(own_m) - self.half_m[things], 0.0)
+        distance_m = np.hypot(beyond_m[:, 0], beyond_m[:, 1]) - self.margin_m[things]
+        angular = np.flatnonzero(self.corners[things])
+        if len(angular):
+            distance_m[angular] = self._from_polygons_m(own_m[angular], things[angular])
+        return distance_m
+
+    def _from_polygons_m(self, own_m: FloatArray, things: IndexArray) -> FloatArray:
+        """Gives the distance of points from polygons, in whose frames they are."""
+        counts = self.corners[things]
+        ends = np.cumsum(counts)
+        corner = np.arange(ends[-1]) + np.repeat(self.first[things] - (ends - counts), counts)
+        return distances_m(own_m, self.corners_m[corner], counts)
 
 
 def _shape(thing: Robot | Solid) -> tuple[float, float, float]:
@@ -90,10 +117,15 @@ def _shape(thing: Robot | Solid) -> tuple[float, float, float]:
             return 0.0, 0.0, thing.radius_m
         case Robot():
             return 0.0, 0.0, thing.model.radius_m
-    return 0.0, 0.0, 0.0
+        case Wall():
+            length_m = math.hypot(thing.x2_m - thing.x1_m, thing.y2_m - thing.y1_m)
+            return length_m / 2, 0.0, thing.thickness_m / 2
+        case Polygon():
+            return 0.0, 0.0, max(math.hypot(*corner) for corner in thing.corners_m)
 
 
 def _pose(thing: Solid) -> tuple[float, float, float]:
     if isinstance(thing, Wall):
-        return thing.x1_m, thing.y1_m, 0.0
+        heading_rad = math.atan2(thing.y2_m - thing.y1_m, thing.x2_m - thing.x1_m)
+        return (thing.x1_m + thing.x2_m) / 2, (thing.y1_m + thing.y2_m) / 2, heading_rad
     return thing.pose.x_m, thing.pose.y_m, thing.pose.heading_rad

@@ -8,34 +8,21 @@ from dataclasses import replace
 from pathlib import Path, PurePosixPath
 from typing import Final, Literal, TypeAlias, TypeVar
 
-import numpy as np
-
 from crs_cc.sim.document import MAX_MESSAGES, Element, Reader
-from crs_cc.sim.model import (
-    FIXED_KG,
-    Area,
-    Box,
-    Cylinder,
-    Polygon,
-    Pose,
-    Robot,
-    Wall,
-    WorldModel,
-)
+from crs_cc.sim.material_elements import Materials
+from crs_cc.sim.model import Area, Robot, WorldModel
 from crs_cc.sim.placement import misplaced
-from crs_cc.sim.polygon import complaint
-from crs_cc.sim.quantity import ANGLE, HEAT, LENGTH, MASS, TIME
+from crs_cc.sim.quantity import HEAT, LENGTH, TIME
 from crs_cc.sim.robot_model import RobotModel
+from crs_cc.sim.solid_elements import SHORTEST_M, SolidElements, pose
 
 SHORTEST_TIMESTEP_S: Final = 0.001
 LONGEST_TIMESTEP_S: Final = 0.1
 MAX_THINGS: Final = 100_000
-MAX_CORNERS: Final = 250
-_POINTS_FORM: Final = "write x,y of each corner, spaces between corners only: 1m,0 2m,0 2m,50cm"
-_STAND_IN: Final = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
+MAX_SEED: Final = 999_999_999
 _DIALECTS: Final[dict[str, Literal["nomad", "report"]]] = {"nomad": "nomad", "report": "report"}
 _OURS: Final = ("edge-", "obstacle-")  # what programs add is named so
-_TOO_SMALL_M: Final = 0.001
+_THINGS: Final = frozenset({"wall", "box", "cylinder", "polygon", "robot"})
 _ID: Final = re.compile(r"[A-Za-z_][A-Za-z0-9_.\-]{0,63}")
 
 Thing = TypeVar("Thing")
@@ -59,26 +46,31 @@ def world_model(
         reader.error(root, f"more than {MAX_THINGS} things in one world")
         root.children = root.children[:1]
     _name_things(root, reader)
+    materials = Materials(root.all("material"), reader)
+    solids = SolidElements(reader, materials)
     world = WorldModel(
         root.attributes.get("name", name),
-        area=_area(root.first("area"), reader),
-        walls=tuple(_wall(element, reader) for element in root.all("wall")),
-        boxes=tuple(_box(element, reader) for element in root.all("box")),
-        cylinders=tuple(_cylinder(element, reader) for element in root.all("cylinder")),
-        polygons=tuple(_polygon(element, reader) for element in root.all("polygon")),
+        area=_area(root.first("area"), reader, materials),
+        walls=tuple(map(solids.wall, root.all("wall"))),
+        boxes=tuple(map(solids.box, root.all("box"))),
+        cylinders=tuple(map(solids.cylinder, root.all("cylinder"))),
+        polygons=tuple(map(solids.polygon, root.all("polygon"))),
         robots=tuple(
             Robot(
                 element.attributes["id"],
                 find_model(element),
-                _pose(element, reader),
+                pose(element, reader),
                 _program(element, folder, reader),
                 tuple(argument.text for argument in element.all("argument")),
                 reader.not_negative(element, "heat", HEAT),
                 _DIALECTS.get(element.attributes.get("dialect", "")),
+                materials.of(element),
             )
             for element in root.all("robot")
         ),
         timestep_s=_timestep(root, reader),
+        duration_s=_duration(root, reader),
+        seed=_seed(root, reader),
     )
     _check(world, root, reader)
     return world
@@ -89,6 +81,8 @@ def _name_things(root: Element, reader: Reader) -> None:
     used: dict[str, int] = {}
     counts: dict[str, int] = {}
     for element in root.children[1:]:
+        if element.tag not in _THINGS:
+            continue
         number = counts.get(element.tag, 0)
         counts[element.tag] = number + 1
         name = element.attributes.setdefault("id", f"{element.tag}{number}")
@@ -132,93 +126,16 @@ def _readable(things: tuple[Thing, ...], elements: Iterable[Element]) -> tuple[T
     return tuple(thing for thing, element in pairs if not element.broken)
 
 
-def _area(element: Element, reader: Reader) -> Area:
+def _area(element: Element, reader: Reader, materials: Materials) -> Area:
     length_m = reader.positive(element, "length", LENGTH)
     width_m = reader.positive(element, "width", LENGTH)
     edge_m = reader.not_negative(element, "edge", LENGTH, 0.1)
-    if 0.0 < edge_m < _TOO_SMALL_M:
+    if 0.0 < edge_m < SHORTEST_M:
         reader.refuse(element, "edge: walls must be 1mm thick or more, or 0 for none")
+    material = materials.of(element)
     if element.attributes.get("origin") == "centre":
-        return Area(-length_m / 2, -width_m / 2, length_m, width_m, edge_m)
-    return Area(0.0, 0.0, length_m, width_m, edge_m)
-
-
-def _wall(element: Element, reader: Reader) -> Wall:
-    wall = Wall(
-        element.attributes["id"],
-        reader.quantity(element, "x1", LENGTH),
-        reader.quantity(element, "y1", LENGTH),
-        reader.quantity(element, "x2", LENGTH),
-        reader.quantity(element, "y2", LENGTH),
-        _size(element, "thickness", reader),
-    )
-    if not element.broken and (wall.x1_m, wall.y1_m) == (wall.x2_m, wall.y2_m):
-        reader.error(element, f"wall {wall.id!r} has no length: both its ends are the same point")
-    return wall
-
-
-def _box(element: Element, reader: Reader) -> Box:
-    return Box(
-        element.attributes["id"],
-        _pose(element, reader),
-        _size(element, "length", reader),
-        _size(element, "width", reader),
-        reader.positive(element, "mass", MASS, FIXED_KG),
-        reader.not_negative(element, "heat", HEAT),
-    )
-
-
-def _cylinder(element: Element, reader: Reader) -> Cylinder:
-    return Cylinder(
-        element.attributes["id"],
-        _pose(element, reader),
-        _size(element, "radius", reader),
-        reader.positive(element, "mass", MASS, FIXED_KG),
-        reader.not_negative(element, "heat", HEAT),
-    )
-
-
-def _polygon(element: Element, reader: Reader) -> Polygon:
-    corners = _corners(element, reader)
-    name = element.attributes["id"]
-    if not element.broken and (wrong := complaint(np.array(corners).reshape(-1, 2))):
-        reader.error(element, f"polygon {name!r}: {wrong}")
-        element.broken = True
-    if element.broken:
-        corners = _STAND_IN
-    return Polygon.of(name, corners, reader.positive(element, "mass", MASS, FIXED_KG))
-
-
-def _corners(element: Element, reader: Reader) -> list[tuple[float, float]]:
-    """Gives the corners that `points` lists: x,y x,y ..."""
-    words = element.attributes["points"].split()
-    if len(words) > MAX_CORNERS:
-        reader.refuse(element, f"points: more than {MAX_CORNERS} corners")
-        return []
-    pairs = [word.split(",") for word in words]
-    if any(len(pair) != 2 or "" in pair for pair in pairs):
-        reader.refuse(element, f"points: {_POINTS_FORM}")
-        return []
-    try:
-        return [(LENGTH.parse(x), LENGTH.parse(y)) for x, y in pairs]
-    except ValueError as wrong:
-        reader.refuse(element, f"points: {wrong}")
-        return []
-
-
-def _pose(element: Element, reader: Reader) -> Pose:
-    return Pose(
-        reader.quantity(element, "x", LENGTH),
-        reader.quantity(element, "y", LENGTH),
-        reader.quantity(element, "heading", ANGLE),
-    )
-
-
-def _size(element: Element, name: str, reader: Reader) -> float:
-    value_m = reader.positive(element, name, LENGTH)
-    if value_m < _TOO_SMALL_M:
-        reader.refuse(element, f"{name}: must be 1mm or more")
-    return value_m
+        return Area(-length_m / 2, -width_m / 2, length_m, width_m, edge_m, material)
+    return Area(0.0, 0.0, length_m, width_m, edge_m, material)
 
 
 def _timestep(root: Element, reader: Reader) -> float:
@@ -227,6 +144,18 @@ def _timestep(root: Element, reader: Reader) -> float:
         reader.refuse(root, f"timestep: {value_s:g}s must be 1ms or more and 100ms or less")
         return 0.05
     return value_s
+
+
+def _duration(root: Element, reader: Reader) -> float | None:
+    if "duration" not in root.attributes:
+        return None
+    return reader.positive(root, "duration", TIME)
+
+
+def _seed(root: Element, reader: Reader) -> int | None:
+    if "seed" not in root.attributes:
+        return None
+    return reader.whole(root, "seed", 0, MAX_SEED)
 
 
 def _program(element: Element, folder: Path | None, reader: Reader) -> str:

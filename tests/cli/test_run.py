@@ -90,6 +90,19 @@ def test_a_program_that_still_runs_at_max_time_counts_as_0(
     assert (place["function"], place["file"], place["line"]) == ("main", "loop.c", 1)
 
 
+def test_seed_and_duration_of_the_world_hold_unless_the_command_line_says_otherwise(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    Path("short.xml").write_text(PAIR.replace("<world", '<world seed="5" duration="400ms"'))
+    assert main(["run", "loop.c", "short.xml", "--json"]) == 0
+    data = json.loads(capfd.readouterr().out)
+    assert (data["seed"], data["simulated_s"]) == (5, pytest.approx(0.4))
+    options = ["--seed", "0", "--max-time", "0.2", "--json"]
+    assert main(["run", "loop.c", "short.xml", *options]) == 0
+    data = json.loads(capfd.readouterr().out)
+    assert (data["seed"], data["simulated_s"]) == (0, pytest.approx(0.2))
+
+
 def test_an_error_of_the_program_shows_its_line(capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "null.c"]) == 123
     shown = capfd.readouterr().err

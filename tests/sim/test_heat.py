@@ -39,11 +39,23 @@ def test_the_heat_of_all_things_in_range_is_added_whatever_their_distance():
         ('<box x="{}m" y="0" heading="90" length="2m" width="1m" heat="1" mass="9kg"/>', 0.5),
         ('<box x="0" y="{}m" length="2m" width="1m" heat="1"/>', 0.5),
         ('<robot x="0" y="{}m" heat="1"/>', SCOUT_RADIUS_M),
+        ('<wall x1="{0}m" y1="-4m" x2="{0}m" y2="1m" thickness="20cm" heat="1"/>', 0.1),
+        ('<wall x1="{}m" y1="0" x2="8m" y2="0" thickness="20cm" heat="1"/>', 0.1),
+        ('<polygon points="{0},-1 {0},1 9,0" heat="1"/>', 0.0),
+        ('<polygon points="{0},0 9,-1 9,1" heat="1" mass="2kg"/>', 0.0),
     ],
 )
 def test_the_nearest_point_decides(thing: str, edge_m: float):
     assert heat(of(thing.format(3 + edge_m - 0.01))) == 1
     assert heat(of(thing.format(3 + edge_m + 0.01))) == 0
+
+
+def test_whoever_is_in_the_dent_of_a_polygon_is_outside_of_it():
+    """A U of hot walls 20 m wide around the robot, 4 m from it: as far as the nearest of them."""
+    around = "-5,-5 5,-5 5,5 4,5 4,-4 -4,-4 -4,5 -5,5"
+    assert heat(of(f'<polygon points="{around}" heat="1"/>')) == 0
+    nearer = around.replace("-4,-4", "-4,-2.9").replace("4,-4", "4,-2.9")
+    assert heat(of(f'<polygon points="{nearer}" heat="1"/>')) == 1
 
 
 def test_walls_do_not_stop_heat():

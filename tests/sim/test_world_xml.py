@@ -26,6 +26,11 @@ SIM = Path(__file__).parents[2] / "crs_cc" / "sim"
 
 AREA = '<area length="6m" width="5m"/>'
 ROBOT = '<robot x="3m" y="2m"/>'
+SCHEMA = etree.parse(SIM / "world.xsd")
+THINGS = SCHEMA.xpath(
+    "//x:element[@name='world']//x:choice/x:element/@name",
+    namespaces={"x": "http://www.w3.org/2001/XMLSchema"},
+)
 
 
 def lines(*rows: str, version: str = 'version="1"') -> bytes:
@@ -142,13 +147,11 @@ def test_every_name_of_a_robot_can_be_loaded():
 
 # -- what is refused ---------------------------------------------------------------------------
 
+EXPECTED = "expected " + " or ".join(f"<{name}>" for name in THINGS)
 BROKEN = {
     "wrong element": (
         (AREA, "<wal/>", ROBOT),
-        (
-            "w.xml:3: error: <wal> is not expected here; "
-            "expected <wall> or <box> or <cylinder> or <polygon> or <robot>"
-        ),
+        (f"w.xml:3: error: <wal> is not expected here; {EXPECTED}"),
     ),
     "polygon of too few corners": (
         (AREA, ROBOT, '<polygon points="1,1 2,1"/>'),
@@ -199,15 +202,12 @@ BROKEN = {
         "w.xml:4: error: <wall> lacks the attribute 'y2'",
     ),
     "unknown attribute": (
-        (AREA, '<robot x="1" y="1" colour="red"/>'),
-        "w.xml:3: error: <robot> has no attribute 'colour'",
+        (AREA, '<robot x="1" y="1" weight="red"/>'),
+        "w.xml:3: error: <robot> has no attribute 'weight'",
     ),
     "wrong element behind a robot": (
         (AREA, ROBOT, "<robto/>"),
-        (
-            "w.xml:4: error: <robto> is not expected here; "
-            "expected <wall> or <box> or <cylinder> or <polygon> or <robot>"
-        ),
+        (f"w.xml:4: error: <robto> is not expected here; {EXPECTED}"),
     ),
     "no area": ((ROBOT,), "w.xml:2: error: <robot> is not expected here; expected <area>"),
     "nothing at all": ((), "w.xml:1: error: <world> ends too early; expected <area> in it"),
@@ -582,15 +582,17 @@ def test_every_misspelt_name_is_told_with_the_one_that_was_meant():
         AREA,
         '<robot x="1" y="1" haeding="90"/>',
         '<wal x1="0" y1="1m" x2="2m" y2="1m"/>',
-        '<box x="4" y="4" lenght="1m" width="1m" colour="red"/>',
+        '<box x="4" y="4" lenght="1m" width="1m" taste="red"/>',
     ]
+    attributes = ["id", "x", "y", "heading", "length", "width", "mass"]
+    attributes += ["heat", "height", "material", "colour", "sonar", "infrared"]
     with pytest.raises(WorldError) as caught:
         parse_world(lines(*rows), "w.xml")
     assert [(each.location.line, each.hint) for each in caught.value.diagnostics] == [
         (3, "did you mean 'heading'?"),
         (4, "did you mean <wall>?"),
         (5, "did you mean 'length'?"),
-        (5, "its attributes are: id, x, y, heading, length, width, mass, heat"),
+        (5, f"its attributes are: {', '.join(attributes)}"),
     ]
 
 

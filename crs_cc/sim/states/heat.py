@@ -8,7 +8,7 @@ from typing import Self
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.model import Polygon, Wall, WorldModel
+from crs_cc.sim.model import WorldModel
 from crs_cc.sim.scene import Scene
 
 
@@ -25,7 +25,6 @@ class HeatState:
 
     @classmethod
     def at_start(cls, world: WorldModel, scene: Scene) -> Self:
-        """Gives the heat that the world file gives to each thing; walls and polygons have none."""
+        """Gives the heat that the world file gives to each thing."""
         things = (*world.robots, *scene.pushables, *scene.fixed_solids)
-        heats = [0.0 if isinstance(thing, Polygon | Wall) else thing.heat for thing in things]
-        return cls(np.array(heats, dtype=np.float64))
+        return cls(np.array([thing.heat for thing in things], dtype=np.float64))

@@ -1,0 +1,44 @@
+"""Colours by name or as #rrggbb.
+
+>>> rgb("red"), rgb("#80ff00"), rgb("Orange")
+((255, 0, 0), (128, 255, 0), (255, 165, 0))
+>>> rgb("reddish")
+Traceback (most recent call last):
+ValueError: 'reddish' is no colour: write #rrggbb, or one of aqua, black, blue, brown, fuchsia, \
+gray, green, grey, lime, maroon, navy, olive, orange, pink, purple, red, silver, teal, white, yellow
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Final
+
+Colour = tuple[int, int, int]
+"""Red, green and blue, 0 to 255."""
+
+NAMED: Final = {
+    "aqua": 0x00FFFF, "black": 0x000000, "blue": 0x0000FF, "brown": 0xA52A2A,
+    "fuchsia": 0xFF00FF, "gray": 0x808080, "green": 0x008000, "grey": 0x808080,
+    "lime": 0x00FF00, "maroon": 0x800000, "navy": 0x000080, "olive": 0x808000,
+    "orange": 0xFFA500, "pink": 0xFFC0CB, "purple": 0x800080, "red": 0xFF0000,
+    "silver": 0xC0C0C0, "teal": 0x008080, "white": 0xFFFFFF, "yellow": 0xFFFF00,
+}  # fmt: skip
+"""The 16 names of HTML 4.01 (section 6.5), with four more of CSS that rooms need, as 0xrrggbb."""
+
+_NUMBER: Final = re.compile(r"#[0-9A-Fa-f]{6}")
+_LONGEST: Final = 40
+
+
+def rgb(text: str) -> Colour:
+    """Gives the colour that a text means.
+
+    Raises:
+        ValueError: it means none.
+    """
+    name = text.strip()
+    number = int(name[1:], 16) if _NUMBER.fullmatch(name) else NAMED.get(name.lower())
+    if number is None:
+        raise ValueError(
+            f"{name[:_LONGEST]!r} is no colour: write #rrggbb, or one of {', '.join(NAMED)}"
+        )
+    return number >> 16, number >> 8 & 0xFF, number & 0xFF

@@ -1,0 +1,104 @@
+"""What things of a world file are made of: materials by name, and what things say themselves."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from crs_cc.errors import WorldError
+from crs_cc.sim.model import PLAIN, TALL_M, Material, WorldModel
+from crs_cc.sim.world_xml import parse_world
+
+WOOD = '<material name="wood" colour="brown" sonar="0.9" infrared="0.25"/>'
+
+
+def world(*rows: str) -> WorldModel:
+    text = "\n".join(
+        ['<world version="1">', '<area length="9m" width="9m"/>', *rows, '<robot x="1" y="1"/>']
+    )
+    return parse_world(f"{text}</world>".encode(), "w.xml")
+
+
+def complaint(*rows: str) -> str:
+    with pytest.raises(WorldError) as caught:
+        world(*rows)
+    (message,) = caught.value.diagnostics
+    return message.render().splitlines()[0]
+
+
+def test_what_says_nothing_is_plain_and_tall():
+    (box,) = world('<box x="5" y="5" length="1" width="1"/>').boxes
+    assert (box.material, box.heat, box.height_m) == (PLAIN, 0.0, TALL_M)
+
+
+@pytest.mark.parametrize(
+    "thing",
+    [
+        '<wall x1="5" y1="5" x2="6" y2="5" {}/>',
+        '<box x="5" y="5" length="1" width="1" {}/>',
+        '<cylinder x="5" y="5" radius="1" {}/>',
+        '<polygon points="5,5 6,5 6,6" {}/>',
+    ],
+)
+def test_every_solid_has_material_heat_and_height(thing: str):
+    attributes = 'colour="#0a141E" sonar=".5" infrared="1" heat="2.5" height="18in"'
+    *_, solid = world(thing.format(attributes)).solids()
+    assert solid.material == Material((10, 20, 30), 0.5, 1.0)
+    assert solid.heat == 2.5
+    assert math.isclose(solid.height_m, 18 * 0.0254)
+
+
+def test_a_thing_takes_its_material_and_replaces_what_it_says_itself():
+    (door,) = world(WOOD, '<box x="5" y="5" length="1" width="1" material="wood" sonar="0"/>').boxes
+    assert door.material == Material((165, 42, 42), 0.0, 0.25)
+
+
+def test_a_material_may_build_on_one_before_it():
+    oak = '<material name="oak" material="wood" colour="#8b5a2b"/>'
+    (door,) = world(WOOD, oak, '<box x="5" y="5" length="1" width="1" material="oak"/>').boxes
+    assert door.material == Material((139, 90, 43), 0.9, 0.25)
+    assert complaint(oak, WOOD) == "w.xml:3: error: unknown material 'wood'"
+
+
+def test_edges_and_robots_have_a_material():
+    text = f"""<world version="1"><area length="9m" width="9m" material="wood"/>{WOOD}
+        <robot x="1" y="1" colour="lime"/></world>"""
+    room = parse_world(text.encode(), "w.xml")
+    assert {wall.material.colour for wall in room.edge_walls()} == {(165, 42, 42)}
+    assert room.robots[0].material.colour == (0, 255, 0)
+
+
+@pytest.mark.parametrize(
+    ("row", "expected"),
+    [
+        ('<material name="m" sonar="1.5"/>', "material, sonar: '1.5' must be between 0 and 1"),
+        (
+            '<material name="m" infrared="bright"/>',
+            "material, infrared: 'bright' is not a ratio: write a number, as in 1.002",
+        ),
+        (
+            '<material name="m" colour="#12345"/>',
+            "material, colour: '#12345' is no colour: write #rrggbb, or one of aqua, black",
+        ),
+        (f"{WOOD}{WOOD}", "a second material 'wood'; the first is in line 3"),
+        (
+            '<wall x1="5" y1="5" x2="6" y2="5" material="wool"/>',
+            "unknown material 'wool'",
+        ),
+        (
+            '<wall x1="5" y1="5" x2="6" y2="5" height="0"/>',
+            "wall, height: '0' must be greater than 0",
+        ),
+    ],
+)
+def test_what_is_wrong_is_named(row: str, expected: str):
+    assert complaint(row).startswith(f"w.xml:3: error: {expected}")
+
+
+@pytest.mark.parametrize("name", ["duration", "seed"])
+def test_seed_and_duration_are_numbers(name: str):
+    text = f"""<world version="1" {name}="-1"><area length="9m" width="9m"/>
+        <robot x="1" y="1"/></world>"""
+    with pytest.raises(WorldError, match=f"world, {name}: "):
+        parse_world(text.encode(), "w.xml")
