@@ -61,6 +61,10 @@ class Pieces:
         pieces = [*fixed, *(piece for _, piece in moving)]
         self._fixed = len(fixed)
         self._bodies = np.array([body for body, _ in moving], dtype=np.intp)
+        first = scene.robots + len(scene.pushables)
+        solids = enumerate(scene.fixed_solids, first)
+        owners = [number for number, solid in solids for _ in _pieces(solid)]
+        self._things = np.concatenate([np.array(owners, dtype=np.intp), self._bodies])
         self._own_middle = np.array([piece.middle for piece in pieces], dtype=np.complex128)
         self._own_along = np.array([piece.along for piece in pieces], dtype=np.complex128)
         place = np.array([piece.place for piece in pieces], dtype=np.complex128)
@@ -85,12 +89,14 @@ class Pieces:
         self._along[self._fixed :] = facing * self._own_along[self._fixed :]
         self._cells = None
 
-    def cover(self, fan: Fan, poses: FloatArray) -> BoolArray:
+    def cover(self, fan: Fan, poses: FloatArray, things: IndexArray | None = None) -> BoolArray:
         """Tells which beams of each robot start in or on something.
 
         Args:
             fan: the robots' beams.
             poses: x, y [m] and heading [rad] of each robot, shape (k, 3).
+            things: takes the things that those beams start in, as in `Scene.names`, shape
+                (k, beams); None when nobody wants to know.
 
         Returns:
             shape (k, beams), in the order of the list that the fan was made of.
@@ -111,6 +117,8 @@ class Pieces:
         left = self._left_of_slants(starts[pairs, beams], shapes.take(pairs))
         pairs, beams = pairs[left], beams[left]
         covered[robots.take(pairs), fan.order.take(beams)] = True
+        if things is not None:
+            things[robots.take(pairs), fan.order.take(beams)] = self._things[shapes.take(pairs)]
         return covered
 
     def _within(self, local: ComplexArray, shapes: IndexArray, margin_m: float) -> BoolArray:

@@ -46,6 +46,7 @@ class Obstacles:
         circles = fixed.circles
         self._reach_m = reach_m
         self._fixed = _Places.of(fixed)
+        self._fixed_owners = fixed.owners, fixed.segment_owners
         flat = np.zeros(len(fixed.segments))
         self._segment_grid = Grid(fixed.segments, flat, reach_m, behind_m=start_m)
         self._circle_grid = Grid(circles[:, [0, 1, 0, 1]], circles[:, 2], reach_m)
@@ -54,7 +55,7 @@ class Obstacles:
     def place(self, moving: Outlines) -> None:
         """Says where the bodies that move are now."""
         self._moving = _Places.of(moving)
-        self._owners = moving.owners
+        self._owners, self._segment_owners = moving.owners, moving.segment_owners
         self._segment_cells: CellList | None = None
         self._circle_cells: CellList | None = None
 
@@ -91,18 +92,23 @@ class Obstacles:
             the robots, and middle and radius [m] of the circles.
         """
         robots, shapes = self._circle_grid.near(place)
-        others, movers = self._moving_circles(place)
-        middle, radius_m = self._moving.circles(movers)
-        away = middle - place.take(others)
-        within = away.real**2 + away.imag**2 <= (radius_m + self._reach_m) ** 2
-        within &= self._owners.take(movers) != own.take(others)
-        near = np.flatnonzero(within)
-        fixed_middle, fixed_radius_m = self._fixed.circles(shapes)
-        return (
-            np.concatenate([robots, others.take(near)]),
-            np.concatenate([fixed_middle, middle.take(near)]),
-            np.concatenate([fixed_radius_m, radius_m.take(near)]),
-        )
+        others, movers = self._moving_circles(place, own)
+        fixed, moving = self._fixed.circles(shapes), self._moving.circles(movers)
+        middle, radius_m = (np.concatenate(pair) for pair in zip(fixed, moving, strict=True))
+        return np.concatenate([robots, others]), middle, radius_m
+
+    def segment_things(self, place: ComplexArray) -> IndexArray:
+        """Gives the thing, as in `Scene.names`, of each pair that `segments_near` gives."""
+        _, shapes = self._segment_grid.near(place)
+        _, movers = self._moving_segments(place)
+        fixed, moving = self._fixed_owners[1].take(shapes), self._segment_owners.take(movers)
+        return np.concatenate([fixed, moving])
+
+    def circle_things(self, place: ComplexArray, own: IndexArray) -> IndexArray:
+        """Gives the thing, as in `Scene.names`, of each pair that `circles_near` gives."""
+        _, shapes = self._circle_grid.near(place)
+        _, movers = self._moving_circles(place, own)
+        return np.concatenate([self._fixed_owners[0].take(shapes), self._owners.take(movers)])
 
     def _moving_segments(self, place: ComplexArray) -> tuple[IndexArray, IndexArray]:
         moving = self._moving
@@ -114,14 +120,23 @@ class Obstacles:
             self._segment_cells = CellList(middle.real, middle.imag, reach_m)
         return self._segment_cells.near(place.real, place.imag)
 
-    def _moving_circles(self, place: ComplexArray) -> tuple[IndexArray, IndexArray]:
+    def _moving_circles(
+        self, place: ComplexArray, own: IndexArray
+    ) -> tuple[IndexArray, IndexArray]:
         moving = self._moving
         if len(place) * len(moving.radius_m) <= _FEW_PAIRS:
-            return _all_pairs(len(place), len(moving.radius_m))
-        if self._circle_cells is None:
-            reach_m = self._reach_m + float(moving.radius_m.max())
-            self._circle_cells = CellList(moving.middle.real, moving.middle.imag, reach_m)
-        return self._circle_cells.near(place.real, place.imag)
+            others, movers = _all_pairs(len(place), len(moving.radius_m))
+        else:
+            if self._circle_cells is None:
+                reach_m = self._reach_m + float(moving.radius_m.max())
+                self._circle_cells = CellList(moving.middle.real, moving.middle.imag, reach_m)
+            others, movers = self._circle_cells.near(place.real, place.imag)
+        middle, radius_m = moving.circles(movers)
+        away = middle - place.take(others)
+        within = away.real**2 + away.imag**2 <= (radius_m + self._reach_m) ** 2
+        within &= self._owners.take(movers) != own.take(others)
+        near = np.flatnonzero(within)
+        return others.take(near), movers.take(near)
 
 
 @dataclass(frozen=True, slots=True)

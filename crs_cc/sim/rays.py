@@ -37,6 +37,9 @@ FloatArray = npt.NDArray[np.float64]
 ComplexArray = npt.NDArray[np.complex128]
 IndexArray = npt.NDArray[np.intp]
 
+NO_THING: Final = -1
+"""What a beam hits that hits nothing."""
+
 _TURN: Final = 2 * math.pi
 _THIN_RAD: Final = 1e-9  # a cone must have an inside
 _BINS: Final = 360
@@ -106,7 +109,11 @@ class Fan:
 
 
 def nearest(
-    fan: Fan, poses: FloatArray, obstacles: Obstacles, own: IndexArray | None = None
+    fan: Fan,
+    poses: FloatArray,
+    obstacles: Obstacles,
+    own: IndexArray | None = None,
+    things: IndexArray | None = None,
 ) -> FloatArray:
     """Gives what each beam of each robot measures.
 
@@ -118,24 +125,46 @@ def nearest(
         poses: x, y [m] and heading [rad] of each robot, shape (k, 3).
         obstacles: what there is to hit.
         own: the number of each robot's own body, which its beams pass through.
+        things: takes which thing each beam hits, as in `Scene.names`, -1 where nothing is within
+            range; shape (k, beams). None when nobody wants to know.
 
     Returns:
         distances from the beams' starts [m], infinite where nothing is within range, shape
         (k, beams), in the order of the list that the fan was made of.
     """
     found = np.full((len(poses), len(fan)), np.inf)
+    hit = None if things is None else np.full(found.shape, NO_THING, dtype=np.intp)
     if own is None:
         own = np.full(len(poses), -1, dtype=np.intp)
     for first in range(0, len(poses), _CHUNK):
         part = slice(first, first + _CHUNK)
         robots = _Robots.at(fan, poses[part])
-        echoes = found[part].reshape(-1)
-        _try_segments(fan, robots, obstacles, echoes)
-        _try_circles(fan, robots, obstacles, own[part], echoes)
-    found[found > fan.range_m] = np.inf
+        hits = _Hits(found[part].reshape(-1), None if hit is None else hit[part].reshape(-1))
+        _try_segments(fan, robots, obstacles, hits)
+        _try_circles(fan, robots, obstacles, own[part], hits)
+    beyond = found > fan.range_m
+    found[beyond] = np.inf
     given = np.empty_like(found)
     given[:, fan.order] = found
+    if things is not None and hit is not None:
+        hit[beyond] = NO_THING
+        things[:, fan.order] = hit
     return given
+
+
+@dataclass(frozen=True, slots=True)
+class _Hits:
+    """What the beams of all robots hit, in one row: how far away, and which thing, if wanted."""
+
+    distance_m: FloatArray
+    thing: IndexArray | None
+
+    def take(self, beam: IndexArray, distance_m: FloatArray, thing: IndexArray | None) -> None:
+        """Takes over what is nearer than all before."""
+        np.minimum.at(self.distance_m, beam, distance_m)
+        if self.thing is not None and thing is not None:
+            nearer = np.flatnonzero(distance_m == self.distance_m.take(beam))
+            self.thing[beam.take(nearer)] = thing.take(nearer)
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,14 +184,16 @@ class _Robots:
         return cls(poses[:, 0] + 1j * poses[:, 1], heading_rad, start.ravel(), backturn.ravel())
 
 
-def _try_segments(fan: Fan, robots: _Robots, obstacles: Obstacles, echoes: FloatArray) -> None:
-    """Shortens echoes to the segments that beams hit."""
+def _try_segments(fan: Fan, robots: _Robots, obstacles: Obstacles, hits: _Hits) -> None:
+    """Looks at the segments that beams hit."""
     viewers, a, b, length = obstacles.segments_near(robots.place)
+    things = None if hits.thing is None else obstacles.segment_things(robots.place)
     place = robots.place.take(viewers)
     a, b = a - place, b - place
     if len(viewers) * len(fan) > _FEW:
         keep, sectors = _sectors_of_segments(fan, a, b, length)
         viewers, a, b = viewers.take(keep), a.take(keep), b.take(keep)
+        things = None if things is None else things.take(keep)
         starts, counts = _beams_between(fan, robots.heading_rad.take(viewers), sectors)
     else:
         starts, counts = _all_beams(fan, len(viewers))
@@ -171,18 +202,21 @@ def _try_segments(fan: Fan, robots: _Robots, obstacles: Obstacles, echoes: Float
     numbers = viewers.take(pairs) * len(fan) + beams
     start, backturn = robots.start.take(numbers), robots.backturn.take(numbers)
     a, b = (a.take(pairs) - start) * backturn, (b.take(pairs) - start) * backturn
-    np.minimum.at(echoes, numbers, _to_segment(fan, beams, a, b))
+    things = None if things is None else things.take(pairs)
+    hits.take(numbers, _to_segment(fan, beams, a, b), things)
 
 
 def _try_circles(
-    fan: Fan, robots: _Robots, obstacles: Obstacles, own: IndexArray, echoes: FloatArray
+    fan: Fan, robots: _Robots, obstacles: Obstacles, own: IndexArray, hits: _Hits
 ) -> None:
-    """Shortens echoes to the circles that beams hit."""
+    """Looks at the circles that beams hit."""
     viewers, middle, radius = obstacles.circles_near(robots.place, own)
+    things = None if hits.thing is None else obstacles.circle_things(robots.place, own)
     middle = middle - robots.place.take(viewers)
     if len(viewers) * len(fan) > _FEW:
         keep, sectors = _sectors_of_circles(fan, middle, radius)
         viewers, middle, radius = viewers.take(keep), middle.take(keep), radius.take(keep)
+        things = None if things is None else things.take(keep)
         starts, counts = _beams_between(fan, robots.heading_rad.take(viewers), sectors)
     else:
         starts, counts = _all_beams(fan, len(viewers))
@@ -190,7 +224,8 @@ def _try_circles(
     beams %= len(fan)
     numbers = viewers.take(pairs) * len(fan) + beams
     middle = (middle.take(pairs) - robots.start.take(numbers)) * robots.backturn.take(numbers)
-    np.minimum.at(echoes, numbers, _to_circle(fan, beams, middle, radius.take(pairs)))
+    things = None if things is None else things.take(pairs)
+    hits.take(numbers, _to_circle(fan, beams, middle, radius.take(pairs)), things)
 
 
 # -- which beams can hit what ----------------------------------------------------------------------

@@ -36,15 +36,18 @@ class Outlines:
     Attributes:
         segments: x1, y1, x2, y2, length [m], shape (s, 5).
         circles: x, y, radius [m], shape (c, 3).
-        owners: number of the body of each circle, -1 for what does not move, shape (c,).
+        owners: which thing each circle belongs to, as in `Scene.names`, shape (c,).
+        segment_owners: the same for segments, shape (s,).
     """
 
     segments: FloatArray
     circles: FloatArray
     owners: IndexArray
+    segment_owners: IndexArray
 
 
-NOTHING: Final = Outlines(np.zeros((0, 5)), np.zeros((0, 3)), np.zeros(0, dtype=np.intp))
+_NONE: Final = np.zeros(0, dtype=np.intp)
+NOTHING: Final = Outlines(np.zeros((0, 5)), np.zeros((0, 3)), _NONE, _NONE)
 """No outlines at all."""
 
 
@@ -69,7 +72,7 @@ class Scene:
             solid for solid in solids if not isinstance(solid, Wall) and is_pushable(solid)
         )
         self.fixed_solids = tuple(solid for solid in solids if not is_pushable(solid))
-        self.fixed = _fixed_outlines(self.fixed_solids)
+        self.fixed = _fixed_outlines(self.fixed_solids, len(world.robots) + len(self.pushables))
         ids = [thing.id for thing in (*world.robots, *self.pushables, *self.fixed_solids)]
         self.names = tuple(ids)
         poses = [robot.start for robot in world.robots] + [thing.pose for thing in self.pushables]
@@ -93,28 +96,33 @@ class Scene:
             angle_rad: how they are turned, shape (bodies,).
         """
         circles = np.column_stack([position_m[self._round_bodies], self._radii_m])
-        return Outlines(self._sides.segments(position_m, angle_rad), circles, self._round_bodies)
+        segments = self._sides.segments(position_m, angle_rad)
+        return Outlines(segments, circles, self._round_bodies, self._sides.bodies)
 
 
 class _Sides:
-    """The sides of boxes and polygons, in the frames of their bodies."""
+    """The sides of boxes and polygons, in the frames of their bodies.
+
+    Attributes:
+        bodies: the body of each side.
+    """
 
     def __init__(self, bodies: Iterable[tuple[int, Thing]]) -> None:
         pairs = [(body, thing) for body, thing in bodies if not isinstance(thing, Cylinder)]
         corners = [own_corners_m(thing) for _, thing in pairs]
         numbers = [np.full(len(rows), body) for (body, _), rows in zip(pairs, corners, strict=True)]
         none = np.zeros((0, 2))
-        self._bodies = np.concatenate([np.zeros(0, dtype=np.intp), *numbers])
+        self.bodies = np.concatenate([_NONE, *numbers])
         self._starts_m = np.concatenate([none, *corners])
         self._ends_m = np.concatenate([none, *(np.roll(rows, -1, axis=0) for rows in corners)])
 
     def segments(self, position_m: FloatArray, angle_rad: FloatArray) -> FloatArray:
-        cos, sin = np.cos(angle_rad[self._bodies]), np.sin(angle_rad[self._bodies])
+        cos, sin = np.cos(angle_rad[self.bodies]), np.sin(angle_rad[self.bodies])
         columns = []
         for ends_m in (self._starts_m, self._ends_m):
             x, y = ends_m.T
             turned = np.column_stack([cos * x - sin * y, sin * x + cos * y])
-            columns.append(turned + position_m[self._bodies])
+            columns.append(turned + position_m[self.bodies])
         return _with_length(np.concatenate(columns, axis=1))
 
 
@@ -147,23 +155,31 @@ def convex_parts_of(polygon: Polygon) -> IndexArray:
     return np.arange(len(corners))[None] if is_convex(corners) else triangles_of(polygon)
 
 
-def _fixed_outlines(solids: Sequence[Solid]) -> Outlines:
+def _fixed_outlines(solids: Sequence[Solid], first: int) -> Outlines:
+    """Gives the outlines of what does not move; the first of them is thing number `first`."""
     segments: list[FloatArray] = [np.zeros((0, 5))]
     circles: list[tuple[float, float, float]] = []
-    things: list[Box | Polygon] = []
-    for solid in solids:
+    owners: list[int] = []
+    segment_owners: list[int] = []
+    things: list[tuple[int, Box | Polygon]] = []
+    for number, solid in enumerate(solids, first):
         if isinstance(solid, Wall):
             segments.append(_wall_segments(solid))
+            segment_owners += [number, number]
             circles.append((solid.x1_m, solid.y1_m, solid.thickness_m / 2))
             circles.append((solid.x2_m, solid.y2_m, solid.thickness_m / 2))
+            owners += [number, number]
         elif isinstance(solid, Cylinder):
             circles.append((solid.pose.x_m, solid.pose.y_m, solid.radius_m))
+            owners.append(number)
         else:
-            things.append(solid)
+            things.append((number, solid))
+    sides = [np.full(len(own_corners_m(thing)), number) for number, thing in things]
     return Outlines(
-        np.concatenate([*segments, _thing_segments(things)]),
+        np.concatenate([*segments, _thing_segments([thing for _, thing in things])]),
         np.array(circles).reshape(-1, 3),
-        np.full(len(circles), -1, dtype=np.intp),
+        np.array(owners, dtype=np.intp),
+        np.concatenate([np.array(segment_owners, dtype=np.intp), *sides]),
     )
 
 

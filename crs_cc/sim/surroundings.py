@@ -85,3 +85,17 @@ class Surroundings:
         distance_m = nearest(fan, poses, self.obstacles(state), own=own)
         distance_m[self._pieces.cover(fan, poses)] = 0.0
         return distance_m
+
+    def seen(
+        self, state: EnvState, fan: Fan, poses: FloatArray, own: IndexArray
+    ) -> tuple[FloatArray, IndexArray]:
+        """Gives what `distances_m` gives, and which thing each beam hits.
+
+        Returns:
+            the distances, and the things as in `Scene.names`, `NO_THING` where nothing is within
+            range, both of shape (k, beams).
+        """
+        thing = np.empty((len(poses), len(fan)), dtype=np.intp)
+        distance_m = nearest(fan, poses, self.obstacles(state), own=own, things=thing)
+        distance_m[self._pieces.cover(fan, poses, thing)] = 0.0
+        return distance_m, thing

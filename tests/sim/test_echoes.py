@@ -275,7 +275,7 @@ def test_the_same_is_heard_however_the_world_is_turned():
              outlines.segments[:, 4]]
         )  # fmt: skip
         circles = np.column_stack([middle.real, middle.imag, outlines.circles[:, 2]])
-        return type(outlines)(segments, circles, outlines.owners)
+        return type(outlines)(segments, circles, outlines.owners, outlines.segment_owners)
 
     place = (poses[:, 0] + 1j * poses[:, 1]) * turn
     others = np.column_stack([place.real, place.imag, poses[:, 2] + 0.7])
