@@ -33,13 +33,14 @@ from crs_cc.requests import CODES, MESSAGE, NUM_STATE, STATE_REPLIES
 from crs_cc.sim.actuators import drive, traction
 from crs_cc.sim.actuators.rolling import RollingNoise
 from crs_cc.sim.asked import Asked
+from crs_cc.sim.bodies import Contacts
 from crs_cc.sim.commands import CHANGES_WORLD, HANDLERS, MOVES, UNCONNECTED, WAITS
 from crs_cc.sim.devices import Devices
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.events import Event, EventLog
 from crs_cc.sim.link import SerialLine
 from crs_cc.sim.model import WorldModel
-from crs_cc.sim.physics import Contacts, Physics, PhysicsSnapshot
+from crs_cc.sim.physics import Physics, PhysicsSnapshot
 from crs_cc.sim.scene import Scene
 from crs_cc.sim.sensors.bumper import Bumpers
 from crs_cc.sim.state import EnvState

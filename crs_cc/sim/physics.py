@@ -20,14 +20,15 @@ from __future__ import annotations
 
 import math
 import weakref
-from dataclasses import dataclass, fields
-from typing import Final, Self
+from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 import numpy.typing as npt
 import pymunk
 from pymunk import batch
 
+from crs_cc.sim.bodies import NO_CONTACTS, Bodies, Contacts, Pull
 from crs_cc.sim.clearance import clearance_m
 from crs_cc.sim.friction import friction_n, friction_nm, moment_kgm2
 from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Thing, Wall, WorldModel
@@ -60,94 +61,6 @@ _CONTACT: Final = (
     | batch.ArbiterFields.POINT_A_1 | batch.ArbiterFields.DISTANCE_1
 )  # fmt: skip
 _NO_PAIRS: Final = (np.zeros((0, 2), dtype=np.intp), np.zeros((0, 3)))
-
-
-@dataclass(slots=True)
-class Bodies:
-    """Everything that moves, in the order of `Scene`: the robots, then what can be pushed.
-
-    Attributes:
-        position_m: shape (bodies, 2).
-        angle_rad: shape (bodies,); not used for robots, which are round.
-        velocity_mps: shape (bodies, 2).
-        spin_radps: shape (bodies,).
-        slipping: robots that something held back from the velocity of their wheels, (robots,).
-        touching: robots that touched anything in the last cycle, (robots,).
-        settled: whether things rest without pressing into anything, shape (1,).
-    """
-
-    position_m: FloatArray
-    angle_rad: FloatArray
-    velocity_mps: FloatArray
-    spin_radps: FloatArray
-    slipping: BoolArray
-    touching: BoolArray
-    settled: BoolArray
-
-    @classmethod
-    def at_start(cls, scene: Scene) -> Self:
-        """Gives the bodies of a world before the first cycle."""
-        count = len(scene.start)
-        return cls(
-            scene.start[:, :2].copy(),
-            scene.start[:, 2].copy(),
-            np.zeros((count, 2)),
-            np.zeros(count),
-            np.zeros(scene.robots, dtype=np.bool_),
-            np.zeros(scene.robots, dtype=np.bool_),
-            np.array([count == scene.robots]),
-        )
-
-    def take(self, rows: IndexArray) -> Self:
-        """Gives some of the bodies, all robots among them; the others are gone."""
-        return type(self)(
-            self.position_m[rows],
-            self.angle_rad[rows],
-            self.velocity_mps[rows],
-            self.spin_radps[rows],
-            self.slipping.copy(),
-            self.touching.copy(),
-            np.array([len(rows) == len(self.slipping)]),
-        )
-
-    def copy(self) -> Self:
-        """Gives a copy that shares nothing."""
-        return type(self)(*(getattr(self, field.name).copy() for field in fields(self)))
-
-
-@dataclass(frozen=True, slots=True)
-class Pull:
-    """What the drives of the robots do in a cycle; never changed.
-
-    Attributes:
-        way_m: the way that each robot's wheels take it, in the world frame, (robots, 2).
-        facing_rad: the direction in which its wheels roll, (robots,).
-        limp: whether nothing drives or holds them, (robots,).
-    """
-
-    way_m: FloatArray
-    facing_rad: FloatArray
-    limp: BoolArray
-
-
-@dataclass(frozen=True, slots=True)
-class Contacts:
-    """What robots touched in a cycle, one row for each robot and thing, sorted by both.
-
-    Attributes:
-        robot: number of the robot.
-        other: what it touched, an index into `Scene.names`.
-        x_m: where, in the world frame.
-        y_m: the same.
-    """
-
-    robot: IndexArray
-    other: IndexArray
-    x_m: FloatArray
-    y_m: FloatArray
-
-
-NO_CONTACTS: Final = Contacts(np.zeros(0, np.intp), np.zeros(0, np.intp), np.zeros(0), np.zeros(0))
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,8 +23,8 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.requests import MESSAGE
+from crs_cc.sim.bodies import Bodies
 from crs_cc.sim.model import WorldModel
-from crs_cc.sim.physics import Bodies
 from crs_cc.sim.scene import Scene
 from crs_cc.sim.states.battery import BatteryState
 from crs_cc.sim.states.bumper import BumperState

@@ -25,7 +25,7 @@ from crs_cc.sim.polygon import distances_m
 from crs_cc.sim.scene import Scene
 
 if TYPE_CHECKING:
-    from crs_cc.sim.physics import Bodies
+    from crs_cc.sim.bodies import Bodies
 
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]

@@ -1,0 +1,103 @@
+"""What the physics works on: bodies, what drives them in a cycle, and what they touched in it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from typing import Final, Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.scene import Scene
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+
+
+@dataclass(slots=True)
+class Bodies:
+    """Everything that moves, in the order of `Scene`: the robots, then what can be pushed.
+
+    Attributes:
+        position_m: shape (bodies, 2).
+        angle_rad: shape (bodies,); not used for robots, which are round.
+        velocity_mps: shape (bodies, 2).
+        spin_radps: shape (bodies,).
+        slipping: robots that something held back from the velocity of their wheels, (robots,).
+        touching: robots that touched anything in the last cycle, (robots,).
+        settled: whether things rest without pressing into anything, shape (1,).
+    """
+
+    position_m: FloatArray
+    angle_rad: FloatArray
+    velocity_mps: FloatArray
+    spin_radps: FloatArray
+    slipping: BoolArray
+    touching: BoolArray
+    settled: BoolArray
+
+    @classmethod
+    def at_start(cls, scene: Scene) -> Self:
+        """Gives the bodies of a world before the first cycle."""
+        count = len(scene.start)
+        return cls(
+            scene.start[:, :2].copy(),
+            scene.start[:, 2].copy(),
+            np.zeros((count, 2)),
+            np.zeros(count),
+            np.zeros(scene.robots, dtype=np.bool_),
+            np.zeros(scene.robots, dtype=np.bool_),
+            np.array([count == scene.robots]),
+        )
+
+    def take(self, rows: IndexArray) -> Self:
+        """Gives some of the bodies, all robots among them; the others are gone."""
+        return type(self)(
+            self.position_m[rows],
+            self.angle_rad[rows],
+            self.velocity_mps[rows],
+            self.spin_radps[rows],
+            self.slipping.copy(),
+            self.touching.copy(),
+            np.array([len(rows) == len(self.slipping)]),
+        )
+
+    def copy(self) -> Self:
+        """Gives a copy that shares nothing."""
+        return type(self)(*(getattr(self, field.name).copy() for field in fields(self)))
+
+
+@dataclass(frozen=True, slots=True)
+class Pull:
+    """What the drives of the robots do in a cycle; never changed.
+
+    Attributes:
+        way_m: the way that each robot's wheels take it, in the world frame, (robots, 2).
+        facing_rad: the direction in which its wheels roll, (robots,).
+        limp: whether nothing drives or holds them, (robots,).
+    """
+
+    way_m: FloatArray
+    facing_rad: FloatArray
+    limp: BoolArray
+
+
+@dataclass(frozen=True, slots=True)
+class Contacts:
+    """What robots touched in a cycle, one row for each robot and thing, sorted by both.
+
+    Attributes:
+        robot: number of the robot.
+        other: what it touched, an index into `Scene.names`.
+        x_m: where, in the world frame.
+        y_m: the same.
+    """
+
+    robot: IndexArray
+    other: IndexArray
+    x_m: FloatArray
+    y_m: FloatArray
+
+
+NO_CONTACTS: Final = Contacts(np.zeros(0, np.intp), np.zeros(0, np.intp), np.zeros(0), np.zeros(0))
