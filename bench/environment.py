@@ -1,0 +1,227 @@
+"""Measures what a robot costs in the environment, its C program included.
+
+N robots stand on a jittered 3 m grid (9 m2 for each) in a square arena with N/4 fixed boxes of
+0.6 m. Each has sixteen infrared sensors on its shell: single rays, 5 m long, cast against walls,
+boxes and the other robots. Each runs the C program below in its own sandbox: it asks for its ring
+of readings every 100 ms, drives at 0.3 m/s, and turns on the spot while one of the front five reads
+less than half a metre. Requests travel over the serial line, wheels have accelerations, contacts go
+through the physics. Nothing is recorded.
+
+The limit is the bare ray cast: the same rays against the same things, by the same function of
+numpy, once for each timestep, and nothing else.
+
+    python bench/environment.py [--seconds S] [ROBOTS ...]
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import resource
+import statistics
+import sys
+import tempfile
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from crs_cc.session.build import build_executable
+from crs_cc.session.session import Session
+from crs_cc.sim.rays import Fan
+from crs_cc.sim.scene import Scene
+from crs_cc.sim.surroundings import Surroundings
+from crs_cc.sim.world_xml import load_world
+from crs_cc.source import Diagnostics
+
+PROGRAM = """
+#include <Nclient.h>
+#include <unistd.h>
+
+#define SPEED 118 /* 0.1 in/s: 0.3 m/s */
+#define NEAR 1    /* a third of a metre each: less than half a metre */
+
+static int blocked(void)
+{
+    int i;
+
+    for (i = 0; i < 3; i++)
+        if (State[STATE_IR_0 + i] <= NEAR || State[STATE_IR_0 + (16 - i) % 16] <= NEAR)
+            return 1;
+    return 0;
+}
+
+int main(void)
+{
+    int turning = -1, before;
+
+    connect_robot(1);
+    for (;;) {
+        get_ir();
+        before = turning;
+        turning = blocked();
+        if (turning != before)
+            vm(turning ? -SPEED : SPEED, SPEED, 0);
+        usleep(95000);
+    }
+}
+"""
+DEFINITION = """<robot-definition version="1" name="ring">
+  <body radius="20cm" mass="10kg"/>
+  <drive wheel-base="34cm" speed-limit="0.3m/s" acceleration-limit="2m/s2" speed="0.3m/s"
+         acceleration="2m/s2"/>
+  <bumpers><ring switches="8"/></bumpers>
+  <sonars order=""/>
+  <infrared step="0.333333m"/>
+  <link baud="115200">
+    <command name="GET_IR" sends="6" receives="18"/>
+    <command name="VM" sends="12" receives="48"/>
+  </link>
+</robot-definition>
+"""
+RAYS = 16
+RANGE_M = 5.0
+RADIUS_M = 0.2
+SPACING_M = 3.0
+MARGIN_M = 0.5
+WARM_UP = 20
+LEAST_STEPS = 10
+
+
+def world_text(robots: int) -> str:
+    """Gives the world file."""
+    random = np.random.default_rng(robots)
+    side = math.ceil(math.sqrt(robots))
+    cells = np.stack(np.divmod(np.arange(robots), side), axis=1)
+    places = MARGIN_M + (cells + 0.5) * SPACING_M + random.uniform(-0.5, 0.5, (robots, 2))
+    corners = MARGIN_M + cells[::4] * SPACING_M
+    rows = [
+        f'<robot x="{x:.3f}m" y="{y:.3f}m" heading="{angle:.1f}deg" definition="ring.xml"/>'
+        for (x, y), angle in zip(places, random.uniform(0, 360, robots), strict=True)
+    ]
+    rows += [
+        f'<box x="{x}m" y="{y}m" length="0.6m" width="0.6m" heading="{angle:.1f}deg"/>'
+        for (x, y), angle in zip(corners, random.uniform(0, 90, len(corners)), strict=True)
+    ]
+    size_m = side * SPACING_M + 2 * MARGIN_M
+    area = f'<area length="{size_m}m" width="{size_m}m"/>'
+    return f'<world version="1" timestep="100ms">{area}{"".join(rows)}</world>'
+
+
+def resident_bytes() -> int:
+    """Gives the memory of this process that is in use now, or the most so far where that is all."""
+    statm = Path("/proc/self/statm")
+    if statm.exists():
+        return int(statm.read_text().split()[1]) * resource.getpagesize()
+    most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return most if sys.platform == "darwin" else most * 1024
+
+
+@dataclass(frozen=True, slots=True)
+class Figures:
+    """What was measured with some robots; all times are processor time.
+
+    Attributes:
+        robots: how many.
+        step_s: a timestep.
+        rays_s: all rays of all robots alone.
+        readings: rings read by each robot in a timestep.
+        speed_mps: how fast the robots went on average.
+        load_s: reading the world file.
+        make_s: making the session.
+        memory_bytes: what world and session take.
+    """
+
+    robots: int
+    step_s: float
+    rays_s: float
+    readings: float
+    speed_mps: float
+    load_s: float
+    make_s: float
+    memory_bytes: float
+
+    def row(self) -> str:
+        step_s, rays_s = self.step_s / self.robots, self.rays_s / self.robots
+        return (
+            f"{self.robots:8,}{1 / step_s:15,.0f}{step_s * 1e6:9.1f} us{rays_s * 1e6:9.1f} us"
+            f"{step_s / rays_s:7.1f}{self.readings:10.2f}{self.speed_mps:8.2f} m/s"
+            f"{self.load_s:9.2f} s{self.make_s:8.2f} s{self.memory_bytes / 2**20:8.0f} MiB"
+        )
+
+
+def measure(folder: Path, robots: int, seconds: float) -> Figures:
+    """Runs a world with some robots for a while."""
+    world_file, program = folder / "world.xml", folder / "wander.c"
+    world_file.write_text(world_text(robots))
+    program.write_text(PROGRAM)
+    (folder / "ring.xml").write_text(DEFINITION)
+    executable = build_executable([program], Diagnostics())
+    before, start = resident_bytes(), time.process_time()
+    world = load_world(world_file)
+    load_s, start = time.process_time() - start, time.process_time()
+    session = Session(world, [executable] * robots)
+    make_s = time.process_time() - start
+    for _ in range(WARM_UP):
+        session.step()
+    state, times = session.environment.state, []
+    readings, way_m = state.infrared.count.sum(), state.distance_m.sum()
+    while sum(times) < seconds or len(times) < LEAST_STEPS:
+        start = time.process_time()
+        session.step()
+        times.append(time.process_time() - start)
+    if session.running != robots:
+        sys.exit("a program has ended")
+    robot_steps = robots * len(times)
+    return Figures(
+        robots,
+        step_s=statistics.fmean(times),
+        rays_s=rays_s(session),
+        readings=(state.infrared.count.sum() - readings) / robot_steps,
+        speed_mps=(state.distance_m.sum() - way_m) / (robot_steps * world.timestep_s),
+        load_s=load_s,
+        make_s=make_s,
+        memory_bytes=resident_bytes() - before,
+    )
+
+
+def rays_s(session: Session) -> float:
+    """Gives the processor time for all rays of all robots alone [s]."""
+    state = session.environment.state
+    fan = Fan.of(
+        (RADIUS_M * math.cos(angle), RADIUS_M * math.sin(angle), angle, 0.0, RANGE_M)
+        for angle in np.arange(RAYS) * (2 * math.pi / RAYS)
+    )
+    around = Surroundings(Scene(session.environment.world), [fan])
+    poses = np.column_stack([state.x_m, state.y_m, state.heading_rad])
+    own, times = np.arange(len(poses)), []
+    for _ in range(LEAST_STEPS):
+        around.forget()
+        start = time.process_time()
+        around.distances_m(state, fan, poses, own)
+        times.append(time.process_time() - start)
+    return statistics.median(times)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n", 1)[0])
+    parser.add_argument("robots", nargs="*", type=int, default=[1, 10, 100, 1000, 10_000])
+    parser.add_argument("--seconds", type=float, default=3.0, help="to measure each (default 3)")
+    options = parser.parse_args()
+    print(f"{'robots':>8}{'robot-steps/s':>15}{'each':>12}{'rays only':>12}{'ratio':>7}"
+          f"{'readings':>10}{'speed':>12}{'world':>11}{'session':>10}{'memory':>12}")  # fmt: skip
+    found = []
+    for robots in options.robots:
+        with tempfile.TemporaryDirectory() as folder:
+            found.append(measure(Path(folder), robots, options.seconds))
+        print(found[-1].row(), flush=True)
+    each_s = {figures.robots: figures.step_s / figures.robots for figures in found}
+    if {100, 10_000} <= each_s.keys():
+        growth = each_s[10_000] / each_s[100]
+        print(f"A robot-step costs {growth:.2f} times as much among 10,000 robots as among 100.")
+    print("Processor time, one core. Ratios can be compared; times are of this machine.")
+
+
+if __name__ == "__main__":
+    main()
