@@ -36,6 +36,7 @@ import numpy as np
 
 from crs_cc.sim.polygon import area_m2, centroid_m
 from crs_cc.sim.robot_model import IDEAL_LINK, RobotModel
+from crs_cc.sim.surface import FLAT, Surface
 
 FIXED_KG: Final = math.inf
 """The mass of what cannot be pushed."""
@@ -243,6 +244,7 @@ class WorldModel:
     timestep_s: float = 0.05
     duration_s: float | None = None
     seed: int | None = None
+    surface: Surface = FLAT
 
     def with_ideal_link(self) -> WorldModel:
         """Gives the same world with commands that take no time on their way to the robot."""

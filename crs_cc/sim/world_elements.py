@@ -15,6 +15,7 @@ from crs_cc.sim.placement import misplaced
 from crs_cc.sim.quantity import HEAT, LENGTH, TIME
 from crs_cc.sim.robot_model import RobotModel
 from crs_cc.sim.solid_elements import SHORTEST_M, SolidElements, pose
+from crs_cc.sim.surface_elements import surface
 
 SHORTEST_TIMESTEP_S: Final = 0.001
 LONGEST_TIMESTEP_S: Final = 0.1
@@ -71,6 +72,7 @@ def world_model(
         timestep_s=_timestep(root, reader),
         duration_s=_duration(root, reader),
         seed=_seed(root, reader),
+        surface=surface(root.first("surface"), reader),
     )
     _check(world, root, reader)
     return world

@@ -147,7 +147,7 @@ def test_every_name_of_a_robot_can_be_loaded():
 
 # -- what is refused ---------------------------------------------------------------------------
 
-EXPECTED = "expected " + " or ".join(f"<{name}>" for name in THINGS)
+EXPECTED = "expected " + " or ".join(f"<{name}>" for name in ["surface", *THINGS])
 BROKEN = {
     "wrong element": (
         (AREA, "<wal/>", ROBOT),
