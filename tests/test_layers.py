@@ -37,6 +37,7 @@ CONFINED = {
     "pycparser": ("frontend/",),
     "wasmtime": ("runtime/",),
     "pymunk": ("sim/physics.py",),
+    "PIL": ("sim/image.py",),
     "lxml": ("sim/world_xml.py", "cli/svg.py"),
     "rich": ("cli/", "debug/"),
     "click": ("cli/",),
