@@ -38,7 +38,7 @@ CONFINED = {
     "wasmtime": ("runtime/",),
     "pymunk": ("sim/physics.py",),
     "PIL": ("sim/image.py",),
-    "lxml": ("sim/world_xml.py", "cli/svg.py"),
+    "lxml": ("sim/xml_document.py", "cli/svg.py"),
     "rich": ("cli/", "debug/"),
     "click": ("cli/",),
 }

@@ -1,7 +1,7 @@
 """The simulated world: what it is, how it is read from files, and how a timestep changes it.
 
 - What it is: `model` (a world), `robot_model` and the devices' models (a robot). Constant.
-- From files: `world_xml`, which alone knows lxml; `world_elements`, `robot_elements`, ...; robots
+- From files: `world_xml`; `xml_document`, which alone knows lxml; `world_elements`, ...; robots
   that come with crs in `robots/`.
 - What changes: `state.EnvState`, made of one part for each device, in `states/`.
 - What happens: `environment.Environment` serves requests and ends cycles. `commands` has the

@@ -13,13 +13,13 @@ from crs_cc.errors import WorldError
 from crs_cc.sim.model import Area, Box, Cylinder, Pose, Wall
 from crs_cc.sim.scene import corners_m
 from crs_cc.sim.world_xml import (
-    MAX_BYTES,
     empty_world,
     known_robots,
     load_robot,
     load_world,
     parse_world,
 )
+from crs_cc.sim.xml_document import MAX_BYTES
 
 WORLDS = sorted((Path(__file__).parents[2] / "worlds").glob("*.xml"))
 SIM = Path(__file__).parents[2] / "crs_cc" / "sim"
