@@ -24,6 +24,7 @@ from crs_cc.sim.server.place import place_robot
 from crs_cc.sim.server.whereabouts import get_rpx
 from crs_cc.sim.state import EnvState
 from crs_cc.sim.states.mask import NUM_MASK, POS_DATA
+from crs_cc.sim.waits import Wait
 
 BoolArray = npt.NDArray[np.bool_]
 IndexArray = npt.NDArray[np.intp]
@@ -152,5 +153,8 @@ CHANGES_WORLD: Final = frozenset(
 )
 """Requests after which things may stand elsewhere; they take until the cycle's end."""
 
-WAITS: Final[dict[int, Handler]] = {CODES["WS"]: tell, CODES["ZR"]: drive.zeroed}
-"""Requests that can make a robot wait, and what is done when its wait is over."""
+WAITS: Final[dict[int, Wait]] = {
+    CODES["WS"]: Wait(drive.stands_s, tell),
+    CODES["ZR"]: Wait(drive.stands_s, drive.zeroed),
+}
+"""Requests that can make a robot wait."""

@@ -48,6 +48,7 @@ from crs_cc.sim.state_vector import configuration, state_vector
 from crs_cc.sim.step import Served, Step, slices_of
 from crs_cc.sim.surroundings import Surroundings
 from crs_cc.sim.things import Things
+from crs_cc.sim.waits import settle, when
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
@@ -177,8 +178,6 @@ class Environment:
             at_s, good, arguments = goes_on_s[answered], good[answered], arguments[answered]
             self._reply(code, rows[answered], replies, at_s, good, arguments=arguments)
             messages[answered] = replies
-            state.asked[rows[~answered]] = messages[~answered]
-            state.asked_code[rows[~answered]] = code
         return goes_on_s.copy()
 
     def step(self) -> Step:
@@ -357,19 +356,16 @@ class Environment:
 
     def _end_waits(self) -> tuple[IndexArray, FloatArray, Messages]:
         """Answers the waits that end in the cycle that begins."""
-        waiting = np.flatnonzero(self.state.drive.waiting.any(axis=1))
-        if not len(waiting):
-            return waiting, np.zeros(0), np.zeros(0, MESSAGE)
+        waits = self.state.waits
+        waiting = np.flatnonzero(waits.code)
+        codes, asked = waits.code[waiting], waits.asked[waiting]
         ends_s = self._settle_waits(waiting)
         ended = np.isfinite(ends_s)
-        rows, at_s = waiting[ended], ends_s[ended]
-        messages, codes = self.state.asked[rows], self.state.asked_code[rows]
-        self.state.asked[rows] = np.zeros((), MESSAGE)
-        self.state.asked_code[rows] = 0
+        rows, at_s, messages, codes = waiting[ended], ends_s[ended], asked[ended], codes[ended]
         for code in np.unique(codes).tolist():
             mine = codes == code
             replies, arguments = messages[mine], messages["i"][mine].copy()
-            WAITS[code](self.state, self._equipment, rows[mine], replies)
+            WAITS[code].finish(self.state, self._equipment, rows[mine], replies)
             good = np.ones(len(replies), dtype=np.bool_)
             self._reply(code, rows[mine], replies, at_s[mine], good, arguments=arguments)
             messages[mine] = replies
@@ -380,20 +376,20 @@ class Environment:
 
         Answers these, in place.
         """
-        drives = self.state.drive
-        goes_on_s = drives.clock_s[rows].copy()
-        waits = drives.waiting[rows].any(axis=1)
-        goes_on_s[waits] = self._settle_waits(rows[waits])
+        self.state.waits.begin(code, rows, messages)
+        goes_on_s = self._settle_waits(rows)
         ended = np.isfinite(goes_on_s)
         replies = messages[ended]
-        WAITS[code](self.state, self._equipment, rows[ended], replies)
+        WAITS[code].finish(self.state, self._equipment, rows[ended], replies)
         messages[ended] = replies
         return goes_on_s
 
     def _settle_waits(self, rows: IndexArray) -> FloatArray:
         """Ends the waits that end in this cycle, and lets devices work on the way to their ends."""
-        ends_s = drive.wait_end_s(self.state, rows)
+        if not len(rows):
+            return np.zeros(0)
+        ends_s = when(WAITS, self.state, rows)
         soon = ends_s < self.end_s
         until_s = np.minimum(ends_s, self.state.drive.deadline_s[rows])
         self._advance(rows[soon], until_s[soon])
-        return drive.settle_waits(self.state, self._equipment, rows, self.end_s)
+        return settle(WAITS, self.state, self._equipment, rows, self.end_s)

@@ -22,7 +22,6 @@ from typing import Any, Self
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.requests import MESSAGE
 from crs_cc.sim.bodies import Bodies
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.scene import Scene
@@ -41,6 +40,7 @@ from crs_cc.sim.states.obstacles import ObstacleState
 from crs_cc.sim.states.odometry import OdometryState
 from crs_cc.sim.states.pos_data import PosDataState
 from crs_cc.sim.states.sonar import SonarState
+from crs_cc.sim.states.waits import WaitState
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
@@ -78,9 +78,7 @@ class EnvState:
         obstacles: what programs have put into the world, and taken out of it.
         drawings: what they have drawn.
         connected: whether the program has connected.
-        asked: the message of the request that a robot waits for, of dtype `MESSAGE`, zero for
-            robots that do not wait.
-        asked_code: the code of that request, 0 for robots that do not wait.
+        waits: which robots wait, and for what.
         touching: what robots touched in the last cycle: robot times names plus thing, sorted;
             shape (contacts,).
         distance_m: how far each robot has really moved.
@@ -109,8 +107,7 @@ class EnvState:
     obstacles: ObstacleState
     drawings: DrawingState
     connected: BoolArray
-    asked: npt.NDArray[np.void]
-    asked_code: WholeArray
+    waits: WaitState
     touching: WholeArray
     distance_m: FloatArray
     collisions: WholeArray
@@ -145,8 +142,7 @@ class EnvState:
             heat=HeatState.at_start(world, scene),
             link=LinkState.at_start(world),
             connected=np.zeros(count, dtype=np.bool_),
-            asked=np.zeros(count, MESSAGE),
-            asked_code=_whole(count),
+            waits=WaitState.at_start(world),
             touching=_whole(0),
             distance_m=np.zeros(count),
             collisions=_whole(count),

@@ -84,7 +84,7 @@ class Slices:
         way: way of each axis in this cycle [m or rad], (robots, 3).
         travelled: the same since the command, (robots, 3).
         total: what the command asks for; NaN for a command without an end, (robots, 3).
-        waiting: whether the robot waits (`ws`), (robots,).
+        waiting: whether the robot waits (`ws`, `crs_receive`), (robots,).
     """
 
     axes: tuple[tuple[str, ...], ...]
@@ -186,7 +186,7 @@ class RobotSlice:
         number: which slice of it this was, from 1.
         count: how many there are in all; None when it has no end.
         axes: what each axis did.
-        waiting: whether the robot waits (`ws`).
+        waiting: whether the robot waits (`ws`, `crs_receive`).
         answers: the requests that were answered, by rising clock.
     """
 
@@ -215,7 +215,7 @@ def slices_of(state: EnvState, axes: tuple[tuple[str, ...], ...], timestep_s: fl
         state.drive.slice.copy(),
         state.drive.axes.travelled.copy(),
         state.drive.axes.total.copy(),
-        np.asarray(state.drive.waiting.any(axis=1)),
+        state.waits.code != 0,
     )
 
 

@@ -280,7 +280,7 @@ def test_ws_holds_its_timeout_to_a_byte(timeout):
     driver = Driver.of(open_world(timestep="100ms"))
     driver.ask("VM", 100, 100)
     driver.post("WS", 1, 1, 0, timeout)
-    assert driver.state.drive.wait_until_s[0] in {0.0, 255.0}
+    assert driver.state.waits.until_s[0] in {0.0, 255.0}
 
 
 def test_ws_with_a_timeout_of_0_waits_forever_where_the_definition_says_so(tmp_path):
@@ -438,7 +438,7 @@ def play(environment: Environment, cycles: range) -> list:
         for _ in range(2):
             code = int(rng.choice([*ROBOT_CODES, *[CODES["VM"]] * 30]))
             robots = np.flatnonzero(rng.random(10) < 0.6)
-            robots = robots[~environment.state.drive.waiting[robots].any(axis=1)]
+            robots = robots[environment.state.waits.code[robots] == 0]
             messages = np.zeros(len(robots), MESSAGE)
             messages["i"][:, :6] = rng.integers(-200, 390, (len(robots), 6))
             if code == CODES["VM"]:  # rather straight on than on the spot
@@ -554,7 +554,7 @@ def test_no_request_can_break_the_environment(robot, code, content, clock_s):
         assert driver.environment.time_s <= goes_on_s[0] <= driver.environment.end_s
     driver.run(3)
     state = driver.state
-    driver.state.drive.waiting[:] = False
+    driver.state.waits.code[:] = 0
     assert np.isfinite(state.bodies.position_m).all()
     assert np.isfinite([state.odometry.x_m, state.odometry.y_m, state.odometry.heading_rad]).all()
     assert np.isfinite(state.drive.axes.speed).all()

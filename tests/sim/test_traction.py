@@ -75,7 +75,7 @@ def test_a_move_that_is_held_up_goes_on_when_the_way_is_free():
     _, ends_s = driver.post("WS", 1, 1, 0, 200)
     driver.run_s(20)  # it would be there after 6.5 s
     assert math.isinf(ends_s)
-    assert driver.state.drive.waiting[0].any()
+    assert driver.state.waits.code[0]
     assert driver.state.x_m[0] == pytest.approx(3 - 2 * SCOUT_RADIUS_M, abs=0.02)
     driver.ask("VM", 300, 300, robot=1)  # out of the way
     steps = driver.run_s(10)

@@ -88,43 +88,17 @@ def renew_deadline(state: EnvState, rows: IndexArray) -> None:
     state.drive.deadline_s[rows] = state.drive.clock_s[rows] + state.drive.timeout_s[rows]
 
 
-def settle_waits(
-    state: EnvState, equipment: Equipment, rows: IndexArray, limit_s: float
-) -> FloatArray:
-    """Ends the waits of robots that end before a limit.
+def stands_s(state: EnvState, rows: IndexArray) -> FloatArray:
+    """Gives when the axes that robots wait for will stand, or the time is up.
 
-    A robot that waits gives no commands, so its axes can be turned on to the end of its wait.
-
-    Args:
-        state: changed in place.
-        equipment: the robots' constants.
-        rows: robots that wait, k of them.
-        limit_s: the end of the current cycle.
-
-    Returns:
-        the instant at which each wait ended, infinite for those that go on, shape (k,).
+    If the time without a command is up before, they stand earlier.
     """
-    end_s = wait_end_s(state, rows)
-    # The time for a stop may be up before; then the axes stand earlier than it seemed.
-    cut = (state.drive.deadline_s[rows] < end_s) & (state.drive.deadline_s[rows] < limit_s)
-    if cut.any():
-        deadline_s = state.drive.deadline_s[rows[cut]]
-        advance(state, equipment, rows[cut], np.nextafter(deadline_s, np.inf))
-        end_s = wait_end_s(state, rows)
-    ended = end_s < limit_s
-    advance(state, equipment, rows[ended], end_s[ended])
-    state.drive.waiting[rows[ended]] = False
-    return np.where(ended, end_s, np.inf)
-
-
-def wait_end_s(state: EnvState, rows: IndexArray) -> FloatArray:
-    """Gives when the waits of robots will end, if the time without a command allows; shape (k,)."""
     end_s = state.drive.axes.end_s(rows)
     # A move that is held up is not done when it should be.
     late = state.drive.hindered[rows, None] & (state.drive.axes.limit[rows] > 0.0)
     end_s = np.where(late, np.inf, end_s)
-    stands_s = np.where(state.drive.waiting[rows], end_s, -np.inf).max(axis=1)
-    end_s = np.minimum(stands_s, state.drive.wait_until_s[rows])
+    stands_s = np.where(state.waits.axes[rows], end_s, -np.inf).max(axis=1)
+    end_s = np.minimum(stands_s, state.waits.until_s[rows])
     return np.asarray(np.maximum(end_s, state.drive.clock_s[rows]))
 
 
@@ -230,12 +204,12 @@ def lp(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messa
 
 
 def ws(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
-    """Begins to wait until the chosen axes stand still; `settle_waits` ends it."""
-    state.drive.waiting[rows] = messages["i"][:, :AXES] != 0
+    """Begins to wait until the chosen axes stand still."""
+    state.waits.axes[rows] = messages["i"][:, :AXES] != 0
     timeout_s = (messages["i"][:, 3] & _BYTE).astype(np.float64)
     endless = (timeout_s == 0.0) & equipment.drives.waits_forever[rows]
     until_s = state.drive.clock_s[rows] + timeout_s
-    state.drive.wait_until_s[rows] = np.where(endless, np.inf, until_s)
+    state.waits.until_s[rows] = np.where(endless, np.inf, until_s)
 
 
 def zr(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messages) -> None:
@@ -259,8 +233,8 @@ def zr(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messa
         ramp=state.drive.ramp[rows],
         which=np.arange(AXES) > 0,
     )
-    state.drive.waiting[rows] = True
-    state.drive.wait_until_s[rows] = state.drive.clock_s[rows] + _ZERO_TIMEOUT_S
+    state.waits.axes[rows] = True
+    state.waits.until_s[rows] = state.drive.clock_s[rows] + _ZERO_TIMEOUT_S
     state.drive.deadline_s[rows] = np.inf  # until `zeroed`
     _remember(state, rows, CODES["ZR"])
 

@@ -40,8 +40,6 @@ class DriveState:
         ahead_m: how much further they would have gone in this cycle, by their motors, than their
             encoders have counted.
         stalled_s: for how long they have stood in spite of their motors.
-        waiting: the axes that a `ws` waits for, (robots, 3).
-        wait_until_s: when it gives up.
     """
 
     axes: Axes
@@ -61,8 +59,6 @@ class DriveState:
     forward_mps: FloatArray
     ahead_m: FloatArray
     stalled_s: FloatArray
-    waiting: BoolArray
-    wait_until_s: FloatArray
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
@@ -89,8 +85,6 @@ class DriveState:
             forward_mps=np.zeros(count),
             ahead_m=np.zeros(count),
             stalled_s=np.zeros(count),
-            waiting=np.zeros((count, AXES), dtype=np.bool_),
-            wait_until_s=np.full(count, np.inf),
         )
 
 
