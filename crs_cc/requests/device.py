@@ -26,5 +26,20 @@ DEVICE_REQUESTS: Final = (
         "GPS", 200, "int crs_gps(int *x, int *y)", "tells where the robot is in the world",
         results=arguments(("i[0]", "x in the world", _LENGTH), ("i[1]", "y", _LENGTH)),
     ),
+    _device(
+        "CAMERA", 201, "int crs_camera(struct crs_pixel *row, int most)",
+        "lets the camera look, and makes ready what it saw",
+        arguments(("i[0]", "0 for pixels, 1 for blobs", "1")),
+        results=arguments(("i[0]", "how many READINGS has ready", "1")),
+    ),
+    _device(
+        "READINGS", 202, "int crs_camera(struct crs_pixel *row, int most)",
+        "hands over a page of what the reply before told of",
+        arguments(("i[0]", "the sensor's number", "1"), ("i[1]", "the first reading", "1")),
+        results=arguments(
+            ("result", "how many are in the page", "1"), ("i[0]", "numbers of each", "1"),
+            ("data", "the numbers as int32", "0.1 in, 0.1 deg, 0xRRGGBB"),
+        ),
+    ),
 )  # fmt: skip
 """Every request that a device of `crs.h` answers."""

@@ -133,6 +133,8 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("HEAT", heat.sense),
         ("TAG", tag.tag),
         ("GPS", tell),
+        ("CAMERA", tell),
+        ("READINGS", tell),
     )
 }
 """The handler of each request that a robot answers, or one of its devices."""

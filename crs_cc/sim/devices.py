@@ -7,25 +7,29 @@ far time has come.
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 import numpy.typing as npt
 
 from crs_cc.requests import CODES
 from crs_cc.sim.instruments import Instruments
+from crs_cc.sim.sensors.camera import Cameras
 from crs_cc.sim.sensors.gps import GpsReceivers
 from crs_cc.sim.sensors.sonar import SonarRing
 from crs_cc.sim.server.prediction import predict
 
 if TYPE_CHECKING:
-    from crs_cc.sim.asked import Answer
+    from crs_cc.sim.asked import Answer, Asked
     from crs_cc.sim.equipment import Equipment
     from crs_cc.sim.events import EventLog
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.rays import Fan
     from crs_cc.sim.state import EnvState
     from crs_cc.sim.surroundings import Surroundings
+
+CAMERA: Final = 1
+"""Numbers of sensors in `crs.h`."""
 
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]
@@ -51,16 +55,19 @@ class Devices:
         self.log = log
         self.sonars = SonarRing(world, seed)
         self.instruments = Instruments(world, seed)
+        self._cameras = Cameras(world, seed)
         self.answers: dict[int, Answer] = {
             CODES["SONAR"]: self.sonars.tell,
             CODES["PREDICT"]: partial(predict, sensors=(self.sonars, self.instruments)),
             CODES["GPS"]: GpsReceivers(world, seed).tell,
+            CODES["CAMERA"]: self._cameras.tell,
+            CODES["READINGS"]: tell_page,
         }
 
     @property
     def fans(self) -> list[Fan]:
         """Gives the beams of those that measure distances."""
-        return [*self.sonars.fans, *self.instruments.fans]
+        return [*self.sonars.fans, *self.instruments.fans, *self._cameras.fans]
 
     def begin(self, state: EnvState, equipment: Equipment, around: Surroundings) -> None:
         """Lets them begin, before the first cycle."""
@@ -84,3 +91,17 @@ class Devices:
             to_s: until when, for each, (k,).
         """
         self.sonars.advance(state, equipment, around, rows, to_s)
+
+
+def tell_page(asked: Asked) -> npt.NDArray[np.bool_]:
+    """Answers READINGS with a page of what a reply before told of; refuses other devices."""
+    state, equipment = asked.state, asked.equipment
+    device = asked.messages["i"][:, 0].copy()
+    good = np.zeros(len(device), dtype=np.bool_)
+    for number, told, numbers in ((CAMERA, state.camera.told, equipment.camera),):
+        mine = numbers[asked.rows]
+        for place in np.flatnonzero((device == number) & (mine >= 0)).tolist():
+            message = asked.messages[place]
+            told.page(mine[place], int(message["i"][1]), message)
+            good[place] = True
+    return good

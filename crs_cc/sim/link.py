@@ -37,7 +37,7 @@ _TO_SIMULATOR: Final = frozenset(
 )  # fmt: skip
 _OVER_NETWORK: Final = _TO_SIMULATOR | {
     code for code, request in REQUESTS.items() if request.server == "device"
-}
+} - {CODES["READINGS"]}  # they came with the reply
 
 
 class SerialLine:

@@ -28,6 +28,7 @@ COMPASS: Final = 2
 LASER: Final = 3
 ROLLING: Final = 4
 GPS: Final = 5
+CAMERA: Final = 6
 """Numbers of the sensors."""
 
 _BLOCK: Final = 64  # rows in a block: few enough to make quickly, many enough to make rarely

@@ -53,6 +53,7 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         compass=sensor_elements.compass(root, reader),
         laser=sensor_elements.laser(root, reader),
         gps=sensor_elements.gps(root, reader),
+        camera=sensor_elements.camera(root, reader),
         computer_battery=sensor_elements.computer_battery(root, reader),
         motor_battery=sensor_elements.motor_battery(root, reader),
         board=sensor_elements.sensor_board(root, reader),

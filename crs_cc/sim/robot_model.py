@@ -19,6 +19,7 @@ from crs_cc.sim.sensor_model import (
     ENDLESS_MOTORS,
     USUAL_BOARD,
     Battery,
+    Camera,
     Compass,
     Gps,
     Infrared,
@@ -175,6 +176,7 @@ class RobotModel:
         compass: its compass, None where there is none.
         laser: its laser, None where there is none.
         gps: its GPS receiver, None where there is none.
+        camera: its camera, None where there is none.
         computer_battery: what feeds its computers.
         motor_battery: what feeds its motors.
         board: the computer that reads its sensors.
@@ -197,6 +199,7 @@ class RobotModel:
     compass: Compass | None = None
     laser: Laser | None = None
     gps: Gps | None = None
+    camera: Camera | None = None
     computer_battery: Battery = ENDLESS
     motor_battery: MotorBattery = ENDLESS_MOTORS
     board: SensorBoard = USUAL_BOARD

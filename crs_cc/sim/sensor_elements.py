@@ -5,15 +5,18 @@ from __future__ import annotations
 import math
 from typing import Final
 
+from crs_cc.sim.colours import rgb
 from crs_cc.sim.document import Element, Reader
 from crs_cc.sim.quantity import ANGLE, ENERGY, FORCE, FREQUENCY, LENGTH, POWER, TIME, VOLTAGE
 from crs_cc.sim.sensor_model import (
     ENDLESS,
     ENDLESS_MOTORS,
+    MAX_COLUMNS,
     MAX_INFRARED,
     NUM_LASER,
     USUAL_BOARD,
     Battery,
+    Camera,
     Compass,
     Gps,
     Infrared,
@@ -127,6 +130,34 @@ def gps(root: Element, reader: Reader) -> Gps | None:
             reader.not_negative(element, "noise", LENGTH),
         )
     return None
+
+
+def camera(root: Element, reader: Reader) -> Camera | None:
+    """Gives the camera, None for a robot without one."""
+    for element in root.all("camera"):
+        field_of_view_rad = reader.positive(element, "field-of-view", ANGLE)
+        if field_of_view_rad > _TURN:
+            reader.refuse(element, "field-of-view: there are only 360 degrees")
+        return Camera(
+            columns=reader.whole(element, "columns", 1, MAX_COLUMNS, absent=1),
+            field_of_view_rad=field_of_view_rad,
+            range_m=reader.positive(element, "range", LENGTH),
+            x_m=reader.quantity(element, "forward", LENGTH),
+            y_m=reader.quantity(element, "left", LENGTH),
+            direction_rad=reader.quantity(element, "direction", ANGLE),
+            rate_hz=reader.positive(element, "rate", FREQUENCY),
+            noise_m=reader.not_negative(element, "noise", LENGTH),
+            background=_colour(element, "background", reader),
+        )
+    return None
+
+
+def _colour(element: Element, name: str, reader: Reader) -> tuple[int, int, int]:
+    try:
+        return rgb(element.attributes[name])
+    except ValueError as wrong:
+        reader.refuse(element, f"{name}: {wrong}")
+        return 0, 0, 0
 
 
 def computer_battery(root: Element, reader: Reader) -> Battery:

@@ -16,6 +16,9 @@ MAX_INFRARED: Final = 16
 NUM_LASER: Final = 482
 """The most points that a laser can tell (vendor header `Nclient.h` 1.29)."""
 
+MAX_COLUMNS: Final = 320
+"""The most columns of a camera; chosen by us."""
+
 
 @dataclass(frozen=True, slots=True)
 class Switch:
@@ -110,6 +113,33 @@ class Gps:
 
     rate_hz: float
     noise_m: float
+
+
+@dataclass(frozen=True, slots=True)
+class Camera:
+    """A camera that sees a row of colours and ranges, on the mount.
+
+    Attributes:
+        columns: how many pixels the row has.
+        field_of_view_rad: the angle that they cover, half of it to each side.
+        range_m: how far it sees.
+        x_m: where it sits, ahead of the middle of the mount.
+        y_m: the same, to the left.
+        direction_rad: where it looks.
+        rate_hz: how often it looks at most.
+        noise_m: standard deviation of a range's error at a distance of 1 m.
+        background: red, green and blue of a column in which there is nothing, 0 to 255.
+    """
+
+    columns: int
+    field_of_view_rad: float
+    range_m: float
+    x_m: float = 0.0
+    y_m: float = 0.0
+    direction_rad: float = 0.0
+    rate_hz: float = 30.0
+    noise_m: float = 0.0
+    background: tuple[int, int, int] = (0, 0, 0)
 
 
 @dataclass(frozen=True, slots=True)

@@ -27,6 +27,7 @@ from crs_cc.sim.model import WorldModel
 from crs_cc.sim.scene import Scene
 from crs_cc.sim.states.battery import BatteryState
 from crs_cc.sim.states.bumper import BumperState
+from crs_cc.sim.states.camera import CameraState
 from crs_cc.sim.states.compass import CompassState
 from crs_cc.sim.states.drawings import DrawingState
 from crs_cc.sim.states.drive import DriveState
@@ -70,6 +71,7 @@ class EnvState:
         compass: the compasses' readings.
         laser: what the lasers saw and told.
         gps: what GPS receivers told.
+        camera: what cameras saw and told.
         mask: which parts of `State` the program asks for (`Smask`), (robots, 44).
         pos_data: where and when sensors were read, for those who ask.
         battery: what the motors took from theirs.
@@ -99,6 +101,7 @@ class EnvState:
     compass: CompassState
     laser: LaserState
     gps: GpsState
+    camera: CameraState
     mask: npt.NDArray[np.uint8]
     pos_data: PosDataState
     battery: BatteryState
@@ -134,6 +137,7 @@ class EnvState:
             compass=CompassState.at_start(world),
             laser=LaserState.at_start(world),
             gps=GpsState.at_start(world),
+            camera=CameraState.at_start(world),
             mask=first_mask(count),
             pos_data=PosDataState.at_start(world),
             battery=BatteryState.at_start(world),

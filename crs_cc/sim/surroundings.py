@@ -25,6 +25,7 @@ from crs_cc.sim.covered import Pieces
 from crs_cc.sim.obstacles import Obstacles
 from crs_cc.sim.rays import Fan, nearest
 from crs_cc.sim.scene import Scene
+from crs_cc.sim.surfaces import Surfaces
 
 if TYPE_CHECKING:
     from crs_cc.sim.state import EnvState
@@ -36,7 +37,11 @@ _SHORTEST_REACH_M: Final = 1.0
 
 
 class Surroundings:
-    """Everything that beams can hit, where it is in the cycle that was asked for last."""
+    """Everything that beams can hit, where it is in the cycle that was asked for last.
+
+    Attributes:
+        surfaces: what all things look and sound like.
+    """
 
     def __init__(self, scene: Scene, fans: Sequence[Fan]) -> None:
         """Sorts what does not move.
@@ -49,6 +54,7 @@ class Surroundings:
         start_m = max((fan.start_m for fan in fans), default=0.0)
         moving = scene.moving(scene.start[:, :2], scene.start[:, 2])
         self._scene = scene
+        self.surfaces = Surfaces.of(scene)
         reach_m = max(reach_m, _SHORTEST_REACH_M)
         self._obstacles = Obstacles(scene.fixed, moving, reach_m, start_m)
         self._pieces = Pieces(scene, start_m)

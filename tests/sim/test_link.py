@@ -11,7 +11,7 @@ from crs_cc.sim.world_xml import known_robots, parse_world
 
 NOWHERE = {
     *("CONNECT", "DISCONNECT", "CREATE"),
-    *("LASER_PAGE", "POS_DATA"),  # they came with the reply
+    *("LASER_PAGE", "POS_DATA", "READINGS"),  # they came with the reply
 }
 """Requests that take no time on their way."""
 

@@ -36,7 +36,7 @@ from crs_cc.sim.rays import Fan
 from crs_cc.sim.segments import segments
 from crs_cc.sim.sensor_model import NUM_LASER
 from crs_cc.sim.state_vector import configuration
-from crs_cc.sim.states.laser import Told
+from crs_cc.sim.states.told import Told
 from crs_cc.units import m_to_tenths_inch
 
 if TYPE_CHECKING:
@@ -59,7 +59,6 @@ SEGMENTS: Final = 4
 _ON: Final = 1
 _POINT_MODES: Final = (19, 51)
 _SEGMENT_MODES: Final = (1, 33)
-_PAGE: Final = 62  # numbers
 
 
 class Lasers:
@@ -204,19 +203,11 @@ def page(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Mess
     """Hands over a page of the readings that the last reply, or PREDICT's, told of."""
     mine = equipment.laser[rows]
     good = np.asarray(mine >= 0)
-    first = messages["i"][:, 0].astype(np.int64)
-    predicted = messages["i"][:, 1] != 0
     messages["size"] = 0
     for place in np.flatnonzero(good):
-        told = state.laser.predicted if predicted[place] else state.laser.told
-        number, start = mine[place], int(first[place])
-        width = int(told.width[number])
-        left = int(told.count[number]) - start if start >= 0 else 0
-        count = min(max(left, 0), _PAGE // width)
-        part = told.numbers[number, start * width : (start + count) * width]
-        messages["data"][place, : 4 * part.size] = part.astype("<i4").view(np.uint8)
-        messages["size"][place] = 4 * part.size
-        messages["result"][place], messages["i"][place, 0] = count, width
+        message = messages[place]
+        told = state.laser.predicted if message["i"][1] else state.laser.told
+        told.page(mine[place], int(message["i"][0]), message)
     return good
 
 

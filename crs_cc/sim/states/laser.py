@@ -11,35 +11,12 @@ import numpy.typing as npt
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.sensor_model import NUM_LASER
 from crs_cc.sim.states.moments import Moments
+from crs_cc.sim.states.told import Told
 
 WholeArray = npt.NDArray[np.int32]
 
 _USUAL_SEGMENTS: Final = (50, 4, 30)
 """What the vendor's header advises to give to `conf_sg`."""
-
-
-@dataclass(slots=True)
-class Told:
-    """Readings for the pages that a program asks for; a row for each robot with a laser.
-
-    Attributes:
-        count: how many there are, (n,).
-        width: numbers of each: 2 for points, 4 for segments, (n,).
-        numbers: the numbers, one reading after the other, (n, 964).
-    """
-
-    count: WholeArray
-    width: WholeArray
-    numbers: WholeArray
-
-    @classmethod
-    def nothing(cls, count: int) -> Self:
-        """Gives no readings."""
-        return cls(
-            np.zeros(count, dtype=np.int32),
-            np.full(count, 2, dtype=np.int32),
-            np.zeros((count, 2 * NUM_LASER), dtype=np.int32),
-        )
 
 
 @dataclass(slots=True)
@@ -84,6 +61,6 @@ class LaserState:
             seen=np.zeros((count, 2 * NUM_LASER), dtype=np.int32),
             count=np.zeros(count, dtype=np.int64),
             measured=Moments.never(count),
-            told=Told.nothing(count),
-            predicted=Told.nothing(count),
+            told=Told.nothing(count, 2 * NUM_LASER),
+            predicted=Told.nothing(count, 2 * NUM_LASER),
         )

@@ -9,4 +9,25 @@
 /* Where the robot is in the world, by GPS: 0.1 inch. */
 int crs_gps(int *x, int *y);
 
+/* A column of a camera's picture: what colour it shows, 0xRRGGBB, and how far away that is: 0.1 inch,
+   -1 where nothing is in range. */
+struct crs_pixel {
+    int colour;
+    int range;
+};
+
+/* Neighbouring columns of one colour: where their middle is, from where the camera looks, to the left
+   counting above 0; how wide they are, both 0.1 degree; their colour; the range of the nearest. */
+struct crs_blob {
+    int angle;
+    int width;
+    int colour;
+    int range;
+};
+
+/* Lets the camera look. Both tell from the left to the right, as many as there is room for, and give
+   how many these are. */
+int crs_camera(struct crs_pixel *row, int most);
+int crs_blobs(struct crs_blob *blobs, int most);
+
 #endif

@@ -83,6 +83,8 @@ struct __crs_message {
 #define CRS_HEAT 161
 #define CRS_TAG 162
 #define CRS_GPS 200
+#define CRS_CAMERA 201
+#define CRS_READINGS 202
 
 /* Posts the message and gives the reply's result. */
 int __crs_request(int code, struct __crs_message *message);

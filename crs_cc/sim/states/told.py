@@ -1,0 +1,70 @@
+"""Readings that are too long for a message: what the last reply told of, for the pages after it.
+
+>>> from crs_cc.requests import MESSAGE
+>>> told = Told.nothing(1, room=6)
+>>> told.keep(0, width=2, numbers=np.array([1, 2, 3, 4]))
+>>> message = np.zeros(1, MESSAGE)
+>>> told.page(0, first=1, message=message[0])
+>>> message["result"].tolist(), message["i"][0, 0], message["data"][0, :8].view("<i4").tolist()
+([1], np.int32(2), [3, 4])
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final, Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.requests import DATA_SIZE
+
+WholeArray = npt.NDArray[np.int32]
+
+_PAGE: Final = DATA_SIZE // 4  # numbers
+
+
+@dataclass(slots=True)
+class Told:
+    """Readings for the pages that programs ask for; a row for each robot with the device.
+
+    Attributes:
+        count: how many there are, (n,).
+        width: numbers of each, (n,).
+        numbers: the numbers, one reading after the other, (n, room).
+    """
+
+    count: WholeArray
+    width: WholeArray
+    numbers: WholeArray
+
+    @classmethod
+    def nothing(cls, count: int, room: int) -> Self:
+        """Gives no readings, with room for some numbers."""
+        return cls(
+            np.zeros(count, dtype=np.int32),
+            np.full(count, 1, dtype=np.int32),
+            np.zeros((count, room), dtype=np.int32),
+        )
+
+    def keep(self, row: int, width: int, numbers: npt.NDArray[np.integer]) -> None:
+        """Keeps readings of a device in place of those before: as many as there is room for."""
+        count = min(numbers.size, self.numbers.shape[1]) // width
+        self.width[row], self.count[row] = width, count
+        self.numbers[row, : count * width] = numbers.ravel()[: count * width]
+
+    def page(self, row: int, first: int, message: np.void) -> None:
+        """Writes a page over a message: how many readings, how many numbers of each, and these.
+
+        Args:
+            row: the device.
+            first: the first reading that is wanted; any number.
+            message: changed in place.
+        """
+        width = int(self.width[row])
+        left = int(self.count[row]) - first if first >= 0 else 0
+        count = min(max(left, 0), _PAGE // width)
+        part = self.numbers[row, first * width : (first + count) * width] if count else ()
+        size = 4 * len(part)
+        message["data"][:size] = np.array(part, dtype="<i4").view(np.uint8)
+        message["size"], message["result"], message["i"][0] = size, count, width

@@ -1,0 +1,170 @@
+"""`crs_camera` and `crs_blobs` from C: colours and ranges by hand-worked geometry, pages, noise."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from crs_cc.errors import WorldError
+from crs_cc.sim.world_xml import empty_world, load_robot
+from tests.device.robot import scout_with
+from tests.nclient.drive import drive
+from tests.sim.driver import Driver
+
+ROW = """
+struct crs_pixel row[320];
+int i, count = crs_camera(row, 320);
+for (i = 0; i < count; i++)
+    printf("%d %d\\n", row[i].colour, row[i].range);
+"""
+BLOBS = """
+struct crs_blob blobs[320];
+int i, count = crs_blobs(blobs, 320);
+for (i = 0; i < count; i++)
+    printf("%d %d %d %d\\n", blobs[i].angle, blobs[i].width, blobs[i].colour, blobs[i].range);
+"""
+RED, GREEN, BLUE = 0xFF0000, 0x00FF00, 0x0000FF
+POLES = (
+    '<robot x="0" y="0"/>'
+    '<cylinder x="200in" y="0" radius="10in" colour="#ff0000"/>'
+    '<cylinder x="0" y="100in" radius="10in" colour="#00ff00"/>'
+    '<cylinder x="-100in" y="0" radius="10in" colour="#0000ff"/>'
+)
+
+
+def seen(tmp_path, camera: str, program: str = ROW, width: int = 2, **world):
+    """Gives what a camera tells, a row for each pixel or blob."""
+    robot = scout_with(tmp_path, f"<camera {camera}/>")
+    return np.array(drive(program, robot=robot, **world).numbers, dtype=int).reshape(-1, width)
+
+
+@pytest.mark.function("crs_camera")
+def test_columns_go_from_the_left_to_the_right_and_tell_colour_and_range(tmp_path):
+    """Four columns around: 135 degrees to the left, 45, then the same to the right."""
+    camera = 'columns="4" field-of-view="360deg" range="10m" direction="45deg" background="#010203"'
+    row = seen(tmp_path, camera, things=POLES)
+    assert row.tolist() == [
+        [BLUE, 900],  # behind, at 180 degrees
+        [GREEN, 900],  # to the left
+        [RED, 1900],  # ahead
+        [0x010203, -1],  # nothing to the right
+    ]
+
+
+def test_a_camera_sees_from_its_place_on_the_robot(tmp_path):
+    """From 5 in ahead and 3 in left, a wall at x = 50 in, of 2 in, is 44 in away in its middle."""
+    wall = '<robot x="0" y="0"/><wall x1="50in" y1="-2m" x2="50in" y2="2m" thickness="2in"/>'
+    camera = 'columns="3" field-of-view="90deg" forward="5in" left="3in"'
+    row = seen(tmp_path, camera, things=wall)
+    assert row[:, 0].tolist() == [0x808080] * 3
+    assert row[:, 1].tolist() == [round(440 / math.cos(math.radians(30))), 440, 508]
+
+
+def test_a_robot_is_seen_in_its_own_colour(tmp_path):
+    things = '<robot x="0" y="0"/><robot x="100in" y="0" colour="yellow"/>'
+    robot = scout_with(tmp_path, '<camera columns="1" field-of-view="10deg"/>')
+    assert drive(ROW, "return 0;", things=things, robot=robot).numbers == [0xFFFF00, 920]
+
+
+def test_three_hundred_columns_come_in_pages_and_none_is_lost(tmp_path):
+    """A wall across the view: the range of each column is that of its direction."""
+    wall = '<robot x="0" y="0"/><wall x1="101in" y1="-9m" x2="101in" y2="9m" thickness="2in"/>'
+    row = seen(tmp_path, 'columns="320" field-of-view="80deg"', things=wall)
+    angle = np.radians((159.5 - np.arange(320)) * 80 / 320)
+    assert row[:, 1] == pytest.approx(1000 / np.cos(angle), abs=0.51)
+
+
+@pytest.mark.parametrize(("most", "told"), [(0, 0), (1, 1), (40, 40), (100, 64), (-5, 0)])
+def test_no_more_is_told_than_there_is_room_for(tmp_path, most, told):
+    program = f"""
+    struct crs_pixel row[101];
+    memset(row, 7, sizeof row);
+    printf("%d\\n", crs_camera(row, {most}));
+    printf("%d\\n", row[{max(told, 0)}].range == 0x07070707);
+    """
+    robot = scout_with(tmp_path, '<camera columns="64"/>')
+    assert drive(program, robot=robot).numbers == [told, 1]
+
+
+@pytest.mark.function("crs_blobs")
+def test_blobs_have_angle_width_colour_and_the_nearest_range(tmp_path):
+    """Columns of 1 degree, at half degrees: the red pole covers 2.87 degrees to each side.
+
+    At half a degree it is 200 cos 0.5 - sqrt(10^2 - (200 sin 0.5)^2) = 190.15 in away.
+    """
+    found = seen(tmp_path, 'columns="60"', BLOBS, width=4, things=POLES)
+    assert found.tolist() == [[0, 60, RED, 1901]]
+
+
+def test_blobs_count_from_the_left_and_two_colours_are_two_blobs(tmp_path):
+    """Seen from 100 in, a screen of two halves, 20 in each, 11.31 degrees to each side."""
+    things = (
+        '<robot x="0" y="0"/>'
+        '<box x="101in" y="10in" length="2in" width="20in" colour="lime"/>'
+        '<box x="101in" y="-10in" length="2in" width="20in" colour="blue"/>'
+    )
+    found = seen(tmp_path, 'columns="60"', BLOBS, width=4, things=things)
+    assert found[:, 2].tolist() == [GREEN, BLUE]
+    assert found[:, :2].tolist() == [[55, 110], [-55, 110]]
+    assert found[:, 3] == pytest.approx([1000, 1000], abs=1)
+
+
+def test_a_robot_without_one_sees_nothing():
+    assert drive("struct crs_pixel row[1]; return crs_camera(row, 1);").status == 0
+    assert drive("struct crs_blob blob[1]; return crs_blobs(blob, 1);").status == 0
+
+
+def test_between_two_looks_it_tells_the_last_one(tmp_path):
+    wall = '<robot x="0" y="0"/><wall x1="100in" y1="-2m" x2="100in" y2="2m"/>'
+    ask = 'crs_camera(row, 1); printf("%d\\n", row[0].range);'
+    program = f"struct crs_pixel row[1]; connect_robot(1); vm(100, 100, 0); {ask} usleep(300000);"
+    robot = scout_with(tmp_path, '<camera columns="1" rate="1Hz"/>')
+    now, same, later = drive(f"{program} {ask} sleep(1); {ask}", robot=robot, things=wall).numbers
+    assert now == same > later
+
+
+def test_noise_grows_with_the_square_of_the_distance(tmp_path):
+    """320 columns on a ring of 2 m around the camera, 20 looks, and a deviation of 4 cm there."""
+    robot = scout_with(tmp_path, '<camera columns="320" field-of-view="360deg" noise="1cm"/>')
+    poles = "".join(
+        f'<cylinder x="{2.01 * math.cos(a)}m" y="{2.01 * math.sin(a)}m" radius="1cm"/>'
+        for a in (math.radians(n * 0.3) for n in range(1200))
+    )
+    loop = (
+        "for (n = 0; n < 20; n++) { crs_camera(row, 320); usleep(40000); for (i = 0; i < 320; i++)"
+    )
+    program = f'struct crs_pixel row[320]; int i, n; {loop} printf("%d\\n", row[i].range); }}'
+    ranges = np.array(drive(program, robot=robot, things=f'<robot x="0" y="0"/>{poles}').numbers)
+    assert ranges.std() * 0.00254 == pytest.approx(0.04, rel=0.04)  # 6,400: 0.9 % standard error
+    assert ranges.mean() * 0.00254 == pytest.approx(2.0, abs=0.003)
+
+
+@pytest.mark.parametrize(
+    ("attribute", "wrong"),
+    [
+        ('columns="321"', "camera, columns: '321' is not a whole number, 1 to 320"),
+        ('columns="0"', "camera, columns: '0' is not a whole number, 1 to 320"),
+        ('field-of-view="361deg"', "camera, field-of-view: there are only 360 degrees"),
+        ('background="reddish"', "camera, background: 'reddish' is no colour"),
+        ('range="0m"', "camera, range: '0m' must be greater than 0"),
+    ],
+)
+def test_a_wrong_definition_is_named(tmp_path, attribute, wrong):
+    with pytest.raises(WorldError, match=wrong):
+        load_robot(Path(scout_with(tmp_path, f"<camera {attribute}/>")))
+
+
+def test_from_a_snapshot_it_sees_the_same_again(tmp_path):
+    robot = scout_with(tmp_path, '<camera columns="8" noise="1cm"/>')
+    driver = Driver.of(empty_world(robot=robot))
+    driver.post("CAMERA")
+    driver.run(3)
+    snapshot = driver.environment.snapshot()
+    hashes = []
+    for _ in range(2):
+        driver.environment.restore(snapshot)
+        driver.post("CAMERA")
+        driver.run(2)
+        hashes.append(driver.environment.hash())
+    assert hashes[0] == hashes[1]
