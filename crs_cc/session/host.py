@@ -6,15 +6,17 @@ A request costs processor time like a system call; apart from `SLEEP` it is answ
 from __future__ import annotations
 
 import functools
-import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final, Literal
 
 import numpy as np
+import numpy.typing as npt
 
 from crs_cc.requests import CODES, DATA_SIZE, REQUESTS
 from crs_cc.session.files import Disk
+
+FloatArray = npt.NDArray[np.float64]
 
 SYSTEM_CALL: Final = 1000
 """Processor time of a request to the host [instructions]; chosen by us: 20 microseconds
@@ -98,12 +100,12 @@ class Host:
             CODES["EXIT"]: self._exit,
             CODES["WRITE"]: self._write,
             CODES["READ"]: self._read_stream,
-            CODES["CLOCK"]: self._clock,
-            CODES["SLEEP"]: self._sleep,
             CODES["ARGUMENT"]: self._argument,
             CODES["CLIENT"]: self._which_client,
             CODES["UNCONNECTED"]: self._unconnected,
         }
+        for code, serve_time in TIME_SERVERS.items():
+            self._serve[code] = functools.partial(_serve_time, serve_time)
         for name, serve in _FILES.items():
             self._serve[CODES[f"FILE_{name}"]] = functools.partial(self._file, serve)
 
@@ -139,16 +141,6 @@ class Host:
             message["result"] = message["size"]
         return request.clock_s
 
-    def _clock(self, request: HostRequest) -> float:
-        request.message["f"][:2] = request.clock_s, request.used_s
-        return request.clock_s
-
-    def _sleep(self, request: HostRequest) -> float:
-        pause_s = float(request.message["f"][0])
-        request.message["result"] = 0
-        passes = pause_s > 0 and math.isfinite(pause_s)
-        return request.clock_s + pause_s if passes else request.clock_s
-
     def _argument(self, request: HostRequest) -> float:
         message, arguments = request.message, self._arguments[request.robot]
         number, first = int(message["i"][0]), int(message["i"][1])
@@ -180,6 +172,31 @@ class Host:
         message["result"] = found
         return request.clock_s
 
+
+TimeServer = Callable[[Any, FloatArray, FloatArray], FloatArray]
+"""Answers requests in place; gives when programs go on, from their clocks and processor times.
+
+All have the same shape: that of one request, or of many at once.
+"""
+
+
+def _clock(messages: Any, clock_s: FloatArray, used_s: FloatArray) -> FloatArray:
+    messages["f"][..., 0], messages["f"][..., 1] = clock_s, used_s
+    return clock_s
+
+
+def _sleep(messages: Any, clock_s: FloatArray, _used_s: FloatArray) -> FloatArray:
+    pause_s = messages["f"][..., 0]
+    messages["result"] = 0
+    return np.where((pause_s > 0.0) & np.isfinite(pause_s), clock_s + pause_s, clock_s)
+
+
+def _serve_time(serve: TimeServer, request: HostRequest) -> float:
+    return float(serve(request.message, np.array(request.clock_s), np.array(request.used_s)))
+
+
+TIME_SERVERS: Final[dict[int, TimeServer]] = {CODES["CLOCK"]: _clock, CODES["SLEEP"]: _sleep}
+"""Who answers the requests about time: the same for all hosts, so for many programs at once."""
 
 FileServer = Callable[[Disk, int, int, int, bytes], int | bytes]
 

@@ -37,6 +37,7 @@ from crs_cc.runtime.fleet import Fleet
 from crs_cc.session.host import (
     HOST_CODES,
     SYSTEM_CALL,
+    TIME_SERVERS,
     Host,
     HostRequest,
     discard,
@@ -53,11 +54,14 @@ from crs_cc.sim.environment import Environment
 if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
     from crs_cc.runtime.executable import Executable
-    from crs_cc.session.host import Client, Input, Output
+    from crs_cc.session.host import Client, Input, Output, TimeServer
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.step import Step
 
 ENDLESS = math.inf
+
+_GOES_OUT = np.isin(np.arange(max(REQUESTS) + 2), list(REQUESTS.keys() - HOST_CODES))
+"""By code, whether a request goes over the link; the last stands for all codes beyond."""
 
 
 class Listener(Protocol):
@@ -164,27 +168,49 @@ class Session:
         self.clock_s[ready] += burnt / self._speed_hz[ready]
         self._end(ready[slots["status"][ready] != SUSPENDED])
         codes = slots["code"][ready]
-        asked = ready[(slots["status"][ready] == SUSPENDED) & (codes != 0)]
-        for robot in asked.tolist():
-            code = int(slots["code"][robot])
-            if REQUESTS.get(code) is None or code in HOST_CODES:
-                self._answer_host(robot, code)
-            else:
-                size = int(slots["message"]["size"][robot])
-                link_s = self.environment.link_s(code, robot, size)
-                if not link_s:  # else a program that asks without end would keep the simulator busy
-                    self._call_system(robot)
-                self._due_s[robot] = self.clock_s[robot] + link_s
+        posted = (slots["status"][ready] == SUSPENDED) & (codes != 0)
+        asked, codes = ready[posted], codes[posted]
+        goes_out = _GOES_OUT.take(codes, mode="clip")
+        if goes_out.any():
+            self._send(asked[goes_out], codes[goes_out])
+        if not goes_out.all():
+            self._answer_hosts(asked[~goes_out], codes[~goes_out])
 
-    def _call_system(self, robot: int) -> None:
-        """Lets a program pay for a request with its host's processor time."""
-        self.fuel[robot] += SYSTEM_CALL
-        self.clock_s[robot] += SYSTEM_CALL / self._speed_hz[robot]
+    def _send(self, robots: npt.NDArray[np.intp], codes: npt.NDArray[np.int32]) -> None:
+        """Puts requests on the link."""
+        sizes = self.fleet.slots["message"]["size"][robots]
+        link_s = self.environment.link_s(codes, robots, sizes)
+        if not link_s.all():  # else a program that asks without end would keep the simulator busy
+            self._call_system(robots[link_s == 0.0])
+        self._due_s[robots] = self.clock_s[robots] + link_s
+
+    def _call_system(self, robots: npt.NDArray[np.intp]) -> None:
+        """Lets programs pay for a request with their hosts' processor time."""
+        self.fuel[robots] += SYSTEM_CALL
+        self.clock_s[robots] += SYSTEM_CALL / self._speed_hz[robots]
+
+    def _answer_hosts(self, robots: npt.NDArray[np.intp], codes: npt.NDArray[np.int32]) -> None:
+        """Answers what programs ask of their hosts, at once."""
+        self._call_system(robots)
+        served = np.zeros(len(robots), dtype=np.bool_)
+        for code, serve in TIME_SERVERS.items():
+            same = codes == code
+            if same.any():
+                self._answer_time(serve, robots[same])
+                served |= same
+        left = zip(robots[~served].tolist(), codes[~served].tolist(), strict=True)
+        for robot, code in left:
+            self._answer_host(robot, code)
+
+    def _answer_time(self, serve: TimeServer, robots: npt.NDArray[np.intp]) -> None:
+        messages = self.fleet.slots["message"][robots]
+        used_s = self.fuel[robots] / self._speed_hz[robots]
+        self.clock_s[robots] = serve(messages, self.clock_s[robots], used_s)
+        self.fleet.slots["message"][robots] = messages
 
     def _answer_host(self, robot: int, code: int) -> None:
         if code == CODES["UNCONNECTED"]:
             self.unconnected_calls[robot] = self.fleet.library_call(robot)
-        self._call_system(robot)
         message = self.fleet.slots["message"][robot : robot + 1][0]
         clock_s = float(self.clock_s[robot])
         used_s = float(self.fuel[robot] / self._speed_hz[robot])

@@ -122,15 +122,20 @@ class Environment:
         """Gives the end of the current cycle [s], the start of the next."""
         return (self.state.cycle + 1) * self.timestep_s
 
-    def link_s(self, code: int, robot: int = 0, size: int = 0) -> float:
-        """Gives the time that a request takes on the line between host and robot [s].
+    def link_s(
+        self, codes: npt.ArrayLike, robots: npt.ArrayLike = 0, sizes: npt.ArrayLike = 0
+    ) -> FloatArray:
+        """Gives the time that requests take on the line between host and robot [s].
 
         Args:
-            code: the request's code.
-            robot: whose request it is.
-            size: bytes of its data.
+            codes: the requests' codes.
+            robots: whose they are.
+            sizes: bytes of their data.
+
+        Returns:
+            the times, in the shape that the three give when they are broadcast.
         """
-        return self._line.time_s(self.state.link, code, robot, size)
+        return self._line.time_s(self.state.link, codes, robots, sizes)
 
     def serve(
         self, code: int, robots: IndexArray, messages: Messages, clock_s: FloatArray

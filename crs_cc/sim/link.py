@@ -24,9 +24,8 @@ Messages = npt.NDArray[np.void]
 
 _BITS_PER_BYTE: Final = 10
 _SPEEDS_BAUD: Final = (4800, 9600, 19200, 38400)  # vendor source `Ndirect.c` 2.7
+_CODES: Final = max(REQUESTS) + 1
 _CARRIED: Final = frozenset({CODES["TK"], CODES["SPECIAL"]})  # their data goes over the line
-
-
 _TO_SIMULATOR: Final = frozenset(
     CODES[name]
     for name in (
@@ -38,6 +37,8 @@ _TO_SIMULATOR: Final = frozenset(
 _OVER_NETWORK: Final = _TO_SIMULATOR | {
     code for code, request in REQUESTS.items() if request.server == "device"
 } - {CODES["READINGS"]}  # they came with the reply
+_IS_CARRIED: Final = np.isin(np.arange(_CODES + 1), list(_CARRIED))
+_IS_OVER_NETWORK: Final = np.isin(np.arange(_CODES + 1), list(_OVER_NETWORK))
 
 
 class SerialLine:
@@ -49,27 +50,38 @@ class SerialLine:
         Args:
             world: the world.
         """
-        self._byte_counts = [
-            {CODES[name]: count for name, count in robot.model.link.byte_counts}
-            for robot in world.robots
-        ]
-        self._network_s = [robot.model.link.network_s for robot in world.robots]
+        links = [robot.model.link for robot in world.robots]
+        kinds = {link: kind for kind, link in enumerate(dict.fromkeys(links))}
+        self._kind = np.array([kinds[link] for link in links], dtype=np.intp)
+        self._network_s = np.array([link.network_s for link in links])
+        # One row more than there are codes stands for all others.
+        self._byte_count = np.zeros((len(kinds), _CODES + 1), dtype=np.int64)
+        for link, kind in kinds.items():
+            for name, count in link.byte_counts:
+                self._byte_count[kind, CODES[name]] = count
 
-    def time_s(self, state: LinkState, code: int, robot: int, size: int) -> float:
-        """Gives how long a request and its reply are on the line, or on the network [s].
+    def time_s(
+        self, state: LinkState, codes: npt.ArrayLike, robots: npt.ArrayLike, sizes: npt.ArrayLike
+    ) -> npt.NDArray[np.float64]:
+        """Gives how long requests and their replies are on the line, or on the network [s].
 
         Args:
             state: the speeds.
-            code: the request's code.
-            robot: whose it is.
-            size: bytes of its data.
+            codes: the requests' codes.
+            robots: whose they are.
+            sizes: bytes of their data.
+
+        Returns:
+            the times, in the shape that the three give when they are broadcast.
         """
-        if code in _OVER_NETWORK:
-            return self._network_s[robot]
-        count = self._byte_counts[robot].get(code, 0)
-        if count and code in _CARRIED:
-            count += min(max(size, 0), DATA_SIZE)
-        return count * _BITS_PER_BYTE / int(state.baud[robot])
+        code, robot = np.asarray(codes), np.asarray(robots)
+        code = np.where((code >= 0) & (code < _CODES), code, _CODES)
+        count = self._byte_count[self._kind[robot], code]
+        carried = _IS_CARRIED[code] & (count > 0)
+        if carried.any():
+            count = count + np.where(carried, np.clip(sizes, 0, DATA_SIZE), 0)
+        line_s = count * _BITS_PER_BYTE / state.baud[robot]
+        return np.asarray(np.where(_IS_OVER_NETWORK[code], self._network_s[robot], line_s))
 
 
 def set_speed(state: EnvState, rows: IndexArray, baud: npt.NDArray[np.int32]) -> None:

@@ -7,9 +7,10 @@ from pathlib import Path
 
 import pytest
 
+from crs_cc.runtime.executable import Executable
 from crs_cc.session.host import SYSTEM_CALL
 from crs_cc.session.session import Session
-from crs_cc.sim.model import WorldModel
+from crs_cc.sim.model import Pose, WorldModel
 from crs_cc.sim.step import Step
 from crs_cc.sim.world_xml import empty_world
 from tests.session.programs import build, run
@@ -95,6 +96,50 @@ def test_a_request_that_is_not_on_the_line_costs_the_time_of_a_system_call(
     session = Session(world, [program], trace=trace)
     session.step()
     assert 0 < trace.served <= world.timestep_s * 5e7 / SYSTEM_CALL
+
+
+TELL_TIME = """#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+#include <unistd.h>
+int main(int argc, char **argv)
+{
+    struct timespec now;
+    int i, own = atoi(argv[1]);
+    for (i = 0; i < 5; i++) {
+        usleep((i % 2 ? 7001 : 2003) * own);
+        clock_gettime(CLOCK_REALTIME, &now);
+        printf("%ld %ld %ld\\n", (long)now.tv_sec, now.tv_nsec, (long)clock());
+    }
+    return 0;
+}
+"""
+
+
+def test_programs_that_ask_for_time_together_get_what_each_gets_alone(tmp_path: Path) -> None:
+    program = build(tmp_path, TELL_TIME)
+    own = [["p", str(number)] for number in (1, 2, 3, 3)]
+    alone = [written([row], program)[0] for row in own]
+    assert written(own, program) == alone
+    assert len(set(alone)) == 3
+
+
+def written(arguments: list[list[str]], program: Executable) -> list[bytes]:
+    """Gives what the programs of as many robots write."""
+    output = [b""] * len(arguments)
+
+    def write(robot: int, _stream: int, content: bytes) -> None:
+        output[robot] += content
+
+    (robot,) = empty_world().robots
+    robots = tuple(
+        replace(robot, id=f"r{number}", start=Pose(number, 0.0)) for number in range(len(arguments))
+    )
+    world = replace(empty_world(), robots=robots)
+    session = Session(world, [program] * len(arguments), arguments=arguments, output=write)
+    while session.step():
+        pass
+    return output
 
 
 class Requests:

@@ -33,7 +33,7 @@ def test_every_command_to_the_robot_takes_time_and_nothing_else_does(robot):
     line = environment(robot)
     takes = {row.name for row in REQUESTS.values() if line.link_s(row.code) > 0}
     assert takes == {row.name for row in REQUESTS.values() if row.server != "host"} - NOWHERE
-    assert {line.link_s(CODES[name]) for name in TO_SIMULATOR} == {0.001}
+    assert {float(line.link_s(CODES[name])) for name in TO_SIMULATOR} == {0.001}
 
 
 def test_a_text_takes_time_letter_by_letter():
@@ -53,3 +53,22 @@ def test_conf_ser_sets_the_speed(baud, good):
         line.serve(CODES[name], np.array([0]), message, np.zeros(1))
     assert message["result"][0] == good
     assert line.link_s(CODES["GS"]) == pytest.approx(before * (38400 / baud if good else 1))
+
+
+def test_many_requests_take_what_each_takes_alone():
+    robots = "".join(
+        f'<robot definition="{kind}" x="{x}m" y="2m"/>'
+        for x, kind in enumerate([*known_robots(), "scout"], 1)
+    )
+    text = f'<world version="1"><area length="9m" width="4m"/>{robots}</world>'
+    line = Environment(parse_world(text.encode(), "test"), 0)
+    line.state.link.baud[-1] = 4800
+    codes = np.array([*REQUESTS, 0, -1, 12345])
+    code, robot, size = (
+        values.ravel()
+        for values in np.meshgrid(codes, np.arange(len(line.state.link.baud)), [-5, 0, 7, 10**6])
+    )
+    together = line.link_s(code, robot, size)
+    assert len(set(together.tolist())) > 10
+    for place, each in enumerate(zip(code.tolist(), robot.tolist(), size.tolist(), strict=True)):
+        assert line.link_s(*each) == together[place]
