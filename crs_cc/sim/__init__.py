@@ -9,5 +9,7 @@
 - Motion: `hardware` (profiles of axes), `actuators/` (what commands mean), `physics` (contacts).
 - Seeing: `scene` (outlines of all things), `obstacles` (those within reach), `rays` and `echoes`
   (what beams hit), `surroundings` (all of that in the current cycle), `sensors/`.
+- What is wrong with devices: `degradation`, with what it is in `degradation_model`, and who changes
+  it in `degradation_control`.
 - What it tells: `state_vector` (the vendor's `State`), `step` (a cycle, for traces and viewers).
 """

@@ -35,6 +35,7 @@ from crs_cc.sim.actuators.rolling import RollingNoise
 from crs_cc.sim.asked import Asked
 from crs_cc.sim.bodies import Contacts
 from crs_cc.sim.commands import CHANGES_WORLD, HANDLERS, MOVES, UNCONNECTED, WAITS
+from crs_cc.sim.degradation_control import DegradationControl
 from crs_cc.sim.devices import Devices
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.events import Event, EventLog
@@ -91,7 +92,7 @@ class Environment:
             raise ValueError(f"the seed must not be negative: {seed}")
         self.world = world
         self.state = EnvState.at_start(world)
-        self._equipment = Equipment.of(world)
+        self._equipment = Equipment.of(world, seed)
         self._bumpers = Bumpers(world)
         self._rolling = RollingNoise(world, seed)
         self._log = EventLog()
@@ -106,6 +107,11 @@ class Environment:
     def world_now(self) -> WorldModel:
         """Gives the world with what programs have put into it and taken out of it."""
         return self.state.obstacles.world_now(self.world)
+
+    @property
+    def degradations(self) -> DegradationControl:
+        """Gives what is wrong with devices, to be asked and changed between two steps."""
+        return DegradationControl(self.world, self.state.degradation, self._log, self.time_s)
 
     @property
     def timestep_s(self) -> float:
@@ -203,6 +209,8 @@ class Environment:
         self._let_go_if_empty(worked, self.end_s)
         began = self._touch(contacts)
         cycle, time_s, served = state.cycle, self.time_s, tuple(self._served)
+        if state.degradation.next_s < self.end_s:
+            self.degradations.tell(self.end_s)
         events = self._log.take()
         self._begin_cycle()
         rows, at_s, messages = self._end_waits()

@@ -8,6 +8,7 @@ from typing import Self
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.sim.degradation import Degradations
 from crs_cc.sim.drives import Drives
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.scene import Scene
@@ -36,6 +37,7 @@ class Equipment:
         heat_range_m: how far the heat sensor senses, 0 where there is none.
         tag_range_m: how far heat is taken away.
         radius_m: the radius of the body.
+        degradations: what becomes of values on their way from and to devices.
         world: what stood where before the first cycle.
         scene: the outlines of all things, as they are now.
         things: their shapes.
@@ -55,13 +57,14 @@ class Equipment:
     heat_range_m: FloatArray
     tag_range_m: FloatArray
     radius_m: FloatArray
+    degradations: Degradations
     world: WorldModel
     scene: Scene
     things: Things
 
     @classmethod
-    def of(cls, world: WorldModel) -> Self:
-        """Gives the equipment of a world's robots."""
+    def of(cls, world: WorldModel, seed: int = 0) -> Self:
+        """Gives the equipment of a world's robots; the seed decides its degradations."""
         models = [robot.model for robot in world.robots]
         scene = Scene(world)
         return cls(
@@ -79,6 +82,7 @@ class Equipment:
             np.array([model.heat.range_m for model in models]),
             np.array([model.heat.tag_range_m for model in models]),
             np.array([model.radius_m for model in models]),
+            Degradations(seed),
             world,
             scene,
             Things.of(scene),

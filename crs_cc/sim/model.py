@@ -34,6 +34,7 @@ from typing import Final, Literal, Self, TypeAlias
 
 import numpy as np
 
+from crs_cc.sim.degradation_model import Degradation
 from crs_cc.sim.polygon import area_m2, centroid_m
 from crs_cc.sim.robot_model import IDEAL_LINK, RobotModel
 from crs_cc.sim.surface import FLAT, Surface
@@ -245,6 +246,7 @@ class WorldModel:
     duration_s: float | None = None
     seed: int | None = None
     surface: Surface = FLAT
+    degradations: tuple[Degradation, ...] = ()
 
     def with_ideal_link(self) -> WorldModel:
         """Gives the same world with commands that take no time on their way to the robot."""

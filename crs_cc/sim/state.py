@@ -29,6 +29,7 @@ from crs_cc.sim.states.battery import BatteryState
 from crs_cc.sim.states.bumper import BumperState
 from crs_cc.sim.states.camera import CameraState
 from crs_cc.sim.states.compass import CompassState
+from crs_cc.sim.states.degradation import DegradationState
 from crs_cc.sim.states.drawings import DrawingState
 from crs_cc.sim.states.drive import DriveState
 from crs_cc.sim.states.gps import GpsState
@@ -72,6 +73,7 @@ class EnvState:
         laser: what the lasers saw and told.
         gps: what GPS receivers told.
         camera: what cameras saw and told.
+        degradation: what is wrong with all of these, and with the drive.
         mask: which parts of `State` the program asks for (`Smask`), (robots, 44).
         pos_data: where and when sensors were read, for those who ask.
         battery: what the motors took from theirs.
@@ -102,6 +104,7 @@ class EnvState:
     laser: LaserState
     gps: GpsState
     camera: CameraState
+    degradation: DegradationState
     mask: npt.NDArray[np.uint8]
     pos_data: PosDataState
     battery: BatteryState
@@ -138,6 +141,7 @@ class EnvState:
             laser=LaserState.at_start(world),
             gps=GpsState.at_start(world),
             camera=CameraState.at_start(world),
+            degradation=DegradationState.at_start(world),
             mask=first_mask(count),
             pos_data=PosDataState.at_start(world),
             battery=BatteryState.at_start(world),

@@ -15,4 +15,11 @@ allows; its changing state in `states`, as a field of `state.EnvState`; its stre
 requests in `crs_cc.requests.robot` and `commands`, with their length on the line in the robot
 definitions; its functions in the C library and in `crs_cc.robot_api`. Tests hold these together:
 they name what is missing.
+
+Degradation is applied at one place: what a device has measured, in SI units and with the errors of
+its definition, goes through `equipment.degradations.alter(state, "gps", rows, values, at_s)` once
+for each measurement, before it is kept or rounded; what comes back may be NaN, for nothing. `gps`
+is the example. An actuator does the same with what it is told to do. The device, its unit, its
+elements and what it makes of nothing are a row of `degradation_model.DEVICES`; the law is in
+`sim.degradation`.
 """

@@ -3,8 +3,9 @@
     reading = position of the robot's middle + normal deviates with the definition's noise
 
 along x and y of the world frame, to the nearest 0.1 inch. It measures when the program asks, at
-most at its rate; between two measurements it tells the last one. All of it was chosen by us: the
-CRS report (6.2) wishes for such a device, and has no law for it.
+most at its rate; between two measurements it tells the last one. Degradation (`gps`): without x or
+y there is no fix, and the request is refused until the next measurement. All of it was chosen by
+us: the CRS report (6.2) wishes for such a device, and has no law for it.
 """
 
 from __future__ import annotations
@@ -37,13 +38,15 @@ class GpsReceivers:
         self._noise = Noise(seed, GPS, 2, len(found) if self._noise_m.any() else 0)
 
     def tell(self, asked: Asked) -> npt.NDArray[np.bool_]:
-        """Answers GPS; refuses robots that have no receiver."""
+        """Answers GPS; refuses robots that have no receiver, or whose receiver has no fix."""
         has = asked.equipment.gps[asked.rows] >= 0
         rows, at_s = asked.rows[has], asked.at_s[has]
         gps, mine = asked.state.gps, asked.equipment.gps[rows]
         due = at_s - gps.at_s[mine] >= self._interval_s[mine] - _ROUNDING_S
         self._measure(asked, rows[due], at_s[due])
-        tenths = np.rint(m_to_tenths_inch(gps.fix_m[mine]))
+        fixed = np.isfinite(gps.fix_m[mine]).all(axis=1)
+        has[has] = fixed
+        tenths = np.rint(m_to_tenths_inch(gps.fix_m[mine[fixed]]))
         asked.messages["i"][has, :2] = tenths.astype(np.int32)
         return np.asarray(has)
 
@@ -52,5 +55,6 @@ class GpsReceivers:
         fix_m = mount_poses(asked.state, asked.equipment, rows)[:, :2]
         if self._noise_m.any():
             fix_m += self._noise.rows(mine, gps.count[mine]) * self._noise_m[mine, None]
+        fix_m = asked.equipment.degradations.alter(asked.state, "gps", rows, fix_m, at_s)
         gps.fix_m[mine], gps.at_s[mine] = fix_m, at_s
         gps.count[mine] += 1

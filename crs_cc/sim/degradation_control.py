@@ -1,0 +1,213 @@
+"""Who changes degradations while a world runs, and tells of them: for programs that run worlds.
+
+What goes in and comes out is plain data (`Degradation`). Every change is an event of the kind
+`degradation`: one is added, changed or removed, begins, fades, is over.
+
+>>> from crs_cc.sim.environment import Environment
+>>> from crs_cc.sim.world_xml import empty_world
+>>> environment = Environment(empty_world(), seed=1)
+>>> environment.degradations.add(Degradation("robot0", "sonar", element=3, gain=0.5))
+'degradation0'
+>>> environment.degradations.change("degradation0", gain=0.25, duration_s=0.02).gain
+0.25
+>>> for event in environment.step().events:
+...     print(f"{event.time_s:.2f} {event.text}")
+0.00 degradation0 added: sonar 3, gain 0.5
+0.00 degradation0 changed: sonar 3, gain 0.25
+0.00 degradation0 begins: sonar 3, gain 0.25
+0.02 degradation0 is over: sonar 3, gain 0.25
+>>> environment.degradations.remove("degradation0")
+>>> environment.degradations.all()
+()
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from crs_cc.sim.degradation_model import DEVICES, Degradation, complaint
+from crs_cc.sim.states.degradation import (
+    ACTS,
+    FADES,
+    MAX_MEMORY,
+    OVER,
+    WAITS,
+    DegradationState,
+    degradation_of,
+    empty_memory,
+    record,
+    turns_s,
+)
+
+if TYPE_CHECKING:
+    from crs_cc.sim.events import EventLog
+    from crs_cc.sim.model import WorldModel
+
+KIND: Final = "degradation"
+"""The kind of the events."""
+
+PHASES: Final = {WAITS: "waits", ACTS: "acts", FADES: "fades", OVER: "over"}
+"""What the phases are called."""
+
+_TURNS: Final = {ACTS: "begins", FADES: "fades", OVER: "is over"}
+_LONGEST_ID: Final = 64
+
+
+class DegradationControl:
+    """The degradations of a world that runs, between two of its steps."""
+
+    def __init__(
+        self, world: WorldModel, state: DegradationState, log: EventLog, time_s: float
+    ) -> None:
+        """Makes one for an instant.
+
+        Args:
+            world: the world.
+            state: its degradations, changed in place.
+            log: takes the events.
+            time_s: the start of the current cycle.
+        """
+        self._state, self._log, self._time_s = state, log, time_s
+        self._models = {robot.id: robot.model for robot in world.robots}
+        self._robots = list(self._models)
+
+    def all(self) -> tuple[Degradation, ...]:
+        """Gives all degradations, in the order in which they work."""
+        return tuple(degradation_of(row, self._robots) for row in self._state.table)
+
+    def phase(self, name: str) -> str:
+        """Gives how far a degradation has come: one of `PHASES`.
+
+        Raises:
+            KeyError: there is none of that name.
+        """
+        return PHASES[int(self._state.table["phase"][self._place(name)])]
+
+    def add(self, degradation: Degradation) -> str:
+        """Adds a degradation; an onset that is past means now.
+
+        Returns:
+            its name.
+
+        Raises:
+            ValueError: it cannot be, and why.
+        """
+        names = set(self._state.table["id"].tolist())
+        if degradation.id in names:
+            raise ValueError(f"a second degradation with the id {degradation.id!r}")
+        if not degradation.id:
+            free = next(n for n in range(len(names) + 1) if f"degradation{n}" not in names)
+            degradation = replace(degradation, id=f"degradation{free}")
+        self._check(degradation)
+        degradation = replace(degradation, onset_s=max(degradation.onset_s, self._time_s))
+        robot = self._robots.index(degradation.robot)
+        row = record(degradation, robot, int(self._state.made[robot]))
+        self._make_room(row)
+        self._state.made[robot] += 1
+        self._state.append([row])
+        self._say(self._time_s, "added", row)
+        return degradation.id
+
+    def change(self, name: str, **changes: Any) -> Degradation:
+        """Changes some of the attributes of a degradation; it forgets what it remembers.
+
+        Its onset stays as it was, unless that is changed; then the degradation begins anew.
+
+        Args:
+            name: its name.
+            changes: new values of attributes of `Degradation`, `id`, `robot` and `device` apart.
+
+        Returns:
+            what it is now.
+
+        Raises:
+            KeyError: there is none of that name.
+            ValueError: it cannot be so, and why.
+        """
+        place = self._place(name)
+        fixed = {"id", "robot", "device"} & changes.keys()
+        if fixed:
+            raise ValueError(f"{', '.join(sorted(fixed))} cannot change: remove it, add another")
+        old = self._state.table[place]
+        try:
+            degradation = replace(degradation_of(old, self._robots), **changes)
+        except TypeError:
+            unknown = changes.keys() - set(Degradation.__dataclass_fields__)
+            raise ValueError(f"a degradation has no {', '.join(sorted(unknown))}") from None
+        self._check(degradation)
+        if "onset_s" in changes:
+            degradation = replace(degradation, onset_s=max(degradation.onset_s, self._time_s))
+        row = record(degradation, int(old["robot"]), int(old["serial"]))
+        row["count"] = old["count"]
+        row["phase"] = _phase(row, self._time_s)
+        self._make_room(row)
+        self._state.replace(place, row)
+        self._say(self._time_s, "changed", row)
+        return degradation
+
+    def remove(self, name: str) -> None:
+        """Removes a degradation, and with it at once what it does.
+
+        Raises:
+            KeyError: there is none of that name.
+        """
+        place = self._place(name)
+        row = self._state.table[place].copy()
+        self._state.remove(place)
+        self._say(self._time_s, "removed", row)
+
+    def tell(self, until_s: float) -> None:
+        """Says which degradations begin, fade or are over before an instant."""
+        while self._state.next_s < until_s:
+            at_s = turns_s(self._state.table)
+            place = int(np.argmin(at_s))
+            row = self._state.table[place]
+            row["phase"] += 1
+            if row["phase"] == FADES and not row["recovery_s"]:
+                row["phase"] = OVER
+            self._say(float(at_s[place]), _TURNS[int(row["phase"])], row)
+            self._state.refresh()
+
+    def _place(self, name: str) -> int:
+        places = np.flatnonzero(self._state.table["id"] == name)
+        if not len(places):
+            raise KeyError(f"there is no degradation {name!r}")
+        return int(places[0])
+
+    def _check(self, degradation: Degradation) -> None:
+        model = self._models.get(degradation.robot)
+        if model is None:
+            raise ValueError(f"there is no robot {degradation.robot!r}")
+        if len(degradation.id) > _LONGEST_ID:
+            raise ValueError(f"an id has at most {_LONGEST_ID} characters")
+        wrong = complaint(degradation, model)
+        if wrong:
+            raise ValueError(wrong)
+
+    def _make_room(self, row: Any) -> None:
+        if len(self._state.memory) + len(empty_memory(row)) > MAX_MEMORY:
+            raise ValueError("too many degradations to remember what they need")
+
+    def _say(self, time_s: float, what: str, row: Any) -> None:
+        degradation = degradation_of(row, self._robots)
+        model = self._models[degradation.robot]
+        element = degradation.element
+        which = (
+            "" if element is None else f" {DEVICES[degradation.device].elements(model)[element]}"
+        )
+        text = f"{degradation.id} {what}: {degradation.device}{which}, {degradation.faults}"
+        self._log.say(time_s, KIND, text, int(row["robot"]))
+
+
+def _phase(row: Any, at_s: float) -> int:
+    """Gives the phase of a degradation at an instant at which it has been told of all before."""
+    end_s = float(row["onset_s"] + row["duration_s"])
+    over_s = end_s + float(row["recovery_s"])
+    if at_s <= row["onset_s"]:
+        return WAITS
+    if at_s <= end_s:
+        return ACTS
+    return FADES if at_s <= over_s else OVER

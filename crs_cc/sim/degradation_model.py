@@ -1,0 +1,285 @@
+"""What a degradation is: plain data; and the table of all devices that can be degraded.
+
+A degradation names a robot, one of its devices, and an element of it or all of them; says what is
+wrong with what comes from there (or, of an actuator, goes there), from when on, for how long, and
+how long the effect takes to fade then. `degradation` has the law. Values are in the unit of the
+device: metres, radians, seconds, volts.
+
+>>> from crs_cc.sim.world_xml import empty_world
+>>> scout = empty_world().robots[0].model
+>>> complaint(Degradation("robot0", "sonar", element=3, bias=0.5, onset_s=10.0), scout)
+''
+>>> complaint(Degradation("robot0", "sonar", element=16, dead=True), scout)
+'sonar has no element 16; it has 0 to 15'
+>>> complaint(Degradation("robot0", "compass", dead=True), scout)
+'the robot has no compass'
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final, Literal
+
+from crs_cc.sim.hardware import AXES
+from crs_cc.sim.quantity import ANGLE, HEAT, LENGTH, RATIO, SPEED, TIME, TURN_RATE, VOLTAGE, Kind
+from crs_cc.sim.sensor_model import MAX_INFRARED, NUM_LASER
+from crs_cc.sim.sonar_model import MAX_SONARS
+
+if TYPE_CHECKING:
+    from crs_cc.sim.robot_model import RobotModel
+
+LONGEST_DELAY_S: Final = 60.0
+LONGEST_S: Final = 1e7
+"""The longest times that make sense."""
+
+HOLD: Final = "hold"
+"""Stuck at what was told last."""
+
+_SWITCHES: Final = 24
+_TURNING: Final = frozenset({"steering", "turret"})
+
+
+@dataclass(frozen=True, slots=True)
+class Degradation:
+    """What is wrong with a device; plain numbers and texts only.
+
+    Attributes:
+        robot: the robot's id.
+        device: the device's name in `DEVICES`.
+        element: which of its elements, None for all of them.
+        bias: what is added, in the unit of the device.
+        gain: what values are multiplied with.
+        noise: standard deviation of what is added at random.
+        step: values are rounded to multiples of this; 0 for not at all.
+        stuck: the value that is told whatever the true one is; `HOLD` for the last one before the
+            onset; None for none.
+        delay_s: how old values are.
+        dropouts: probability that there is no value.
+        dead: whether there is none at all.
+        onset_s: when it begins, in simulated time.
+        duration_s: how long it has its whole effect; None for ever.
+        recovery_s: how long the effect takes to fade then.
+        id: its name; empty for one that the environment gives.
+    """
+
+    robot: str
+    device: str
+    element: int | None = None
+    bias: float = 0.0
+    gain: float = 1.0
+    noise: float = 0.0
+    step: float = 0.0
+    stuck: float | Literal["hold"] | None = None
+    delay_s: float = 0.0
+    dropouts: float = 0.0
+    dead: bool = False
+    onset_s: float = 0.0
+    duration_s: float | None = None
+    recovery_s: float = 0.0
+    id: str = ""
+
+    @property
+    def faults(self) -> str:
+        """Gives what is wrong, in words, for people: `gain 0.5, delay 1s`."""
+        words = [f"{name} {value:g}" for name, value, usual in self._numbers() if value != usual]
+        if self.stuck is not None:
+            words.append("stuck" if self.stuck == HOLD else f"stuck at {self.stuck:g}")
+        if self.delay_s:
+            words.append(f"delay {self.delay_s:g}s")
+        if self.dead:
+            words.append("dead")
+        return ", ".join(words)
+
+    def _numbers(self) -> tuple[tuple[str, float, float], ...]:
+        return (
+            ("gain", self.gain, 1.0),
+            ("bias", self.bias, 0.0),
+            ("noise", self.noise, 0.0),
+            ("step", self.step, 0.0),
+            ("dropouts", self.dropouts, 0.0),
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Device:
+    """A sensor or actuator that can be degraded.
+
+    Attributes:
+        name: what world files call it.
+        title: what it is.
+        kind: what its values are; in radians for an element that turns.
+        elements: gives the names of a robot's elements, by their numbers, empty for a number that
+            is not in use; none where the robot has no such device.
+        width: how many elements there can be.
+        nothing: what comes of no value at all.
+        unit: what stands for the unit in words, where the kind has none.
+        acts: whether it is an actuator.
+    """
+
+    name: str
+    title: str
+    kind: Kind
+    elements: Callable[[RobotModel], tuple[str, ...]]
+    width: int
+    nothing: str
+    unit: str = ""
+    acts: bool = False
+
+    def kind_of(self, element: str) -> Kind:
+        """Gives what the values of an element are."""
+        return TURN_RATE if self.kind is SPEED and element in _TURNING else self.kind
+
+
+def _always(_model: RobotModel) -> bool:
+    return True
+
+
+def _single(has: Callable[[RobotModel], object], *names: str) -> Callable[..., tuple[str, ...]]:
+    return lambda model: (names or ("0",)) if has(model) else ()
+
+
+def _numbered(count: int) -> tuple[str, ...]:
+    return tuple(map(str, range(count)))
+
+
+def _at(numbers: list[int]) -> tuple[str, ...]:
+    return tuple(str(n) if n in numbers else "" for n in range(max(numbers, default=-1) + 1))
+
+
+def _axes(model: RobotModel) -> tuple[str, ...]:
+    return model.drive.axis_names
+
+
+DEVICES: Final = {
+    device.name: device
+    for device in (
+        Device(
+            "sonar", "a sonar's distance", LENGTH,
+            lambda model: _at([sonar.id for sonar in model.sonars]), MAX_SONARS, "no echo",
+        ),
+        Device(
+            "bumper", "a switch, by its bit: 1 when pressed, else 0; pressed from 0.5 on",
+            RATIO, lambda model: _at([switch.bit for switch in model.bumpers]), _SWITCHES,
+            "not pressed",
+        ),
+        Device(
+            "infrared", "an infrared sensor's distance", LENGTH,
+            lambda model: _numbered(MAX_INFRARED if model.infrared else 0), MAX_INFRARED,
+            "nothing seen, 15",
+        ),
+        Device(
+            "compass", "the direction", ANGLE, _single(lambda model: model.compass), 1,
+            "the reading stays",
+        ),
+        Device(
+            "laser", "the distance of a point, from the right to the left", LENGTH,
+            lambda model: _numbered(model.laser.points if model.laser else 0), NUM_LASER,
+            "no point",
+        ),
+        Device(
+            "gps", "where the robot is", LENGTH, _single(lambda model: model.gps, "x", "y"), 2,
+            "no fix: refused",
+        ),
+        Device(
+            "heat", "the heat around", HEAT, _single(lambda model: model.heat.range_m), 1, "0",
+        ),
+        Device(
+            "odometry", "how fast the encoder of an axis counts", SPEED, _axes, AXES,
+            "counts nothing",
+        ),
+        Device(
+            "battery", "the voltage", VOLTAGE,
+            _single(_always, "computers", "motors"), 2, "the lowest voltage",
+        ),
+        Device(
+            "clock", "the time since the start", TIME, _single(_always), 1, "0",
+        ),
+        Device(
+            "drive", "how fast the motor of an axis turns it", SPEED, _axes, AXES, "stands",
+            acts=True,
+        ),
+        Device(
+            "wheels", "how fast an axis moves the robot", SPEED, _axes, AXES, "slips on the spot",
+            acts=True,
+        ),
+        Device(
+            "tag", "how far heat is taken away", LENGTH,
+            _single(lambda model: model.heat.tag_range_m), 1, "takes nothing", acts=True,
+        ),
+    )
+}  # fmt: skip
+"""Every device that can be degraded, by name."""
+
+
+def complaint(degradation: Degradation, model: RobotModel) -> str:
+    """Tells why a degradation cannot be used with a robot; empty when it can.
+
+    Args:
+        degradation: what is asked for.
+        model: the kind of robot that it names.
+    """
+    device = DEVICES.get(degradation.device)
+    if device is None:
+        return f"there is no device {degradation.device!r}; there are {', '.join(DEVICES)}"
+    names = device.elements(model)
+    if not names:
+        return f"the robot has no {device.name}"
+    element = degradation.element
+    if element is not None and not (0 <= element < len(names) and names[element]):
+        return f"{device.name} has no element {element}; it has {_shown(names)}"
+    return _out_of_range(degradation) or _ambiguous(degradation, device, names)
+
+
+def element_of(device: Device, model: RobotModel, text: str) -> int | None:
+    """Gives the number of the element that a text names, by name or number; None for none."""
+    names = device.elements(model)
+    if text in names and text:
+        return names.index(text)
+    is_number = text.isascii() and text.isdigit() and len(text) <= 4
+    return int(text) if is_number and int(text) < len(names) and names[int(text)] else None
+
+
+def _shown(names: tuple[str, ...]) -> str:
+    used = [number for number, name in enumerate(names) if name]
+    whole = used == list(range(len(names))) and names == _numbered(len(names))
+    if whole and len(names) > 1:
+        return f"0 to {len(names) - 1}"
+    return ", ".join(
+        n if n == str(number) else f"{number} ({n})" for number, n in enumerate(names) if n
+    )
+
+
+def _out_of_range(degradation: Degradation) -> str:
+    stuck, duration_s = degradation.stuck, degradation.duration_s
+    limits = (
+        ("bias", degradation.bias, -LENGTH.limit, LENGTH.limit),
+        ("gain", degradation.gain, -RATIO.limit, RATIO.limit),
+        ("noise", degradation.noise, 0.0, LENGTH.limit),
+        ("step", degradation.step, 0.0, LENGTH.limit),
+        ("stuck", stuck if isinstance(stuck, int | float) else 0.0, -LENGTH.limit, LENGTH.limit),
+        ("delay", degradation.delay_s, 0.0, LONGEST_DELAY_S),
+        ("dropouts", degradation.dropouts, 0.0, 1.0),
+        ("onset", degradation.onset_s, 0.0, LONGEST_S),
+        ("duration", 1.0 if duration_s is None else duration_s, 0.0, LONGEST_S),
+        ("recovery", degradation.recovery_s, 0.0, LONGEST_S),
+    )
+    for name, value, least, most in limits:
+        if not (math.isfinite(value) and least <= value <= most):
+            return f"{name} must be a number from {least:g} to {most:g}, not {value!r}"
+    if not (stuck is None or stuck == HOLD or isinstance(stuck, int | float)):
+        return f"stuck must be a number or {HOLD!r}, not {stuck!r}"
+    if not degradation.faults:
+        return "nothing is wrong: give gain, bias, noise, step, stuck, delay, dropouts or dead"
+    return ""
+
+
+def _ambiguous(degradation: Degradation, device: Device, names: tuple[str, ...]) -> str:
+    """Refuses a value for elements of which some count in metres, others in radians."""
+    several = len({device.kind_of(name) for name in names}) > 1
+    values = (degradation.bias, degradation.noise, degradation.step)
+    given = any(values) or isinstance(degradation.stuck, int | float)
+    if degradation.element is None and several and given:
+        return f"the elements of {device.name} differ in their units: name one, {_shown(names)}"
+    return ""
