@@ -43,6 +43,7 @@ class Element:
         text: its text, without space around it.
         children: the elements in it.
         broken: whether one of its values could not be read.
+        file: the file, where it is not the reader's.
     """
 
     tag: str
@@ -51,6 +52,12 @@ class Element:
     text: str = ""
     children: list[Element] = field(default_factory=list)
     broken: bool = False
+    file: str = ""
+
+    @property
+    def place(self) -> str:
+        """Where it stands, for messages."""
+        return f"{self.file}:{self.line}" if self.file else f"line {self.line}"
 
     def all(self, tag: str) -> Iterator[Element]:
         """Gives the children with a name."""
@@ -72,7 +79,8 @@ class Reader:
         """Notes that something is wrong with an element."""
         count = len(self.diagnostics.messages)
         if count < MAX_MESSAGES:
-            self.diagnostics.error(Location(self.file, element.line), text, hint)
+            place = Location(element.file or self.file, element.line)
+            self.diagnostics.error(place, text, hint)
         elif count == MAX_MESSAGES:
             self.diagnostics.error(Location(self.file), "more mistakes than are shown here")
 

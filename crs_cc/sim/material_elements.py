@@ -33,7 +33,7 @@ class Materials:
                 reader.error(element, f"a second material {name!r}; the first is {before}")
                 continue
             self._known[name] = self.of(element)
-            self._where[name] = f"in line {element.line}"
+            self._where[name] = f"in {element.place}"
 
     def of(self, element: Element) -> Material:
         """Gives the material that an element's attributes tell; mistakes go to the reader."""

@@ -54,6 +54,15 @@ class Pose:
     y_m: float = 0.0
     heading_rad: float = 0.0
 
+    def within(self, frame: Pose) -> Pose:
+        """Gives the pose in the world that is this one in a frame which has a pose there."""
+        cos, sin = math.cos(frame.heading_rad), math.sin(frame.heading_rad)
+        return Pose(
+            frame.x_m + cos * self.x_m - sin * self.y_m,
+            frame.y_m + sin * self.x_m + cos * self.y_m,
+            frame.heading_rad + self.heading_rad,
+        )
+
 
 @dataclass(frozen=True, slots=True)
 class Material:

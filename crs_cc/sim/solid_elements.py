@@ -17,6 +17,7 @@ from crs_cc.sim.model import (
     Material,
     Polygon,
     Pose,
+    Solid,
     Wall,
 )
 from crs_cc.sim.polygon import complaint
@@ -30,7 +31,7 @@ _POINTS_FORM: Final = "write x,y of each corner, spaces between corners only: 1m
 _STAND_IN: Final = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
 
 
-class _Common(TypedDict):
+class Common(TypedDict):
     """What all solids have."""
 
     heat: float
@@ -50,45 +51,52 @@ class SolidElements:
     reader: Reader
     materials: Materials
 
-    def wall(self, element: Element) -> Wall:
-        """Gives the wall that an element describes."""
+    def solid(self, element: Element) -> Solid:
+        """Gives what a `<wall>`, `<box>`, `<cylinder>` or `<polygon>` describes."""
+        match element.tag:
+            case "wall":
+                return self._wall(element)
+            case "box":
+                return self._box(element)
+            case "cylinder":
+                return self._cylinder(element)
+        return self._polygon(element)
+
+    def _wall(self, element: Element) -> Wall:
         wall = Wall(
             element.attributes["id"],
             self.reader.quantity(element, "x1", LENGTH),
             self.reader.quantity(element, "y1", LENGTH),
             self.reader.quantity(element, "x2", LENGTH),
             self.reader.quantity(element, "y2", LENGTH),
-            self._size(element, "thickness"),
-            **self._common(element),
+            self.size(element, "thickness"),
+            **self.common(element),
         )
         if not element.broken and (wall.x1_m, wall.y1_m) == (wall.x2_m, wall.y2_m):
             wrong = f"wall {wall.id!r} has no length: both its ends are the same point"
             self.reader.error(element, wrong)
         return wall
 
-    def box(self, element: Element) -> Box:
-        """Gives the box that an element describes."""
+    def _box(self, element: Element) -> Box:
         return Box(
             element.attributes["id"],
             pose(element, self.reader),
-            self._size(element, "length"),
-            self._size(element, "width"),
+            self.size(element, "length"),
+            self.size(element, "width"),
             self._mass(element),
-            **self._common(element),
+            **self.common(element),
         )
 
-    def cylinder(self, element: Element) -> Cylinder:
-        """Gives the cylinder that an element describes."""
+    def _cylinder(self, element: Element) -> Cylinder:
         return Cylinder(
             element.attributes["id"],
             pose(element, self.reader),
-            self._size(element, "radius"),
+            self.size(element, "radius"),
             self._mass(element),
-            **self._common(element),
+            **self.common(element),
         )
 
-    def polygon(self, element: Element) -> Polygon:
-        """Gives the polygon that an element describes."""
+    def _polygon(self, element: Element) -> Polygon:
         corners = self._corners(element)
         name = element.attributes["id"]
         if not element.broken and (wrong := complaint(np.array(corners).reshape(-1, 2))):
@@ -97,7 +105,7 @@ class SolidElements:
         if element.broken:
             corners = _STAND_IN
         polygon = Polygon.of(name, corners, self._mass(element))
-        return replace(polygon, **self._common(element))
+        return replace(polygon, **self.common(element))
 
     def _corners(self, element: Element) -> list[tuple[float, float]]:
         """Gives the corners that `points` lists: x,y x,y ..."""
@@ -115,7 +123,8 @@ class SolidElements:
             self.reader.refuse(element, f"points: {wrong}")
             return []
 
-    def _common(self, element: Element) -> _Common:
+    def common(self, element: Element) -> Common:
+        """Gives what all solids have."""
         return {
             "heat": self.reader.not_negative(element, "heat", HEAT),
             "material": self.materials.of(element),
@@ -123,12 +132,13 @@ class SolidElements:
         }
 
     def _height(self, element: Element) -> float:
-        return self._size(element, "height") if "height" in element.attributes else TALL_M
+        return self.size(element, "height") if "height" in element.attributes else TALL_M
 
     def _mass(self, element: Element) -> float:
         return self.reader.positive(element, "mass", MASS, FIXED_KG)
 
-    def _size(self, element: Element, name: str) -> float:
+    def size(self, element: Element, name: str) -> float:
+        """Gives a length [m] that things can have."""
         value_m = self.reader.positive(element, name, LENGTH)
         if value_m < SHORTEST_M:
             self.reader.refuse(element, f"{name}: must be 1mm or more")

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path, PurePosixPath
-from typing import Final, Literal, TypeAlias, TypeVar
+from typing import Final, Literal, TypeAlias
 
+from crs_cc.sim.composite_elements import CompositeElements
 from crs_cc.sim.document import MAX_MESSAGES, Element, Reader
+from crs_cc.sim.include import Included
+from crs_cc.sim.map_elements import map_boxes
 from crs_cc.sim.material_elements import Materials
-from crs_cc.sim.model import Area, Robot, WorldModel
+from crs_cc.sim.model import Area, Box, Cylinder, Polygon, Robot, Solid, Wall, WorldModel
+from crs_cc.sim.naming import check_parts, name_things
 from crs_cc.sim.placement import misplaced
 from crs_cc.sim.quantity import HEAT, LENGTH, TIME
 from crs_cc.sim.robot_model import RobotModel
@@ -22,86 +25,99 @@ LONGEST_TIMESTEP_S: Final = 0.1
 MAX_THINGS: Final = 100_000
 MAX_SEED: Final = 999_999_999
 _DIALECTS: Final[dict[str, Literal["nomad", "report"]]] = {"nomad": "nomad", "report": "report"}
-_OURS: Final = ("edge-", "obstacle-")  # what programs add is named so
-_THINGS: Final = frozenset({"wall", "box", "cylinder", "polygon", "robot"})
-_ID: Final = re.compile(r"[A-Za-z_][A-Za-z0-9_.\-]{0,63}")
+_SIMPLE: Final = frozenset({"wall", "box", "cylinder", "polygon"})
 
-Thing = TypeVar("Thing")
 FindModel: TypeAlias = Callable[[Element], RobotModel]
 """Gives the model of a robot; notes it as a mistake of the element when there is none."""
 
 
 def world_model(
-    root: Element, name: str, folder: Path | None, reader: Reader, find_model: FindModel
+    root: Element, name: str, included: Included, reader: Reader, find_model: FindModel
 ) -> WorldModel:
     """Gives the world that a world file describes; mistakes go to the reader.
 
     Args:
         root: the outermost element.
         name: the world's name, if the file gives none.
-        folder: where programs are looked for; None when the world came from no file.
+        included: reads the files that it includes, and knows its folder, where programs and
+            pictures are looked for.
         reader: reads the values.
         find_model: finds robot definitions.
     """
     if len(root.children) > MAX_THINGS:
         reader.error(root, f"more than {MAX_THINGS} things in one world")
         root.children = root.children[:1]
-    _name_things(root, reader)
-    materials = Materials(root.all("material"), reader)
+    name_things(root.children, reader)
+    definitions = included.definitions(root)
+    materials = Materials((each for each in definitions if each.tag == "material"), reader)
+    area = _area(root.first("area"), reader, materials)
     solids = SolidElements(reader, materials)
+    composites = CompositeElements((e for e in definitions if e.tag == "define"), solids)
+    things = _things(root, included.folder, area, solids, composites)
+    robots = [
+        Robot(
+            element.attributes["id"],
+            find_model(element),
+            pose(element, reader),
+            _program(element, included.folder, reader),
+            tuple(argument.text for argument in element.all("argument")),
+            reader.not_negative(element, "heat", HEAT),
+            _DIALECTS.get(element.attributes.get("dialect", "")),
+            materials.of(element),
+        )
+        for element in root.all("robot")
+    ]
     world = WorldModel(
         root.attributes.get("name", name),
-        area=_area(root.first("area"), reader, materials),
-        walls=tuple(map(solids.wall, root.all("wall"))),
-        boxes=tuple(map(solids.box, root.all("box"))),
-        cylinders=tuple(map(solids.cylinder, root.all("cylinder"))),
-        polygons=tuple(map(solids.polygon, root.all("polygon"))),
-        robots=tuple(
-            Robot(
-                element.attributes["id"],
-                find_model(element),
-                pose(element, reader),
-                _program(element, folder, reader),
-                tuple(argument.text for argument in element.all("argument")),
-                reader.not_negative(element, "heat", HEAT),
-                _DIALECTS.get(element.attributes.get("dialect", "")),
-                materials.of(element),
-            )
-            for element in root.all("robot")
-        ),
+        area,
+        robots=tuple(robots),
         timestep_s=_timestep(root, reader),
         duration_s=_duration(root, reader),
         seed=_seed(root, reader),
         surface=surface(root.first("surface"), reader),
     )
-    _check(world, root, reader)
-    return world
+    _check(_with(world, things), root, reader)
+    return _with(world, things)
 
 
-def _name_things(root: Element, reader: Reader) -> None:
-    """Gives names to things that have none, and notes names that are used twice."""
-    used: dict[str, int] = {}
-    counts: dict[str, int] = {}
-    for element in root.children[1:]:
-        if element.tag not in _THINGS:
-            continue
-        number = counts.get(element.tag, 0)
-        counts[element.tag] = number + 1
-        name = element.attributes.setdefault("id", f"{element.tag}{number}")
-        if name in used:
-            reader.error(
-                element, f"a second thing with the id {name!r}; the first is in line {used[name]}"
-            )
-        elif name.startswith(_OURS):
-            prefix = name.partition("-")[0]
-            reader.error(
-                element, f"the id {name!r}: names that begin with {prefix}- are the world's"
-            )
-        elif not _ID.fullmatch(name):
-            reader.error(
-                element, f"the id {name!r}: letters, digits, _ . - only, no digit first, at most 64"
-            )
-        used.setdefault(name, element.line)
+def _things(
+    root: Element,
+    folder: Path | None,
+    area: Area,
+    solids: SolidElements,
+    composites: CompositeElements,
+) -> list[tuple[Element, Solid]]:
+    """Gives all walls and objects, each with the element that it comes from."""
+    things: list[tuple[Element, Solid]] = []
+    for element in root.children:
+        parts: Sequence[Solid] = ()
+        if element.tag in _SIMPLE:
+            parts = (solids.solid(element),)
+        elif element.tag == "object":
+            parts = composites.parts(element)
+        elif element.tag == "map":
+            parts = map_boxes(element, folder, area, solids)
+        things += [(element, part) for part in parts]
+        if len(things) > MAX_THINGS:
+            solids.reader.error(element, f"more than {MAX_THINGS} things in one world")
+            return []
+    composed = [(element, part.id) for element, part in things if element.tag not in _SIMPLE]
+    check_parts(
+        composed, [element.attributes.get("id", "") for element in root.children], solids.reader
+    )
+    return things
+
+
+def _with(world: WorldModel, things: Sequence[tuple[Element, Solid]]) -> WorldModel:
+    """Gives a world with things in it, those apart whose numbers could not be read."""
+    solids = [solid for element, solid in things if not element.broken]
+    return replace(
+        world,
+        walls=tuple(solid for solid in solids if isinstance(solid, Wall)),
+        boxes=tuple(solid for solid in solids if isinstance(solid, Box)),
+        cylinders=tuple(solid for solid in solids if isinstance(solid, Cylinder)),
+        polygons=tuple(solid for solid in solids if isinstance(solid, Polygon)),
+    )
 
 
 def _check(world: WorldModel, root: Element, reader: Reader) -> None:
@@ -110,22 +126,11 @@ def _check(world: WorldModel, root: Element, reader: Reader) -> None:
         reader.error(root, "no robot in the world", "add <robot x='1m' y='1m'/>")
     if root.first("area").broken:
         return
-    readable = replace(
-        world,
-        walls=_readable(world.walls, root.all("wall")),
-        boxes=_readable(world.boxes, root.all("box")),
-        cylinders=_readable(world.cylinders, root.all("cylinder")),
-        polygons=_readable(world.polygons, root.all("polygon")),
-        robots=_readable(world.robots, root.all("robot")),
-    )
-    robots = [element for element in root.all("robot") if not element.broken]
+    pairs = list(zip(root.all("robot"), world.robots, strict=True))
+    readable = replace(world, robots=tuple(robot for element, robot in pairs if not element.broken))
+    elements = [element for element, _ in pairs if not element.broken]
     for robot, wrong in misplaced(readable, MAX_MESSAGES + 1):
-        reader.error(robots[robot], wrong)
-
-
-def _readable(things: tuple[Thing, ...], elements: Iterable[Element]) -> tuple[Thing, ...]:
-    pairs = zip(things, elements, strict=True)
-    return tuple(thing for thing, element in pairs if not element.broken)
+        reader.error(elements[robot], wrong)
 
 
 def _area(element: Element, reader: Reader, materials: Materials) -> Area:

@@ -18,12 +18,14 @@ crs_cc.errors.WorldError: room:1: error: <area> lacks the attribute 'width'
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 from typing import Final
 
 from crs_cc.errors import WorldError
 from crs_cc.sim.document import Element, Reader
+from crs_cc.sim.include import Included
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.robot_elements import robot_model
 from crs_cc.sim.robot_model import Drive, RobotModel
@@ -85,7 +87,7 @@ def load_robot(path: Path, setup: str = "") -> RobotModel:
     """
     text, file = read_file(path), str(path)
     diagnostics = Diagnostics(lines={file: lines_of(text)})
-    root = elements(text, "robot.xsd", file, diagnostics, setup)
+    root = elements(text, "robot.xsd", file, diagnostics, outermost="robot-definition", setup=setup)
     model = robot_model(root, Reader(file, diagnostics))
     raise_errors(diagnostics)
     return model
@@ -118,10 +120,11 @@ class _World:
 
     def parse(self, text: bytes) -> WorldModel:
         diagnostics = Diagnostics(lines={self.file: lines_of(text)})
-        root = elements(text, "world.xsd", self.file, diagnostics)
+        root = elements(text, "world.xsd", self.file, diagnostics, outermost="world")
         self.reader = Reader(self.file, diagnostics)
-        world = world_model(root, self.name, self.folder, self.reader, self._model)
-        diagnostics.messages = _by_line(diagnostics.messages, self.file)
+        included = Included(self.folder, self.reader)
+        world = world_model(root, self.name, included, self.reader, self._model)
+        diagnostics.messages = _by_line(diagnostics.messages, self.file, included.lines)
         raise_errors(diagnostics)
         return world
 
@@ -164,12 +167,20 @@ class _World:
         return None if outside or self.folder is None else self.folder / path
 
 
-def _by_line(messages: list[Diagnostic], file: str) -> list[Diagnostic]:
-    """Sorts messages; those about another file stay behind the message that led there."""
+def _by_line(
+    messages: list[Diagnostic], file: str, included: Mapping[str, int]
+) -> list[Diagnostic]:
+    """Sorts messages; those about another file stay behind the message that led there.
+
+    Args:
+        messages: the messages.
+        file: the world file.
+        included: the lines of it that include other files.
+    """
     keys, key = [], math.inf
     for message in messages:
         if message.location.file == file:
             key = message.location.line or math.inf
-        keys.append(key)
+        keys.append(included.get(message.location.file, key))
     order = sorted(range(len(messages)), key=keys.__getitem__)
     return [messages[number] for number in order]

@@ -58,7 +58,13 @@ def read_file(path: Path) -> bytes:
 
 
 def elements(
-    text: bytes, schema: str, file: str, diagnostics: Diagnostics, setup: str = ""
+    text: bytes,
+    schema: str,
+    file: str,
+    diagnostics: Diagnostics,
+    *,
+    outermost: str,
+    setup: str = "",
 ) -> Element:
     """Gives the outermost element of a document that keeps to a schema, also with a setup.
 
@@ -67,6 +73,7 @@ def elements(
         schema: the file of the schema.
         file: what to call the document in messages.
         diagnostics: gets the messages.
+        outermost: the name of the outermost element.
         setup: a setup of a robot definition that takes the place of parts of it.
 
     Raises:
@@ -93,6 +100,9 @@ def elements(
         raise WorldError([_syntax_message(place, str(error.msg), diagnostics)]) from None
     if root.getroottree().docinfo.doctype:
         _refuse_document_type(file)
+    if root.tag != outermost:
+        place = Location(file, root.sourceline or 0)
+        raise WorldError.at(place, f"the outermost element is <{root.tag}>, not <{outermost}>")
     _validate(root, schema, file, diagnostics)
     if setup:
         _apply(setup, root, Reader(file, diagnostics))
