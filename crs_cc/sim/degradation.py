@@ -85,6 +85,10 @@ class Degradations:
         self._of: npt.NDArray[np.bool_] | None = None
         self._layers: dict[int, list[_Layer]] = {}
 
+    def concern(self, state: EnvState, device: str) -> bool:
+        """Tells whether there is anything wrong with a device of any robot."""
+        return bool(state.degradation.present[NUMBER[device]])
+
     def alter(
         self,
         state: EnvState,
@@ -147,7 +151,7 @@ class Degradations:
         *,
         from_s: FloatArray,
         to_s: FloatArray,
-        limit: FloatArray | float = np.inf,
+        limit: FloatArray | None = None,
     ) -> FloatArray:
         """Gives what becomes of the ways of axes between two instants.
 
@@ -158,7 +162,7 @@ class Degradations:
             ways: the way of each axis, shape (k, 3).
             from_s: the first instant of each robot, (k,).
             to_s: the second one, (k,).
-            limit: the fastest that axes can run, shape (k, 3).
+            limit: the fastest that the axes of each robot can run, (robots, 3); None for no limit.
 
         Returns:
             other ways, shape (k, 3); `ways` itself where all is well.
@@ -171,9 +175,10 @@ class Degradations:
         speeds = ways[runs] / for_s[runs]
         instants = (from_s[runs], to_s[runs])
         speeds = self._speeds(state, device, robots[runs], speeds, instants, writes=True)
-        limit = np.broadcast_to(limit, ways.shape)[runs]
+        if limit is not None:
+            speeds = np.clip(speeds, -limit[robots[runs]], limit[robots[runs]])
         other = ways.copy()
-        other[runs] = np.clip(speeds, -limit, limit) * for_s[runs]
+        other[runs] = speeds * for_s[runs]
         return other
 
     def speeds(

@@ -23,7 +23,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Literal
 
 from crs_cc.sim.hardware import AXES
-from crs_cc.sim.quantity import ANGLE, HEAT, LENGTH, RATIO, SPEED, TIME, TURN_RATE, VOLTAGE, Kind
+from crs_cc.sim.quantity import ANGLE, HEAT, LENGTH, RATIO, SPEED, TURN_RATE, VOLTAGE, Kind
 from crs_cc.sim.sensor_model import MAX_INFRARED, NUM_LASER
 from crs_cc.sim.sonar_model import MAX_SONARS
 
@@ -192,9 +192,6 @@ DEVICES: Final = {
         Device(
             "battery", "the voltage", VOLTAGE,
             _single(_always, "computers", "motors"), 2, "the lowest voltage",
-        ),
-        Device(
-            "clock", "the time since the start", TIME, _single(_always), 1, "0",
         ),
         Device(
             "drive", "how fast the motor of an axis turns it", SPEED, _axes, AXES, "stands",

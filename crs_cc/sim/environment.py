@@ -339,7 +339,8 @@ class Environment:
     def _touch(self, contacts: Contacts) -> Contacts:
         """Presses bumpers, counts collisions, and gives the contacts that began."""
         state, robot = self.state, contacts.robot
-        if not len(robot) and not state.bumpers.pressed.any() and not len(state.touching):
+        quiet = not len(robot) and not state.bumpers.pressed.any() and not len(state.touching)
+        if quiet and not self._equipment.degradations.concern(state, "bumper"):
             return contacts
         keys = robot * len(self._names) + contacts.other
         began = ~np.isin(keys, state.touching)
@@ -350,6 +351,7 @@ class Environment:
         before = state.bumpers.pressed
         pressed = np.zeros_like(before)
         np.bitwise_or.at(pressed, robot, self._bumpers.pressed(robot, bearing_rad))
+        pressed = self._bumpers.told(state, self._equipment, pressed, self.end_s)
         state.bumpers.pressed = pressed
         hit = np.flatnonzero(pressed & ~before)
         if len(hit):

@@ -127,7 +127,7 @@ class Instruments:
             messages["i"][:, 0] = _tell_laser(state, equipment, code, rows)
         kinds = pos_data.ALL_KINDS if code in _TELLS_ALL else pos_data.ONE_KIND.get(code, 0)
         pos_data.tell(state, equipment, self._clock, rows, kinds)
-        messages["i"][:, 1], messages["i"][:, 2] = self.batteries.told(state, rows, at_s)
+        messages["i"][:, 1], messages["i"][:, 2] = self.batteries.told(state, equipment, rows, at_s)
         messages["f"][:, 0] = self._clock.ms(rows, at_s)
 
     def look(
@@ -159,9 +159,7 @@ class Instruments:
         has = equipment.laser[rows] >= 0
         if has.any():
             mine, kept = equipment.laser[rows[has]], state.laser
-            points, seen = self._lasers.look(
-                state, equipment, around, rows[has], poses[has], exact=True
-            )
+            points, seen = self._lasers.look(state, equipment, around, rows[has], poses[has])
             points = np.where(laser.is_on(kept.mode[mine]), points, 0)
             width = laser.widths(kept.mode[mine])
             laser.keep(state, kept.predicted, mine, width, (points, seen))

@@ -75,6 +75,8 @@ def configuration(state: EnvState, equipment: Equipment, rows: IndexArray) -> np
     """Gives the part of `State` that tells where robots are and how fast, shape (k, 7)."""
     odometry = state.odometry
     speed, unit = traction.speed(state, equipment, rows), equipment.drives.unit[rows]
+    now_s = state.drive.clock_s[rows]
+    speed = equipment.degradations.speeds(state, "odometry", rows, speed, now_s)
     place_m = np.stack([odometry.x_m[rows], odometry.y_m[rows]], axis=1)
     angle_rad = np.stack([odometry.heading_rad[rows], odometry.turret_rad[rows]], axis=1)
     parts = (

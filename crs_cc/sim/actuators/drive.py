@@ -18,6 +18,11 @@ commands into slices; here they are understood:
   waits, 120 s at most, and `conf_tm` is off.
 
 `traction` has what contacts do, `rolling` how wheels differ from what is believed of them.
+
+Degradation has three places, each with the speeds of the axes: `drive` is what the motors make of
+what they are told, and the encoders see it; `wheels` is what that does on the floor, and they do
+not see it (a wheel that slips); `odometry` is what they count. A dead motor holds its wheel. The
+motor controller is told nothing: a move ends when it would have ended, wherever the wheels are.
 """
 
 from __future__ import annotations
@@ -106,11 +111,16 @@ def _turn(
     state: EnvState, equipment: Equipment, rows: IndexArray | slice, to_s: FloatArray
 ) -> None:
     way = hardware.advance(state.drive.axes, rows, to_s)
-    counted = traction.turned(state, equipment, rows, way, to_s - state.drive.clock_s[rows])
+    from_s = state.drive.clock_s[rows].copy()
+    move, limit = equipment.degradations.move, equipment.drives.speed_limit
+    way = move(state, "drive", rows, way, from_s=from_s, to_s=to_s, limit=limit)
+    turned = traction.turned(state, equipment, rows, way, to_s - from_s)
     state.drive.clock_s[rows] = to_s
-    if counted.any():
-        state.drive.slice[rows] += counted
+    counted = move(state, "odometry", rows, turned, from_s=from_s, to_s=to_s)
+    if turned.any() or counted.any():
+        state.drive.slice[rows] += turned
         odometry.count_turns(state, equipment, rows, counted)
+    way = move(state, "wheels", rows, way, from_s=from_s, to_s=to_s, limit=limit)
     if not way.any():
         return
     facing_rad = state.drive.facing_rad[rows]

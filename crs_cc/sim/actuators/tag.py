@@ -2,12 +2,13 @@
 
 "All the object in the radius of three from the robot will no more possess any heat" (CRS report,
 appendix A, `tagTarget`). What is near is what the heat sensor says (`sensors.heat`), within a range
-of its own; the robot itself keeps its heat.
+of its own; the robot itself keeps its heat. Degradation (`tag`) is that of the range; without one
+nothing loses its heat.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 import numpy.typing as npt
@@ -22,11 +23,17 @@ BoolArray = npt.NDArray[np.bool_]
 IndexArray = npt.NDArray[np.intp]
 Messages = npt.NDArray[np.void]
 
+_NOTHING_M: Final = -1.0  # nothing is so near
+
 
 def tag(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> BoolArray:
     """Takes the heat away, and answers with how many things lost it; refuses robots without."""
     range_m = equipment.tag_range_m[rows]
-    robot, thing = hot_things(state, equipment, rows, range_m)
+    reach_m = equipment.degradations.alter(
+        state, "tag", rows, range_m[:, None], state.drive.clock_s[rows]
+    )[:, 0]
+    reach_m = np.where(np.isnan(reach_m), _NOTHING_M, reach_m)
+    robot, thing = hot_things(state, equipment, rows, reach_m)
     state.heat.left[thing] = 0.0
     messages["size"] = 0
     messages["i"][:, 0] = np.bincount(robot, minlength=len(rows))

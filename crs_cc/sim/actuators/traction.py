@@ -83,7 +83,8 @@ def turned(
 
 def speed(state: EnvState, equipment: Equipment, rows: IndexArray) -> FloatArray:
     """Gives the speeds of robots' axes as their encoders tell them, shape (k, 3)."""
-    driven = state.drive.axes.speed[rows]
+    now_s, driven = state.drive.clock_s[rows], state.drive.axes.speed[rows]
+    driven = equipment.degradations.speeds(state, "drive", rows, driven, now_s)
     if not state.drive.hindered.any():
         return np.asarray(driven)
     lag_mps = weighted(driven, equipment.drives.forward[rows]) - state.drive.forward_mps[rows]

@@ -19,7 +19,7 @@ nothing happens but that it says so. All numbers but those two formulas' are our
 
 Some drivers read the charge from bits 2 and 3 of the motors' status (ISR's driver of the Scout: 0
 low, 1 medium, 2 high), where the vendor's header has the turret's motor; a definition can ask for
-that. No degradation.
+that. Degradation (`battery`) is that of the voltages; where nothing comes the byte is 0.
 """
 
 from __future__ import annotations
@@ -30,6 +30,7 @@ import numpy as np
 import numpy.typing as npt
 
 if TYPE_CHECKING:
+    from crs_cc.sim.equipment import Equipment
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.robot_model import RobotModel
     from crs_cc.sim.sensor_model import Battery, MotorBattery
@@ -95,13 +96,23 @@ class Batteries:
         return np.asarray(charge < self._least_charge[rows])
 
     def told(
-        self, state: EnvState, rows: IndexArray, at_s: FloatArray
+        self, state: EnvState, equipment: Equipment, rows: IndexArray, at_s: FloatArray
     ) -> tuple[npt.NDArray[np.int32], npt.NDArray[np.int32]]:
         """Gives the bytes of the computers' and of the motors' battery, shape (k,) each."""
         kinds = self._kind[rows]
-        computers = self._computers.bytes(kinds, self._computers.charge(kinds, at_s, 0.0))
-        charge = self._motors.charge(kinds, at_s, state.battery.moved_j[rows])
-        return computers, self._motors.bytes(kinds, charge)
+        charges = (
+            self._computers.charge(kinds, at_s, 0.0),
+            self._motors.charge(kinds, at_s, state.battery.moved_j[rows]),
+        )
+        supplies = (self._computers, self._motors)
+        pairs = list(zip(supplies, charges, strict=True))
+        if not equipment.degradations.concern(state, "battery"):
+            computers, motors = (supply.bytes(kinds, charge) for supply, charge in pairs)
+            return computers, motors
+        volts = np.column_stack([supply.volts(kinds, charge) for supply, charge in pairs])
+        volts = equipment.degradations.alter(state, "battery", rows, volts, at_s)
+        told = np.where(np.isnan(volts), 0.0, volts)
+        return _byte(told[:, 0], COMPUTERS), _byte(told[:, 1], MOTORS)
 
     def status(
         self, state: EnvState, rows: IndexArray, at_s: FloatArray
@@ -133,7 +144,8 @@ class _Supply:
         self._start = np.array([battery.charge for battery in batteries])
         self._power_w = np.array([battery.power_w for battery in batteries])
         self._capacity_j = np.array([battery.capacity_j for battery in batteries])
-        self._bytes = np.array([_bytes(battery.curve_v, factor) for battery in batteries])
+        self._curve_v = [battery.curve_v for battery in batteries]
+        self._bytes = np.array([_bytes(curve_v, factor) for curve_v in self._curve_v])
 
     def charge(
         self, kinds: IndexArray, at_s: FloatArray | float, moved_j: FloatArray | float
@@ -147,6 +159,19 @@ class _Supply:
         """Gives what goes on the line for charges."""
         return np.asarray(self._bytes[kinds, (charge * _STEPS + 0.5).astype(np.intp)])
 
+    def volts(self, kinds: IndexArray, charge: FloatArray) -> FloatArray:
+        """Gives the voltages at charges."""
+        curves = ((self._curve_v[kind], share) for kind, share in zip(kinds, charge, strict=True))
+        return np.array([np.interp(x, _places(curve_v), curve_v) for curve_v, x in curves])
+
+
+def _places(curve_v: tuple[float, ...]) -> FloatArray:
+    return np.linspace(0.0, 1.0, len(curve_v))
+
+
+def _byte(volts: FloatArray, factor: float) -> npt.NDArray[np.int32]:
+    return np.clip(np.rint((volts / factor - 2) * (255 / 3)), 0, 255).astype(np.int32)
+
 
 def _bytes(curve_v: tuple[float, ...], factor: float) -> npt.NDArray[np.int32]:
     """Gives the byte for each step of charge from empty to full.
@@ -155,8 +180,7 @@ def _bytes(curve_v: tuple[float, ...], factor: float) -> npt.NDArray[np.int32]:
     ([255, 255], 12.2)
     """
     charges = np.arange(_STEPS + 1) / _STEPS
-    volts = np.interp(charges, np.linspace(0.0, 1.0, len(curve_v)), curve_v)
-    return np.clip(np.rint((volts / factor - 2) * (255 / 3)), 0, 255).astype(np.int32)
+    return _byte(np.interp(charges, _places(curve_v), curve_v), factor)
 
 
 def _least_charge(battery: MotorBattery) -> float:
@@ -168,6 +192,6 @@ def _least_charge(battery: MotorBattery) -> float:
     """
     charges = np.arange(_STEPS + 1) / _STEPS
     curve_v = battery.curve_v
-    volts = np.interp(charges, np.linspace(0.0, 1.0, len(curve_v)), curve_v)
+    volts = np.interp(charges, _places(curve_v), curve_v)
     enough = volts >= battery.cutoff_v
     return float(charges[np.argmax(enough)]) if enough.any() else 2.0

@@ -10,7 +10,8 @@ asks for "not 0" only). Source of the geometry: Player's driver of the Nomad 200
 lie 18 degrees apart.
 
 A switch is pressed at a cycle's start when something touched it in the cycle before, whether or not
-the wheels turn. It has no degradation.
+the wheels turn. Degradation (`bumper`): a switch is 1 when it is pressed, else 0, and told as
+pressed when 0.5 or more comes of that.
 """
 
 from __future__ import annotations
@@ -22,13 +23,17 @@ import numpy as np
 import numpy.typing as npt
 
 if TYPE_CHECKING:
+    from crs_cc.sim.equipment import Equipment
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.robot_model import RobotModel
+    from crs_cc.sim.state import EnvState
 
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]
 
 _TURN: Final = 2 * math.pi
+_BITS: Final = 24  # of State[33]
+_PRESSED: Final = 0.5
 _ON_EDGE_RAD: Final = 1e-9  # rounding must not let a contact slip between two switches that meet
 
 
@@ -64,6 +69,24 @@ class Bumpers:
         into_rad = bearing_rad[:, None] - self._bearing_rad[kinds] + span_rad / 2 + _ON_EDGE_RAD
         bits = np.where(into_rad % _TURN < span_rad, self._bit[kinds], 0)
         return np.asarray(np.bitwise_or.reduce(bits, axis=1))
+
+    def told(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        pressed: npt.NDArray[np.int32],
+        at_s: float,
+    ) -> npt.NDArray[np.int32]:
+        """Gives what becomes of the switches that are pressed at an instant, (robots,)."""
+        if not equipment.degradations.concern(state, "bumper"):
+            return pressed
+        robots, places = np.arange(len(pressed)), np.arange(_BITS)
+        values = ((pressed[:, None] >> places) & 1).astype(np.float64)
+        instants = np.full(len(robots), at_s)
+        values = equipment.degradations.alter(state, "bumper", robots, values, instants)
+        bits = np.where(values >= _PRESSED, 1 << places, 0).sum(axis=1)
+        have = np.bitwise_or.reduce(self._bit[self._kind], axis=1)
+        return np.asarray(bits & have, dtype=np.int32)
 
 
 def _switches(model: RobotModel) -> FloatArray:

@@ -10,8 +10,9 @@ slowly as the definition says (about three minutes, vendor header), while the pr
 should wait and not move the turret; from then on the deviation, which iron on the robot causes, is
 taken out. On a robot without a turret nothing turns. All numbers but the format are ours.
 
-It measures when a reply tells its reading, at most ten times a second (vendor header). Degradation:
-a normal deviate with the definition's noise is added.
+It measures when a reply tells its reading, at most ten times a second (vendor header). A normal
+deviate with the definition's noise is added. Degradation (`compass`): where nothing comes the
+reading stays as it was.
 """
 
 from __future__ import annotations
@@ -80,8 +81,12 @@ class Compasses:
         if self._noise_rad.any():
             deviates = self._noise.rows(mine, compass.count[mine])[:, 0]
             angle_rad += deviates * self._noise_rad[mine]
-        tenths = np.rint(rad_to_tenths_deg(angle_rad)).astype(np.int32)
-        compass.reading[mine] = tenths % _FULL_TURN
+        angle_rad = equipment.degradations.alter(
+            state, "compass", rows, angle_rad[:, None], at_s[due]
+        )[:, 0]
+        told = np.isfinite(angle_rad)
+        tenths = np.rint(rad_to_tenths_deg(angle_rad[told])).astype(np.int32)
+        compass.reading[mine[told]] = tenths % _FULL_TURN
         compass.count[mine] += 1
         compass.measured.note(mine, at_s[due], configuration(state, equipment, rows))
 

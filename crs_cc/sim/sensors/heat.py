@@ -6,7 +6,7 @@ A thing is within the range when its nearest point is, seen from the robot's mid
 distance and what stands between count for nothing: the sensor is there "to find the density of
 objects with heat in an area" (report, 4.3.3). So a thing of heat 1 reads 1 wherever in the range it
 is. The law was chosen by us, the report has none. Things are where they were at the start of the
-cycle. No degradation yet.
+cycle. Degradation (`heat`): nothing, or less than nothing, reads 0.
 """
 
 from __future__ import annotations
@@ -34,9 +34,13 @@ def sense(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Mes
     """Answers with the heat around each robot; refuses robots that have no such sensor."""
     range_m = equipment.heat_range_m[rows]
     robot, thing = hot_things(state, equipment, rows, range_m)
-    heat = np.bincount(robot, state.heat.left[thing], minlength=len(rows))
+    heat = np.bincount(robot, state.heat.left[thing], minlength=len(rows)).astype(np.float64)
+    heat = equipment.degradations.alter(
+        state, "heat", rows, heat[:, None], state.drive.clock_s[rows]
+    )[:, 0]
+    heat = np.where(np.isnan(heat), 0.0, heat)
     messages["size"] = 0
-    messages["i"][:, 0] = np.minimum(np.rint(heat), _LARGEST).astype(np.int32)
+    messages["i"][:, 0] = np.clip(np.rint(heat), 0.0, _LARGEST).astype(np.int32)
     return np.asarray(range_m > 0.0)
 
 

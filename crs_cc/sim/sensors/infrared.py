@@ -15,8 +15,8 @@ counter-clockwise like the sonars. A beam is a cone (`rays`), and the nearest th
 reflectance is the same for all surfaces. All other numbers are ours.
 
 The ring is on the turret. All of it measures when a reply tells its readings, at most as often as
-the definition says. Degradation: a normal deviate with the definition's noise is added to each
-distance.
+the definition says. A normal deviate with the definition's noise is added to each distance.
+Degradation (`infrared`) is that of the distances; where nothing comes nothing is seen.
 """
 
 from __future__ import annotations
@@ -98,6 +98,8 @@ class InfraredRing:
         distance_m = self._distances_m(state, equipment, around, rows, poses)
         if self._noise_m.any():
             distance_m += self._noise.rows(mine, ring.count[mine]) * self._noise_m[mine]
+        distance_m = equipment.degradations.alter(state, "infrared", rows, distance_m, at_s[due])
+        distance_m = np.where(np.isnan(distance_m), np.inf, distance_m)
         new = np.clip(distance_m / self._step_m[mine], 0.0, FARTHEST)
         share = ring.share[mine, None]
         level = share * ring.level[mine] + (1.0 - share) * new

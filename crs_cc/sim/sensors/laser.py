@@ -17,10 +17,10 @@ tells points and `get_sg` segments whatever the mode is; states tell what the mo
 mask leaves the laser out. A laser that is off tells nothing. What was told is kept for the pages
 (LASER_PAGE) that the client asks for.
 
-It looks when a reply tells of it, at most thirty times a second (vendor header). Degradation: a
+It looks when a reply tells of it, at most thirty times a second (vendor header). Noise: a
 normal deviate with a spread that is the definition's noise at 1 m and grows with the square of the
 distance, as it does for triangulation, is added to each distance; averaging p pixels divides it by
-sqrt(p).
+sqrt(p). Degradation (`laser`) is that of the distances; where nothing comes there is no point.
 """
 
 from __future__ import annotations
@@ -101,7 +101,7 @@ class Lasers:
             return
         rows, mine = rows[due], mine[due]
         laser.points[mine], laser.seen[mine] = self.look(
-            state, equipment, around, rows, mount_poses(state, equipment, rows)
+            state, equipment, around, rows, mount_poses(state, equipment, rows), at_s=at_s[due]
         )
         laser.count[mine] += 1
         laser.measured.note(mine, at_s[due], configuration(state, equipment, rows))
@@ -114,7 +114,7 @@ class Lasers:
         rows: IndexArray,
         poses: FloatArray,
         *,
-        exact: bool = False,
+        at_s: FloatArray | None = None,
     ) -> tuple[WholeArray, WholeArray]:
         """Gives the points that the lasers of robots see from somewhere.
 
@@ -124,7 +124,7 @@ class Lasers:
             around: what there is to see.
             rows: robots that have a laser, k of them.
             poses: x, y [m] and direction [rad] of each mount, shape (k, 3).
-            exact: without any error.
+            at_s: when, for each, shape (k,); None for what they would see without any error.
 
         Returns:
             how many points each sees, shape (k,), and their x and y [0.1 in], shape (k, 964).
@@ -136,8 +136,11 @@ class Lasers:
         for kind in dict.fromkeys(kinds):
             some = np.array([place for place, each in enumerate(kinds) if each == kind])
             distance_m = around.distances_m(state, self._fan(*kind), poses[some], own=rows[some])
-            if not exact:
+            if at_s is not None:
                 distance_m += self._errors_m(state, mine[some], distance_m)
+                distance_m = equipment.degradations.alter(
+                    state, "laser", rows[some], distance_m, at_s[some]
+                )
             directions = _directions(*kind)
             for place, seen_m in zip(some, distance_m, strict=True):
                 hit = np.isfinite(seen_m)

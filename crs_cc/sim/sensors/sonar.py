@@ -24,7 +24,8 @@ A reading counts from the sensor, which sits on the shell, to the nearest thing 
 the beam (`echoes`), in whole inches; 255 stands for no echo, as the reading is a byte on the line
 (vendor source `Ndirect.c` 2.7). The robot is where its wheels have taken it when the sonar fires;
 everything else, and a robot that something holds back, where it was at the start of the cycle.
-Degradation: see `sonar_errors`.
+Errors: see `sonar_errors`. Degradation (`sonar`): what becomes of that is told when such an echo
+would come; one that would come too late is none.
 """
 
 from __future__ import annotations
@@ -80,7 +81,7 @@ class SonarRing:
     def begin(self, state: EnvState, equipment: Equipment, around: Surroundings) -> None:
         """Lets all sonars in the orders have fired just before a run starts."""
         robots = np.arange(len(state.sonar.length))
-        heard_m = self.hear_now(state, equipment, around, robots)
+        heard_m = self.hear_now(state, equipment, around, robots, np.zeros(len(robots)))
         robot, turn = np.nonzero(np.arange(MAX_SONARS) < state.sonar.length[:, None])
         number = state.sonar.order[robot, turn]
         state.sonar.echo_m[robot, number] = heard_m[robot, number]
@@ -115,14 +116,21 @@ class SonarRing:
         state.sonar.hear(rows, to_s)
 
     def hear_now(
-        self, state: EnvState, equipment: Equipment, around: Surroundings, rows: IndexArray
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        at_s: FloatArray,
     ) -> FloatArray:
-        """Gives what all sonars of robots would tell if they fired now [m], shape (k, 16)."""
+        """Gives what all sonars of robots would tell if they fired at `at_s` [m], (k, 16)."""
         distance_m = self._around(state, around, rows, *self._stands(state, equipment, rows))
         told_m = np.empty_like(distance_m)
         for number in range(MAX_SONARS):
             deviates = self._errors.draw(rows, state.sonar.count[rows])
-            told_m[:, number] = self._errors.told_m(rows, distance_m[:, number], deviates)
+            told_m[:, number] = self._told_m(
+                state, equipment, (rows, number, at_s), distance_m[:, number], deviates
+            )
             state.sonar.count[rows] += 1
         return told_m
 
@@ -132,7 +140,9 @@ class SonarRing:
         echo_m = state.sonar.echo_m[rows]
         now = messages["i"][:, 0] != 0
         if now.any():
-            echo_m[now] = self.hear_now(state, asked.equipment, asked.around, rows[now])
+            echo_m[now] = self.hear_now(
+                state, asked.equipment, asked.around, rows[now], asked.at_s[now]
+            )
         heard = np.isfinite(echo_m)
         tenths = np.rint(m_to_tenths_inch(np.where(heard, echo_m, 0.0)))
         told = np.where(heard, tenths, -1).astype("<i4")
@@ -177,7 +187,7 @@ class SonarRing:
             from_s, to_s = at_s[confused], (at_s + gives_up_s)[confused]
             voices = overheard(state, self._beams, pings, confused, from_s=from_s, to_s=to_s)
         distance_m = first_echo(pings, around.obstacles(state), voices)
-        told_m = self._errors.told_m(rows, distance_m, deviates)
+        told_m = self._told_m(state, equipment, (rows, number, at_s), distance_m, deviates)
         in_time = 2 * told_m / SOUND_MPS <= gives_up_s
         sonar.listening[rows] = number
         sonar.sent_s[rows] = at_s
@@ -187,6 +197,33 @@ class SonarRing:
         sonar.count[rows] += 1
         sonar.turn[rows] += 1
         sonar.next_s[rows] = sonar.start_s[rows] + sonar.turn[rows] * sonar.interval_s[rows]
+
+    def _told_m(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        pings: tuple[IndexArray, IndexArray | int, FloatArray],
+        distance_m: FloatArray,
+        deviates: FloatArray,
+    ) -> FloatArray:
+        """Gives what one sonar of each robot tells for true distances [m], infinite for none, (k,).
+
+        Args:
+            state: has their degradations.
+            equipment: the robots' constants.
+            pings: the robots, which sonar of them, and when it fired, (k,) each.
+            distance_m: the distances, (k,).
+            deviates: of each firing, (k, 3).
+        """
+        rows, number, at_s = pings
+        told_m = self._errors.told_m(rows, distance_m, deviates)
+        if not equipment.degradations.concern(state, "sonar"):
+            return told_m
+        elements = np.broadcast_to(number, rows.shape)
+        told_m = equipment.degradations.alter(
+            state, "sonar", rows, told_m[:, None], at_s, elements=elements
+        )[:, 0]
+        return np.where(np.isnan(told_m), np.inf, np.maximum(told_m, 0.0))
 
     def _stands(
         self, state: EnvState, equipment: Equipment, rows: IndexArray
