@@ -8,6 +8,7 @@ from typing import Final, Self
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.sim.holds import Holds
 from crs_cc.sim.scene import Scene
 
 FloatArray = npt.NDArray[np.float64]
@@ -21,12 +22,14 @@ class Bodies:
 
     Attributes:
         position_m: shape (bodies, 2).
-        angle_rad: shape (bodies,); not used for robots, which are round.
+        angle_rad: shape (bodies,); that of a robot, which is round, is where its mount pointed when
+            any robot held something last.
         velocity_mps: shape (bodies, 2).
         spin_radps: shape (bodies,).
         slipping: robots that something held back from the velocity of their wheels, (robots,).
         touching: robots that touched anything in the last cycle, (robots,).
         settled: whether things rest without pressing into anything, shape (1,).
+        holds: which things robots hold.
     """
 
     position_m: FloatArray
@@ -36,6 +39,7 @@ class Bodies:
     slipping: BoolArray
     touching: BoolArray
     settled: BoolArray
+    holds: Holds
 
     @classmethod
     def at_start(cls, scene: Scene) -> Self:
@@ -49,10 +53,12 @@ class Bodies:
             np.zeros(scene.robots, dtype=np.bool_),
             np.zeros(scene.robots, dtype=np.bool_),
             np.array([count == scene.robots]),
+            Holds.nothing(scene.robots),
         )
 
     def take(self, rows: IndexArray) -> Self:
         """Gives some of the bodies, all robots among them; the others are gone."""
+        robots = len(self.slipping)
         return type(self)(
             self.position_m[rows],
             self.angle_rad[rows],
@@ -60,7 +66,8 @@ class Bodies:
             self.spin_radps[rows],
             self.slipping.copy(),
             self.touching.copy(),
-            np.array([len(rows) == len(self.slipping)]),
+            np.array([len(rows) == robots]),
+            self.holds.renumbered(np.isin(np.arange(robots, len(self.angle_rad)), rows)),
         )
 
     def copy(self) -> Self:
@@ -76,11 +83,17 @@ class Pull:
         way_m: the way that each robot's wheels take it, in the world frame, (robots, 2).
         facing_rad: the direction in which its wheels roll, (robots,).
         limp: whether nothing drives or holds them, (robots,).
+        mount_rad: where their mounts point at the end of the cycle, (robots,); None when nobody
+            holds anything.
+        hand: x, y [m] and direction [rad] of their hands in the frame of the mount at the end of
+            the cycle, (robots, 3); None when no robot has one.
     """
 
     way_m: FloatArray
     facing_rad: FloatArray
     limp: BoolArray
+    mount_rad: FloatArray | None = None
+    hand: FloatArray | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,12 +105,15 @@ class Contacts:
         other: what it touched, an index into `Scene.names`.
         x_m: where, in the world frame.
         y_m: the same.
+        torn: robots out of whose fingers something was torn, rising.
     """
 
     robot: IndexArray
     other: IndexArray
     x_m: FloatArray
     y_m: FloatArray
+    torn: IndexArray
 
 
-NO_CONTACTS: Final = Contacts(np.zeros(0, np.intp), np.zeros(0, np.intp), np.zeros(0), np.zeros(0))
+_NOBODY: Final = np.zeros(0, np.intp)
+NO_CONTACTS: Final = Contacts(_NOBODY, _NOBODY, np.zeros(0), np.zeros(0), _NOBODY)

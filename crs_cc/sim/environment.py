@@ -358,7 +358,11 @@ class Environment:
             where = configuration(state, self._equipment, hit)
             state.bumpers.hit.note(hit, self.end_s, where)
         return Contacts(
-            robot[began], contacts.other[began], contacts.x_m[began], contacts.y_m[began]
+            robot[began],
+            contacts.other[began],
+            contacts.x_m[began],
+            contacts.y_m[began],
+            contacts.torn,
         )
 
     def _begin_cycle(self) -> None:

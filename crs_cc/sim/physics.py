@@ -10,6 +10,11 @@ The arrays of `Bodies` are the only truth about positions and velocities; pymunk
 with them at the start of each cycle. A robot that nothing hindered is put exactly where its wheels
 took it, so robots that never meet never change each other's results, not even in the last bit.
 
+What a robot carries is a part of it (`carrying`): where that touches something, the robot is held
+up or pushed aside, and still not turned. So a load that is turned into a wall slides along it with
+its robot; one that cannot, and gets deeper into something than `TORN_M`, is torn out of the
+fingers.
+
 What is left inside pymunk, and cannot be read, is the history of its search tree and of its
 contacts. It matters where several bodies touch at once. So the space is made anew from the arrays
 every `REBUILD` cycles, and a snapshot is the arrays of that moment and the ways of the cycles
@@ -20,7 +25,7 @@ from __future__ import annotations
 
 import math
 import weakref
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -29,7 +34,9 @@ import pymunk
 from pymunk import batch
 
 from crs_cc.sim.bodies import NO_CONTACTS, Bodies, Contacts, Pull
+from crs_cc.sim.carrying import Load
 from crs_cc.sim.clearance import clearance_m
+from crs_cc.sim.frames import compose
 from crs_cc.sim.friction import friction_n, friction_nm, moment_kgm2
 from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Thing, Wall, WorldModel
 from crs_cc.sim.scene import Scene, convex_parts_of, corners_m, own_corners_m
@@ -43,6 +50,15 @@ REBUILD: Final = 100
 
 SUBSTEP_M: Final = 0.008
 """The furthest that a robot gets in a substep, and so into a wall."""
+
+TORN_M: Final = 0.02
+"""How deep a load gets into something before it is torn out of the fingers; chosen by us."""
+
+STRETCH_M: Final = 0.05
+"""How far a load that several hold slips out of one's fingers before it is lost; chosen by us."""
+
+MOST_SUBSTEPS: Final = 256
+"""How many substeps a cycle has for loads that are swung around."""
 
 SURFACE_FRICTION: Final = 0.5
 """Friction of each surface; where two touch their product counts. Chosen by us."""
@@ -60,6 +76,7 @@ _CONTACT: Final = (
     batch.ArbiterFields.BODY_A_ID | batch.ArbiterFields.BODY_B_ID
     | batch.ArbiterFields.POINT_A_1 | batch.ArbiterFields.DISTANCE_1
 )  # fmt: skip
+_AS_IT_IS: Final = np.zeros(3)
 _NO_PAIRS: Final = (np.zeros((0, 2), dtype=np.intp), np.zeros((0, 3)))
 
 
@@ -80,13 +97,12 @@ class Physics:
         self._robots = scene.robots
         drives = [robot.model.drive for robot in world.robots]
         fastest_mps = max((drive.wheels.speed_limit for drive in drives), default=0.0)
-        self._substeps = max(1, math.ceil(world.timestep_s * fastest_mps / SUBSTEP_M))
-        self._substep_s = world.timestep_s / self._substeps
-        self._mass_kg = np.array([robot.model.mass_kg for robot in world.robots])
-        self._grip_n = np.array([drive.grip_n for drive in drives])
-        self._drive_n = np.array([min(drive.force_n, drive.grip_n) for drive in drives])
-        roll_out_mps2 = np.array([drive.roll_out_mps2 for drive in drives])
-        self._roll_n = self._mass_kg * roll_out_mps2
+        self._fewest_substeps = max(1, math.ceil(world.timestep_s * fastest_mps / SUBSTEP_M))
+        self._substep_s = world.timestep_s / self._fewest_substeps
+        self._own_kg = np.array([robot.model.mass_kg for robot in world.robots])
+        self._own_grip_n = np.array([drive.grip_n for drive in drives])
+        self._force_n = np.array([drive.force_n for drive in drives])
+        self._roll_out_mps2 = np.array([drive.roll_out_mps2 for drive in drives])
         self._start = bodies.copy()
         self._pulls: list[Pull] = []
         self._room_m = 0.0
@@ -140,6 +156,15 @@ class Physics:
             self._step(bodies, pull)
         return bodies
 
+    def _bear(self, load: Load | None) -> None:
+        """Takes over what robots carry: what they weigh then, and what their wheels hold."""
+        self._load = load
+        weight_kg: FloatArray | float = load.weight_kg if load else 0.0
+        self._mass_kg = self._own_kg + (load.mass_kg if load else 0.0)
+        self._grip_n = self._own_grip_n * ((self._own_kg + weight_kg) / self._own_kg)
+        self._drive_n = np.minimum(self._force_n, self._grip_n)
+        self._roll_n = (self._own_kg + weight_kg) * self._roll_out_mps2
+
     def _step(self, bodies: Bodies, pull: Pull) -> Contacts:
         robots, way_m = slice(self._robots), pull.way_m
         free_m = bodies.position_m[robots] + way_m
@@ -151,15 +176,18 @@ class Physics:
             return NO_CONTACTS
         free = ~bodies.slipping
         bodies.velocity_mps[robots][free] = wanted_mps[free]
-        contacts = self._run_space(bodies, pull, wanted_mps)
+        contacts, touched = self._run_space(bodies, pull, wanted_mps)
         lag_mps = np.abs(bodies.velocity_mps[robots] - wanted_mps)
         bodies.slipping[:] = (lag_mps > _SAME).any(axis=1)
-        bodies.touching[:] = False
-        bodies.touching[contacts.robot] = True
+        bodies.touching[:] = touched
         off_m = np.abs(bodies.position_m[robots] - free_m)
         unhindered = (off_m <= _SAME).all(axis=1)
         bodies.position_m[robots][unhindered] = free_m[unhindered]
-        return contacts
+        if self._load is None:
+            return contacts
+        self._load.place(bodies, pull)
+        slipped = self._load.sharers[self._load.stretch_m(bodies) > STRETCH_M]
+        return replace(contacts, torn=np.union1d(contacts.torn, slipped))
 
     def _nothing_near(self, bodies: Bodies, way_m: FloatArray) -> bool:
         """Tells whether nothing can touch in this cycle, so that the space need not run.
@@ -167,6 +195,8 @@ class Physics:
         `_room_m` is a distance that no robot can have used up since it was measured.
         """
         if len(bodies.position_m) > _FEW_BODIES or bodies.slipping.any():
+            return False
+        if self._load is not None:
             return False
         if not bodies.settled[0] or bodies.velocity_mps[self._robots :].any():
             return False
@@ -182,34 +212,74 @@ class Physics:
     def _make_space(self) -> None:
         """Makes the space; the order in which bodies are added is part of the world."""
         space = pymunk.Space()
+        holds = self._start.holds
+        self._bear(Load.of(self._world, self._scene, holds) if holds.any() else None)
         space.collision_slop = _SLOP_M
         space.collision_bias = _BIAS
         space.collision_persistence = 1  # with 0 contacts are forgotten before they can be read
         bodies = []
         places = iter(self._start.position_m.tolist())  # all in one place would be O(n^2)
-        for robot in self._world.robots:
-            body = pymunk.Body(robot.model.mass_kg, math.inf)  # only its wheels turn a robot
+        parts, borne, apart = self._parts()
+        for number, robot in enumerate(self._world.robots):
+            mass_kg = float(self._mass_kg[number])
+            body = pymunk.Body(mass_kg, math.inf)  # only its wheels turn a robot
             body.position = next(places)
             bodies.append(body)
-            _add(space, body, pymunk.Circle(body, robot.model.radius_m))
-        for thing in self._scene.pushables:
+            carried = parts.get(number)
+            load = () if carried is None else _thing_shapes(body, *carried)
+            _add(space, body, pymunk.Circle(body, robot.model.radius_m), *load)
+        for number, thing in enumerate(self._scene.pushables):
             body = pymunk.Body(thing.mass_kg, moment_kgm2(thing))
             body.position = next(places)
             bodies.append(body)
-            _add(space, body, *_thing_shapes(body, thing))
+            _add(space, body, *(() if number in apart else _thing_shapes(body, thing)))
         for solid in self._scene.fixed_solids:
             body = pymunk.Body(body_type=pymunk.Body.STATIC)
             bodies.append(body)
             _add(space, body, *_fixed_shapes(body, solid))
         bodies.append(pymunk.Body(body_type=pymunk.Body.STATIC))
         space.add(bodies[-1])
-        for body, thing in zip(bodies[self._robots :], self._scene.pushables, strict=False):
-            space.add(*_floor_friction(bodies[-1], body, thing))
+        for number, thing in enumerate(self._scene.pushables):
+            if number not in borne:
+                body = bodies[self._robots + number]
+                space.add(*_floor_friction(bodies[-1], body, thing))
+        space.add(*self._shared_grips(bodies))
         self._spaces[:] = [space]
         self._floor, self._bodies = bodies[-1], bodies[: self._robots]
         self._joints: list[pymunk.Constraint] = []
         self._room_m = 0.0
         self._learn_ids([body.id for body in bodies])
+
+    def _parts(self) -> tuple[dict[int, tuple[Thing, FloatArray]], set[int], set[int]]:
+        """Gives how things are attached to robots.
+
+        Returns:
+            what each robot carries as a part of itself, and where; the things that no floor rubs
+            on; and those of them that are not there for themselves.
+        """
+        load = self._load
+        if load is None:
+            return {}, set(), set()
+        things = [self._scene.pushables[thing] for thing in load.carried.tolist()]
+        parts = dict(zip(load.carriers.tolist(), zip(things, load.grasp, strict=True), strict=True))
+        apart = {*load.carried.tolist(), *load.lifted.tolist()}
+        return parts, apart | set(load.shared.tolist()), apart
+
+    def _shared_grips(self, bodies: list[pymunk.Body]) -> list[pymunk.Constraint]:
+        """Gives the joints between robots and what several of them hold."""
+        load = self._load
+        joints: list[pymunk.Constraint] = []
+        if load is None:
+            return joints
+        rows = zip(load.sharers, load.shared, load.grip_m, load.point_m.tolist(), strict=True)
+        for robot, thing, grip_m, point_m in rows:
+            gripper = self._world.robots[robot].model.gripper
+            body, held = bodies[robot], bodies[self._robots + thing]
+            joint = pymunk.PivotJoint(body, held, (float(grip_m), 0.0), tuple(point_m))
+            joint.max_force = gripper.force_n if gripper else 0.0
+            joint.collide_bodies = False
+            joints.append(joint)
+        return joints
 
     def _learn_ids(self, ids: list[int]) -> None:
         """Learns which of pymunk's ids is which of our bodies."""
@@ -220,7 +290,11 @@ class Physics:
         self._by_id = np.argsort(np.array(ids, dtype=np.uintp))
         self._ids = np.array(ids, dtype=np.uintp)[self._by_id]
 
-    def _run_space(self, bodies: Bodies, pull: Pull, wanted_mps: FloatArray) -> Contacts:
+    def _run_space(
+        self, bodies: Bodies, pull: Pull, wanted_mps: FloatArray
+    ) -> tuple[Contacts, BoolArray]:
+        """Lets pymunk move the bodies; gives the contacts, and which robots' bodies had any."""
+        substeps = self._swing(bodies, pull)
         motion = self._motion[: len(bodies.position_m)]
         motion[:, 0:2], motion[:, 2] = bodies.position_m, bodies.angle_rad
         motion[:, 3:5], motion[:, 5] = bodies.velocity_mps, bodies.spin_radps
@@ -231,11 +305,16 @@ class Physics:
         held = np.flatnonzero(bodies.touching & (stands | pull.limp))
         limit_n[held] = np.where(pull.limp[held], self._roll_n[held], 0.0)
         self._hold(bodies, pull, held)
-        found = []
-        for _ in range(self._substeps):
+        found, torn = [], NO_CONTACTS.torn
+        touched = np.zeros(len(self._scene.names), dtype=np.bool_)
+        for _ in range(substeps):
             self._push(pull, limit_n, wanted_mps - velocity_mps[: self._robots])
             self._space.step(self._substep_s)
-            found.append(self._touching())
+            pairs, places = self._touching()
+            touched[pairs] = True
+            if self._load is not None:
+                pairs, torn = self._told_apart(self._load, pairs, places)
+            found.append((pairs, places))
             velocity_mps = self._read_bodies(batch.BodyFields.VELOCITY, 2)
         motion = self._read_bodies(_MOTION, 6)[: len(bodies.position_m)]
         bodies.position_m[:], bodies.angle_rad[:] = motion[:, 0:2], motion[:, 2]
@@ -243,7 +322,34 @@ class Physics:
         self._bring_to_rest(bodies)
         bodies.settled[0] = self._is_settled(*found[-1])
         self._room_m = 0.0
-        return self._contacts(found)
+        contacts = replace(self._contacts(found), torn=torn)
+        if self._load is not None:
+            touched[self._load.sharers] = True  # what they hold pulls at them as contacts do
+        return contacts, touched[: self._robots]
+
+    def _swing(self, bodies: Bodies, pull: Pull) -> int:
+        """Turns robots that carry something; gives how many substeps that takes."""
+        substeps = self._fewest_substeps
+        if self._load is not None:
+            timestep_s = self._world.timestep_s
+            spin_radps = self._load.spin_radps(bodies, pull, timestep_s)
+            bodies.spin_radps[: self._robots] = spin_radps
+            swing_m = float(np.abs(spin_radps).max()) * self._load.reach_m * timestep_s
+            way_m = float(np.abs(pull.way_m).max())
+            most = max(MOST_SUBSTEPS, substeps)
+            substeps = min(max(substeps, math.ceil((swing_m + way_m) / SUBSTEP_M)), most)
+        self._substep_s = self._world.timestep_s / substeps
+        return substeps
+
+    def _told_apart(
+        self, load: Load, pairs: IndexArray, places: FloatArray
+    ) -> tuple[IndexArray, IndexArray]:
+        """Tells contacts of loads from their carriers'; gives the carriers of deep ones, too."""
+        position_m = self._read_bodies(batch.BodyFields.POSITION, 2)
+        owned, rows = load.owned(pairs, places, position_m)
+        rows = rows[places[rows, 2] < -TORN_M]
+        deep = pairs[rows][pairs[rows] != owned[rows]]
+        return owned, np.unique(deep)
 
     def _hold(self, bodies: Bodies, pull: Pull, held: IndexArray) -> None:
         """Holds robots by joints, as their grip does: a force alone would let them creep.
@@ -325,7 +431,8 @@ class Physics:
         names = len(self._scene.names)
         keys, first = np.unique(pairs[:, 0] * names + pairs[:, 1], return_index=True)
         mine = first[keys // names < self._robots]
-        return Contacts(pairs[mine, 0], pairs[mine, 1], places[mine, 0], places[mine, 1])
+        x_m, y_m = places[mine, 0], places[mine, 1]
+        return Contacts(pairs[mine, 0], pairs[mine, 1], x_m, y_m, NO_CONTACTS.torn)
 
 
 def _add(space: pymunk.Space, body: pymunk.Body, *shapes: pymunk.Shape) -> None:
@@ -345,11 +452,15 @@ def _floor_friction(
     return slide, turn
 
 
-def _thing_shapes(body: pymunk.Body, thing: Thing) -> list[pymunk.Shape]:
-    """Gives the shapes of what can be pushed, in the frame of its body."""
+def _thing_shapes(
+    body: pymunk.Body, thing: Thing, pose: FloatArray = _AS_IT_IS
+) -> list[pymunk.Shape]:
+    """Gives the shapes of what can be pushed, at a pose in the frame of a body."""
     if isinstance(thing, Cylinder):
-        return [pymunk.Circle(body, thing.radius_m)]
-    return _straight_shapes(body, thing, own_corners_m(thing))
+        return [pymunk.Circle(body, thing.radius_m, (float(pose[0]), float(pose[1])))]
+    corners = np.column_stack([own_corners_m(thing), np.zeros(len(own_corners_m(thing)))])
+    placed = compose(np.broadcast_to(pose, corners.shape), corners)[:, :2]
+    return _straight_shapes(body, thing, placed)
 
 
 def _fixed_shapes(body: pymunk.Body, solid: Solid) -> list[pymunk.Shape]:

@@ -1,0 +1,44 @@
+"""Poses in frames: x and y [m] and direction [rad], in rows of three.
+
+>>> desk, cup = np.array([[2.0, 1.0, math.pi / 2]]), np.array([[1.0, 0.0, 0.0]])
+>>> compose(desk, cup).round(3).tolist()                    # where the cup is in the room
+[[2.0, 2.0, 1.571]]
+>>> relative(desk, compose(desk, cup)).round(3).tolist()    # where it is on the desk
+[[1.0, 0.0, 0.0]]
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+FloatArray = npt.NDArray[np.float64]
+
+_TURN: Final = 2 * math.pi
+
+
+def compose(frames: FloatArray, poses: FloatArray) -> FloatArray:
+    """Gives where poses in frames are in the frame that the frames are told in, all (k, 3)."""
+    cos, sin = np.cos(frames[:, 2]), np.sin(frames[:, 2])
+    return np.column_stack([
+        frames[:, 0] + (cos * poses[:, 0] - sin * poses[:, 1]),
+        frames[:, 1] + (sin * poses[:, 0] + cos * poses[:, 1]),
+        frames[:, 2] + poses[:, 2],
+    ])  # fmt: skip
+
+
+def relative(frames: FloatArray, poses: FloatArray) -> FloatArray:
+    """Gives where poses are in frames, directions between -pi and pi, all (k, 3)."""
+    x_m, y_m = poses[:, 0] - frames[:, 0], poses[:, 1] - frames[:, 1]
+    cos, sin = np.cos(frames[:, 2]), np.sin(frames[:, 2])
+    return np.column_stack([
+        cos * x_m + sin * y_m, cos * y_m - sin * x_m, wrapped(poses[:, 2] - frames[:, 2])
+    ])  # fmt: skip
+
+
+def wrapped(angle_rad: FloatArray) -> FloatArray:
+    """Gives angles [rad] between -pi and pi."""
+    return np.asarray((angle_rad + math.pi) % _TURN - math.pi)
