@@ -10,6 +10,7 @@ from typing import Final
 from crs_cc.requests.code import Argument, RequestCode, arguments
 
 _LENGTH: Final = "0.1 in"
+_WEIGHT: Final = "g"
 _DONE: Final = arguments(("result", "1 when done, else 0", "1"))
 
 
@@ -39,6 +40,19 @@ DEVICE_REQUESTS: Final = (
         results=arguments(
             ("result", "how many are in the page", "1"), ("i[0]", "numbers of each", "1"),
             ("data", "the numbers as int32", "0.1 in, 0.1 deg, 0xRRGGBB"),
+        ),
+    ),
+    _device(
+        "GRIPPER", 220, "int crs_gripper(int what)", "lets the gripper open or close",
+        arguments(("i[0]", "0 to open, 1 to close", "1")),
+    ),
+    _device(
+        "GET_GRIPPER", 221, "int crs_get_gripper(int *opening, int *beam, int *weight)",
+        "tells where the gripper's fingers are and what they hold",
+        results=arguments(
+            ("i[0]", "distance of the fingers", _LENGTH),
+            ("i[1]", "whether anything is between them", "1"),
+            ("i[2]", "weight of what they hold, 0 for nothing", _WEIGHT),
         ),
     ),
 )  # fmt: skip

@@ -31,5 +31,20 @@ SENSORS: Final = Group("Sensors", (
     ),
 ))  # fmt: skip
 
-DEVICE_GROUPS: Final = (SENSORS,)
+HANDLING: Final = Group("Taking hold of things", (
+    Function(
+        "int crs_gripper(int what)",
+        "lets the gripper open (CRS_OPEN) or close (CRS_CLOSE), and returns at once",
+        posts=("GRIPPER",), source=(OURS,),
+    ),
+    Function(
+        "int crs_get_gripper(int *opening, int *beam, int *weight)",
+        "tells how far the fingers are apart, which is the width of what they hold; whether "
+        "anything breaks the beam between them; and the weight of what they hold, 0 for nothing. "
+        "A pointer may be NULL", units="0.1 in, g",
+        posts=("GET_GRIPPER",), source=(OURS,),
+    ),
+))  # fmt: skip
+
+DEVICE_GROUPS: Final = (SENSORS, HANDLING)
 """All functions, by what they are about."""

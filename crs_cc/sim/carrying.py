@@ -11,7 +11,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Final, Self
+from typing import TYPE_CHECKING, Final, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -22,6 +22,9 @@ from crs_cc.sim.holds import GRIPPER, HAND, Holds
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.scene import Scene
 from crs_cc.sim.things import Things
+
+if TYPE_CHECKING:
+    from crs_cc.sim.state import EnvState
 
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]
@@ -173,3 +176,25 @@ class Load:
         rows = self.robots + things
         bodies.position_m[rows], bodies.angle_rad[rows] = poses[:, :2], wrapped(poses[:, 2])
         bodies.velocity_mps[rows] = bodies.spin_radps[rows] = 0.0
+
+
+def release(state: EnvState, rows: IndexArray) -> None:
+    """Takes everything out of the fingers and hands of robots; it rests where it is.
+
+    The physics must start from there.
+    """
+    holds = state.bodies.holds
+    things = holds.thing[rows]
+    for kind in (GRIPPER, HAND):
+        holds.drop(rows, kind)
+    grasp_anew(state, things[things >= 0].astype(np.intp))
+
+
+def grasp_anew(state: EnvState, things: IndexArray) -> None:
+    """Notes how grippers hold things, as robots and things stand now."""
+    bodies, holds = state.bodies, state.bodies.holds
+    rows, held = holds.in_grippers()
+    rows, held = rows[np.isin(held, things)], held[np.isin(held, things)]
+    bodies.angle_rad[rows] = state.turret_rad[rows]
+    poses = np.column_stack([bodies.position_m, bodies.angle_rad])
+    holds.grasp[rows, GRIPPER] = relative(poses[rows], poses[len(state.heading_rad) + held])

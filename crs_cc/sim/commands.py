@@ -135,6 +135,8 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("GPS", tell),
         ("CAMERA", tell),
         ("READINGS", tell),
+        ("GRIPPER", tell),
+        ("GET_GRIPPER", tell),
     )
 }
 """The handler of each request that a robot answers, or one of its devices."""

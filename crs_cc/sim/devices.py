@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.requests import CODES
+from crs_cc.sim.handling import Handling
 from crs_cc.sim.instruments import Instruments
 from crs_cc.sim.sensors.camera import Cameras
 from crs_cc.sim.sensors.gps import GpsReceivers
@@ -41,6 +42,7 @@ class Devices:
     Attributes:
         sonars: the sonars.
         instruments: what the vendor's sensor board reads.
+        handling: what takes hold of things.
         answers: who answers the requests that are not answered with `State`, by code.
     """
 
@@ -56,18 +58,22 @@ class Devices:
         self.sonars = SonarRing(world, seed)
         self.instruments = Instruments(world, seed)
         self._cameras = Cameras(world, seed)
+        self.handling = Handling(world, log)
         self.answers: dict[int, Answer] = {
             CODES["SONAR"]: self.sonars.tell,
             CODES["PREDICT"]: partial(predict, sensors=(self.sonars, self.instruments)),
             CODES["GPS"]: GpsReceivers(world, seed).tell,
             CODES["CAMERA"]: self._cameras.tell,
             CODES["READINGS"]: tell_page,
+            CODES["GRIPPER"]: self.handling.grippers.command,
+            CODES["GET_GRIPPER"]: self.handling.grippers.tell,
         }
 
     @property
     def fans(self) -> list[Fan]:
         """Gives the beams of those that measure distances."""
-        return [*self.sonars.fans, *self.instruments.fans, *self._cameras.fans]
+        own = [*self._cameras.fans, *self.handling.grippers.fans]
+        return [*self.sonars.fans, *self.instruments.fans, *own]
 
     def begin(self, state: EnvState, equipment: Equipment, around: Surroundings) -> None:
         """Lets them begin, before the first cycle."""

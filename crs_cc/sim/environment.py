@@ -199,12 +199,15 @@ class Environment:
         drive.advance(state, self._equipment, _ALL, np.full(robots, self.end_s))
         self._rolling.add(state, self._equipment)
         before_m = state.bodies.position_m[:robots].copy()
-        contacts = self._physics.step(state.bodies, traction.pull(state, self._equipment))
+        handling, pull = self._devices.handling, traction.pull(state, self._equipment)
+        contacts = self._physics.step(state.bodies, handling.pull(state, self._equipment, pull))
         went_m = state.bodies.position_m[:robots] - before_m
         traction.feel(state, self._equipment, went_m)
         slices = slices_of(state, self._axes, self.timestep_s)
         state.distance_m += np.hypot(went_m[:, 0], went_m[:, 1])
         drive.face(state, self._equipment)
+        if handling.end_cycle(state, self._equipment, contacts, self.end_s):
+            self._physics.start_from(state.bodies)
         worked = self._devices.instruments.batteries.drain(state, self.timestep_s)
         self._let_go_if_empty(worked, self.end_s)
         began = self._touch(contacts)

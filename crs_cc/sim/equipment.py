@@ -32,6 +32,7 @@ class Equipment:
         laser: the same for lasers.
         gps: the same for GPS receivers.
         camera: the same for cameras.
+        gripper: the same for grippers.
         laser_points: how many points a laser can tell.
         calibration_s: how long a compass turns around to be calibrated.
         heat_range_m: how far the heat sensor senses, 0 where there is none.
@@ -52,6 +53,7 @@ class Equipment:
     laser: IndexArray
     gps: IndexArray
     camera: IndexArray
+    gripper: IndexArray
     laser_points: npt.NDArray[np.int32]
     calibration_s: FloatArray
     heat_range_m: FloatArray
@@ -77,6 +79,7 @@ class Equipment:
             _numbers([model.laser is not None for model in models]),
             _numbers([model.gps is not None for model in models]),
             _numbers([model.camera is not None for model in models]),
+            _numbers([model.gripper is not None for model in models]),
             np.array([model.laser.points if model.laser else 0 for model in models], np.int32),
             np.array([model.compass.calibration_s if model.compass else 0.0 for model in models]),
             np.array([model.heat.range_m for model in models]),

@@ -6,7 +6,7 @@ import math
 from typing import Final
 
 from crs_cc.requests import REQUESTS
-from crs_cc.sim import sensor_elements, sonar_elements
+from crs_cc.sim import handling_elements, sensor_elements, sonar_elements
 from crs_cc.sim.document import Element, Reader
 from crs_cc.sim.quantity import (
     ACCELERATION,
@@ -39,9 +39,10 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
     body = root.first("body")
     vendor = root.attributes.get("model", "scout")
     sonars = sonar_elements.sonars(root, reader)
+    radius_m = reader.positive(body, "radius", LENGTH)
     return RobotModel(
         root.attributes["name"],
-        radius_m=reader.positive(body, "radius", LENGTH),
+        radius_m=radius_m,
         drive=_drive(root.first("drive"), reader),
         odometry=_odometry(root.first("odometry"), reader),
         mass_kg=reader.positive(body, "mass", MASS),
@@ -54,6 +55,7 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         laser=sensor_elements.laser(root, reader),
         gps=sensor_elements.gps(root, reader),
         camera=sensor_elements.camera(root, reader),
+        gripper=handling_elements.gripper(root, radius_m, reader),
         computer_battery=sensor_elements.computer_battery(root, reader),
         motor_battery=sensor_elements.motor_battery(root, reader),
         board=sensor_elements.sensor_board(root, reader),

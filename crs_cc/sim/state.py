@@ -33,6 +33,7 @@ from crs_cc.sim.states.degradation import DegradationState
 from crs_cc.sim.states.drawings import DrawingState
 from crs_cc.sim.states.drive import DriveState
 from crs_cc.sim.states.gps import GpsState
+from crs_cc.sim.states.gripper import GripperState
 from crs_cc.sim.states.heat import HeatState
 from crs_cc.sim.states.infrared import InfraredState
 from crs_cc.sim.states.laser import LaserState
@@ -74,6 +75,7 @@ class EnvState:
         gps: what GPS receivers told.
         camera: what cameras saw and told.
         degradation: what is wrong with all of these, and with the drive.
+        gripper: where the fingers of grippers are; what they hold is in `bodies`.
         mask: which parts of `State` the program asks for (`Smask`), (robots, 44).
         pos_data: where and when sensors were read, for those who ask.
         battery: what the motors took from theirs.
@@ -105,6 +107,7 @@ class EnvState:
     gps: GpsState
     camera: CameraState
     degradation: DegradationState
+    gripper: GripperState
     mask: npt.NDArray[np.uint8]
     pos_data: PosDataState
     battery: BatteryState
@@ -142,6 +145,7 @@ class EnvState:
             gps=GpsState.at_start(world),
             camera=CameraState.at_start(world),
             degradation=DegradationState.at_start(world),
+            gripper=GripperState.at_start(world),
             mask=first_mask(count),
             pos_data=PosDataState.at_start(world),
             battery=BatteryState.at_start(world),

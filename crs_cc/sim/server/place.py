@@ -1,7 +1,8 @@
 """Robots that are put somewhere else: `place_robot`.
 
 The robot stands at the place and in the directions wanted, truly, and its odometry says so; its
-axes go on with what they were doing. A synchro drive's base keeps its direction. A place is refused
+axes go on with what they were doing. A synchro drive's base keeps its direction. What the
+robot holds stays behind. A place is refused
 that lies outside of the world's area or where anything else stands (chosen by us: the vendor's
 header says nothing of it). The program goes on at the end of the timestep.
 """
@@ -15,6 +16,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.sim.carrying import release
 from crs_cc.sim.model import Cylinder, Pose, Solid
 from crs_cc.sim.placement import TOLERANCE_M, clearance_m
 from crs_cc.units import tenths_deg_to_rad, tenths_inch_to_m
@@ -79,6 +81,7 @@ def _put(state: EnvState, equipment: Equipment, robot: int, place: Pose, turret_
     heading_rad = place.heading_rad
     state.bodies.position_m[robot] = place.x_m, place.y_m
     state.bodies.velocity_mps[robot] = 0.0
+    release(state, np.array([robot], dtype=np.intp))
     state.bodies.slipping[robot] = state.bodies.touching[robot] = False
     drive.hindered[robot] = False
     drive.moved_m[robot] = 0.0

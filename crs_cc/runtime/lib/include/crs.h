@@ -29,5 +29,14 @@ struct crs_blob {
    how many these are. */
 int crs_camera(struct crs_pixel *row, int most);
 int crs_blobs(struct crs_blob *blobs, int most);
+/* The gripper opens or closes, in its own time; the function returns at once. It closes on what is
+   between its fingers and carries it until it opens. */
+#define CRS_OPEN 0
+#define CRS_CLOSE 1
+int crs_gripper(int what);
+
+/* How far the fingers are apart (0.1 inch), whether anything breaks the beam between them, and what
+   they hold weighs (gram, 0 for nothing). Any of the pointers may be NULL. */
+int crs_get_gripper(int *opening, int *beam, int *weight);
 
 #endif

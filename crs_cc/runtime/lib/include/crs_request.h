@@ -85,6 +85,8 @@ struct __crs_message {
 #define CRS_GPS 200
 #define CRS_CAMERA 201
 #define CRS_READINGS 202
+#define CRS_GRIPPER 220
+#define CRS_GET_GRIPPER 221
 
 /* Posts the message and gives the reply's result. */
 int __crs_request(int code, struct __crs_message *message);

@@ -1,0 +1,47 @@
+"""All that robots handle things with: what it does at the end of a cycle, and to the physics."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.actuators.gripper import Grippers
+from crs_cc.sim.mount import mount_rad
+
+if TYPE_CHECKING:
+    from crs_cc.sim.bodies import Contacts, Pull
+    from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.events import EventLog
+    from crs_cc.sim.model import WorldModel
+    from crs_cc.sim.state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+
+
+class Handling:
+    """What the robots of a world handle things with.
+
+    Attributes:
+        grippers: their grippers.
+    """
+
+    def __init__(self, world: WorldModel, log: EventLog) -> None:
+        self.grippers = Grippers(world, log)
+
+    def pull(self, state: EnvState, equipment: Equipment, pull: Pull) -> Pull:
+        """Adds to what drives do in a cycle where those robots turn to that hold something."""
+        if not state.bodies.holds.any():
+            return pull
+        rows = np.arange(len(state.heading_rad))
+        facing_rad, turret_rad = state.drive.facing_rad, state.drive.turret_rad
+        mounts_rad = mount_rad(state, equipment, rows, facing_rad, turret_rad)
+        return replace(pull, mount_rad=mounts_rad)
+
+    def end_cycle(
+        self, state: EnvState, equipment: Equipment, contacts: Contacts, end_s: float
+    ) -> bool:
+        """Lets grippers take hold and let go; tells whether any did."""
+        return self.grippers.end_cycle(state, equipment, contacts, end_s)

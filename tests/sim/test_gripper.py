@@ -1,0 +1,128 @@
+"""What a gripper closes on: the nearest thing between its fingers that fits, and nothing else."""
+
+import math
+
+import numpy as np
+import pytest
+
+from crs_cc.sim.fingers import between
+from crs_cc.sim.scene import Scene
+from tests.sim.driver import world_of
+from tests.sim.gripping import CLOSE, OPEN, gripping, kinds, tell
+
+WIDE = 'length="100m" width="100m" origin="centre" edge="0"'
+ROBOT = '<robot x="0" y="0"/>'
+
+
+def found(things, mount=(0.0, 0.0, 0.0), strip=(0.2, 0.3)):
+    """Gives what lies between fingers at a place: right, left and nearest point [m]."""
+    scene = Scene(world_of('<robot x="9m" y="9m"/>' + things))
+    moving = scene.moving(scene.start[:, :2], scene.start[:, 2])
+    rows = between(moving, 1, np.array([mount]), np.array([strip]))
+    return [
+        (scene.names[thing], *(round(float(value), 6) for value in values))
+        for thing, *values in zip(rows.thing, rows.right_m, rows.left_m, rows.near_m, strict=True)
+    ]
+
+
+def test_of_a_box_that_lies_along_the_fingers_its_width_counts():
+    r"""Palm at 20 cm, tips at 30 cm; the box from 25 to 65 cm.
+
+      ═════════
+    ▐  ┌───┬─────┐ 4 cm
+    ▐  └───┴─────┘
+      ═════════
+    """
+    box = '<box x="45cm" y="2cm" length="40cm" width="4cm" mass="1kg"/>'
+    assert found(box) == [("box0", 0.0, 0.04, 0.25)]
+
+
+def test_of_what_stands_askew_the_part_between_the_fingers_counts():
+    """A square on its tip: 4 cm behind its tip it is 8 cm wide."""
+    box = '<box x="40cm" y="0" heading="45" length="20cm" width="20cm" mass="1kg"/>'
+    tip_m = 0.4 - 0.1 * math.sqrt(2)
+    depth_m = 0.3 - tip_m
+    assert found(box) == [("box0", *np.round([-depth_m, depth_m, tip_m], 6).tolist())]
+
+
+def test_of_a_cylinder_its_chord_at_the_tips_counts_or_its_diameter():
+    chord_m = round(math.sqrt(0.05**2 - 0.03**2), 6)
+    assert found('<cylinder x="33cm" y="0" radius="5cm" mass="1kg"/>') == [
+        ("cylinder0", -chord_m, chord_m, 0.28)
+    ]
+    assert found('<cylinder x="26cm" y="1cm" radius="5cm" mass="1kg"/>') == [
+        ("cylinder0", -0.04, 0.06, 0.21)
+    ]
+
+
+def test_a_turned_mount_sees_the_same():
+    box = '<box x="2m" y="3.45m" heading="90" length="40cm" width="4cm" mass="1kg"/>'
+    assert found(box, (2.0, 3.0, math.pi / 2)) == [("box0", -0.02, 0.02, 0.25)]
+
+
+def test_what_does_not_reach_between_the_fingers_is_not_found():
+    assert found('<cylinder x="40cm" y="0" radius="5cm" mass="1kg"/>') == []
+    assert found('<box x="-45cm" y="0" length="40cm" width="4cm" mass="1kg"/>') == []
+
+
+def test_fingers_stop_when_they_are_as_near_as_the_thing_is_wide(tmp_path):
+    """20 cm apart, closing in 1 s: after 0.6 s they are 8 cm apart, as the can is wide."""
+    can = '<cylinder x="26cm" y="0" radius="4cm" mass="1500g"/>'
+    driver = gripping(tmp_path, ROBOT + can, WIDE)
+    assert tell(driver) == [79, 1, 0]
+    driver.post("GRIPPER", CLOSE)
+    driver.run_s(0.3)
+    assert tell(driver) == [55, 1, 0]
+    assert kinds(driver.run_s(0.25)) == []
+    assert kinds(driver.run_s(0.05)) == ["grip"]
+    driver.run_s(2)
+    assert tell(driver) == [31, 1, 1500]
+    driver.post("GRIPPER", OPEN)
+    driver.run_s(0.3)
+    assert tell(driver) == [55, 1, 0]
+    driver.run_s(1)
+    assert tell(driver) == [79, 1, 0]
+
+
+@pytest.mark.parametrize(("thing", "beam"), [
+    ('<cylinder x="26cm" y="0" radius="4cm" mass="5.1kg"/>', 1),                     # too heavy
+    ('<cylinder x="26cm" y="0" radius="4cm"/>', 1),                                  # fixed
+    ('<cylinder x="32cm" y="0" radius="11cm" mass="1kg"/>', 1),                      # too wide
+    ('<cylinder x="26cm" y="7cm" radius="4cm" mass="1kg"/>', 1),                 # too far aside
+    ('<cylinder x="36cm" y="0" radius="4cm" mass="1kg"/>', 0),                   # too far ahead
+    ('<robot x="45cm" y="0"/>', 1),
+])  # fmt: skip
+def test_on_anything_else_they_close_altogether(tmp_path, thing, beam):
+    driver = gripping(tmp_path, ROBOT + thing, WIDE)
+    assert tell(driver)[1] == beam
+    driver.post("GRIPPER", CLOSE)
+    assert kinds(driver.run_s(1.5)) == []
+    assert tell(driver) == [0, beam, 0]
+
+
+def test_of_two_things_the_nearer_is_taken_also_if_it_is_the_second(tmp_path):
+    cans = (
+        '<cylinder id="far" x="28cm" y="6cm" radius="3cm" mass="1kg"/>'
+        '<cylinder id="near" x="25cm" y="-5cm" radius="3cm" mass="1kg"/>'
+    )
+    driver = gripping(tmp_path, ROBOT + cans, WIDE)
+    driver.post("GRIPPER", CLOSE)
+    (event,) = [event for step in driver.run_s(2) for event in step.events]
+    assert (event.kind, event.text, event.robot) == ("grip", "holds near", 0)
+
+
+def test_what_comes_between_fingers_that_are_closed_is_not_taken(tmp_path):
+    can = '<cylinder x="60cm" y="0" radius="4cm" mass="1kg"/>'
+    driver = gripping(tmp_path, ROBOT + can, WIDE)
+    driver.post("GRIPPER", CLOSE)
+    driver.run_s(1)
+    driver.post("PR", 130, 130)
+    assert kinds(driver.run_s(3)) == []
+    assert tell(driver) == [0, 1, 0]
+
+
+def test_a_word_that_is_neither_open_nor_close_is_refused(tmp_path):
+    driver = gripping(tmp_path, ROBOT, WIDE)
+    for what in (-1, 2, 2**31 - 1, -(2**31)):
+        assert driver.post("GRIPPER", what)[0]["result"] == 0
+    assert tell(driver) == [79, 0, 0]
