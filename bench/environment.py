@@ -29,6 +29,7 @@ import numpy as np
 
 from crs_cc.session.build import build_executable
 from crs_cc.session.session import Session
+from crs_cc.sim.physics import REBUILD
 from crs_cc.sim.rays import Fan
 from crs_cc.sim.scene import Scene
 from crs_cc.sim.surroundings import Surroundings
@@ -86,7 +87,7 @@ RADIUS_M = 0.2
 SPACING_M = 3.0
 MARGIN_M = 0.5
 WARM_UP = 20
-LEAST_STEPS = 10
+RAYS_REPEAT = 10
 
 
 def world_text(robots: int) -> str:
@@ -167,7 +168,7 @@ def measure(folder: Path, robots: int, seconds: float) -> Figures:
         session.step()
     state, times = session.environment.state, []
     readings, way_m = state.infrared.count.sum(), state.distance_m.sum()
-    while sum(times) < seconds or len(times) < LEAST_STEPS:
+    while not times or sum(times) < seconds or len(times) % REBUILD:
         start = time.process_time()
         session.step()
         times.append(time.process_time() - start)
@@ -196,7 +197,7 @@ def rays_s(session: Session) -> float:
     around = Surroundings(Scene(session.environment.world), [fan])
     poses = np.column_stack([state.x_m, state.y_m, state.heading_rad])
     own, times = np.arange(len(poses)), []
-    for _ in range(LEAST_STEPS):
+    for _ in range(RAYS_REPEAT):
         around.forget()
         start = time.process_time()
         around.distances_m(state, fan, poses, own)
@@ -207,7 +208,7 @@ def rays_s(session: Session) -> float:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n", 1)[0])
     parser.add_argument("robots", nargs="*", type=int, default=[1, 10, 100, 1000, 10_000])
-    parser.add_argument("--seconds", type=float, default=3.0, help="to measure each (default 3)")
+    parser.add_argument("--seconds", type=float, default=3.0, help="of each run (default 3)")
     options = parser.parse_args()
     print(f"{'robots':>8}{'robot-steps/s':>15}{'each':>12}{'rays only':>12}{'ratio':>7}"
           f"{'readings':>10}{'speed':>12}{'world':>11}{'session':>10}{'memory':>12}")  # fmt: skip

@@ -33,6 +33,7 @@ import numpy.typing as npt
 import pymunk
 from pymunk import batch
 
+from crs_cc.garbage import without_collector
 from crs_cc.sim.bodies import NO_CONTACTS, Bodies, Contacts, Pull
 from crs_cc.sim.carrying import Load
 from crs_cc.sim.clearance import clearance_m
@@ -209,6 +210,7 @@ class Physics:
 
     # -- pymunk ----------------------------------------------------------------------------------
 
+    @without_collector()
     def _make_space(self) -> None:
         """Makes the space; the order in which bodies are added is part of the world."""
         space = pymunk.Space()

@@ -209,3 +209,6 @@ class RobotModel:
     link: Link = IDEAL_LINK
     host_speed_hz: float = 5e7
     vendor_model: int = 2
+
+    def __hash__(self) -> int:
+        return hash(self.name)  # robots are sorted by kind again and again
