@@ -1,4 +1,4 @@
-"""Who stands where nobody can stand: robots outside the world, or inside something.
+"""Who stands where nobody can stand: robots and things to be pushed inside of something else.
 
 Touching is allowed; an overlap of more than `TOLERANCE_M` is not.
 
@@ -20,8 +20,9 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Wall, WorldModel
+from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Wall, WorldModel, is_pushable
 from crs_cc.sim.neighbours import Discs, overlapping
+from crs_cc.sim.overlap import overlap_m
 from crs_cc.sim.polygon import distances_m
 from crs_cc.sim.scene import corners_m
 
@@ -48,6 +49,25 @@ def misplaced(world: WorldModel, most: int | None = None) -> list[tuple[int, str
         _outside(world, ids, places), _inside(world, ids, places), _overlapping(ids, places)
     )
     return list(islice(complaints, most))
+
+
+def overlapping_things(world: WorldModel) -> Iterator[tuple[str, str]]:
+    """Gives the id of each thing that can be pushed and overlaps something, and what is wrong."""
+    solids = world.solids()
+    pushable = [number for number, solid in enumerate(solids) if is_pushable(solid)]
+    if not pushable:
+        return
+    around = Discs(*np.array([_disc_around(solid) for solid in solids]).T)
+    things = around.take(np.array(pushable))
+    for solid_of, thing_of in overlapping(around, things):
+        for number in np.unique(solid_of).tolist():
+            near, solid = np.sort(thing_of[solid_of == number]), solids[number]
+            room_m = clearance_m(solid, things.x_m[near], things.y_m[near])
+            for thing in near[room_m < things.radius_m[near]].tolist():
+                other = pushable[thing]
+                first = number < other or not is_pushable(solid)
+                if first and overlap_m(solids[other], solid) > TOLERANCE_M:
+                    yield solids[other].id, f"{_named(solids[other])} overlaps {_named(solid)}"
 
 
 def clearance_m(solid: Solid, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
@@ -105,9 +125,12 @@ def _inside(world: WorldModel, ids: list[str], robots: Discs) -> Iterator[tuple[
         for number in np.unique(solid_of).tolist():
             near, solid = np.sort(robot_of[solid_of == number]), solids[number]
             room_m = clearance_m(solid, robots.x_m[near], robots.y_m[near])
-            kind = type(solid).__name__.lower()
             for robot in near[room_m < robots.radius_m[near] - TOLERANCE_M]:
-                yield int(robot), f"robot {ids[robot]!r} stands inside {kind} {solid.id!r}"
+                yield int(robot), f"robot {ids[robot]!r} stands inside {_named(solid)}"
+
+
+def _named(solid: Solid) -> str:
+    return f"{type(solid).__name__.lower()} {solid.id!r}"
 
 
 def _disc_around(solid: Solid) -> tuple[float, float, float]:

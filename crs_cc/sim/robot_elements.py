@@ -23,10 +23,12 @@ from crs_cc.sim.quantity import (
     Kind,
 )
 from crs_cc.sim.robot_model import Axis, Drive, Heat, Link, Odometry, RobotModel
+from crs_cc.sim.sonar_model import Sonar
 
 VENDOR_MODELS: Final = ("nomad200", "nomad150", "scout")
 """The vendor's models by their numbers (vendor header `Nclient.h` 1.29: MODEL_N200, ...)."""
 
+_ROUNDING_M: Final = 1e-4  # sensors on the shell are written with so many digits
 _MOST_BYTES: Final = 65_535
 _MOST_BAUD: Final = 100_000_000
 _ROBOT_COMMANDS: Final = frozenset(
@@ -40,6 +42,7 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
     vendor = root.attributes.get("model", "scout")
     sonars = sonar_elements.sonars(root, reader)
     radius_m = reader.positive(body, "radius", LENGTH)
+    _check_places(root, radius_m, sonars, reader)
     return RobotModel(
         root.attributes["name"],
         radius_m=radius_m,
@@ -63,6 +66,22 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         host_speed_hz=reader.positive(root.first("host"), "speed", FREQUENCY, 5e7),
         vendor_model=VENDOR_MODELS.index(vendor),
     )
+
+
+def _check_places(
+    root: Element, radius_m: float, sonars: tuple[Sonar, ...], reader: Reader
+) -> None:
+    """Notes sensors that lie outside of the body."""
+    places = {sonar.id: math.hypot(sonar.x_m, sonar.y_m) for sonar in sonars}
+    for element in root.all("sensor"):
+        number = element.first("id").text
+        if places.get(int(number) if number.isdigit() else -1, 0.0) > radius_m + _ROUNDING_M:
+            wrong = f"sensor {number} lies outside of the body, whose radius is {radius_m:g} m"
+            reader.error(element, wrong)
+    for tag in ("laser", "camera"):
+        element = root.first(tag)
+        if abs(reader.quantity(element, "forward", LENGTH)) > radius_m + _ROUNDING_M:
+            reader.error(element, f"the {tag} lies outside of the body")
 
 
 def _drive(element: Element, reader: Reader) -> Drive:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from itertools import islice
 from pathlib import Path, PurePosixPath
 from typing import Final, Literal, TypeAlias
 
@@ -14,7 +15,7 @@ from crs_cc.sim.map_elements import map_boxes
 from crs_cc.sim.material_elements import Materials
 from crs_cc.sim.model import Area, Box, Cylinder, Polygon, Robot, Solid, Wall, WorldModel
 from crs_cc.sim.naming import check_parts, name_things
-from crs_cc.sim.placement import misplaced
+from crs_cc.sim.placement import misplaced, overlapping_things
 from crs_cc.sim.quantity import HEAT, LENGTH, TIME
 from crs_cc.sim.robot_model import RobotModel
 from crs_cc.sim.solid_elements import SHORTEST_M, SolidElements, pose
@@ -76,8 +77,9 @@ def world_model(
         seed=_seed(root, reader),
         surface=surface(root.first("surface"), reader),
     )
-    _check(_with(world, things), root, reader)
-    return _with(world, things)
+    world = _with(world, things)
+    _check(world, root, {solid.id: element for element, solid in things}, reader)
+    return world
 
 
 def _things(
@@ -120,8 +122,15 @@ def _with(world: WorldModel, things: Sequence[tuple[Element, Solid]]) -> WorldMo
     )
 
 
-def _check(world: WorldModel, root: Element, reader: Reader) -> None:
-    """Notes what is wrong with the whole, as far as its numbers could be read."""
+def _check(world: WorldModel, root: Element, things: Mapping[str, Element], reader: Reader) -> None:
+    """Notes what is wrong with the whole, as far as its numbers could be read.
+
+    Args:
+        world: the world.
+        root: the outermost element.
+        things: the element of each thing, by its id.
+        reader: gets the mistakes.
+    """
     if not world.robots:
         reader.error(root, "no robot in the world", "add <robot x='1m' y='1m'/>")
     if root.first("area").broken:
@@ -131,6 +140,8 @@ def _check(world: WorldModel, root: Element, reader: Reader) -> None:
     elements = [element for element, _ in pairs if not element.broken]
     for robot, wrong in misplaced(readable, MAX_MESSAGES + 1):
         reader.error(elements[robot], wrong)
+    for thing, wrong in islice(overlapping_things(world), MAX_MESSAGES + 1):
+        reader.error(things.get(thing, root), wrong)
 
 
 def _area(element: Element, reader: Reader, materials: Materials) -> Area:

@@ -130,7 +130,7 @@ def test_a_sensor_in_the_words_of_the_report_is_read(tmp_path):
     </position></sensor>"""
     path = tmp_path / "robot.xml"
     path.write_text(
-        f"""<robot-definition version="1" name="r"><body radius="1" mass="1"/>
+        f"""<robot-definition version="1" name="r"><body radius="3.2" mass="1"/>
         <drive wheel-base="1" speed-limit="1" acceleration-limit="1" speed="1" acceleration="1"/>
         {sensor}</robot-definition>"""
     )
@@ -148,6 +148,7 @@ def test_every_name_of_a_robot_can_be_loaded():
 # -- what is refused ---------------------------------------------------------------------------
 
 EXPECTED = "expected " + " or ".join(f"<{name}>" for name in ["surface", *THINGS])
+CRATE = 'id="crate" y="2" length="50cm" width="50cm" mass="2kg"'
 BROKEN = {
     "wrong element": (
         (AREA, "<wal/>", ROBOT),
@@ -335,6 +336,36 @@ BROKEN = {
 }
 
 
+BROKEN |= {
+    "crate in a wall": (
+        (AREA, ROBOT, '<wall id="w" x1="1" y1="1" x2="1" y2="4"/>', f'<box x="1.2" {CRATE}/>'),
+        "w.xml:5: error: box 'crate' overlaps wall 'w'",
+    ),
+    "crate in the edge": (
+        (AREA, ROBOT, f'<box x="0.2" {CRATE}/>'),
+        "w.xml:4: error: box 'crate' overlaps wall 'edge-west'",
+    ),
+    "crate in a crate": (
+        (
+            AREA,
+            ROBOT,
+            f'<box x="1" {CRATE}/>',
+            '<cylinder id="barrel" x="1.4" y="2" radius="20cm" mass="1kg"/>',
+        ),
+        "w.xml:5: error: cylinder 'barrel' overlaps box 'crate'",
+    ),
+    "crate in the middle of a polygon": (
+        (
+            AREA,
+            ROBOT,
+            '<polygon id="p" points="0.1,0.1 2,0.1 2,4 0.1,4"/>',
+            f'<box x="1" {CRATE}/>',
+        ),
+        "w.xml:5: error: box 'crate' overlaps polygon 'p'",
+    ),
+}
+
+
 @pytest.mark.parametrize("name", BROKEN)
 def test_a_broken_world_is_refused_with_its_line(name):
     rows, expected = BROKEN[name]
@@ -371,6 +402,31 @@ def test_all_mistakes_are_told_at_once():
         ("7", "program 'x.h'"),
         ("8", "robot 't' stands inside "),
     ]
+
+
+def test_things_that_only_touch_are_let_be():
+    """Two crates and a barrel side by side at a wall, and another crate in the dent of an L."""
+    world = parse_world(
+        lines(
+            AREA,
+            ROBOT,
+            '<box x="0.25" y="0.25" length="50cm" width="50cm" mass="2kg"/>',
+            '<box x="0.75" y="0.25" length="50cm" width="50cm" mass="2kg"/>',
+            '<cylinder x="1.2" y="0.2" radius="20cm" mass="2kg"/>',
+            '<polygon points="4,4 6,4 6,5 5,5 5,4.5 4,4.5"/>',
+            '<box x="4.75" y="4.75" length="50cm" width="50cm" mass="2kg"/>',
+        ),
+        "w",
+    )
+    assert len(world.boxes) == 3
+
+
+def test_a_sensor_outside_of_the_body_is_told(tmp_path):
+    scout = (SIM / "robots" / "scout.xml").read_text()
+    (tmp_path / "r.xml").write_text(scout.replace('radius="', 'radius="0.0', 1))
+    with pytest.raises(WorldError) as caught:
+        load_robot(tmp_path / "r.xml")
+    assert "sensor 0 lies outside of the body" in str(caught.value)
 
 
 def test_robots_that_only_touch_are_let_be():
