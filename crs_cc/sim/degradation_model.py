@@ -225,20 +225,26 @@ def complaint(degradation: Degradation, model: RobotModel) -> str:
         return f"the robot has no {device.name}"
     element = degradation.element
     if element is not None and not (0 <= element < len(names) and names[element]):
-        return f"{device.name} has no element {element}; it has {_shown(names)}"
+        return f"{device.name} has no element {element}; it has {shown(names)}"
     return _out_of_range(degradation) or _ambiguous(degradation, device, names)
 
 
 def element_of(device: Device, model: RobotModel, text: str) -> int | None:
-    """Gives the number of the element that a text names, by name or number; None for none."""
-    names = device.elements(model)
-    if text in names and text:
-        return names.index(text)
-    is_number = text.isascii() and text.isdigit() and len(text) <= 4
-    return int(text) if is_number and int(text) < len(names) and names[int(text)] else None
+    """Gives the number of the element that a text names, by name or number; None for none.
+
+    >>> from crs_cc.sim.world_xml import empty_world
+    >>> scout = empty_world().robots[0].model
+    >>> [element_of(DEVICES["drive"], scout, text) for text in ("left", "1", "2", "", "up")]
+    [1, 1, None, None, None]
+    """
+    for number, name in enumerate(device.elements(model)):
+        if name and text in {name, str(number)}:
+            return number
+    return None
 
 
-def _shown(names: tuple[str, ...]) -> str:
+def shown(names: tuple[str, ...]) -> str:
+    """Gives the elements of a device, for people: `0 to 15`, or `0 (right), 1 (left)`."""
     used = [number for number, name in enumerate(names) if name]
     whole = used == list(range(len(names))) and names == _numbered(len(names))
     if whole and len(names) > 1:
@@ -278,5 +284,5 @@ def _ambiguous(degradation: Degradation, device: Device, names: tuple[str, ...])
     values = (degradation.bias, degradation.noise, degradation.step)
     given = any(values) or isinstance(degradation.stuck, int | float)
     if degradation.element is None and several and given:
-        return f"the elements of {device.name} differ in their units: name one, {_shown(names)}"
+        return f"the elements of {device.name} differ in their units: name one, {shown(names)}"
     return ""

@@ -8,7 +8,9 @@ from typing import Final
 
 from crs_cc.sim.document import Element, Reader
 
-THINGS: Final = frozenset({"wall", "box", "cylinder", "polygon", "object", "map", "robot"})
+THINGS: Final = frozenset(
+    {"wall", "box", "cylinder", "polygon", "object", "map", "robot", "degradation"}
+)
 """The elements that have an id."""
 
 _OURS: Final = ("edge-", "obstacle-")  # what programs add is named so

@@ -9,6 +9,7 @@ from pathlib import Path, PurePosixPath
 from typing import Final, Literal, TypeAlias
 
 from crs_cc.sim.composite_elements import CompositeElements
+from crs_cc.sim.degradation_elements import degradations
 from crs_cc.sim.document import MAX_MESSAGES, Element, Reader
 from crs_cc.sim.include import Included
 from crs_cc.sim.map_elements import map_boxes
@@ -76,6 +77,9 @@ def world_model(
         duration_s=_duration(root, reader),
         seed=_seed(root, reader),
         surface=surface(root.first("surface"), reader),
+        degradations=degradations(
+            root.all("degradation"), zip(root.all("robot"), robots, strict=True), reader
+        ),
     )
     world = _with(world, things)
     _check(world, root, {solid.id: element for element, solid in things}, reader)

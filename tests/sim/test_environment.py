@@ -4,6 +4,7 @@ import math
 import pickle
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -324,7 +325,7 @@ def test_what_the_end_of_a_wait_answers_is_told_by_those_that_end_at_once(monkey
     driver.ask("PR", 100, 100)
     messages = np.zeros(2, MESSAGE)
     messages["i"][:, :4] = 1, 1, 0, 20
-    monkeypatch.setitem(WAITS, CODES["WS"], fail)
+    monkeypatch.setitem(WAITS, CODES["WS"], replace(WAITS[CODES["WS"]], finish=fail))
     goes_on_s = driver.environment.serve(CODES["WS"], np.arange(2), messages, np.zeros(2))
     assert goes_on_s.tolist() == [math.inf, 0.0]
     assert messages["result"][1] == 0

@@ -188,6 +188,11 @@ def degradation_of(row: Any, robots: Sequence[str]) -> Degradation:
     )
 
 
+def memory_size(degradation: Degradation) -> int:
+    """Gives how many numbers a degradation remembers."""
+    return len(empty_memory(record(degradation, 0, 0)))
+
+
 def empty_memory(row: Any) -> FloatArray:
     """Gives what a degradation remembers at first, see `DegradationState`."""
     width = width_of(row["device"], row["element"])
