@@ -36,7 +36,7 @@ MEET = ROWS[0]  # their files may use each other
 CONFINED = {
     "pycparser": ("frontend/",),
     "wasmtime": ("runtime/",),
-    "pymunk": ("sim/physics.py",),
+    "pymunk": ("sim/physics.py", "sim/shapes.py"),
     "PIL": ("sim/image.py",),
     "lxml": ("sim/xml_document.py", "cli/svg.py"),
     "rich": ("cli/", "debug/"),

@@ -39,6 +39,7 @@ from crs_cc.sim.degradation_control import DegradationControl
 from crs_cc.sim.devices import Devices
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.events import Event, EventLog
+from crs_cc.sim.falls import tell_falls
 from crs_cc.sim.link import SerialLine
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.physics import Physics, PhysicsSnapshot
@@ -204,7 +205,8 @@ class Environment:
         went_m = state.bodies.position_m[:robots] - before_m
         traction.feel(state, self._equipment, went_m)
         slices = slices_of(state, self._axes, self.timestep_s)
-        state.distance_m += np.hypot(went_m[:, 0], went_m[:, 1])
+        tell_falls(self._equipment, self._log, self.end_s, before_m, went_m)
+        state.distance_m += traction.ways_m(self._equipment, before_m, went_m)
         drive.face(state, self._equipment)
         if handling.end_cycle(state, self._equipment, contacts, self.end_s):
             self._physics.start_from(state.bodies)

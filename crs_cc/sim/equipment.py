@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from crs_cc.sim.degradation import Degradations
 from crs_cc.sim.drives import Drives
+from crs_cc.sim.inclines import Inclines
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.scene import Scene
 from crs_cc.sim.things import Things
@@ -42,6 +43,7 @@ class Equipment:
         world: what stood where before the first cycle.
         scene: the outlines of all things, as they are now.
         things: their shapes.
+        inclines: the slopes of the ground, None where it is flat.
     """
 
     timestep_s: float
@@ -63,6 +65,7 @@ class Equipment:
     world: WorldModel
     scene: Scene
     things: Things
+    inclines: Inclines | None
 
     @classmethod
     def of(cls, world: WorldModel, seed: int = 0) -> Self:
@@ -89,6 +92,7 @@ class Equipment:
             world,
             scene,
             Things.of(scene),
+            None if world.surface.is_flat else Inclines(world, scene),
         )
 
 

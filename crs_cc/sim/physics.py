@@ -1,4 +1,6 @@
-"""Contacts: what happens when robots and things get in each other's way. Alone knows pymunk.
+"""Contacts: what happens when robots and things get in each other's way.
+
+This file and `shapes` alone know pymunk.
 
 Seen from above, bodies do not fall. A robot is drawn to the velocity of its wheels, a thing rests
 with at most the friction of the floor, and contacts push back. What draws a robot is the smaller of
@@ -37,10 +39,12 @@ from crs_cc.garbage import without_collector
 from crs_cc.sim.bodies import NO_CONTACTS, Bodies, Contacts, Pull
 from crs_cc.sim.carrying import Load
 from crs_cc.sim.clearance import clearance_m
-from crs_cc.sim.frames import compose
-from crs_cc.sim.friction import friction_n, friction_nm, moment_kgm2
-from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Thing, Wall, WorldModel
-from crs_cc.sim.scene import Scene, convex_parts_of, corners_m, own_corners_m
+from crs_cc.sim.friction import moment_kgm2
+from crs_cc.sim.inclines import Incline, Inclines
+from crs_cc.sim.ledges import Ledges
+from crs_cc.sim.model import Thing, WorldModel
+from crs_cc.sim.scene import Scene
+from crs_cc.sim.shapes import add, add_ground, fixed_shapes, floor_friction, thing_shapes
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
@@ -61,9 +65,6 @@ STRETCH_M: Final = 0.05
 MOST_SUBSTEPS: Final = 256
 """How many substeps a cycle has for loads that are swung around."""
 
-SURFACE_FRICTION: Final = 0.5
-"""Friction of each surface; where two touch their product counts. Chosen by us."""
-
 _SLOP_M: Final = 0.0005  # overlap that is left alone, so that things at rest stay in contact
 _BIAS: Final = 1e-6  # share of a deeper overlap that is left after a second
 _SAME: Final = 1e-9  # [m], [m/s]: smaller differences are rounding errors
@@ -75,9 +76,9 @@ _MOTION: Final = (
 )  # fmt: skip
 _CONTACT: Final = (
     batch.ArbiterFields.BODY_A_ID | batch.ArbiterFields.BODY_B_ID
+    | batch.ArbiterFields.CONTACT_COUNT
     | batch.ArbiterFields.POINT_A_1 | batch.ArbiterFields.DISTANCE_1
 )  # fmt: skip
-_AS_IT_IS: Final = np.zeros(3)
 _NO_PAIRS: Final = (np.zeros((0, 2), dtype=np.intp), np.zeros((0, 3)))
 
 
@@ -104,6 +105,10 @@ class Physics:
         self._own_grip_n = np.array([drive.grip_n for drive in drives])
         self._force_n = np.array([drive.force_n for drive in drives])
         self._roll_out_mps2 = np.array([drive.roll_out_mps2 for drive in drives])
+        self._inclines, self._ledges = None, None
+        if not world.surface.is_flat:
+            self._inclines = Inclines(world, scene)
+            self._ledges = Ledges(self._inclines.terrain, scene)
         self._start = bodies.copy()
         self._pulls: list[Pull] = []
         self._room_m = 0.0
@@ -160,24 +165,25 @@ class Physics:
     def _bear(self, load: Load | None) -> None:
         """Takes over what robots carry: what they weigh then, and what their wheels hold."""
         self._load = load
-        weight_kg: FloatArray | float = load.weight_kg if load else 0.0
+        self._borne_kg = self._own_kg + (load.weight_kg if load else 0.0)
         self._mass_kg = self._own_kg + (load.mass_kg if load else 0.0)
-        self._grip_n = self._own_grip_n * ((self._own_kg + weight_kg) / self._own_kg)
+        self._grip_n = self._own_grip_n * (self._borne_kg / self._own_kg)
         self._drive_n = np.minimum(self._force_n, self._grip_n)
-        self._roll_n = (self._own_kg + weight_kg) * self._roll_out_mps2
+        self._roll_n = self._borne_kg * self._roll_out_mps2
 
     def _step(self, bodies: Bodies, pull: Pull) -> Contacts:
         robots, way_m = slice(self._robots), pull.way_m
         free_m = bodies.position_m[robots] + way_m
         wanted_mps = way_m / self._world.timestep_s
-        if self._nothing_near(bodies, way_m):
+        incline = self._incline(bodies, pull)
+        if (incline is None or incline.quiet) and self._nothing_near(bodies, way_m):
             bodies.position_m[robots] = free_m
             bodies.velocity_mps[robots] = wanted_mps
             bodies.touching[:] = False
             return NO_CONTACTS
         free = ~bodies.slipping
         bodies.velocity_mps[robots][free] = wanted_mps[free]
-        contacts, touched = self._run_space(bodies, pull, wanted_mps)
+        contacts, touched = self._run_space(bodies, pull, wanted_mps, incline)
         lag_mps = np.abs(bodies.velocity_mps[robots] - wanted_mps)
         bodies.slipping[:] = (lag_mps > _SAME).any(axis=1)
         bodies.touching[:] = touched
@@ -189,6 +195,13 @@ class Physics:
         self._load.place(bodies, pull)
         slipped = self._load.sharers[self._load.stretch_m(bodies) > STRETCH_M]
         return replace(contacts, torn=np.union1d(contacts.torn, slipped))
+
+    def _incline(self, bodies: Bodies, pull: Pull) -> Incline | None:
+        """Gives the slope under the bodies, None in a flat world."""
+        if self._inclines is None or self._ledges is None:
+            return None
+        self._ledges.place(bodies.position_m, bodies.angle_rad)
+        return self._inclines.under(bodies.position_m, pull.facing_rad, self._pulled_kg)
 
     def _nothing_near(self, bodies: Bodies, way_m: FloatArray) -> bool:
         """Tells whether nothing can touch in this cycle, so that the space need not run.
@@ -228,29 +241,42 @@ class Physics:
             body.position = next(places)
             bodies.append(body)
             carried = parts.get(number)
-            load = () if carried is None else _thing_shapes(body, *carried)
-            _add(space, body, pymunk.Circle(body, robot.model.radius_m), *load)
+            load = () if carried is None else thing_shapes(body, *carried)
+            add(space, body, pymunk.Circle(body, robot.model.radius_m), *load)
         for number, thing in enumerate(self._scene.pushables):
             body = pymunk.Body(thing.mass_kg, moment_kgm2(thing))
             body.position = next(places)
             bodies.append(body)
-            _add(space, body, *(() if number in apart else _thing_shapes(body, thing)))
+            add(space, body, *(() if number in apart else thing_shapes(body, thing)))
         for solid in self._scene.fixed_solids:
             body = pymunk.Body(body_type=pymunk.Body.STATIC)
             bodies.append(body)
-            _add(space, body, *_fixed_shapes(body, solid))
-        bodies.append(pymunk.Body(body_type=pymunk.Body.STATIC))
-        space.add(bodies[-1])
-        for number, thing in enumerate(self._scene.pushables):
-            if number not in borne:
-                body = bodies[self._robots + number]
-                space.add(*_floor_friction(bodies[-1], body, thing))
+            add(space, body, *fixed_shapes(body, solid))
+        self._add_floor(space, bodies, borne)
         space.add(*self._shared_grips(bodies))
         self._spaces[:] = [space]
         self._floor, self._bodies = bodies[-1], bodies[: self._robots]
         self._joints: list[pymunk.Constraint] = []
         self._room_m = 0.0
         self._learn_ids([body.id for body in bodies])
+
+    def _add_floor(self, space: pymunk.Space, bodies: list[pymunk.Body], borne: set[int]) -> None:
+        """Adds the ground, and the floor, which rubs on all things that nobody bears."""
+        if self._inclines is not None and self._ledges is not None:
+            bodies.append(add_ground(space, bodies, self._inclines.terrain, self._ledges))
+        floor = pymunk.Body(body_type=pymunk.Body.STATIC)
+        bodies.append(floor)
+        space.add(floor)
+        self._rubs: dict[int, list[tuple[pymunk.Constraint, float]]] = {}
+        things_kg = np.zeros(len(self._scene.pushables))
+        for number, thing in enumerate(self._scene.pushables):
+            if number not in borne:
+                joints = floor_friction(floor, bodies[self._robots + number], thing)
+                self._rubs[number] = [(joint, joint.max_force) for joint in joints]
+                space.add(*joints)
+                things_kg[number] = thing.mass_kg
+        self._pulled_kg = np.concatenate([self._borne_kg, things_kg])
+        self._grip = np.ones(len(things_kg))
 
     def _parts(self) -> tuple[dict[int, tuple[Thing, FloatArray]], set[int], set[int]]:
         """Gives how things are attached to robots.
@@ -293,7 +319,7 @@ class Physics:
         self._ids = np.array(ids, dtype=np.uintp)[self._by_id]
 
     def _run_space(
-        self, bodies: Bodies, pull: Pull, wanted_mps: FloatArray
+        self, bodies: Bodies, pull: Pull, wanted_mps: FloatArray, incline: Incline | None
     ) -> tuple[Contacts, BoolArray]:
         """Lets pymunk move the bodies; gives the contacts, and which robots' bodies had any."""
         substeps = self._swing(bodies, pull)
@@ -307,10 +333,17 @@ class Physics:
         held = np.flatnonzero(bodies.touching & (stands | pull.limp))
         limit_n[held] = np.where(pull.limp[held], self._roll_n[held], 0.0)
         self._hold(bodies, pull, held)
+        if incline is not None:
+            self._hold_less(held, incline)
+            roll_n = self._roll_n * np.sqrt(incline.grip[: self._robots])
+            limit_n = np.where(pull.limp, roll_n, limit_n)
+            rolls = pull.limp & (incline.sloping | bodies.slipping)
+            wanted_mps = np.where(rolls[:, None], 0.0, wanted_mps)
         found, torn = [], NO_CONTACTS.torn
         touched = np.zeros(len(self._scene.names), dtype=np.bool_)
         for _ in range(substeps):
-            self._push(pull, limit_n, wanted_mps - velocity_mps[: self._robots])
+            lag_mps = wanted_mps - velocity_mps[: self._robots]
+            self._push(pull, limit_n, lag_mps, incline, held)
             self._space.step(self._substep_s)
             pairs, places = self._touching()
             touched[pairs] = True
@@ -374,8 +407,36 @@ class Physics:
             self._joints.append(joint)
         self._space.add(*self._joints)
 
-    def _push(self, pull: Pull, limit_n: FloatArray, lag_mps: FloatArray) -> None:
+    def _hold_less(self, held: IndexArray, incline: Incline) -> None:
+        """Takes the grip and the friction that a slope leaves."""
+        for robot, joint in zip(held.tolist(), self._joints, strict=True):
+            joint.max_force *= float(incline.hold[robot])
+        grip = incline.grip[self._robots :]
+        for number in np.flatnonzero(grip != self._grip).tolist():
+            for joint, most in self._rubs.get(number, ()):
+                joint.max_force = most * float(grip[number])
+        self._grip = grip
+
+    def _push_up(
+        self, incline: Incline, along_n: FloatArray, lag_mps: FloatArray, held: IndexArray
+    ) -> None:
+        """Does what `_push` does where the ground may slope, and lets it pull everything down."""
+        force_n = lag_mps * (self._mass_kg / self._substep_s)[:, None]
+        across = np.zeros(self._robots, dtype=np.bool_)
+        across[held] = True
+        count = len(incline.pull_n)
+        self._force[:count] = incline.pull_n
+        self._force[: self._robots] += incline.drawn_n(force_n, along_n, self._grip_n, across)
+        batch.set_space_bodies(self._space, batch.BodyFields.FORCE, self._write_force)
+
+    def _push(
+        self, pull: Pull, limit_n: FloatArray, lag_mps: FloatArray, incline: Incline | None,
+        joined: IndexArray,
+    ) -> None:  # fmt: skip
         """Draws robots to the velocity of their wheels, with the force that they have."""
+        if incline is not None:
+            self._push_up(incline, limit_n, lag_mps, joined)
+            return
         held = np.flatnonzero((lag_mps[:, 0] != 0.0) | (lag_mps[:, 1] != 0.0))
         force_n = lag_mps.take(held, axis=0) * (self._mass_kg.take(held) / self._substep_s)[:, None]
         if pull.limp.any():
@@ -404,11 +465,12 @@ class Physics:
         """Gives the pairs of bodies in contact, and x, y, distance [m] of each."""
         self._touch.clear()
         batch.get_space_arbiters(self._space, _CONTACT, self._touch)
-        ids = np.frombuffer(self._touch.int_buf(), dtype=np.uintp)
-        if not len(ids):
+        numbers = np.frombuffer(self._touch.int_buf(), dtype=np.uintp).reshape(-1, 3)
+        touch = numbers[:, 2] > 0  # what is over a patch that does not block it touches nothing
+        if not touch.any():
             return _NO_PAIRS
-        pairs = self._by_id[np.searchsorted(self._ids, ids)].reshape(-1, 2)
-        return pairs, np.frombuffer(self._touch.float_buf()).reshape(-1, 3).copy()
+        pairs = self._by_id[np.searchsorted(self._ids, numbers[touch, :2])]
+        return pairs, np.frombuffer(self._touch.float_buf()).reshape(-1, 3)[touch]
 
     def _bring_to_rest(self, bodies: Bodies) -> None:
         """Takes away what rounding left of the velocity of things that stand."""
@@ -435,51 +497,3 @@ class Physics:
         mine = first[keys // names < self._robots]
         x_m, y_m = places[mine, 0], places[mine, 1]
         return Contacts(pairs[mine, 0], pairs[mine, 1], x_m, y_m, NO_CONTACTS.torn)
-
-
-def _add(space: pymunk.Space, body: pymunk.Body, *shapes: pymunk.Shape) -> None:
-    for shape in shapes:
-        shape.friction = SURFACE_FRICTION
-    space.add(body, *shapes)
-
-
-def _floor_friction(
-    floor: pymunk.Body, body: pymunk.Body, thing: Thing
-) -> tuple[pymunk.Constraint, pymunk.Constraint]:
-    """Gives joints that hold a thing's velocity and spin at 0 as far as friction can."""
-    slide = pymunk.PivotJoint(floor, body, (0.0, 0.0), (0.0, 0.0))
-    turn = pymunk.GearJoint(floor, body, 0.0, 1.0)
-    slide.max_force, turn.max_force = friction_n(thing), friction_nm(thing)
-    slide.max_bias = turn.max_bias = 0.0  # they hold no place: what was pushed stays there
-    return slide, turn
-
-
-def _thing_shapes(
-    body: pymunk.Body, thing: Thing, pose: FloatArray = _AS_IT_IS
-) -> list[pymunk.Shape]:
-    """Gives the shapes of what can be pushed, at a pose in the frame of a body."""
-    if isinstance(thing, Cylinder):
-        return [pymunk.Circle(body, thing.radius_m, (float(pose[0]), float(pose[1])))]
-    corners = np.column_stack([own_corners_m(thing), np.zeros(len(own_corners_m(thing)))])
-    placed = compose(np.broadcast_to(pose, corners.shape), corners)[:, :2]
-    return _straight_shapes(body, thing, placed)
-
-
-def _fixed_shapes(body: pymunk.Body, solid: Solid) -> list[pymunk.Shape]:
-    """Gives the shapes of what stands, in the world frame."""
-    if isinstance(solid, Wall):
-        ends = (solid.x1_m, solid.y1_m), (solid.x2_m, solid.y2_m)
-        return [pymunk.Segment(body, *ends, solid.thickness_m / 2)]
-    if isinstance(solid, Cylinder):
-        return [pymunk.Circle(body, solid.radius_m, (solid.pose.x_m, solid.pose.y_m))]
-    return _straight_shapes(body, solid, corners_m(solid))
-
-
-def _straight_shapes(
-    body: pymunk.Body, thing: Box | Polygon, corners: FloatArray
-) -> list[pymunk.Shape]:
-    """Gives the shapes of a box or polygon; pymunk's polygons are convex."""
-    if isinstance(thing, Box):
-        return [pymunk.Poly(body, [(x, y) for x, y in corners.tolist()])]
-    pieces = corners[convex_parts_of(thing)].tolist()
-    return [pymunk.Poly(body, [(x, y) for x, y in piece]) for piece in pieces]

@@ -101,9 +101,19 @@ def _drive(element: Element, reader: Reader) -> Drive:
         force_n=reader.positive(element, "force", FORCE),
         grip_n=reader.positive(element, "grip", FORCE),
         roll_out_mps2=reader.positive(element, "roll-out", ACCELERATION),
+        climb_rad=_climb(element, reader),
+        step_m=reader.not_negative(element, "step", LENGTH),
         give_up_s=reader.not_negative(element, "give-up", TIME) or math.inf,
         waits_forever=element.attributes.get("ws-timeout-zero") == "forever",
     )
+
+
+def _climb(element: Element, reader: Reader) -> float:
+    climb_rad = reader.not_negative(element, "climb", ANGLE)
+    if climb_rad < math.pi / 2:
+        return climb_rad
+    reader.refuse(element, "climb: must be less than 90 degrees")
+    return 0.0
 
 
 def _odometry(element: Element, reader: Reader) -> Odometry:

@@ -70,6 +70,8 @@ class Drive:
         force_n: the force with which the motors push at most.
         grip_n: the force that the wheels can hand over to the floor before they slip.
         roll_out_mps2: how fast limp wheels lose their speed.
+        climb_rad: ramps that are steeper block the robot from below, see `ledges`.
+        step_m: the highest step that its wheels climb.
         give_up_s: the motors stop when they have stalled for so long; infinite for never.
         waits_forever: whether `ws` with a timeout of 0 waits without end, not at all otherwise.
     """
@@ -82,6 +84,8 @@ class Drive:
     force_n: float = 60.0
     grip_n: float = 90.0
     roll_out_mps2: float = 0.3
+    climb_rad: float = math.radians(30.0)
+    step_m: float = 0.02
     give_up_s: float = math.inf
     waits_forever: bool = False
 

@@ -46,6 +46,9 @@ class Outlines:
     segment_owners: IndexArray
 
 
+GROUND: Final = "(ground)"
+"""What bodies run into where the ground is too high for them."""
+
 _NONE: Final = np.zeros(0, dtype=np.intp)
 NOTHING: Final = Outlines(np.zeros((0, 5)), np.zeros((0, 3)), _NONE, _NONE)
 """No outlines at all."""
@@ -60,7 +63,7 @@ class Scene:
         fixed: the outlines of what does not move.
         pushables: what can be pushed, in the order of the bodies.
         fixed_solids: what cannot.
-        names: the id of each body, then of each fixed solid.
+        names: the id of each body, then of each fixed solid, then `GROUND` where it is not flat.
         start: the poses of all bodies at the start, shape (bodies, 3): x, y [m], heading [rad].
     """
 
@@ -74,7 +77,7 @@ class Scene:
         self.fixed_solids = tuple(solid for solid in solids if not is_pushable(solid))
         self.fixed = _fixed_outlines(self.fixed_solids, len(world.robots) + len(self.pushables))
         ids = [thing.id for thing in (*world.robots, *self.pushables, *self.fixed_solids)]
-        self.names = tuple(ids)
+        self.names = (*ids,) if world.surface.is_flat else (*ids, GROUND)
         poses = [robot.start for robot in world.robots] + [thing.pose for thing in self.pushables]
         rows = [(pose.x_m, pose.y_m, pose.heading_rad) for pose in poses]
         self.start = np.array(rows, dtype=np.float64).reshape(-1, 3)

@@ -67,6 +67,13 @@ class Terrain:
         columns = [part for end in ends for part in (end.real, end.imag)]
         return Grid(np.column_stack(columns), self.half_width_m, reach_m)
 
+    def corners_m(self) -> FloatArray:
+        """Gives the corners of all patches, counter-clockwise, (patches, 4, 2)."""
+        ahead, left = self.along * self.half_length_m, 1j * self.along * self.half_width_m
+        corners = [-ahead - left, ahead - left, ahead + left, left - ahead]
+        places = self.middle[:, None] + np.column_stack(corners)
+        return np.stack([places.real, places.imag], axis=2)
+
     def height_m(self, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
         """Gives how high the ground is at places in the world frame [m], shape (n,)."""
         place = x_m + 1j * y_m

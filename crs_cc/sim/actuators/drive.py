@@ -127,6 +127,9 @@ def _turn(
     turn_rad = weighted(way, equipment.drives.true_turn[rows])
     way_m = weighted(way, equipment.drives.true_forward[rows])
     x_m, y_m = odometry.arc(facing_rad, way_m, turn_rad)
+    if equipment.inclines is not None:
+        place_m = state.bodies.position_m[: len(state.heading_rad)][rows]
+        x_m, y_m = equipment.inclines.shortened(place_m, x_m, y_m)
     state.drive.moved_m[rows, 0] += x_m
     state.drive.moved_m[rows, 1] += y_m
     state.drive.facing_rad[rows] = facing_rad + turn_rad

@@ -109,17 +109,36 @@ def feel(state: EnvState, equipment: Equipment, went_m: FloatArray) -> None:
     rows = np.flatnonzero(felt | state.drive.hindered)
     facing_rad = (state.heading_rad[rows] + state.drive.facing_rad[rows]) / 2
     ahead = np.column_stack([np.cos(facing_rad), np.sin(facing_rad)])
-    short_m = np.where(felt[rows], -weighted(off_m[rows], ahead), 0.0)
+    longer = np.ones(len(rows))
+    if equipment.inclines is not None:
+        before_m = state.bodies.position_m[rows] - went_m[rows]
+        longer = equipment.inclines.longer(before_m, ahead)
+    short_m = np.where(felt[rows], -weighted(off_m[rows], ahead) * longer, 0.0)
     counted = (state.drive.ahead_m[rows] - short_m)[:, None] * drives.rolls[rows]
     odometry.count_turns(state, equipment, rows, counted)
     state.drive.slice[rows] += counted
     state.drive.ahead_m[rows] = 0.0
     now_s = state.drive.clock_s[rows]
     hardware.fall_short(state.drive.axes, rows, now_s, short_m[:, None] * drives.rolls[rows])
-    forward_mps = weighted(state.bodies.velocity_mps[rows], ahead)
+    forward_mps = weighted(state.bodies.velocity_mps[rows], ahead) * longer
     state.drive.hindered[rows] = felt[rows]
     state.drive.forward_mps[rows] = np.where(felt[rows], forward_mps, 0.0)
     _give_up(state, equipment, rows, felt[rows] & ~limp[rows] & (np.abs(forward_mps) < _STANDS_MPS))
+
+
+def ways_m(equipment: Equipment, before_m: FloatArray, went_m: FloatArray) -> FloatArray:
+    """Gives how long the ways are that robots went, along the ground [m], (robots,).
+
+    Args:
+        equipment: the robots' constants.
+        before_m: where they were, (robots, 2).
+        went_m: where they went from there, (robots, 2).
+    """
+    way_m = np.hypot(went_m[:, 0], went_m[:, 1])
+    if equipment.inclines is None:
+        return np.asarray(way_m)
+    direction = went_m / np.maximum(way_m, _SAME_M)[:, None]
+    return np.asarray(way_m * equipment.inclines.longer(before_m, direction))
 
 
 def _give_up(state: EnvState, equipment: Equipment, rows: IndexArray, stalled: BoolArray) -> None:

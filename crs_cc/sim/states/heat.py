@@ -18,7 +18,7 @@ class HeatState:
 
     Attributes:
         left: the heat of each thing, in the order of `Scene.names`: robots, what can be pushed,
-            what cannot; shape (things,).
+            what cannot, the ground; shape (names,).
     """
 
     left: npt.NDArray[np.float64]
@@ -27,4 +27,6 @@ class HeatState:
     def at_start(cls, world: WorldModel, scene: Scene) -> Self:
         """Gives the heat that the world file gives to each thing."""
         things = (*world.robots, *scene.pushables, *scene.fixed_solids)
-        return cls(np.array([thing.heat for thing in things], dtype=np.float64))
+        left = np.zeros(len(scene.names))
+        left[: len(things)] = [thing.heat for thing in things]
+        return cls(left)

@@ -1,0 +1,106 @@
+"""What pymunk is told of a world: the shapes of bodies, the friction of the floor, the ground.
+
+With `physics`, alone knows pymunk.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+import pymunk
+
+from crs_cc.sim.frames import compose
+from crs_cc.sim.friction import friction_n, friction_nm
+from crs_cc.sim.ledges import Ledges
+from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Thing, Wall
+from crs_cc.sim.scene import convex_parts_of, corners_m, own_corners_m
+from crs_cc.sim.terrain import Terrain
+
+FloatArray = npt.NDArray[np.float64]
+
+SURFACE_FRICTION: Final = 0.5
+"""Friction of each surface; where two touch their product counts. Chosen by us."""
+
+_PATCH: Final = 1  # collision type of the ground
+_LEAVES_MPS: Final = 1e-3  # what moves away from the ground faster is not blocked by it
+_AS_IT_IS: Final = np.zeros(3)
+
+
+def add(space: pymunk.Space, body: pymunk.Body, *shapes: pymunk.Shape) -> None:
+    """Adds a body with its shapes."""
+    for shape in shapes:
+        shape.friction = SURFACE_FRICTION
+    space.add(body, *shapes)
+
+
+def floor_friction(
+    floor: pymunk.Body, body: pymunk.Body, thing: Thing
+) -> tuple[pymunk.Constraint, pymunk.Constraint]:
+    """Gives joints that hold a thing's velocity and spin at 0 as far as friction can."""
+    slide = pymunk.PivotJoint(floor, body, (0.0, 0.0), (0.0, 0.0))
+    turn = pymunk.GearJoint(floor, body, 0.0, 1.0)
+    slide.max_force, turn.max_force = friction_n(thing), friction_nm(thing)
+    slide.max_bias = turn.max_bias = 0.0  # they hold no place: what was pushed stays there
+    return slide, turn
+
+
+def thing_shapes(
+    body: pymunk.Body, thing: Thing, pose: FloatArray = _AS_IT_IS
+) -> list[pymunk.Shape]:
+    """Gives the shapes of what can be pushed, at a pose in the frame of a body."""
+    if isinstance(thing, Cylinder):
+        return [pymunk.Circle(body, thing.radius_m, (float(pose[0]), float(pose[1])))]
+    corners = np.column_stack([own_corners_m(thing), np.zeros(len(own_corners_m(thing)))])
+    placed = compose(np.broadcast_to(pose, corners.shape), corners)[:, :2]
+    return _straight_shapes(body, thing, placed)
+
+
+def fixed_shapes(body: pymunk.Body, solid: Solid) -> list[pymunk.Shape]:
+    """Gives the shapes of what stands, in the world frame."""
+    if isinstance(solid, Wall):
+        ends = (solid.x1_m, solid.y1_m), (solid.x2_m, solid.y2_m)
+        return [pymunk.Segment(body, *ends, solid.thickness_m / 2)]
+    if isinstance(solid, Cylinder):
+        return [pymunk.Circle(body, solid.radius_m, (solid.pose.x_m, solid.pose.y_m))]
+    return _straight_shapes(body, solid, corners_m(solid))
+
+
+def _straight_shapes(
+    body: pymunk.Body, thing: Box | Polygon, corners: FloatArray
+) -> list[pymunk.Shape]:
+    """Gives the shapes of a box or polygon; pymunk's polygons are convex."""
+    if isinstance(thing, Box):
+        return [pymunk.Poly(body, [(x, y) for x, y in corners.tolist()])]
+    pieces = corners[convex_parts_of(thing)].tolist()
+    return [pymunk.Poly(body, [(x, y) for x, y in piece]) for piece in pieces]
+
+
+def add_ground(
+    space: pymunk.Space, bodies: list[pymunk.Body], terrain: Terrain, ledges: Ledges
+) -> pymunk.Body:
+    """Adds all patches of a ground; whether one blocks a body that touches it, `ledges` tells."""
+    ground = pymunk.Body(body_type=pymunk.Body.STATIC)
+    shapes = [pymunk.Poly(ground, corners) for corners in terrain.corners_m().tolist()]
+    add(space, ground, *shapes)
+    numbers = {shape: n for n, body in enumerate(bodies) for shape in body.shapes}
+    numbers.update({shape: n for n, shape in enumerate(shapes)})
+    for shape in shapes:
+        shape.collision_type = _PATCH
+    # The space must not know who keeps it: neither could ever be freed.
+    space.on_collision(_PATCH, 0, pre_solve=_meet_patch, data=(ledges, numbers))
+    return ground
+
+
+def _meet_patch(
+    arbiter: pymunk.Arbiter, _: pymunk.Space, data: tuple[Ledges, dict[pymunk.Shape, int]]
+) -> None:
+    """Lets a body pass over a patch that does not block it."""
+    ledges, numbers = data
+    patch, other = arbiter.shapes
+    if other.body is not None and other.body.velocity.dot(arbiter.normal) > _LEAVES_MPS:
+        arbiter.process_collision = False
+        return
+    points = [(point.point_a.x, point.point_a.y) for point in arbiter.contact_point_set.points]
+    arbiter.process_collision = ledges.blocks(numbers[other], numbers[patch], points)
