@@ -49,7 +49,8 @@ class Bench:
         return SCOUT_RADIUS_M - min(rooms)
 
     def digest(self):
-        return [getattr(self.bodies, name).tobytes() for name in Bodies.__slots__]
+        arrays = [getattr(self.bodies, name) for name in Bodies.__slots__ if name != "holds"]
+        return [array.tobytes() for array in arrays]
 
 
 # -- walls hold --------------------------------------------------------------------------------
