@@ -11,6 +11,7 @@ from crs_cc.requests.code import Argument, RequestCode, arguments
 
 _LENGTH: Final = "0.1 in"
 _WEIGHT: Final = "g"
+_ANGLE: Final = "0.1 deg"
 _DONE: Final = arguments(("result", "1 when done, else 0", "1"))
 
 
@@ -54,6 +55,27 @@ DEVICE_REQUESTS: Final = (
             ("i[1]", "whether anything is between them", "1"),
             ("i[2]", "weight of what they hold, 0 for nothing", _WEIGHT),
         ),
+    ),
+    _device(
+        "ARM", 222, "int crs_arm_move(int shoulder, int elbow)", "lets the joints of the arm turn",
+        arguments(
+            ("i[0]", "0 to angles, else on by angles", "1"),
+            ("i[1]", "shoulder", _ANGLE), ("i[2]", "elbow", _ANGLE),
+        ),
+    ),
+    _device(
+        "GET_ARM", 223, "int crs_arm_get(int *shoulder, int *elbow, int *x, int *y)",
+        "tells where the arm is and what is in its hand",
+        results=arguments(
+            ("i[0]", "shoulder", _ANGLE), ("i[1]", "elbow", _ANGLE),
+            ("i[2]", "tip, ahead of the robot's middle", _LENGTH),
+            ("i[3]", "tip, to the left of it", _LENGTH),
+            ("i[4]", "weight of what is in the hand, 0 for nothing", _WEIGHT),
+        ),
+    ),
+    _device(
+        "HAND", 224, "int crs_hand(int what)", "lets the hand open or close",
+        arguments(("i[0]", "0 to open, 1 to close", "1")),
     ),
 )  # fmt: skip
 """Every request that a device of `crs.h` answers."""

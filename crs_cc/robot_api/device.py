@@ -44,6 +44,31 @@ HANDLING: Final = Group("Taking hold of things", (
         "A pointer may be NULL", units="0.1 in, g",
         posts=("GET_GRIPPER",), source=(OURS,),
     ),
+    Function(
+        "int crs_arm_move(int shoulder, int elbow)",
+        "lets the joints of the arm turn to angles, and returns at once; 0, 0 stretches it out "
+        "ahead", units="0.1 deg", posts=("ARM",), source=(OURS,),
+    ),
+    Function(
+        "int crs_arm_turn(int shoulder, int elbow)",
+        "lets them turn on by angles from where they are, and returns at once",
+        units="0.1 deg", posts=("ARM",), source=(OURS,),
+    ),
+    Function(
+        "int crs_arm_get(int *shoulder, int *elbow, int *x, int *y)",
+        "tells where the joints are, and where that puts the tip: ahead of the robot's middle, "
+        "and to the left. A pointer may be NULL", units="0.1 deg, 0.1 in",
+        posts=("GET_ARM",), source=(OURS,),
+    ),
+    Function(
+        "int crs_hand(int what)",
+        "lets the hand close (CRS_CLOSE) on what is at the tip, and open (CRS_OPEN) as soon as "
+        "there is room below; returns at once", posts=("HAND",), source=(OURS,),
+    ),
+    Function(
+        "int crs_get_hand(int *weight)", "tells the weight of what is in the hand, 0 for nothing",
+        units="g", posts=("GET_ARM",), source=(OURS,),
+    ),
 ))  # fmt: skip
 
 DEVICE_GROUPS: Final = (SENSORS, HANDLING)

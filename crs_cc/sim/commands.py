@@ -137,6 +137,9 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("READINGS", tell),
         ("GRIPPER", tell),
         ("GET_GRIPPER", tell),
+        ("ARM", tell),
+        ("GET_ARM", tell),
+        ("HAND", tell),
     )
 }
 """The handler of each request that a robot answers, or one of its devices."""

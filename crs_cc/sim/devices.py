@@ -67,6 +67,9 @@ class Devices:
             CODES["READINGS"]: tell_page,
             CODES["GRIPPER"]: self.handling.grippers.command,
             CODES["GET_GRIPPER"]: self.handling.grippers.tell,
+            CODES["ARM"]: self.handling.arms.move,
+            CODES["GET_ARM"]: self.handling.arms.tell,
+            CODES["HAND"]: self.handling.arms.hand,
         }
 
     @property

@@ -201,7 +201,9 @@ class Environment:
         self._rolling.add(state, self._equipment)
         before_m = state.bodies.position_m[:robots].copy()
         handling, pull = self._devices.handling, traction.pull(state, self._equipment)
-        contacts = self._physics.step(state.bodies, handling.pull(state, self._equipment, pull))
+        contacts = self._physics.step(
+            state.bodies, handling.pull(state, self._equipment, pull, self.end_s)
+        )
         went_m = state.bodies.position_m[:robots] - before_m
         traction.feel(state, self._equipment, went_m)
         slices = slices_of(state, self._axes, self.timestep_s)

@@ -34,6 +34,7 @@ class Equipment:
         gps: the same for GPS receivers.
         camera: the same for cameras.
         gripper: the same for grippers.
+        arm: the same for arms.
         laser_points: how many points a laser can tell.
         calibration_s: how long a compass turns around to be calibrated.
         heat_range_m: how far the heat sensor senses, 0 where there is none.
@@ -56,6 +57,7 @@ class Equipment:
     gps: IndexArray
     camera: IndexArray
     gripper: IndexArray
+    arm: IndexArray
     laser_points: npt.NDArray[np.int32]
     calibration_s: FloatArray
     heat_range_m: FloatArray
@@ -83,6 +85,7 @@ class Equipment:
             _numbers([model.gps is not None for model in models]),
             _numbers([model.camera is not None for model in models]),
             _numbers([model.gripper is not None for model in models]),
+            _numbers([model.arm is not None for model in models]),
             np.array([model.laser.points if model.laser else 0 for model in models], np.int32),
             np.array([model.compass.calibration_s if model.compass else 0.0 for model in models]),
             np.array([model.heat.range_m for model in models]),

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.sim.actuators.arm import Arms
 from crs_cc.sim.actuators.gripper import Grippers
 from crs_cc.sim.mount import mount_rad
 
@@ -26,22 +27,27 @@ class Handling:
 
     Attributes:
         grippers: their grippers.
+        arms: their arms.
     """
 
     def __init__(self, world: WorldModel, log: EventLog) -> None:
         self.grippers = Grippers(world, log)
+        self.arms = Arms(world, log)
 
-    def pull(self, state: EnvState, equipment: Equipment, pull: Pull) -> Pull:
-        """Adds to what drives do in a cycle where those robots turn to that hold something."""
+    def pull(self, state: EnvState, equipment: Equipment, pull: Pull, end_s: float) -> Pull:
+        """Adds to what drives do in a cycle where mounts and hands get that hold something."""
         if not state.bodies.holds.any():
             return pull
         rows = np.arange(len(state.heading_rad))
         facing_rad, turret_rad = state.drive.facing_rad, state.drive.turret_rad
         mounts_rad = mount_rad(state, equipment, rows, facing_rad, turret_rad)
-        return replace(pull, mount_rad=mounts_rad)
+        lifts = len(state.bodies.holds.in_hands()[0]) > 0
+        hand = self.arms.poses(state, end_s) if lifts else None
+        return replace(pull, mount_rad=mounts_rad, hand=hand)
 
     def end_cycle(
         self, state: EnvState, equipment: Equipment, contacts: Contacts, end_s: float
     ) -> bool:
-        """Lets grippers take hold and let go; tells whether any did."""
-        return self.grippers.end_cycle(state, equipment, contacts, end_s)
+        """Lets grippers and hands take hold and let go; tells whether any did."""
+        gripped = self.grippers.end_cycle(state, equipment, contacts, end_s)
+        return self.arms.end_cycle(state, equipment, end_s) or gripped

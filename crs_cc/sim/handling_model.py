@@ -33,3 +33,47 @@ class Gripper:
     def middle_m(self) -> float:
         """How far ahead of the mount's middle the middle of the fingers is."""
         return self.place_m + self.reach_m / 2
+
+
+@dataclass(frozen=True, slots=True)
+class Joint:
+    """A joint of an arm.
+
+    Attributes:
+        least_rad: how far it turns clockwise; 0 is straight on.
+        most_rad: how far it turns counter-clockwise.
+        speed_radps: how fast.
+    """
+
+    least_rad: float
+    most_rad: float
+    speed_radps: float
+
+    def within(self, angle_rad: float) -> float:
+        """Gives the angle that is nearest to one, of those to which it turns."""
+        return min(max(angle_rad, self.least_rad), self.most_rad)
+
+
+@dataclass(frozen=True, slots=True)
+class Arm:
+    """Two links in a plane above everything, and a hand at their end.
+
+    Attributes:
+        x_m: where the shoulder is.
+        y_m: the same.
+        upper_m: the length of the link between shoulder and elbow.
+        fore_m: the length of the link between elbow and tip.
+        shoulder: the joint between mount and upper link.
+        elbow: the joint between both links.
+        hand_m: how far from the tip the hand takes hold of things.
+        most_kg: the heaviest thing that it lifts.
+    """
+
+    x_m: float
+    y_m: float
+    upper_m: float
+    fore_m: float
+    shoulder: Joint
+    elbow: Joint
+    hand_m: float
+    most_kg: float

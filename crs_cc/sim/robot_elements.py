@@ -59,6 +59,7 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         gps=sensor_elements.gps(root, reader),
         camera=sensor_elements.camera(root, reader),
         gripper=handling_elements.gripper(root, radius_m, reader),
+        arm=handling_elements.arm(root, reader),
         computer_battery=sensor_elements.computer_battery(root, reader),
         motor_battery=sensor_elements.motor_battery(root, reader),
         board=sensor_elements.sensor_board(root, reader),

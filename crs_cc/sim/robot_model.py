@@ -14,7 +14,7 @@ import math
 from dataclasses import dataclass
 from typing import Final
 
-from crs_cc.sim.handling_model import Gripper
+from crs_cc.sim.handling_model import Arm, Gripper
 from crs_cc.sim.sensor_model import (
     ENDLESS,
     ENDLESS_MOTORS,
@@ -183,6 +183,7 @@ class RobotModel:
         gps: its GPS receiver, None where there is none.
         camera: its camera, None where there is none.
         gripper: its gripper, None where there is none.
+        arm: its arm, None where there is none.
         computer_battery: what feeds its computers.
         motor_battery: what feeds its motors.
         board: the computer that reads its sensors.
@@ -207,6 +208,7 @@ class RobotModel:
     gps: Gps | None = None
     camera: Camera | None = None
     gripper: Gripper | None = None
+    arm: Arm | None = None
     computer_battery: Battery = ENDLESS
     motor_battery: MotorBattery = ENDLESS_MOTORS
     board: SensorBoard = USUAL_BOARD

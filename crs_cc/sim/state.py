@@ -25,6 +25,7 @@ import numpy.typing as npt
 from crs_cc.sim.bodies import Bodies
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.scene import Scene
+from crs_cc.sim.states.arm import ArmState
 from crs_cc.sim.states.battery import BatteryState
 from crs_cc.sim.states.bumper import BumperState
 from crs_cc.sim.states.camera import CameraState
@@ -76,6 +77,7 @@ class EnvState:
         camera: what cameras saw and told.
         degradation: what is wrong with all of these, and with the drive.
         gripper: where the fingers of grippers are; what they hold is in `bodies`.
+        arm: where the joints of arms are; what their hands hold is in `bodies`.
         mask: which parts of `State` the program asks for (`Smask`), (robots, 44).
         pos_data: where and when sensors were read, for those who ask.
         battery: what the motors took from theirs.
@@ -108,6 +110,7 @@ class EnvState:
     camera: CameraState
     degradation: DegradationState
     gripper: GripperState
+    arm: ArmState
     mask: npt.NDArray[np.uint8]
     pos_data: PosDataState
     battery: BatteryState
@@ -146,6 +149,7 @@ class EnvState:
             camera=CameraState.at_start(world),
             degradation=DegradationState.at_start(world),
             gripper=GripperState.at_start(world),
+            arm=ArmState.at_start(world),
             mask=first_mask(count),
             pos_data=PosDataState.at_start(world),
             battery=BatteryState.at_start(world),

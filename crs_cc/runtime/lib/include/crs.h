@@ -39,4 +39,18 @@ int crs_gripper(int what);
    they hold weighs (gram, 0 for nothing). Any of the pointers may be NULL. */
 int crs_get_gripper(int *opening, int *beam, int *weight);
 
+/* The joints of the arm turn to angles, or on by angles from where they are, in their own time; the
+   functions return at once. 0 is straight on. 0.1 degree. */
+int crs_arm_move(int shoulder, int elbow);
+int crs_arm_turn(int shoulder, int elbow);
+
+/* Where the joints are (0.1 degree), and the tip: ahead of the robot's middle and to the left (0.1
+   inch). Any of the pointers may be NULL. */
+int crs_arm_get(int *shoulder, int *elbow, int *x, int *y);
+
+/* The hand at the tip closes on what is there and lifts it, or opens as soon as there is room below;
+   the function returns at once. What it holds weighs this (gram, 0 for nothing). */
+int crs_hand(int what);
+int crs_get_hand(int *weight);
+
 #endif

@@ -87,6 +87,9 @@ struct __crs_message {
 #define CRS_READINGS 202
 #define CRS_GRIPPER 220
 #define CRS_GET_GRIPPER 221
+#define CRS_ARM 222
+#define CRS_GET_ARM 223
+#define CRS_HAND 224
 
 /* Posts the message and gives the reply's result. */
 int __crs_request(int code, struct __crs_message *message);

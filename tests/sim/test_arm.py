@@ -1,0 +1,154 @@
+"""The arm's joints, where its tip is, and what the hand takes and lets go."""
+
+import math
+
+import numpy as np
+import pytest
+
+from tests.sim.gripping import CLOSE, OPEN, gripping, kinds, place
+
+WIDE = 'length="100m" width="100m" origin="centre" edge="0"'
+ROBOT = '<robot x="0" y="0"/>'
+ARM = (
+    '<arm x="10cm" y="2cm" upper="30cm" fore="20cm" shoulder-min="-90deg" shoulder-max="90deg"'
+    ' elbow-min="-120deg" elbow-max="120deg" shoulder-speed="30deg/s" elbow-speed="60deg/s"'
+    ' hand="5cm" max-mass="2kg"/>'
+)
+CAN = '<cylinder x="60cm" y="2cm" radius="4cm" mass="1kg"/>'
+"""Where the arm's tip is when it is stretched out."""
+
+
+def arm_of(tmp_path, things="", robot=ROBOT):
+    return gripping(tmp_path, robot + things, WIDE, ARM)
+
+
+def tell(driver, robot=0):
+    """Gives shoulder and elbow [0.1 deg], the tip [0.1 in], and the weight in the hand [g]."""
+    message, _ = driver.post("GET_ARM", robot=robot)
+    return message["i"][:5].tolist()
+
+
+def tip(shoulder_deg, elbow_deg):
+    """Gives the tip by hand [0.1 in]."""
+    one, two = math.radians(shoulder_deg), math.radians(shoulder_deg + elbow_deg)
+    x_m = 0.10 + 0.30 * math.cos(one) + 0.20 * math.cos(two)
+    y_m = 0.02 + 0.30 * math.sin(one) + 0.20 * math.sin(two)
+    return [round(x_m / 0.00254), round(y_m / 0.00254)]
+
+
+@pytest.mark.parametrize(("shoulder", "elbow"), [(0, 0), (45, 0), (90, -90), (-30, 120)])
+def test_the_tip_is_where_the_joints_put_it(tmp_path, shoulder, elbow):
+    """Upper link 30 cm, fore link 20 cm, shoulder 10 cm ahead and 2 cm to the left."""
+    driver = arm_of(tmp_path)
+    driver.post("ARM", 0, 10 * shoulder, 10 * elbow)
+    driver.run_s(5)
+    assert tell(driver) == [10 * shoulder, 10 * elbow, *tip(shoulder, elbow), 0]
+
+
+def test_each_joint_turns_with_its_own_speed_until_it_is_there(tmp_path):
+    driver = arm_of(tmp_path)
+    driver.post("ARM", 0, 600, -600)
+    driver.run_s(0.5)
+    assert tell(driver)[:2] == [150, -300]
+    driver.run_s(1)
+    assert tell(driver)[:2] == [450, -600]
+    driver.post("ARM", 1, -100, 50)  # on from where they are
+    driver.run_s(1)
+    assert tell(driver)[:2] == [350, -550]
+
+
+def test_what_is_beyond_the_limits_is_brought_within(tmp_path):
+    driver = arm_of(tmp_path)
+    driver.post("ARM", 0, 2**31 - 1, -(2**31))
+    driver.run_s(5)
+    assert tell(driver)[:2] == [900, -1200]
+    driver.post("ARM", 1, 2**31 - 1, 2**31 - 1)
+    driver.run_s(5)
+    assert tell(driver)[:2] == [900, 1200]
+
+
+def test_what_is_in_the_hand_moves_and_turns_with_the_tip(tmp_path):
+    """The can is moved by 90 degrees about the shoulder, while its robot turns by 30."""
+    driver = arm_of(tmp_path, CAN)
+    driver.post("HAND", CLOSE)
+    assert kinds(driver.run(1)) == ["grip"]
+    driver.post("ARM", 0, 900, 0)
+    turn = round(math.radians(30) * 0.345186 / 2 / 0.00254)
+    driver.post("PR", turn, -turn)
+    driver.run_s(4)
+    heading_rad = driver.state.heading_rad[0]
+    assert heading_rad == pytest.approx(math.radians(30), abs=0.01)
+    own = np.array([0.10, 0.02 + 0.50])
+    cos, sin = math.cos(heading_rad), math.sin(heading_rad)
+    there = [cos * own[0] - sin * own[1], sin * own[0] + cos * own[1]]
+    assert place(driver) == pytest.approx(there, abs=1e-9)
+    turned_rad = driver.state.bodies.angle_rad[1]
+    assert turned_rad == pytest.approx(heading_rad + math.pi / 2)
+    assert tell(driver)[4] == 1000
+    driver.post("HAND", OPEN)
+    assert kinds(driver.run(1)) == ["release"]
+    driver.post("ARM", 0, 0, 0)
+    driver.run_s(4)
+    assert place(driver) == pytest.approx(there, abs=1e-9)
+
+
+def test_it_passes_over_everything_and_is_put_down_only_where_there_is_room(tmp_path):
+    """A box stands 45 degrees to the left, just where the can would be put down."""
+    box = '<box x="45.36cm" y="37.36cm" length="10cm" width="10cm"/>'
+    driver = arm_of(tmp_path, CAN + box)
+    driver.post("HAND", CLOSE)
+    driver.run(1)
+    driver.post("ARM", 0, 450, 0)
+    driver.run_s(2)
+    driver.post("HAND", OPEN)
+    assert kinds(driver.run_s(1)) == []
+    assert tell(driver)[4] == 1000
+    driver.post("ARM", 0, 900, 0)
+    assert kinds(driver.run_s(2)) == ["release"]
+    assert tell(driver)[4] == 0
+    away_m = np.hypot(*(place(driver) - [0.4536, 0.3736]))
+    assert 0.04 + 0.05 < away_m < 0.04 + 0.05 * math.sqrt(2) + 0.02
+
+
+def test_the_hand_takes_nothing_too_far_or_too_heavy_and_nothing_that_is_held(tmp_path):
+    """The can's side is 6 cm from the tip, 4 cm, 4 cm; the last stands in another robot's hand."""
+    for thing, grips in (
+        ('<cylinder x="70cm" y="2cm" radius="4cm" mass="1kg"/>', []),
+        ('<cylinder x="68cm" y="2cm" radius="4cm" mass="1kg"/>', ["grip"]),
+        ('<cylinder x="68cm" y="2cm" radius="4cm" mass="3kg"/>', []),
+    ):
+        driver = arm_of(tmp_path, thing)
+        driver.post("HAND", CLOSE)
+        assert kinds(driver.run(2)) == grips
+    facing = ROBOT + '<robot x="120cm" y="4cm" heading="180"/>'
+    driver = arm_of(tmp_path, CAN, facing)
+    for robot in (0, 1):
+        driver.post("HAND", CLOSE, robot=robot)
+    assert kinds(driver.run(2)) == ["grip"]
+    assert [tell(driver, robot)[4] for robot in (0, 1)] == [1000, 0]
+
+
+def test_a_robot_without_an_arm_and_words_without_meaning_are_refused(tmp_path):
+    driver = arm_of(tmp_path)
+    assert driver.post("HAND", 2)[0]["result"] == 0
+    assert driver.post("HAND", -1)[0]["result"] == 0
+    other = gripping(tmp_path, ROBOT, WIDE)
+    assert [other.post(name)[0]["result"] for name in ("ARM", "GET_ARM", "HAND")] == [0, 0, 0]
+
+
+def test_from_a_snapshot_with_something_in_the_hand_all_happens_again_to_the_bit(tmp_path):
+    driver = arm_of(tmp_path, CAN)
+    driver.post("HAND", CLOSE)
+    driver.run(1)
+    driver.post("ARM", 0, 900, -500)
+    driver.post("VM", 100, 80)
+    driver.run_s(1)
+    snapshot, hashes = driver.environment.snapshot(), []
+    for _ in range(2):
+        driver.environment.restore(snapshot)
+        driver.run_s(1)
+        driver.post("HAND", OPEN)
+        driver.run_s(2)
+        hashes.append(driver.environment.hash())
+    assert hashes[0] == hashes[1]
+    assert tell(driver)[4] == 0
