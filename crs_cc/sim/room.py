@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from crs_cc.sim.physics import overlap
+from crs_cc.sim.shapes import overlap
 
 if TYPE_CHECKING:
     from crs_cc.sim.bodies import Bodies

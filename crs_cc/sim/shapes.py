@@ -11,11 +11,12 @@ import numpy as np
 import numpy.typing as npt
 import pymunk
 
+from crs_cc.sim.bodies import Bodies
 from crs_cc.sim.frames import compose
 from crs_cc.sim.friction import friction_n, friction_nm
 from crs_cc.sim.ledges import Ledges
 from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Thing, Wall
-from crs_cc.sim.scene import convex_parts_of, corners_m, own_corners_m
+from crs_cc.sim.scene import Scene, convex_parts_of, corners_m, own_corners_m
 from crs_cc.sim.terrain import Terrain
 
 FloatArray = npt.NDArray[np.float64]
@@ -104,3 +105,28 @@ def _meet_patch(
         return
     points = [(point.point_a.x, point.point_a.y) for point in arbiter.contact_point_set.points]
     arbiter.process_collision = ledges.blocks(numbers[other], numbers[patch], points)
+
+
+def overlap(scene: Scene, bodies: Bodies, one: int, other: int) -> bool:
+    """Tells whether two things, as in `Scene.names`, overlap or touch where they are now."""
+    mine, theirs = (_standing(scene, bodies, each) for each in (one, other))
+    return any(a.shapes_collide(b).points for a in mine for b in theirs)
+
+
+def _standing(scene: Scene, bodies: Bodies, thing: int) -> list[pymunk.Shape]:
+    """Gives the shapes of a thing where it is now, in no space."""
+    moving = len(scene.start)
+    body = pymunk.Body(body_type=pymunk.Body.STATIC)
+    shapes: list[pymunk.Shape]
+    if thing < moving:
+        x_m, y_m = bodies.position_m[thing].tolist()
+        body.position, body.angle = (x_m, y_m), float(bodies.angle_rad[thing])
+    if thing < scene.robots:
+        shapes = [pymunk.Circle(body, scene.world.robots[thing].model.radius_m)]
+    elif thing < moving:
+        shapes = thing_shapes(body, scene.pushables[thing - scene.robots])
+    else:
+        shapes = fixed_shapes(body, scene.fixed_solids[thing - moving])
+    for shape in shapes:
+        shape.cache_bb()
+    return shapes

@@ -16,7 +16,7 @@ ROBOT = '<robot x="0" y="0"/>'
 
 def found(things, mount=(0.0, 0.0, 0.0), strip=(0.2, 0.3)):
     """Gives what lies between fingers at a place: right, left and nearest point [m]."""
-    scene = Scene(world_of('<robot x="9m" y="9m"/>' + things))
+    scene = Scene(world_of('<robot x="9m" y="9m"/>' + things, WIDE))
     moving = scene.moving(scene.start[:, :2], scene.start[:, 2])
     rows = between(moving, 1, np.array([mount]), np.array([strip]))
     return [
