@@ -1,4 +1,4 @@
-"""`crs check`: says what is wrong with C files and world files, and runs nothing."""
+"""`crs check`: says what is wrong with C, world and robot files, and runs nothing."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import click
 from crs_cc.cli.compiler_options import CompilerOptions, compiler_options, merged
 from crs_cc.cli.inputs import demand_readable, is_world
 from crs_cc.cli.messages import as_data, say, show
-from crs_cc.errors import CompileError, CrsError, InternalError
+from crs_cc.errors import CompileError, CrsError, InternalError, WorldError
 from crs_cc.frontend.scope import ENTRIES
 from crs_cc.source import Diagnostic, Diagnostics
 
@@ -24,18 +24,25 @@ _EXAMPLES: Final = """
 Examples:
   crs check wander.c
   crs check *.c room.xml
+  crs check rover.xml            a robot definition
   crs check --json wander.c | jq '.[].text'
 """
 
 
-@click.command(epilog=_EXAMPLES, short_help="Say what is wrong with C files and world files.")
+@click.command(epilog=_EXAMPLES, short_help="Say what is wrong with C, world and robot files.")
 @click.argument("files", nargs=-1, required=True, metavar="FILE.c|FILE.xml...")
 @click.option("--json", "as_json", is_flag=True, help="Write the messages to stdout as JSON.")
-@click.option("-q", "--quiet", is_flag=True, help="Leave out warnings and the closing line.")
+@click.option(
+    "-q",
+    "--quiet",
+    is_flag=True,
+    help="Leave out warnings, the closing line, and what is in worlds.",
+)
 @compiler_options
 def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOptions) -> int:
-    """Says what is wrong with C files and world files; runs nothing.
+    """Says what is wrong with C, world and robot files, and what is in them; runs nothing.
 
+    Of a world, a robot definition, or a file that worlds include, it tells what is there.
     Each C file is looked at on its own, so that a part of a program can be checked too. If one of
     them has a function main (or runcode), they are also linked, as crs run does. Ends with 0 when
     there are no errors (warnings may be), else with the status of the first one: 121 for C, 122 for
@@ -45,9 +52,13 @@ def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOp
     messages: list[Diagnostic] = []
     programs: list[Program] = []
     sources = Diagnostics()
+    contents: list[str] = []
     together = [Path(name) for name in files if not is_world(name)]
     for name in files:
-        found, error_status = _messages(Path(name), compiler, programs, sources, together)
+        if is_world(name):
+            found, error_status = _world_messages(Path(name), contents)
+        else:
+            found, error_status = _messages(Path(name), compiler, programs, sources, together)
         messages += [each for each in found if each.severity == "error" or not quiet]
         status = status or error_status
     if not status and sum(not ENTRIES.isdisjoint(each.functions) for each in programs) == 1:
@@ -58,8 +69,28 @@ def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOp
         return status
     show(messages)
     if not quiet:
+        for line in contents:
+            click.echo(line)
         say(_closing_line(messages, len(files)))
     return status
+
+
+def _world_messages(path: Path, contents: list[str]) -> tuple[Sequence[Diagnostic], int]:
+    """Gives the messages about an XML file, and their exit status.
+
+    Args:
+        path: the file.
+        contents: gets lines that tell what is in it.
+    """
+    from crs_cc.cli.inventory import inventory
+    from crs_cc.sim.world_xml import load_any
+
+    try:
+        demand_readable(path)
+        contents += [f"{path}: {line}" for line in inventory(load_any(path))]
+    except WorldError as error:
+        return error.diagnostics, error.exit_status
+    return (), 0
 
 
 def _messages(
@@ -69,7 +100,7 @@ def _messages(
     sources: Diagnostics,
     together: Sequence[Path],
 ) -> tuple[Sequence[Diagnostic], int]:
-    """Gives the messages about a file, and the exit status of its errors.
+    """Gives the messages about a C file, and the exit status of its errors.
 
     Args:
         path: the file.
@@ -81,15 +112,10 @@ def _messages(
     diagnostics = Diagnostics()
     try:
         demand_readable(path)
-        if is_world(path.name):
-            from crs_cc.sim.world_xml import load_world
+        from crs_cc.cli.compile import compile_source
 
-            load_world(path)
-        else:
-            from crs_cc.cli.compile import compile_source
-
-            programs.append(compile_source(path, compiler, diagnostics, together))
-            sources.lines.update(diagnostics.lines)
+        programs.append(compile_source(path, compiler, diagnostics, together))
+        sources.lines.update(diagnostics.lines)
     except InternalError:
         raise
     except CrsError as error:

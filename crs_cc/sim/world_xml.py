@@ -24,13 +24,16 @@ from pathlib import Path, PurePosixPath
 from typing import Final
 
 from crs_cc.errors import WorldError
+from crs_cc.sim.composite_elements import CompositeElements
 from crs_cc.sim.document import Element, Reader
 from crs_cc.sim.include import Included
+from crs_cc.sim.material_elements import Materials
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.robot_elements import robot_model
 from crs_cc.sim.robot_model import Drive, RobotModel
+from crs_cc.sim.solid_elements import SolidElements
 from crs_cc.sim.world_elements import world_model
-from crs_cc.sim.xml_document import elements, lines_of, raise_errors, read_file
+from crs_cc.sim.xml_document import elements, lines_of, outermost, raise_errors, read_file
 from crs_cc.source import Diagnostic, Diagnostics
 
 SCOUT: Final = "scout"
@@ -91,6 +94,47 @@ def load_robot(path: Path, setup: str = "") -> RobotModel:
     model = robot_model(root, Reader(file, diagnostics))
     raise_errors(diagnostics)
     return model
+
+
+@dataclass(frozen=True, slots=True)
+class Definitions:
+    """What is in a file that worlds include: names of materials and of objects."""
+
+    materials: tuple[str, ...]
+    objects: tuple[str, ...]
+
+
+def load_definitions(path: Path) -> Definitions:
+    """Gives what is in a file that worlds can include, and in those that it includes.
+
+    Raises:
+        WorldError: the file cannot be read, or is wrong; all mistakes are told at once.
+    """
+    text, file = read_file(path), str(path)
+    diagnostics = Diagnostics(lines={file: lines_of(text)})
+    root = elements(text, "world.xsd", file, diagnostics, outermost="definitions")
+    reader = Reader(file, diagnostics)
+    found = Included(path.parent, reader).definitions(root)
+    materials = [element for element in found if element.tag == "material"]
+    objects = [element for element in found if element.tag == "define"]
+    CompositeElements(objects, SolidElements(reader, Materials(materials, reader)))
+    raise_errors(diagnostics)
+    names = [tuple(each.attributes["name"] for each in some) for some in (materials, objects)]
+    return Definitions(*names)
+
+
+def load_any(path: Path) -> WorldModel | RobotModel | Definitions:
+    """Gives what a file describes, whichever of these it is.
+
+    Raises:
+        WorldError: the file cannot be read, or is wrong; all mistakes are told at once.
+    """
+    match outermost(read_file(path)):
+        case "robot-definition":
+            return load_robot(path)
+        case "definitions":
+            return load_definitions(path)
+    return load_world(path)
 
 
 def known_robots() -> list[str]:

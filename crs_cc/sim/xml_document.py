@@ -7,6 +7,7 @@ what it cannot say is for those who read the elements. This file alone in `sim` 
 
 from __future__ import annotations
 
+import re
 import stat
 from functools import cache
 from itertools import islice
@@ -28,6 +29,8 @@ IDEAL: Final = "ideal"
 """The setup that every robot definition has: the definition as it stands."""
 
 _HERE: Final = Path(__file__).parent
+_NAME: Final = re.compile(rb"<([A-Za-z-]+)")
+_SKIPPED: Final = ((b"<?", b"?>"), (b"<!--", b"-->"))
 _SAID_BETTER: Final = {
     "SCHEMAV_CVC_PATTERN_VALID",  # numbers, later: with the units that are known
     "SCHEMAV_CVC_IDC",  # ids, later: with the place of the other one
@@ -55,6 +58,23 @@ def read_file(path: Path) -> bytes:
         raise WorldError.at(place, f"cannot be read: {reason}") from None
     except ValueError:  # a null character in the name
         raise WorldError.at(place, "cannot be read: not a file name") from None
+
+
+def outermost(text: bytes) -> str:
+    """Gives the name of the outermost element as far as it can be told without reading it all.
+
+    >>> outermost(b"<?xml version='1.0'?><!-- <no> --><yes/>")
+    'yes'
+    """
+    place = len(text) - len(text.removeprefix(b"\xef\xbb\xbf").lstrip())
+    while closing := next((end for start, end in _SKIPPED if text.startswith(start, place)), b""):
+        place = text.find(closing, place) + len(closing)
+        if place < len(closing):
+            return ""
+        while text[place : place + 1].isspace():
+            place += 1
+    match = _NAME.match(text, place)
+    return match[1].decode("ascii") if match else ""
 
 
 def elements(

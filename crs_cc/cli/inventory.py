@@ -1,0 +1,88 @@
+"""What a world file, a robot definition or a file to be included has in it, in a few lines."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import fields
+from pathlib import Path
+from typing import Final
+
+from crs_cc.sim.model import Robot, WorldModel, is_pushable
+from crs_cc.sim.robot_model import RobotModel
+from crs_cc.sim.world_xml import Definitions
+
+_MOST: Final = 10
+
+
+def inventory(what: WorldModel | RobotModel | Definitions) -> list[str]:
+    """Gives the lines that tell what is there."""
+    if isinstance(what, WorldModel):
+        return list(_world(what))
+    if isinstance(what, RobotModel):
+        return [f"robot '{what.name}': {', '.join(_parts(what))}"]
+    materials, objects = ", ".join(what.materials) or "none", ", ".join(what.objects) or "none"
+    return [f"materials: {materials}", f"objects: {objects}"]
+
+
+def counted(number: int, noun: str, plural: str = "") -> str:
+    """Gives a number of things in words.
+
+    >>> counted(1, "wall"), counted(2, "box", "boxes")
+    ('1 wall', '2 boxes')
+    """
+    return f"{number} {noun if number == 1 else plural or f'{noun}s'}"
+
+
+def _world(world: WorldModel) -> Iterator[str]:
+    area = world.area
+    line = f"world '{world.name}': {area.length_m:g} m x {area.width_m:g} m"
+    line += f", timestep {world.timestep_s * 1000:g} ms"
+    if world.duration_s is not None:
+        line += f", duration {world.duration_s:g} s"
+    if world.seed is not None:
+        line += f", seed {world.seed}"
+    yield line
+    things = [
+        counted(len(found), noun, plural)
+        for found, noun, plural in (
+            (world.walls, "wall", ""), (world.boxes, "box", "boxes"),
+            (world.cylinders, "cylinder", ""), (world.polygons, "polygon", ""),
+        )
+        if found
+    ]  # fmt: skip
+    if things:
+        solids = world.solids()
+        pushable = sum(map(is_pushable, solids))
+        hot = sum(solid.heat > 0.0 for solid in solids)
+        notes = [f"{pushable} to be pushed"] if pushable else []
+        notes += [f"{hot} hot"] if hot else []
+        yield ", ".join(things) + (f" ({', '.join(notes)})" if notes else "")
+    for robot in world.robots[:_MOST]:
+        yield _robot(robot)
+    if len(world.robots) > _MOST:
+        yield f"... and {counted(len(world.robots) - _MOST, 'more robot')}"
+
+
+def _robot(robot: Robot) -> str:
+    start = robot.start
+    line = f"robot '{robot.id}': {robot.model.name} at x = {start.x_m:g} m, y = {start.y_m:g} m"
+    line += f", {math.degrees(start.heading_rad):g} degrees"
+    if not robot.program:
+        return line
+    arguments = "".join(f" {argument}" for argument in robot.arguments)
+    return f"{line}, runs {Path(robot.program).name}{arguments}"
+
+
+def _parts(model: RobotModel) -> Iterator[str]:
+    yield f"radius {model.radius_m:g} m, {model.mass_kg:g} kg"
+    yield f"{'synchro' if model.drive.steering else 'differential'} drive"
+    if model.sonars:
+        yield counted(len(model.sonars), "sonar")
+    if model.bumpers:
+        yield counted(len(model.bumpers), "bumper switch", "bumper switches")
+    if model.heat.range_m:
+        yield "heat"
+    for field in fields(model):  # a device that a robot may lack is None there
+        if field.default is None and getattr(model, field.name) is not None:
+            yield field.name
