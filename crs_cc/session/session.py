@@ -223,7 +223,7 @@ class Session:
         """Serves the requests that come through the link before the end of the cycle."""
         due = np.flatnonzero(self._due_s < end_s)
         codes = self.fleet.slots["code"][due]
-        for code in np.unique(codes).tolist():
+        for code in sorted(set(codes.tolist())):
             robots = due[codes == code]
             messages = self.fleet.slots["message"][robots]
             self.clock_s[robots] = self.environment.serve(

@@ -384,6 +384,8 @@ class Environment:
         """Answers the waits that end in the cycle that begins."""
         waits = self.state.waits
         waiting = np.flatnonzero(waits.code)
+        if not len(waiting):
+            return waiting, np.zeros(0), np.zeros(0, MESSAGE)
         codes, asked = waits.code[waiting], waits.asked[waiting]
         ends_s = self._settle_waits(waiting)
         ended = np.isfinite(ends_s)

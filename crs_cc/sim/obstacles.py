@@ -252,4 +252,4 @@ def _to_segments(x: FloatArray, y: FloatArray, ends: FloatArray) -> tuple[FloatA
 
 
 def _all_pairs(queries: int, shapes: int) -> tuple[IndexArray, IndexArray]:
-    return np.repeat(np.arange(queries), shapes), np.tile(np.arange(shapes), queries)
+    return np.divmod(np.arange(queries * shapes), max(shapes, 1))

@@ -50,7 +50,8 @@ GROUND: Final = "(ground)"
 """What bodies run into where the ground is too high for them."""
 
 _NONE: Final = np.zeros(0, dtype=np.intp)
-NOTHING: Final = Outlines(np.zeros((0, 5)), np.zeros((0, 3)), _NONE, _NONE)
+_NO_SEGMENTS: Final = np.zeros((0, 5))
+NOTHING: Final = Outlines(_NO_SEGMENTS, np.zeros((0, 3)), _NONE, _NONE)
 """No outlines at all."""
 
 
@@ -120,6 +121,8 @@ class _Sides:
         self._ends_m = np.concatenate([none, *(np.roll(rows, -1, axis=0) for rows in corners)])
 
     def segments(self, position_m: FloatArray, angle_rad: FloatArray) -> FloatArray:
+        if not len(self.bodies):
+            return _NO_SEGMENTS
         cos, sin = np.cos(angle_rad[self.bodies]), np.sin(angle_rad[self.bodies])
         columns = []
         for ends_m in (self._starts_m, self._ends_m):

@@ -23,6 +23,7 @@ from crs_cc.sim.actuators import traction
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.sonar_model import MAX_SONARS
 from crs_cc.sim.state import EnvState
+from crs_cc.sim.states.sonar import CONFIGURATION
 from crs_cc.units import m_to_tenths_inch, rad_to_tenths_deg
 
 IndexArray = npt.NDArray[np.intp]
@@ -77,15 +78,12 @@ def configuration(state: EnvState, equipment: Equipment, rows: IndexArray) -> np
     speed, unit = traction.speed(state, equipment, rows), equipment.drives.unit[rows]
     now_s = state.drive.clock_s[rows]
     speed = equipment.degradations.speeds(state, "odometry", rows, speed, now_s)
-    place_m = np.stack([odometry.x_m[rows], odometry.y_m[rows]], axis=1)
-    angle_rad = np.stack([odometry.heading_rad[rows], odometry.turret_rad[rows]], axis=1)
-    parts = (
-        _whole(m_to_tenths_inch(place_m)),
-        _whole(rad_to_tenths_deg(angle_rad)) % _FULL_TURN,
-        _whole(np.divide(speed, unit, out=np.zeros_like(speed), where=unit > 0.0)),
-    )
-    return np.concatenate(parts, axis=1)
-
-
-def _whole(value: npt.NDArray[np.float64]) -> npt.NDArray[np.int32]:
-    return np.clip(np.rint(value), -_LARGEST, _LARGEST).astype(np.int32)
+    told = np.zeros((len(rows), CONFIGURATION))
+    told[:, 0] = m_to_tenths_inch(odometry.x_m[rows])
+    told[:, 1] = m_to_tenths_inch(odometry.y_m[rows])
+    told[:, 2] = rad_to_tenths_deg(odometry.heading_rad[rows])
+    told[:, 3] = rad_to_tenths_deg(odometry.turret_rad[rows])
+    np.divide(speed, unit, out=told[:, 4:], where=unit > 0.0)
+    whole = np.maximum(np.minimum(np.rint(told), _LARGEST), -_LARGEST).astype(np.int32)
+    whole[:, 2:4] %= _FULL_TURN
+    return whole
