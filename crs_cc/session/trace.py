@@ -4,6 +4,11 @@ A line says which command the hardware simulator was running, which slice of it 
 timestep, and which requests were answered, each with the instant at which the program went on:
 
     0.200 robot0  VM 5/-  right 0.0049 m  left 0.0049 m  GET_RC() @0.237 pose=4,0,0
+
+Behind the robots' lines of a timestep come its events, each with its instant, what tells it, and
+the robot that it happened to, - for none:
+
+    10.000 robot0  degradation: degradation0 begins: sonar 3, bias 0.5
 """
 
 from __future__ import annotations
@@ -35,6 +40,16 @@ class Trace:
         for robot, name in enumerate(self._names):
             slice_ = describe_slice(step, robot)
             self._write(f"{step.time_s:.3f} {name:{self._width}}  {line(slice_)}")
+        for event in sorted(step.events, key=lambda event: event.time_s):
+            name = self._names[event.robot] if event.robot >= 0 else "-"
+            self._write(
+                f"{event.time_s:.3f} {name:{self._width}}  {event.kind}: {_one_line(event.text)}"
+            )
+
+
+def _one_line(text: str) -> str:
+    """Gives a text without what would end the line, or do more to a terminal."""
+    return text if text.isprintable() else text.encode("unicode_escape").decode("ascii")
 
 
 def line(slice_: RobotSlice) -> str:

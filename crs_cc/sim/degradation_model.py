@@ -17,7 +17,6 @@ device: metres, radians, seconds, volts.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Literal
@@ -217,6 +216,9 @@ def complaint(degradation: Degradation, model: RobotModel) -> str:
         degradation: what is asked for.
         model: the kind of robot that it names.
     """
+    texts = (degradation.robot, degradation.device, degradation.id)
+    if not all(isinstance(text, str) for text in texts):
+        return "robot, device and id must be texts"
     device = DEVICES.get(degradation.device)
     if device is None:
         return f"there is no device {degradation.device!r}; there are {', '.join(DEVICES)}"
@@ -224,8 +226,8 @@ def complaint(degradation: Degradation, model: RobotModel) -> str:
     if not names:
         return f"the robot has no {device.name}"
     element = degradation.element
-    if element is not None and not (0 <= element < len(names) and names[element]):
-        return f"{device.name} has no element {element}; it has {shown(names)}"
+    if element is not None and not _names_one(element, names):
+        return f"{device.name} has no element {element!r}; it has {shown(names)}"
     return _out_of_range(degradation) or _ambiguous(degradation, device, names)
 
 
@@ -254,14 +256,19 @@ def shown(names: tuple[str, ...]) -> str:
     )
 
 
+def _names_one(element: object, names: tuple[str, ...]) -> bool:
+    return type(element) is int and 0 <= element < len(names) and bool(names[element])
+
+
 def _out_of_range(degradation: Degradation) -> str:
     stuck, duration_s = degradation.stuck, degradation.duration_s
+    fixed = 0.0 if stuck is None or stuck == HOLD else stuck
     limits = (
         ("bias", degradation.bias, -LENGTH.limit, LENGTH.limit),
         ("gain", degradation.gain, -RATIO.limit, RATIO.limit),
         ("noise", degradation.noise, 0.0, LENGTH.limit),
         ("step", degradation.step, 0.0, LENGTH.limit),
-        ("stuck", stuck if isinstance(stuck, int | float) else 0.0, -LENGTH.limit, LENGTH.limit),
+        (f"stuck must be {HOLD!r}, or it", fixed, -LENGTH.limit, LENGTH.limit),
         ("delay", degradation.delay_s, 0.0, LONGEST_DELAY_S),
         ("dropouts", degradation.dropouts, 0.0, 1.0),
         ("onset", degradation.onset_s, 0.0, LONGEST_S),
@@ -269,13 +276,18 @@ def _out_of_range(degradation: Degradation) -> str:
         ("recovery", degradation.recovery_s, 0.0, LONGEST_S),
     )
     for name, value, least, most in limits:
-        if not (math.isfinite(value) and least <= value <= most):
+        if not _is_between(value, least, most):
             return f"{name} must be a number from {least:g} to {most:g}, not {value!r}"
-    if not (stuck is None or stuck == HOLD or isinstance(stuck, int | float)):
-        return f"stuck must be a number or {HOLD!r}, not {stuck!r}"
+    if type(degradation.dead) is not bool:
+        return f"dead must be True or False, not {degradation.dead!r}"
     if not degradation.faults:
         return "nothing is wrong: give gain, bias, noise, step, stuck, delay, dropouts or dead"
     return ""
+
+
+def _is_between(value: object, least: float, most: float) -> bool:
+    is_number = isinstance(value, int | float) and not isinstance(value, bool)
+    return is_number and least <= value <= most  # type: ignore[operator]  # a number
 
 
 def _ambiguous(degradation: Degradation, device: Device, names: tuple[str, ...]) -> str:

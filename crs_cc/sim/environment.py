@@ -47,7 +47,7 @@ from crs_cc.sim.scene import Scene
 from crs_cc.sim.sensors.bumper import Bumpers
 from crs_cc.sim.state import EnvState
 from crs_cc.sim.state_vector import configuration, state_vector
-from crs_cc.sim.step import Served, Step, slices_of
+from crs_cc.sim.step import TELLS, Served, Step, slices_of
 from crs_cc.sim.surroundings import Surroundings
 from crs_cc.sim.things import Things
 from crs_cc.sim.waits import settle, when
@@ -322,7 +322,8 @@ class Environment:
         elif code in self._devices.answers:
             self._answer(code, rows, messages, at_s, good)
         results = messages["result"].copy()
-        self._served.append(Served(code, rows, at_s, arguments, results, states))
+        told = messages.copy() if code in TELLS else None
+        self._served.append(Served(code, rows, at_s, arguments, results, states, told))
 
     def _answer(
         self, code: int, rows: IndexArray, messages: Messages, at_s: FloatArray, good: BoolArray

@@ -50,6 +50,17 @@ _ANSWERS: Final = {
     CODES["GET_RV"]: (_SPEEDS,),
 }
 
+TELLS: Final = frozenset(
+    code
+    for code, request in REQUESTS.items()
+    if request.server != "host"
+    and not request.tells_state
+    and any(result.place != "result" for result in request.results)
+)
+"""The codes of the requests whose replies tell something of their own."""
+
+_TEXT: Final = 40  # so much of a text is shown
+
 
 @dataclass(frozen=True, slots=True)
 class Served:
@@ -62,6 +73,7 @@ class Served:
         arguments: the integer arguments, shape (k, 8).
         results: 0 refused, else 1 or what the request counts (results in `REQUESTS`), (k,).
         states: `State` as it was told, shape (k, 45).
+        told: the whole replies, of dtype `requests.MESSAGE`, for the codes in `TELLS`; else None.
     """
 
     code: int
@@ -70,6 +82,7 @@ class Served:
     arguments: npt.NDArray[np.int32]
     results: npt.NDArray[np.int32]
     states: npt.NDArray[np.int32]
+    told: npt.NDArray[np.void] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,14 +163,15 @@ class Answer:
         result: 0 refused, else 1 or what the request counts (results in `REQUESTS`).
         values: what a sensor request told, in the vendor's units: `sonar_in`, `infrared` (0 to 15),
             `compass` (0.1 deg), `bumper`, `pose` (0.1 in, 0.1 in, 0.1 deg), `speed` (0.1 in/s
-            right, left), `motors`.
+            right, left), `motors`; and `told`, all that other requests told, by their results in
+            `REQUESTS`.
     """
 
     name: str
     clock_s: float
     arguments: tuple[int, ...]
     result: int
-    values: dict[str, tuple[int, ...]]
+    values: dict[str, tuple[int | float | str, ...]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -246,14 +260,44 @@ def _answers(step: Step, robot: int) -> tuple[Answer, ...]:
             continue
         request = REQUESTS[served.code]
         used = sum(argument.place.startswith("i[") for argument in request.arguments)
-        told = served.states[row].tolist()
         found.append(
             Answer(
                 request.name,
                 float(served.clock_s[row]),
                 tuple(served.arguments[row, :used].tolist()),
                 int(served.results[row]),
-                {name: tuple(told[part]) for name, part in _ANSWERS.get(served.code, ())},
+                _values(served, row),
             )
         )
     return tuple(sorted(found, key=lambda answer: answer.clock_s))
+
+
+def _values(served: Served, row: int) -> dict[str, tuple[int | float | str, ...]]:
+    """Gives what a request told one robot."""
+    if served.told is None:
+        state = served.states[row].tolist()
+        return {name: tuple(state[part]) for name, part in _ANSWERS.get(served.code, ())}
+    if not served.results[row]:
+        return {}
+    message = served.told[row]
+    places = [each.place for each in REQUESTS[served.code].results]
+    numbers = (_number(message, place) for place in places if place[:2] in {"i[", "f["})
+    return {"told": (*numbers, *_data(message, served.code))}
+
+
+def _number(message: np.void, place: str) -> int | float:
+    """Gives the number at a place in a message: `i[0]`, `f[1]`."""
+    field, number = place.rstrip("]").split("[")
+    value: int | float = message[field][int(number)].item()
+    return value
+
+
+def _data(message: np.void, code: int) -> tuple[int | float | str, ...]:
+    """Gives a reply's data: numbers where the table says so, or else text."""
+    form = next((each.name for each in REQUESTS[code].results if each.place == "data"), None)
+    if form is None:
+        return ()
+    data = message["data"][: max(int(message["size"]), 0)]
+    if "int32" in form:
+        return tuple(data[: len(data) // 4 * 4].view("<i4").tolist())
+    return (repr(data[:_TEXT].tobytes())[1:],)

@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+import re
+from dataclasses import replace
 from pathlib import Path
 
 from crs_cc.session import trace as trace_module
 from crs_cc.session.session import Session
 from crs_cc.session.trace import Trace
-from crs_cc.sim.world_xml import empty_world
+from crs_cc.sim import world_xml
+from crs_cc.sim.environment import Environment
+from crs_cc.sim.events import Event
+from crs_cc.sim.world_xml import empty_world, load_world
 from tests.session.programs import build
+
+ROBOTS = Path(world_xml.__file__).parent / "robots"
 
 SOURCE = """
 #include "Nclient.h"
@@ -48,3 +55,42 @@ def test_the_example_of_the_module_is_a_real_line(tmp_path: Path) -> None:
         pass
     assert trace_module.__doc__
     assert f"    {rows[-1]}\n" in trace_module.__doc__
+
+
+ASKING = """
+#include "Nclient.h"
+#include "crs.h"
+int main(void) { int x, y; crs_gps(&x, &y); connect_robot(1); get_sn(); return 0; }
+"""
+
+
+def test_answers_of_devices_and_what_else_happens_are_told_too(tmp_path: Path) -> None:
+    rows: list[str] = []
+    (tmp_path / "own.xml").write_text(
+        (ROBOTS / "scout.xml").read_text().replace("<computer-b", "<gps/><computer-b", 1)
+    )
+    (tmp_path / "world.xml").write_text(
+        '<world version="1"><area length="9m" width="9m"/>'
+        '<robot id="scout" definition="own.xml" x="100in" y="50in"/>'
+        '<degradation robot="scout" device="gps" element="x" bias="1in" id="late"/>'
+        '<degradation robot="scout" device="bumper" dead="yes" onset="20ms" duration="5ms"/>'
+        "</world>"
+    )
+    trace = Trace(rows.append, ["scout"])
+    world = load_world(tmp_path / "world.xml")
+    session = Session(world, [build(tmp_path, ASKING)], trace=trace)
+    session.step()
+    assert re.search(r"GPS\(\) @0\.0\d\d told=1010,500  ", rows[0])
+    assert rows[1:] == [
+        "0.000 scout  degradation: late begins: gps x, bias 0.0254",
+        "0.020 scout  degradation: degradation1 begins: bumper, dead",
+        "0.025 scout  degradation: degradation1 is over: bumper, dead",
+    ]
+
+
+def test_an_event_is_one_line_whatever_it_says() -> None:
+    rows: list[str] = []
+    step = Environment(empty_world(), seed=1).step()
+    events = (Event(0.04, "message", "sent \n\x1b[2J", -1), Event(0.01, "light", "on", 0))
+    Trace(rows.append, ["scout"]).step(replace(step, events=events))
+    assert rows[1:] == ["0.010 scout  light: on", "0.040 -      message: sent \\n\\x1b[2J"]
