@@ -77,5 +77,57 @@ DEVICE_REQUESTS: Final = (
         "HAND", 224, "int crs_hand(int what)", "lets the hand open or close",
         arguments(("i[0]", "0 to open, 1 to close", "1")),
     ),
+    _device(
+        "SEND", 240, "int crs_send(int to, int type, const void *data, int size)",
+        "sends a message",
+        arguments(
+            ("i[0]", "the receiver's number, -1 for all, or all of a group", "1"),
+            ("i[1]", "the group, -1 for none", "1"), ("i[2]", "the type", "1"),
+            ("i[3]", "the channel", "1"), ("size", "bytes", "byte"), ("data", "the content", "1"),
+        ),
+    ),
+    _device(
+        "RECEIVE", 241, "int crs_receive(struct crs_message *message, int milliseconds)",
+        "takes the first message out of the inbox, and waits for it if it must",
+        arguments(("i[0]", "how long to wait, below 0 without an end", "ms")),
+        results=arguments(
+            ("i[0]", "the sender's number", "1"), ("i[1]", "whom it was sent to, -1 for all", "1"),
+            ("i[2]", "which group, -1 for none", "1"), ("i[3]", "the type", "1"),
+            ("i[4]", "the channel", "1"), ("f[0]", "when it was sent", "s"),
+            ("f[1]", "when it arrived", "s"), ("size", "bytes", "byte"),
+            ("data", "the content", "1"),
+        ),
+    ),
+    _device(
+        "MESSAGE_COUNT", 242, "int crs_message_count(void)",
+        "tells how many messages lie in the inbox",
+        results=arguments(("i[0]", "how many", "1")),
+    ),
+    _device(
+        "GROUP", 243, "int crs_join_group(int group)", "joins a group, or leaves it",
+        arguments(("i[0]", "the group, 0 to 31", "1"), ("i[1]", "1 to join, 0 to leave", "1")),
+    ),
+    _device(
+        "CHANNEL", 244, "int crs_find_channel(const char *name)", "looks up a channel",
+        arguments(
+            ("size", "length of its name, 0 to ask by number", "byte"), ("data", "the name", "1"),
+            ("i[0]", "its number", "1"),
+        ),
+        results=arguments(
+            ("i[0]", "its number", "1"), ("i[1]", "how many there are", "1"),
+            ("size", "length of its name", "byte"), ("data", "its name", "1"),
+        ),
+    ),
+    _device(
+        "ROBOT", 245, "int crs_my_number(void)", "looks up a robot",
+        arguments(
+            ("size", "length of its name, 0 to ask by number", "byte"), ("data", "the name", "1"),
+            ("i[0]", "its number, -1 for who asks", "1"),
+        ),
+        results=arguments(
+            ("i[0]", "its number", "1"), ("i[1]", "how many there are", "1"),
+            ("size", "length of its name", "byte"), ("data", "its name", "1"),
+        ),
+    ),
 )  # fmt: skip
 """Every request that a device of `crs.h` answers."""

@@ -71,5 +71,68 @@ HANDLING: Final = Group("Taking hold of things", (
     ),
 ))  # fmt: skip
 
-DEVICE_GROUPS: Final = (SENSORS, HANDLING)
+MESSAGES: Final = Group("Messages", (
+    Function(
+        "int crs_send(int to, int type, const void *data, int size)",
+        "sends a message to a robot, by its number; FALSE also for more than 248 bytes, or where "
+        "too many wait; TRUE does not say that it arrives",
+        units="-, -, -, byte", posts=("SEND",), source=(OURS,),
+    ),
+    Function(
+        "int crs_broadcast(int type, const void *data, int size)",
+        "sends a message to all in range of the channel", units="-, -, byte",
+        posts=("SEND",), source=(OURS,),
+    ),
+    Function(
+        "int crs_multicast(int group, int type, const void *data, int size)",
+        "sends a message to all in range that are in a group", units="-, -, -, byte",
+        posts=("SEND",), source=(OURS,),
+    ),
+    Function(
+        "int crs_use_channel(int channel)",
+        "says where later messages are sent, at first on CRS_RADIO", posts=("CHANNEL",),
+        source=(OURS,),
+    ),
+    Function(
+        "int crs_receive(struct crs_message *message, int milliseconds)",
+        "takes the oldest message that has arrived; FALSE for none", units="-, ms",
+        posts=("RECEIVE",), waits="for a message, 0 not at all, CRS_FOREVER without an end",
+        source=(OURS,),
+    ),
+    Function(
+        "int crs_message_count(void)", "gives how many messages have arrived and wait to be taken",
+        posts=("MESSAGE_COUNT",), source=(OURS,),
+    ),
+    Function(
+        "int crs_join_group(int group)", "joins a group, 0 to 31", posts=("GROUP",),
+        source=(OURS,),
+    ),
+    Function(
+        "int crs_leave_group(int group)", "leaves a group", posts=("GROUP",), source=(OURS,),
+    ),
+    Function(
+        "int crs_find_channel(const char *name)",
+        "gives the number of a channel, -1 where there is none", posts=("CHANNEL",),
+        source=(OURS,),
+    ),
+    Function(
+        "int crs_my_number(void)", "gives the robot's own number; robots count from 0",
+        posts=("ROBOT",), source=(OURS,),
+    ),
+    Function(
+        "int crs_robot_count(void)", "gives how many robots the world has", posts=("ROBOT",),
+        source=(OURS,),
+    ),
+    Function(
+        "int crs_find_robot(const char *name)",
+        "gives the number of a robot, -1 where there is none", posts=("ROBOT",), source=(OURS,),
+    ),
+    Function(
+        "int crs_robot_name(int number, char *name, int size)",
+        "writes the name of a robot, cut off where there is no room", units="-, -, byte",
+        posts=("ROBOT",), source=(OURS,),
+    ),
+))  # fmt: skip
+
+DEVICE_GROUPS: Final = (SENSORS, HANDLING, MESSAGES)
 """All functions, by what they are about."""

@@ -17,6 +17,7 @@ from crs_cc.requests import CODES, REQUESTS
 from crs_cc.sim import link
 from crs_cc.sim.actuators import drive, tag
 from crs_cc.sim.equipment import Equipment
+from crs_cc.sim.messages import messenger
 from crs_cc.sim.sensors import compass, heat, infrared, laser, odometry, pos_data, sonar
 from crs_cc.sim.server import drawing, world
 from crs_cc.sim.server.motion import motion_check
@@ -134,6 +135,12 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("TAG", tag.tag),
         ("GPS", tell),
         ("CAMERA", tell),
+        ("SEND", tell),
+        ("RECEIVE", messenger.wait),
+        ("MESSAGE_COUNT", tell),
+        ("GROUP", tell),
+        ("CHANNEL", tell),
+        ("ROBOT", tell),
         ("READINGS", tell),
         ("GRIPPER", tell),
         ("GET_GRIPPER", tell),
@@ -163,5 +170,6 @@ CHANGES_WORLD: Final = frozenset(
 WAITS: Final[dict[int, Wait]] = {
     CODES["WS"]: Wait(drive.stands_s, tell),
     CODES["ZR"]: Wait(drive.stands_s, drive.zeroed),
+    CODES["RECEIVE"]: Wait(messenger.heard_s, tell),
 }
 """Requests that can make a robot wait."""

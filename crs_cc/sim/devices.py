@@ -15,6 +15,7 @@ import numpy.typing as npt
 from crs_cc.requests import CODES
 from crs_cc.sim.handling import Handling
 from crs_cc.sim.instruments import Instruments
+from crs_cc.sim.messages.messenger import Messenger
 from crs_cc.sim.sensors.camera import Cameras
 from crs_cc.sim.sensors.gps import GpsReceivers
 from crs_cc.sim.sensors.sonar import SonarRing
@@ -43,6 +44,7 @@ class Devices:
         sonars: the sonars.
         instruments: what the vendor's sensor board reads.
         handling: what takes hold of things.
+        messenger: what carries messages from robot to robot.
         answers: who answers the requests that are not answered with `State`, by code.
     """
 
@@ -59,6 +61,7 @@ class Devices:
         self.instruments = Instruments(world, seed)
         self._cameras = Cameras(world, seed)
         self.handling = Handling(world, log)
+        self.messenger = Messenger(world, seed)
         self.answers: dict[int, Answer] = {
             CODES["SONAR"]: self.sonars.tell,
             CODES["PREDICT"]: partial(predict, sensors=(self.sonars, self.instruments)),
@@ -70,6 +73,7 @@ class Devices:
             CODES["ARM"]: self.handling.arms.move,
             CODES["GET_ARM"]: self.handling.arms.tell,
             CODES["HAND"]: self.handling.arms.hand,
+            **self.messenger.answers,
         }
 
     @property
@@ -100,6 +104,17 @@ class Devices:
             to_s: until when, for each, (k,).
         """
         self.sonars.advance(state, equipment, around, rows, to_s)
+
+    def end_cycle(self, state: EnvState, equipment: Equipment, from_s: float, to_s: float) -> None:
+        """Lets those work that do so once in a cycle, at its end.
+
+        Args:
+            state: changed in place; the bodies are where they got to.
+            equipment: what stands where.
+            from_s: when the cycle began.
+            to_s: when it ends.
+        """
+        self.messenger.end_cycle(state, equipment, self.log, from_s=from_s, to_s=to_s)
 
 
 def tell_page(asked: Asked) -> npt.NDArray[np.bool_]:

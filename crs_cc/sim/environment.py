@@ -41,6 +41,8 @@ from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.events import Event, EventLog
 from crs_cc.sim.falls import tell_falls
 from crs_cc.sim.link import SerialLine
+from crs_cc.sim.messages.control import CommunicationControl
+from crs_cc.sim.messages.traffic import take
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.physics import Physics, PhysicsSnapshot
 from crs_cc.sim.scene import Scene
@@ -113,6 +115,11 @@ class Environment:
     def degradations(self) -> DegradationControl:
         """Gives what is wrong with devices, to be asked and changed between two steps."""
         return DegradationControl(self.world, self.state.degradation, self._log, self.time_s)
+
+    @property
+    def communication(self) -> CommunicationControl:
+        """Gives the ways of messages, to be shut and opened between two steps, and counts."""
+        return CommunicationControl(self.world, self.state.messages, self.time_s)
 
     @property
     def timestep_s(self) -> float:
@@ -218,10 +225,12 @@ class Environment:
         cycle, time_s, served = state.cycle, self.time_s, tuple(self._served)
         if state.degradation.next_s < self.end_s:
             self.degradations.tell(self.end_s)
-        events = self._log.take()
+        self._devices.end_cycle(state, self._equipment, self.time_s, self.end_s)
+        traffic, events = take(state.messages), self._log.take()
         self._begin_cycle()
         rows, at_s, messages = self._end_waits()
-        return Step(cycle, time_s, rows, at_s, messages, began, self._names, slices, served, events)
+        heard = (slices, served, events, traffic)
+        return Step(cycle, time_s, rows, at_s, messages, began, self._names, *heard)
 
     def snapshot(self) -> Snapshot:
         """Gives all that is needed to come back to this instant."""

@@ -34,6 +34,7 @@ from typing import Final, Literal, Self, TypeAlias
 
 import numpy as np
 
+from crs_cc.sim.communication import PLAIN_COMMUNICATION, Communication
 from crs_cc.sim.degradation_model import Degradation
 from crs_cc.sim.polygon import area_m2, centroid_m
 from crs_cc.sim.robot_model import IDEAL_LINK, RobotModel
@@ -256,6 +257,7 @@ class WorldModel:
     seed: int | None = None
     surface: Surface = FLAT
     degradations: tuple[Degradation, ...] = ()
+    communication: Communication = PLAIN_COMMUNICATION
 
     def with_ideal_link(self) -> WorldModel:
         """Gives the same world with commands that take no time on their way to the robot."""

@@ -98,6 +98,14 @@ VOLTAGE: Final = Kind("a voltage", (("V", 1.0),), "V", "12.5V", 1e3)
 FREQUENCY: Final = Kind(
     "a frequency", (("Hz", 1.0), ("kHz", 1e3), ("MHz", 1e6), ("GHz", 1e9)), "Hz", "50MHz", 1e12
 )
+DATA_RATE: Final = Kind(
+    "a rate of data",
+    (("B/s", 1.0), ("kB/s", 1e3), ("MB/s", 1e6), ("bit/s", 0.125), ("kbit/s", 125.0),
+     ("Mbit/s", 125e3)),
+    "B/s", "1200B/s", 1e12,
+)  # fmt: skip
+"""In bytes by the second."""
+
 RATIO: Final = Kind("a ratio", (("", 1.0),), "", "1.002", 1e3)
 HEAT: Final = Kind("a heat", (("", 1.0),), "", "1", 1e6)
 """How hot a thing is, without unit."""

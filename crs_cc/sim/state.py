@@ -40,6 +40,7 @@ from crs_cc.sim.states.infrared import InfraredState
 from crs_cc.sim.states.laser import LaserState
 from crs_cc.sim.states.link import LinkState
 from crs_cc.sim.states.mask import first_mask
+from crs_cc.sim.states.messages import MessageState
 from crs_cc.sim.states.obstacles import ObstacleState
 from crs_cc.sim.states.odometry import OdometryState
 from crs_cc.sim.states.pos_data import PosDataState
@@ -86,6 +87,7 @@ class EnvState:
         obstacles: what programs have put into the world, and taken out of it.
         drawings: what they have drawn.
         connected: whether the program has connected.
+        messages: those that robots send each other.
         waits: which robots wait, and for what.
         touching: what robots touched in the last cycle: robot times names plus thing, sorted;
             shape (contacts,).
@@ -119,6 +121,7 @@ class EnvState:
     obstacles: ObstacleState
     drawings: DrawingState
     connected: BoolArray
+    messages: MessageState
     waits: WaitState
     touching: WholeArray
     distance_m: FloatArray
@@ -158,6 +161,7 @@ class EnvState:
             heat=HeatState.at_start(world, scene),
             link=LinkState.at_start(world),
             connected=np.zeros(count, dtype=np.bool_),
+            messages=MessageState.at_start(world),
             waits=WaitState.at_start(world),
             touching=_whole(0),
             distance_m=np.zeros(count),

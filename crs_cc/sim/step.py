@@ -125,6 +125,8 @@ class Step:
         slices: what the axes did in the cycle.
         served: the requests that were answered in the cycle, in order.
         events: what else happened in it, in order.
+        traffic: what happened to messages, by time, of dtype `states.messages.TRAFFIC`;
+            `messages.traffic.events` puts it into words.
     """
 
     cycle: int
@@ -137,6 +139,7 @@ class Step:
     slices: Slices
     served: tuple[Served, ...]
     events: tuple[Event, ...]
+    traffic: npt.NDArray[np.void]
 
     @property
     def drawings(self) -> tuple[Drawing, ...]:

@@ -8,6 +8,7 @@ from itertools import islice
 from pathlib import Path, PurePosixPath
 from typing import Final, Literal, TypeAlias
 
+from crs_cc.sim.communication_elements import communication
 from crs_cc.sim.composite_elements import CompositeElements
 from crs_cc.sim.degradation_elements import degradations
 from crs_cc.sim.document import MAX_MESSAGES, Element, Reader
@@ -80,6 +81,7 @@ def world_model(
         degradations=degradations(
             root.all("degradation"), zip(root.all("robot"), robots, strict=True), reader
         ),
+        communication=communication(root, [robot.id for robot in robots], reader),
     )
     world = _with(world, things)
     _check(world, root, {solid.id: element for element, solid in things}, reader)

@@ -53,4 +53,52 @@ int crs_arm_get(int *shoulder, int *elbow, int *x, int *y);
 int crs_hand(int what);
 int crs_get_hand(int *weight);
 
+/* Messages go from robot to robot on a channel: these, and what the world has besides. Robots count
+   from 0. */
+#define CRS_RADIO    0
+#define CRS_INFRARED 1
+#define CRS_LOCAL    2
+
+#define CRS_ALL          (-1)
+#define CRS_MESSAGE_SIZE 248     /* most bytes of a message */
+#define CRS_FOREVER      (-1)
+
+/* A message that came in. */
+struct crs_message {
+    int from;                    /* the sender's number */
+    int to;                      /* one's own number, or CRS_ALL */
+    int group;                   /* the group it was sent to, -1 for none */
+    int type;                    /* what the sender said */
+    int channel;
+    int sent;                    /* when, in ms since the start of the run */
+    int arrived;
+    int size;                    /* bytes of data */
+    char data[CRS_MESSAGE_SIZE + 1];   /* behind the last byte stands a 0 */
+};
+
+/* FALSE also for what is too large, or dropped because too many wait; TRUE does not say that a message
+   arrives. */
+int crs_send(int to, int type, const void *data, int size);
+int crs_broadcast(int type, const void *data, int size);
+int crs_multicast(int group, int type, const void *data, int size);
+
+/* Where later messages are sent, at first CRS_RADIO. */
+int crs_use_channel(int channel);
+
+/* Takes the oldest message that has arrived. If there is none, waits so long for one, 0 not at all;
+   FALSE for none. */
+int crs_receive(struct crs_message *message, int milliseconds);
+int crs_message_count(void);
+
+/* Groups are 0 to 31. */
+int crs_join_group(int group);
+int crs_leave_group(int group);
+
+/* Numbers and names; -1 for none of that name. A name that has no room is cut off. */
+int crs_find_channel(const char *name);
+int crs_my_number(void);
+int crs_robot_count(void);
+int crs_find_robot(const char *name);
+int crs_robot_name(int number, char *name, int size);
+
 #endif

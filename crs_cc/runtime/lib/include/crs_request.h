@@ -90,6 +90,12 @@ struct __crs_message {
 #define CRS_ARM 222
 #define CRS_GET_ARM 223
 #define CRS_HAND 224
+#define CRS_SEND 240
+#define CRS_RECEIVE 241
+#define CRS_MESSAGE_COUNT 242
+#define CRS_GROUP 243
+#define CRS_CHANNEL 244
+#define CRS_ROBOT 245
 
 /* Posts the message and gives the reply's result. */
 int __crs_request(int code, struct __crs_message *message);
