@@ -31,6 +31,7 @@ middle of its robot, hears an echo at once.
 Places in the plane are complex numbers, x + i y [m]: to turn is to multiply.
 
 >>> from crs_cc.sim.model import Area, Cylinder, Pose, WorldModel
+>>> from crs_cc.sim.obstacles import Obstacles
 >>> from crs_cc.sim.scene import NOTHING, Scene
 >>> world = WorldModel("w", Area(0, 0, 9, 9, 0), cylinders=(Cylinder("c", Pose(3, 1), 0.5),))
 >>> obstacles = Obstacles(Scene(world).fixed, NOTHING, reach_m=6.0, start_m=0.2)
@@ -50,7 +51,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.neighbours import expand
-from crs_cc.sim.obstacles import Obstacles
+from crs_cc.sim.prospect import Prospect
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
@@ -147,7 +148,7 @@ class Points:
         return type(self)(self.ping[kept], self.place[kept], self.told_m[kept])
 
 
-def first_echo(pings: Pings, obstacles: Obstacles, voices: Points | None = None) -> FloatArray:
+def first_echo(pings: Pings, obstacles: Prospect, voices: Points | None = None) -> FloatArray:
     """Gives the distance at which each ping's first echo seems to be.
 
     Args:
@@ -226,7 +227,7 @@ class _Rounds:
         return np.where(hit, turned.real - np.sqrt(np.maximum(square, 0.0)), np.inf)
 
 
-def _faces(pings: Pings, obstacles: Obstacles) -> tuple[_Faces, IndexArray]:
+def _faces(pings: Pings, obstacles: Prospect) -> tuple[_Faces, IndexArray]:
     """Gives the faces that may lie in beams, and the pings whose transducers lie in or on one."""
     ping, a, b, length_m = obstacles.segments_near(pings.place)
     a, b = pings.local(ping, a), pings.local(ping, b)
@@ -247,7 +248,7 @@ def _faces(pings: Pings, obstacles: Obstacles) -> tuple[_Faces, IndexArray]:
     return _Faces(ping[kept], a[kept], b[kept] - a[kept], -behind_m[kept]), pierced
 
 
-def _rounds(pings: Pings, obstacles: Obstacles) -> tuple[_Rounds, IndexArray]:
+def _rounds(pings: Pings, obstacles: Prospect) -> tuple[_Rounds, IndexArray]:
     """Gives the circles that may lie in beams, and the pings whose transducers lie in one."""
     ping, middle, radius_m = obstacles.circles_near(pings.place, pings.own)
     middle = pings.local(ping, middle)

@@ -236,6 +236,11 @@ class Robot:
     dialect: Literal["nomad", "report"] | None = None
     material: Material = PLAIN
 
+    @property
+    def height_m(self) -> float:
+        """How high it is, as of a box."""
+        return self.model.height_m
+
 
 @dataclass(frozen=True, slots=True)
 class WorldModel:

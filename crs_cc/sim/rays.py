@@ -13,6 +13,7 @@ beams, sorted by direction, only those are tried that can point at the shape.
 Places in the plane are complex numbers, x + i y [m]: to turn is to multiply.
 
 >>> from crs_cc.sim.model import Area, Cylinder, Pose, WorldModel
+>>> from crs_cc.sim.obstacles import Obstacles
 >>> from crs_cc.sim.scene import NOTHING, Scene
 >>> world = WorldModel("w", Area(0, 0, 9, 9, 0), cylinders=(Cylinder("c", Pose(3, 1), 0.5),))
 >>> fan = Fan.of([(0.2, 0.0, 0.0, 0.0, 5.0), (0.2, 0.0, math.pi, 0.0, 5.0)])
@@ -31,7 +32,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.neighbours import expand
-from crs_cc.sim.obstacles import Obstacles
+from crs_cc.sim.prospect import Prospect
 
 FloatArray = npt.NDArray[np.float64]
 ComplexArray = npt.NDArray[np.complex128]
@@ -64,6 +65,7 @@ class Fan:
         start_m: the largest distance of a beam's start from the robot's origin.
         reach_m: how far from the robot's origin anything can be measured.
         aside_m: the largest distance at which a line inside a beam passes the origin.
+        z_m: how high above the ground the beams run.
     """
 
     start: ComplexArray
@@ -77,9 +79,12 @@ class Fan:
     start_m: float
     reach_m: float
     aside_m: float
+    z_m: float = 0.0
 
     @classmethod
-    def of(cls, beams: Iterable[tuple[float, float, float, float, float]]) -> Self:
+    def of(
+        cls, beams: Iterable[tuple[float, float, float, float, float]], z_m: float = 0.0
+    ) -> Self:
         """Makes a fan of beams: x [m], y [m], direction, half angle [rad], range [m]."""
         table = np.array(list(beams), dtype=np.float64).reshape(-1, 5)
         table[:, 2] %= _TURN
@@ -102,6 +107,7 @@ class Fan:
             start_m=float(away_m.max(initial=0.0)),
             reach_m=float((range_m + away_m).max(initial=0.0)),
             aside_m=float(aside_m.max(initial=0.0)),
+            z_m=z_m,
         )
 
     def __len__(self) -> int:
@@ -111,7 +117,7 @@ class Fan:
 def nearest(
     fan: Fan,
     poses: FloatArray,
-    obstacles: Obstacles,
+    obstacles: Prospect,
     own: IndexArray | None = None,
     things: IndexArray | None = None,
 ) -> FloatArray:
@@ -184,7 +190,7 @@ class _Robots:
         return cls(poses[:, 0] + 1j * poses[:, 1], heading_rad, start.ravel(), backturn.ravel())
 
 
-def _try_segments(fan: Fan, robots: _Robots, obstacles: Obstacles, hits: _Hits) -> None:
+def _try_segments(fan: Fan, robots: _Robots, obstacles: Prospect, hits: _Hits) -> None:
     """Looks at the segments that beams hit."""
     viewers, a, b, length = obstacles.segments_near(robots.place)
     things = None if hits.thing is None else obstacles.segment_things(robots.place)
@@ -207,7 +213,7 @@ def _try_segments(fan: Fan, robots: _Robots, obstacles: Obstacles, hits: _Hits) 
 
 
 def _try_circles(
-    fan: Fan, robots: _Robots, obstacles: Obstacles, own: IndexArray, hits: _Hits
+    fan: Fan, robots: _Robots, obstacles: Prospect, own: IndexArray, hits: _Hits
 ) -> None:
     """Looks at the circles that beams hit."""
     viewers, middle, radius = obstacles.circles_near(robots.place, own)

@@ -66,6 +66,7 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         link=_link(root.first("link"), reader),
         host_speed_hz=reader.positive(root.first("host"), "speed", FREQUENCY, 5e7),
         vendor_model=VENDOR_MODELS.index(vendor),
+        height_m=reader.positive(body, "height", LENGTH, math.inf),
     )
 
 

@@ -191,6 +191,7 @@ class RobotModel:
         host_speed_hz: how many IR instructions the host computer runs in a second.
         vendor_model: number of the model, as the vendor's `connect_robot` takes it: 0 a Nomad 200,
             1 a Nomad 150, 2 a Scout.
+        height_m: how high it is; infinite for as high as anything that looks at it.
     """
 
     name: str
@@ -215,6 +216,7 @@ class RobotModel:
     link: Link = IDEAL_LINK
     host_speed_hz: float = 5e7
     vendor_model: int = 2
+    height_m: float = math.inf
 
     def __hash__(self) -> int:
         return hash(self.name)  # robots are sorted by kind again and again

@@ -75,6 +75,7 @@ def infrared(root: Element, reader: Reader) -> Infrared | None:
         noise_m=reader.not_negative(element, "noise", LENGTH),
         share=reader.whole(element, "history", 0, 10) / 10,
         order=order,
+        height_m=reader.not_negative(element, "height", LENGTH),
     )
 
 
@@ -119,6 +120,7 @@ def laser(root: Element, reader: Reader) -> Laser | None:
         rate_hz=reader.positive(element, "rate", FREQUENCY),
         noise_m=reader.not_negative(element, "noise", LENGTH),
         mode=int(element.attributes["mode"]),
+        height_m=reader.not_negative(element, "height", LENGTH),
     )
 
 
@@ -148,6 +150,7 @@ def camera(root: Element, reader: Reader) -> Camera | None:
             rate_hz=reader.positive(element, "rate", FREQUENCY),
             noise_m=reader.not_negative(element, "noise", LENGTH),
             background=_colour(element, "background", reader),
+            height_m=reader.not_negative(element, "height", LENGTH),
         )
     return None
 

@@ -15,6 +15,7 @@ from typing import Self
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.sim.model import PLAIN
 from crs_cc.sim.scene import Scene
 
 FloatArray = npt.NDArray[np.float64]
@@ -42,6 +43,7 @@ class Surfaces:
         """Gives the surfaces of all things in a scene."""
         things = (*scene.world.robots, *scene.pushables, *scene.fixed_solids)
         materials = [thing.material for thing in things]
+        materials += [PLAIN] * (len(scene.names) - len(things))  # of the ground
         sonar = np.array([material.sonar for material in materials], dtype=np.float64)
         infrared = [np.nan if each.infrared is None else each.infrared for each in materials]
         return cls(

@@ -23,11 +23,13 @@ import numpy.typing as npt
 
 from crs_cc.sim.covered import Pieces
 from crs_cc.sim.obstacles import Obstacles
-from crs_cc.sim.rays import Fan, nearest
+from crs_cc.sim.outlook import Outlook, is_needed
+from crs_cc.sim.rays import NO_THING, Fan, nearest
 from crs_cc.sim.scene import Scene
 from crs_cc.sim.surfaces import Surfaces
 
 if TYPE_CHECKING:
+    from crs_cc.sim.prospect import Prospect
     from crs_cc.sim.state import EnvState
 
 FloatArray = npt.NDArray[np.float64]
@@ -58,6 +60,7 @@ class Surroundings:
         reach_m = max(reach_m, _SHORTEST_REACH_M)
         self._obstacles = Obstacles(scene.fixed, moving, reach_m, start_m)
         self._pieces = Pieces(scene, start_m)
+        self._outlook = Outlook(scene, self._obstacles, reach_m) if is_needed(scene) else None
         self._placed = -1
 
     def forget(self) -> None:
@@ -70,8 +73,17 @@ class Surroundings:
             bodies = state.bodies
             self._obstacles.place(self._scene.moving(bodies.position_m, bodies.angle_rad))
             self._pieces.place(bodies.position_m, bodies.angle_rad)
+            if self._outlook is not None:
+                self._outlook.place(bodies.position_m)
             self._placed = state.cycle
         return self._obstacles
+
+    def prospect(
+        self, state: EnvState, z_m: FloatArray | float, spread: FloatArray | float
+    ) -> Prospect:
+        """Gives what beams can hit that start at a height, see `Outlook.at`."""
+        obstacles = self.obstacles(state)
+        return obstacles if self._outlook is None else self._outlook.at(z_m, spread)
 
     def distances_m(
         self, state: EnvState, fan: Fan, poses: FloatArray, own: IndexArray
@@ -88,6 +100,8 @@ class Surroundings:
             distances from the beams' starts [m], 0 for a start in or on something, infinite where
             nothing is within range, shape (k, beams).
         """
+        if self._outlook is not None:
+            return self.seen(state, fan, poses, own)[0]
         distance_m = nearest(fan, poses, self.obstacles(state), own=own)
         distance_m[self._pieces.cover(fan, poses)] = 0.0
         return distance_m
@@ -102,6 +116,13 @@ class Surroundings:
             range, both of shape (k, beams).
         """
         thing = np.empty((len(poses), len(fan)), dtype=np.intp)
-        distance_m = nearest(fan, poses, self.obstacles(state), own=own, things=thing)
-        distance_m[self._pieces.cover(fan, poses, thing)] = 0.0
+        prospect = self.prospect(state, fan.z_m, 0.0)
+        distance_m = nearest(fan, poses, prospect, own=own, things=thing)
+        covers = np.full_like(thing, NO_THING)
+        covered = self._pieces.cover(fan, poses, covers)
+        if self._outlook is not None:
+            covered &= self._outlook.at(fan.z_m).tops_above(poses, covers)
+            under = self._outlook.under_ground(fan.z_m, poses, fan.start, fan.order)
+            covers[under], covered = self._outlook.ground, covered | under
+        distance_m[covered], thing[covered] = 0.0, covers[covered]
         return distance_m, thing

@@ -152,7 +152,8 @@ def _told_blobs(model: Camera, colour: WholeArray, range_: WholeArray) -> WholeA
 def _fan(camera: Camera) -> Fan:
     step_rad = camera.field_of_view_rad / camera.columns
     left_rad = camera.direction_rad + (camera.columns - 1) / 2 * step_rad
-    return Fan.of(
+    beams = (
         (camera.x_m, camera.y_m, (left_rad - column * step_rad) % math.tau, 0.0, camera.range_m)
         for column in range(camera.columns)
     )
+    return Fan.of(beams, camera.height_m)

@@ -178,7 +178,7 @@ def _fan(ring: Infrared, radius_m: float) -> Fan:
     """Gives beams that start on the shell and reach as far as a reading below the largest."""
     range_m = FARTHEST * ring.step_m * math.sqrt(ring.reflectance)
     directions = [number * _TURN / MAX_INFRARED for number in range(MAX_INFRARED)]
-    return Fan.of(
+    beams = (
         (
             radius_m * math.cos(direction),
             radius_m * math.sin(direction),
@@ -188,3 +188,4 @@ def _fan(ring: Infrared, radius_m: float) -> Fan:
         )
         for direction in directions
     )
+    return Fan.of(beams, ring.height_m)

@@ -155,7 +155,7 @@ class Lasers:
         if (laser, points) not in self._cut:
             directions = _directions(laser, points).tolist()
             beams = ((laser.forward_m, 0.0, each, 0.0, laser.range_m) for each in directions)
-            self._cut[laser, points] = Fan.of(beams)
+            self._cut[laser, points] = Fan.of(beams, laser.height_m)
         return self._cut[laser, points]
 
     def _errors_m(self, state: EnvState, mine: IndexArray, distance_m: FloatArray) -> FloatArray:

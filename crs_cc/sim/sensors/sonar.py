@@ -36,7 +36,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.actuators import drive
-from crs_cc.sim.echoes import first_echo
+from crs_cc.sim.echoes import Pings, first_echo
 from crs_cc.sim.mount import mount_poses
 from crs_cc.sim.rays import Fan
 from crs_cc.sim.sensors.order import orders
@@ -51,6 +51,7 @@ if TYPE_CHECKING:
     from crs_cc.sim.asked import Asked
     from crs_cc.sim.equipment import Equipment
     from crs_cc.sim.model import WorldModel
+    from crs_cc.sim.prospect import Prospect
     from crs_cc.sim.robot_model import RobotModel
     from crs_cc.sim.state import EnvState
     from crs_cc.sim.surroundings import Surroundings
@@ -186,7 +187,8 @@ class SonarRing:
         if len(confused):
             from_s, to_s = at_s[confused], (at_s + gives_up_s)[confused]
             voices = overheard(state, self._beams, pings, confused, from_s=from_s, to_s=to_s)
-        distance_m = first_echo(pings, around.obstacles(state), voices)
+        prospect = self._prospect(state, around, pings, number)
+        distance_m = first_echo(pings, prospect, voices)
         told_m = self._told_m(state, equipment, (rows, number, at_s), distance_m, deviates)
         in_time = 2 * told_m / SOUND_MPS <= gives_up_s
         sonar.listening[rows] = number
@@ -258,7 +260,15 @@ class SonarRing:
         each = np.repeat(np.arange(len(rows)), MAX_SONARS)
         number = np.tile(np.arange(MAX_SONARS), len(rows))
         pings = self._beams.pings(rows[each], number, place[each], turn[each])
-        return first_echo(pings, around.obstacles(state)).reshape(-1, MAX_SONARS)
+        prospect = self._prospect(state, around, pings, number)
+        return first_echo(pings, prospect).reshape(-1, MAX_SONARS)
+
+    def _prospect(
+        self, state: EnvState, around: Surroundings, pings: Pings, number: IndexArray
+    ) -> Prospect:
+        """Gives what pings can meet, sent by the sonars with these numbers."""
+        z_m = self._beams.height_m(pings.own, number)
+        return around.prospect(state, z_m, np.tan(pings.half_rad))
 
 
 def conf_sn(

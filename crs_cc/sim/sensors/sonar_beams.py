@@ -54,6 +54,7 @@ class Beams:
         self._axis = np.ones(shape, dtype=np.complex128)
         self._half_rad = np.full(shape, _THIN_RAD)
         self._range_m = np.zeros(shape)
+        self._z_m = np.zeros(shape)
         for kind, model in enumerate(kinds):
             for sonar in model.sonars:
                 place = kind, sonar.id
@@ -61,11 +62,16 @@ class Beams:
                 self._axis[place] = np.exp(1j * sonar.direction_rad)
                 self._half_rad[place] = max(sonar.half_angle_rad, _THIN_RAD)
                 self._range_m[place] = sonar.range_m
+                self._z_m[place] = sonar.z_m
         self.start_m = float(np.abs(self._offset).max(initial=0.0))
         boards = [model.sonar_board for model in kinds]
         lobes = [board.lobe_rad for board in boards]
         self._falloff = np.array([1 / lobe**2 if lobe else 0.0 for lobe in lobes])
         self._critical_rad = np.array([min(board.critical_rad, ANY_ANGLE) for board in boards])
+
+    def height_m(self, rows: IndexArray, number: IndexArray) -> FloatArray:
+        """Gives how high above the ground a sonar of each of some robots sits."""
+        return np.asarray(self._z_m[self._kind[rows], number])
 
     def pings(
         self,

@@ -1,0 +1,35 @@
+"""What rays and echoes ask for: the outlines that lie within reach of robots.
+
+`obstacles.Obstacles` gives all of them, `outlook.Level` those that matter at a height.
+"""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+FloatArray = npt.NDArray[np.float64]
+ComplexArray = npt.NDArray[np.complex128]
+IndexArray = npt.NDArray[np.intp]
+
+
+class Prospect(Protocol):
+    """Gives pairs of a robot and an outline; among them all within reach."""
+
+    def segments_near(
+        self, place: ComplexArray
+    ) -> tuple[IndexArray, ComplexArray, ComplexArray, FloatArray]:
+        """Gives the robots, and both ends and the length [m] of the segments."""
+
+    def segment_things(self, place: ComplexArray) -> IndexArray:
+        """Gives the thing, as in `Scene.names`, of each pair that `segments_near` gives."""
+
+    def circles_near(
+        self, place: ComplexArray, own: IndexArray
+    ) -> tuple[IndexArray, ComplexArray, FloatArray]:
+        """Gives the robots, and middle and radius [m] of the circles, but for their own bodies."""
+
+    def circle_things(self, place: ComplexArray, own: IndexArray) -> IndexArray:
+        """Gives the thing, as in `Scene.names`, of each pair that `circles_near` gives."""
