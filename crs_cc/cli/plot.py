@@ -18,7 +18,7 @@ from crs_cc.cli.svg import Page, Point, View
 from crs_cc.cli.tracks import FloatArray, simplified
 from crs_cc.cli.x11_colours import HEX
 from crs_cc.sim.drawings import Drawing
-from crs_cc.sim.model import Cylinder, Robot, Solid, Thing, Wall, WorldModel, is_pushable
+from crs_cc.sim.model import PLAIN, Cylinder, Robot, Solid, Thing, Wall, WorldModel, is_pushable
 from crs_cc.sim.scene import corners_m
 
 _LONG_SIDE_PX: Final = 760.0
@@ -166,7 +166,7 @@ class _Drawing:
             self._standing(thing)
 
     def _standing(self, thing: Thing) -> None:
-        paint = _MOVABLE if is_pushable(thing) else _FIXED
+        paint = _paint(thing, _MOVABLE if is_pushable(thing) else _FIXED)
         with self.page.group(fill=paint, stroke=_INK, stroke_width=0.8):
             self._thing(thing)
 
@@ -181,7 +181,9 @@ class _Drawing:
     def _wall(self, wall: Wall) -> None:
         ends = self.view.point(wall.x1_m, wall.y1_m), self.view.point(wall.x2_m, wall.y2_m)
         width_px = max(1.5, self.view.length(wall.thickness_m))
-        self.page.line(*ends, stroke=_WALL, stroke_width=width_px, stroke_linecap="round")
+        self.page.line(
+            *ends, stroke=_paint(wall, _WALL), stroke_width=width_px, stroke_linecap="round"
+        )
 
     def _strokes(self) -> None:
         """Draws what programs have drawn."""
@@ -268,6 +270,13 @@ class _Drawing:
         if self.picture.contacts:
             self._cross((left, y_px + 2 * _ROW_PX))
             self.page.text((left + 16, y_px + 2 * _ROW_PX + 4), "contact", fill=_FAINT_INK)
+
+
+def _paint(solid: Solid, plain: str) -> str:
+    """Gives the colour of a thing's material, or another one for what has none of its own."""
+    if solid.material.colour == PLAIN.colour:
+        return plain
+    return "#{:02x}{:02x}{:02x}".format(*solid.material.colour)
 
 
 def colour(number: int) -> str:

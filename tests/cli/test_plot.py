@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -12,7 +13,7 @@ from lxml import etree
 from crs_cc.cli.plot import Picture, Trip, colour
 from crs_cc.cli.tracks import Tracks, simplified
 from crs_cc.sim.drawings import LINE, ROBOT, Drawing
-from crs_cc.sim.model import Area, Box, Cylinder, Polygon, Pose, Robot, Wall, WorldModel
+from crs_cc.sim.model import Area, Box, Cylinder, Material, Polygon, Pose, Robot, Wall, WorldModel
 from crs_cc.sim.robot_model import Drive, RobotModel
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -58,6 +59,17 @@ def test_it_shows_world_path_contact_names_and_title() -> None:
     walls = [row for row in root.iter(f"{SVG}line") if row.get("stroke-linecap") == "round"]
     assert len(walls) == 5
     assert len([row for row in root.iter(f"{SVG}line") if row.get("stroke") == "#d1242f"]) == 4
+
+
+def test_things_have_the_colours_of_their_materials() -> None:
+    red, blue = Material((255, 0, 0)), Material((0, 0, 255))
+    room = replace(
+        ROOM,
+        walls=(replace(ROOM.walls[0], material=red),),
+        boxes=(replace(ROOM.boxes[0], material=blue),),
+    )
+    painted = draw(Picture("", "", room, [trip((1, 1), (1, 2))])).xpath("//@stroke | //@fill")
+    assert {"#ff0000", "#0000ff"} <= set(painted)
 
 
 def test_up_in_the_world_is_up_on_the_page() -> None:

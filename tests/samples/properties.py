@@ -171,6 +171,15 @@ def comes_home(drive: Drive) -> None:
     assert "28 commands done\n" in drive.text
 
 
+def tags_all_heat(drive: Drive) -> None:
+    """The fires have 1, 2, 1 and 3 of heat; each robot says what it tagged, nobody twice."""
+    touches_nothing(drive)
+    found = re.findall(r"^leg (\d+): heat (\d+) at .*, 0 after tagging$", drive.text, re.MULTILINE)
+    tagged = [int(heat) for heat in re.findall(r"(\d+) of heat tagged", drive.text)]
+    assert len(tagged) == 3
+    assert sum(tagged) == sum(int(heat) for _, heat in found) == 1 + 2 + 1 + 3
+
+
 def keeps_behind(drive: Drive) -> None:
     touches_nothing(drive)
     leader, follower = drive.robots
