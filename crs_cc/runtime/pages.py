@@ -15,9 +15,9 @@ exist. Where it does not tell, all are looked at.
 from __future__ import annotations
 
 import contextlib
+import functools
 import mmap
 import os
-from pathlib import Path
 from typing import Final
 
 import numpy as np
@@ -25,11 +25,12 @@ import numpy.typing as npt
 
 IndexArray = npt.NDArray[np.intp]
 ByteArray = npt.NDArray[np.uint8]
+BoolArray = npt.NDArray[np.bool_]
 
 CHUNK: Final = 4096
 """What is kept or left out as a whole [bytes]."""
 
-_PAGEMAP: Final = Path("/proc/self/pagemap")
+_PAGEMAP: Final = "/proc/self/pagemap"
 _ENTRY: Final = 8
 _EXISTS: Final = 0b11 << 62
 
@@ -43,33 +44,48 @@ def save(memory: ByteArray, initial: range) -> tuple[IndexArray, ByteArray]:
             a file of its own.
     """
     chunks = memory.reshape(-1, CHUNK)
-    used = _used(memory, initial)
+    used = _not_zero(chunks, _candidates(memory, initial))
     return used, chunks[used]
 
 
 def load(memory: ByteArray, initial: range, used: IndexArray, content: ByteArray) -> None:
     """Puts back what `save` gave."""
-    chunks = memory.reshape(-1, CHUNK)
-    chunks[np.setdiff1d(_used(memory, initial), used)] = 0
+    chunks, candidates = memory.reshape(-1, CHUNK), _candidates(memory, initial)
+    candidates[used] = False
+    chunks[_not_zero(chunks, candidates)] = 0
     chunks[used] = content
 
 
-def _used(memory: ByteArray, initial: range) -> IndexArray:
-    """Gives the numbers of the chunks that are not all zero."""
+def _candidates(memory: ByteArray, initial: range) -> BoolArray:
+    """Tells of each chunk whether it may be not all zero."""
     candidates = _existing(memory)
     candidates[initial.start : initial.stop] = True
+    return candidates
+
+
+def _not_zero(chunks: ByteArray, candidates: BoolArray) -> IndexArray:
+    """Gives the numbers of those of some chunks that are not all zero."""
     numbers = np.flatnonzero(candidates)
-    words = memory.reshape(-1, CHUNK)[numbers].view(np.uint64)
+    words = chunks[numbers].view(np.uint64)
     return np.asarray(numbers[words.any(axis=1)])
 
 
-def _existing(memory: ByteArray) -> npt.NDArray[np.bool_]:
+def _existing(memory: ByteArray) -> BoolArray:
     """Tells of each chunk whether the system has it in memory, or would have to fetch it."""
     count = len(memory) // CHUNK
     address = memory.__array_interface__["data"][0]
-    if mmap.PAGESIZE == CHUNK and address % CHUNK == 0:
-        with contextlib.suppress(OSError), _PAGEMAP.open("rb", buffering=0) as pagemap:
-            entries = os.pread(pagemap.fileno(), count * _ENTRY, address // CHUNK * _ENTRY)
+    pagemap = _pagemap(os.getpid())
+    if pagemap is not None and mmap.PAGESIZE == CHUNK and address % CHUNK == 0:
+        with contextlib.suppress(OSError):
+            entries = os.pread(pagemap, count * _ENTRY, address // CHUNK * _ENTRY)
             if len(entries) == count * _ENTRY:
                 return np.asarray(np.frombuffer(entries, np.uint64) & np.uint64(_EXISTS) != 0)
     return np.ones(count, dtype=np.bool_)
+
+
+@functools.cache
+def _pagemap(_process: int) -> int | None:
+    """Opens the page map of this process, not of a child of it; None where there is none."""
+    with contextlib.suppress(OSError):
+        return os.open(_PAGEMAP, os.O_RDONLY)
+    return None

@@ -40,7 +40,7 @@ def fresh() -> np.ndarray:
 def system(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> str:
     """A system that tells which pages exist, and one that does not."""
     if request.param == "not told":
-        monkeypatch.setattr(pages, "_PAGEMAP", Path("/nowhere"))
+        monkeypatch.setattr(pages, "_pagemap", lambda _process: None)
     return str(request.param)
 
 
