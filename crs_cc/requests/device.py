@@ -129,5 +129,9 @@ DEVICE_REQUESTS: Final = (
             ("size", "length of its name", "byte"), ("data", "its name", "1"),
         ),
     ),
+    _device(
+        "TILT", 290, "int crs_tilt(int *pitch, int *roll)", "tells how the robot is tilted",
+        results=arguments(("i[0]", "pitch, nose up", _ANGLE), ("i[1]", "roll, left up", _ANGLE)),
+    ),
 )  # fmt: skip
 """Every request that a device of `crs.h` answers."""

@@ -18,6 +18,11 @@ SENSORS: Final = Group("Sensors", (
         posts=("GPS",), source=(OURS,),
     ),
     Function(
+        "int crs_tilt(int *pitch, int *roll)",
+        "tells how the robot is tilted: above 0 with the nose up, and with the left side up",
+        units="0.1 deg", posts=("TILT",), source=(OURS,),
+    ),
+    Function(
         "int crs_camera(struct crs_pixel *row, int most)",
         "lets the camera look, and tells colour and range of its columns, from the left to the "
         "right; gives how many it told, at most `most`",

@@ -134,6 +134,7 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("HEAT", heat.sense),
         ("TAG", tag.tag),
         ("GPS", tell),
+        ("TILT", tell),
         ("CAMERA", tell),
         ("SEND", tell),
         ("RECEIVE", messenger.wait),

@@ -182,6 +182,10 @@ DEVICES: Final = {
             "no fix: refused",
         ),
         Device(
+            "tilt", "how the robot is tilted", ANGLE,
+            _single(lambda model: model.inclinometer, "pitch", "roll"), 2, "no reading: refused",
+        ),
+        Device(
             "heat", "the heat around", HEAT, _single(lambda model: model.heat.range_m), 1, "0",
         ),
         Device(

@@ -19,6 +19,7 @@ from crs_cc.sim.messages.messenger import Messenger
 from crs_cc.sim.sensors.camera import Cameras
 from crs_cc.sim.sensors.gps import GpsReceivers
 from crs_cc.sim.sensors.sonar import SonarRing
+from crs_cc.sim.sensors.tilt import Inclinometers
 from crs_cc.sim.server.prediction import predict
 
 if TYPE_CHECKING:
@@ -66,6 +67,7 @@ class Devices:
             CODES["SONAR"]: self.sonars.tell,
             CODES["PREDICT"]: partial(predict, sensors=(self.sonars, self.instruments)),
             CODES["GPS"]: GpsReceivers(world, seed).tell,
+            CODES["TILT"]: Inclinometers(world, seed).tell,
             CODES["CAMERA"]: self._cameras.tell,
             CODES["READINGS"]: tell_page,
             CODES["GRIPPER"]: self.handling.grippers.command,

@@ -32,6 +32,7 @@ class Equipment:
         compass: the same for compasses.
         laser: the same for lasers.
         gps: the same for GPS receivers.
+        inclinometer: the same for inclinometers.
         camera: the same for cameras.
         gripper: the same for grippers.
         arm: the same for arms.
@@ -55,6 +56,7 @@ class Equipment:
     compass: IndexArray
     laser: IndexArray
     gps: IndexArray
+    inclinometer: IndexArray
     camera: IndexArray
     gripper: IndexArray
     arm: IndexArray
@@ -83,6 +85,7 @@ class Equipment:
             _numbers([model.compass is not None for model in models]),
             _numbers([model.laser is not None for model in models]),
             _numbers([model.gps is not None for model in models]),
+            _numbers([model.inclinometer is not None for model in models]),
             _numbers([model.camera is not None for model in models]),
             _numbers([model.gripper is not None for model in models]),
             _numbers([model.arm is not None for model in models]),

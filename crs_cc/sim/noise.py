@@ -30,6 +30,7 @@ LASER: Final = 3
 ROLLING: Final = 4
 GPS: Final = 5
 CAMERA: Final = 6
+TILT: Final = 29
 MESSAGES: Final = 20
 DEGRADATION: Final = 100
 """Numbers of the sensors."""

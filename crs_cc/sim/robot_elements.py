@@ -57,6 +57,7 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         compass=sensor_elements.compass(root, reader),
         laser=sensor_elements.laser(root, reader),
         gps=sensor_elements.gps(root, reader),
+        inclinometer=sensor_elements.inclinometer(root, reader),
         camera=sensor_elements.camera(root, reader),
         gripper=handling_elements.gripper(root, radius_m, reader),
         arm=handling_elements.arm(root, reader),

@@ -23,6 +23,7 @@ from crs_cc.sim.sensor_model import (
     Camera,
     Compass,
     Gps,
+    Inclinometer,
     Infrared,
     Laser,
     MotorBattery,
@@ -181,6 +182,7 @@ class RobotModel:
         compass: its compass, None where there is none.
         laser: its laser, None where there is none.
         gps: its GPS receiver, None where there is none.
+        inclinometer: what tells how it is tilted, None where there is none.
         camera: its camera, None where there is none.
         gripper: its gripper, None where there is none.
         arm: its arm, None where there is none.
@@ -207,6 +209,7 @@ class RobotModel:
     compass: Compass | None = None
     laser: Laser | None = None
     gps: Gps | None = None
+    inclinometer: Inclinometer | None = None
     camera: Camera | None = None
     gripper: Gripper | None = None
     arm: Arm | None = None

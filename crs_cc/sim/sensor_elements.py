@@ -19,6 +19,7 @@ from crs_cc.sim.sensor_model import (
     Camera,
     Compass,
     Gps,
+    Inclinometer,
     Infrared,
     Laser,
     MotorBattery,
@@ -130,6 +131,16 @@ def gps(root: Element, reader: Reader) -> Gps | None:
         return Gps(
             reader.positive(element, "rate", FREQUENCY),
             reader.not_negative(element, "noise", LENGTH),
+        )
+    return None
+
+
+def inclinometer(root: Element, reader: Reader) -> Inclinometer | None:
+    """Gives the inclinometer, None for a robot without one."""
+    for element in root.all("inclinometer"):
+        return Inclinometer(
+            reader.positive(element, "rate", FREQUENCY),
+            reader.not_negative(element, "noise", ANGLE),
         )
     return None
 

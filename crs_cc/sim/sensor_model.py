@@ -120,6 +120,19 @@ class Gps:
 
 
 @dataclass(frozen=True, slots=True)
+class Inclinometer:
+    """What tells how the robot is tilted.
+
+    Attributes:
+        rate_hz: how often it measures at most.
+        noise_rad: standard deviation of the error of pitch and of roll.
+    """
+
+    rate_hz: float
+    noise_rad: float
+
+
+@dataclass(frozen=True, slots=True)
 class Camera:
     """A camera that sees a row of colours and ranges, on the mount.
 

@@ -45,6 +45,7 @@ from crs_cc.sim.states.obstacles import ObstacleState
 from crs_cc.sim.states.odometry import OdometryState
 from crs_cc.sim.states.pos_data import PosDataState
 from crs_cc.sim.states.sonar import SonarState
+from crs_cc.sim.states.tilt import TiltState
 from crs_cc.sim.states.waits import WaitState
 
 FloatArray = npt.NDArray[np.float64]
@@ -75,6 +76,7 @@ class EnvState:
         compass: the compasses' readings.
         laser: what the lasers saw and told.
         gps: what GPS receivers told.
+        tilt: what inclinometers told.
         camera: what cameras saw and told.
         degradation: what is wrong with all of these, and with the drive.
         gripper: where the fingers of grippers are; what they hold is in `bodies`.
@@ -109,6 +111,7 @@ class EnvState:
     compass: CompassState
     laser: LaserState
     gps: GpsState
+    tilt: TiltState
     camera: CameraState
     degradation: DegradationState
     gripper: GripperState
@@ -149,6 +152,7 @@ class EnvState:
             compass=CompassState.at_start(world),
             laser=LaserState.at_start(world),
             gps=GpsState.at_start(world),
+            tilt=TiltState.at_start(world),
             camera=CameraState.at_start(world),
             degradation=DegradationState.at_start(world),
             gripper=GripperState.at_start(world),

@@ -9,6 +9,10 @@
 /* Where the robot is in the world, by GPS: 0.1 inch. */
 int crs_gps(int *x, int *y);
 
+/* How the robot is tilted, by an inclinometer: pitch is above 0 with the nose up, roll with the left
+   side up, 0.1 degree. */
+int crs_tilt(int *pitch, int *roll);
+
 /* A column of a camera's picture: what colour it shows, 0xRRGGBB, and how far away that is: 0.1 inch,
    -1 where nothing is in range. */
 struct crs_pixel {

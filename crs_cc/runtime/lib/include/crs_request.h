@@ -96,6 +96,7 @@ struct __crs_message {
 #define CRS_GROUP 243
 #define CRS_CHANNEL 244
 #define CRS_ROBOT 245
+#define CRS_TILT 290
 
 /* Posts the message and gives the reply's result. */
 int __crs_request(int code, struct __crs_message *message);
