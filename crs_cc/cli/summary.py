@@ -91,6 +91,8 @@ def _robot_data(robot: RobotResult, call: ActiveCall | None) -> dict[str, Any]:
         "commands": int(robot.commands),
         "fuel": int(robot.fuel),
         "robot_call_s": robot.robot_call_s,
+        "joined_s": robot.joined_s,
+        "left_s": robot.left_s,
         "stands_in": call_data(call) if call else None,
     }
 

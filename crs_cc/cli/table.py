@@ -99,7 +99,9 @@ def _outcome(robot: RobotResult) -> str:
     if robot.outcome == "exited":
         status = robot.exit_status or 0
         return f"exit {status} {at}" if status == 0 else f"[yellow]exit {status}[/] {at}"
-    return f"running {at}"
+    if robot.outcome == "absent":
+        return "never joined"
+    return f"{robot.outcome} {at}"
 
 
 def _pose(pose: Pose) -> str:

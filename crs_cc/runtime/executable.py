@@ -10,7 +10,7 @@ import functools
 import resource
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import wasmtime
 from wasmtime import _bindings
@@ -61,6 +61,10 @@ class Executable:
     detail: Callable[[], Detail]
     _module: wasmtime.Module | None = field(default=None, repr=False)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickles with all that messages need, which nobody can ask for elsewhere."""
+        return _executable, (self.name, self.machine_code, self.detail())
+
     def module(self) -> wasmtime.Module:
         """Gives the module, loaded once."""
         if self._module is None:
@@ -75,6 +79,10 @@ class Executable:
     def wat(self) -> str:
         """Gives the code in WebAssembly's text format."""
         return self.detail().compiled.module.to_text()
+
+
+def _executable(name: str, machine_code: bytes, detail: Detail) -> Executable:
+    return Executable(name, machine_code, lambda: detail)
 
 
 @dataclass(slots=True)

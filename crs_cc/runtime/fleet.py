@@ -16,9 +16,10 @@ ended, or stopped by an error.
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import errno
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
@@ -42,6 +43,7 @@ if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.report import ErrorReport
 
 MEMORY_END: Final = 0xFFFFFFFF  # the last address there could be
+_MOST_PAGES: Final = 2**16  # of the mailbox: all that a memory can have, so that it never moves
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,57 +78,107 @@ class Fleet:
         Raises:
             OSError: the system does not give the memory, or the room for addresses.
         """
-        try:
+        with _memory_demanded(len(executables)):
             self._make(executables)
-        except wasmtime.WasmtimeError as error:
-            if f"os error {errno.ENOMEM}" not in str(error):
-                raise
-            text = (
-                f"the system gives no memory for {len(executables)} program(s): each needs up to"
-                " 9 GiB of addresses, though little memory (see 'ulimit -v')"
-            )
-            raise OSError(errno.ENOMEM, text) from error
 
     def _make(self, executables: Sequence[Executable]) -> None:
-        self._executables = tuple(executables)
         self._store = wasmtime.Store(engine())
-        count = len(executables)
-        self._store.set_limits(instances=count + 1, memories=2 * count + 1, tables=count + 1)
-        pages = -(-(SLOTS + count * SLOT.itemsize) // PAGE)
-        limits = wasmtime.Limits(pages, pages)
+        limits = wasmtime.Limits(_pages(len(executables)), _MOST_PAGES)
         self._mailbox = wasmtime.Memory(self._store, wasmtime.MemoryType(limits))
+        self._executables: list[Executable] = []
+        self._resumes: list[wasmtime.Func] = []
+        self._memories: list[npt.NDArray[np.uint8]] = []
+        self._shadows: list[npt.NDArray[np.uint8]] = []
+        self._initial: list[range] = []  # chunks of each memory that hold objects of the program
+        self._fresh: list[Snapshot | None] = []  # of programs that were added
+        self._made = 0
+        self._start_driver(len(executables))
+        for executable in executables:
+            self._instantiate(executable)
+        self._open(0, len(executables))
+
+    def __len__(self) -> int:
+        return len(self.slots)
+
+    def add(self, executable: Executable) -> int:
+        """Makes a sandbox for one more program; gives its number. `slots` is another array then.
+
+        Raises:
+            OSError: as for a new fleet.
+        """
+        number = len(self)
+        fresh = self._fresh[number] if number < len(self._fresh) else None
+        if fresh is not None and self._executables[number] is executable:
+            self._open(number, number + 1)
+            self.restore(number, fresh)
+            return number
+        for spare in (
+            self._executables, self._resumes, self._memories, self._shadows, self._initial,
+            self._fresh,
+        ):  # fmt: skip
+            del spare[number:]
+        with _memory_demanded(1):
+            if number >= self._table.size(self._store):
+                self._start_driver(2 * number + 1)
+            self._instantiate(executable)
+            self._open(number, number + 1)
+        self._fresh[number] = self.snapshot(number)
+        return number
+
+    def keep(self, count: int) -> None:
+        """Takes out all programs but the first ones; the last may be added again."""
+        self._open(count, count)
+
+    def _open(self, first: int, count: int) -> None:
+        """Lets `slots` be those of so many programs, from the first one on as new."""
+        more = _pages(count) - self._mailbox.size(self._store)
+        if more > 0:
+            self._mailbox.grow(self._store, more)
         mailbox = _view(self._store, self._mailbox)
         self._header = mailbox[: HEADER.itemsize].view(HEADER)
         self._header["count"] = count
         self.slots = mailbox[SLOTS : SLOTS + count * SLOT.itemsize].view(SLOT)
-        self.slots["stop_at"] = -1
-        self._memories: list[npt.NDArray[np.uint8]] = []
-        self._shadows: list[npt.NDArray[np.uint8]] = []
-        self._initial: list[range] = []  # chunks of each memory that hold objects of the program
-        self._start_driver()
+        self.slots[first:] = np.zeros((), SLOT)
+        self.slots["stop_at"][first:] = -1
 
-    def __len__(self) -> int:
-        return len(self._executables)
-
-    def _start_driver(self) -> None:
-        module = wasmtime.Module(engine(), driver(len(self)).to_binary())
+    def _start_driver(self, robots: int) -> None:
+        """Makes a driver with room for so many programs, and hands over those that there are."""
+        self._allow_another()
+        module = wasmtime.Module(engine(), driver(robots).to_binary())
         exports = wasmtime.Instance(self._store, module, [self._mailbox]).exports(self._store)
-        round_ = exports["round"]
+        round_, table = exports["round"], exports["robots"]
         assert isinstance(round_, wasmtime.Func)
-        self._round = round_
-        table = exports["robots"]
         assert isinstance(table, wasmtime.Table)
-        for number, executable in enumerate(self._executables):
-            instance = wasmtime.Instance(self._store, executable.module(), [self._mailbox])
-            own = instance.exports(self._store)
-            table.set(self._store, number, own["resume"])
-            self._memories.append(_view(self._store, own["memory"]))
-            shadow = _view(self._store, own["shadow"]) if "shadow" in own else _NO_SHADOW
-            self._shadows.append(shadow[:MEMORY_BYTES])
-            heap = own["heap"]
-            assert isinstance(heap, wasmtime.Global)
-            end = -(-int(heap.value(self._store)) // CHUNK)
-            self._initial.append(range(STACK_TOP // CHUNK, end))
+        self._round, self._table = round_, table
+        for number, resume in enumerate(self._resumes):
+            table.set(self._store, number, resume)
+
+    def _instantiate(self, executable: Executable) -> None:
+        self._allow_another()
+        instance = wasmtime.Instance(self._store, executable.module(), [self._mailbox])
+        own = instance.exports(self._store)
+        resume, heap = own["resume"], own["heap"]
+        assert isinstance(resume, wasmtime.Func)
+        assert isinstance(heap, wasmtime.Global)
+        self._table.set(self._store, len(self._resumes), resume)
+        self._executables.append(executable)
+        self._resumes.append(resume)
+        self._memories.append(_view(self._store, own["memory"]))
+        shadow = _view(self._store, own["shadow"]) if "shadow" in own else _NO_SHADOW
+        self._shadows.append(shadow[:MEMORY_BYTES])
+        end = -(-int(heap.value(self._store)) // CHUNK)
+        self._initial.append(range(STACK_TOP // CHUNK, end))
+        self._fresh.append(None)
+
+    def _allow_another(self) -> None:
+        """Lets the store hold another instance: programs that were taken out stay in it."""
+        self._made += 1
+        made = self._made
+        self._store.set_limits(instances=made, memories=2 * made + 1, tables=made)
+
+    def executable(self, robot: int) -> Executable:
+        """Gives a robot's program."""
+        return self._executables[robot]
 
     def memory(self, robot: int) -> npt.NDArray[np.uint8]:
         """Gives a robot's memory as an array of bytes that shows every change."""
@@ -235,6 +287,26 @@ class Fleet:
         pages.load(memory, self._initial[robot], snapshot.chunks, snapshot.content)
         pages.load(shadow, _NONE, snapshot.shadow_chunks, snapshot.shadow_content)
         self.slots[robot : robot + 1] = snapshot.slot
+
+
+@contextlib.contextmanager
+def _memory_demanded(programs: int) -> Iterator[None]:
+    """Says it so that a user understands when the system gives no memory."""
+    try:
+        yield
+    except wasmtime.WasmtimeError as error:
+        if f"os error {errno.ENOMEM}" not in str(error):
+            raise
+        text = (
+            f"the system gives no memory for {programs} program(s): each needs up to"
+            " 9 GiB of addresses, though little memory (see 'ulimit -v')"
+        )
+        raise OSError(errno.ENOMEM, text) from error
+
+
+def _pages(programs: int) -> int:
+    """Gives how many pages the mailbox of so many programs has."""
+    return -(-(SLOTS + programs * SLOT.itemsize) // PAGE)
 
 
 _NO_SHADOW: Final = np.zeros(0, np.uint8)

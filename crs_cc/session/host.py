@@ -89,11 +89,12 @@ class Host:
             client: which of the vendor's client libraries ours behaves like.
         """
         self._client = CLIENTS.index(client)
-        self.exit_status: list[int | None] = [None] * len(arguments)
-        self.disks = [Disk(files or {}) for _ in arguments]
-        self._arguments = [
-            [each.encode("utf-8", "surrogateescape") for each in row] for row in arguments
-        ]
+        self.exit_status: list[int | None] = []
+        self.disks: list[Disk] = []
+        self._files = files or {}
+        self._arguments: list[list[bytes]] = []
+        for row in arguments:
+            self.add(row)
         self._output = output
         self._read = read
         self._serve: dict[int, Callable[[HostRequest], float]] = {
@@ -108,6 +109,16 @@ class Host:
             self._serve[code] = functools.partial(_serve_time, serve_time)
         for name, serve in _FILES.items():
             self._serve[CODES[f"FILE_{name}"]] = functools.partial(self._file, serve)
+
+    def add(self, arguments: Sequence[str]) -> None:
+        """Makes the host of a further robot."""
+        self.exit_status.append(None)
+        self.disks.append(Disk(self._files))
+        self._arguments.append([each.encode("utf-8", "surrogateescape") for each in arguments])
+
+    def keep(self, count: int) -> None:
+        """Takes out all hosts but the first ones."""
+        del self.exit_status[count:], self.disks[count:], self._arguments[count:]
 
     def serve(self, code: int, request: HostRequest) -> float:
         """Answers a request; an unknown code gets the result -1. Gives when the program goes on."""

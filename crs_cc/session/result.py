@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -9,13 +10,17 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from crs_cc.runtime.diagnosis.report import ErrorReport
+    from crs_cc.runtime.executable import Executable
     from crs_cc.runtime.fleet import Snapshot
     from crs_cc.session.files import DiskSnapshot
-    from crs_cc.sim.environment import Snapshot as EnvironmentSnapshot
+    from crs_cc.sim.setting import Snapshot as EnvironmentSnapshot
     from crs_cc.sim.state import EnvState
 
 Pose = tuple[float, float, float]
 """x [m], y [m], heading [rad, counter-clockwise from x]."""
+
+Outcome = Literal["exited", "running", "failed", "left", "absent"]
+"""How a robot's program ended, or that it runs, or that its robot has not joined."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,10 +30,11 @@ class RobotResult:
     Attributes:
         id: its name in the world.
         program: the program that it ran.
-        outcome: how its program ended, if it did.
+        outcome: how its program ended: it `exited`, `failed`, or its robot `left`; else that it is
+            `running`, or its robot `absent`, as it has not joined.
         exit_status: what the program returned; None unless it exited.
         error: why the program was stopped; None unless it failed.
-        time_s: the program's clock when it ended, or now [s].
+        time_s: the program's clock when it ended, or now [s]; 0 if it has not begun.
         odometry: where the robot believes to be, in the frame of its odometry.
         pose: where it is, in the world's frame.
         distance_m: how far it has driven [m].
@@ -37,11 +43,13 @@ class RobotResult:
         fuel: IR instructions that the program has run.
         robot_call_s: when, by its clock, the program last called its robot, now if it waits for
             the answer [s]; None if it never did.
+        joined_s: when it joined [s]: 0 for one that was there from the start; None if it has not.
+        left_s: when it left the world, or was kept from joining [s]; None if it has not.
     """
 
     id: str
     program: str
-    outcome: Literal["exited", "running", "failed"]
+    outcome: Outcome
     exit_status: int | None
     error: ErrorReport | None
     time_s: float
@@ -52,6 +60,8 @@ class RobotResult:
     commands: int
     fuel: int
     robot_call_s: float | None
+    joined_s: float | None
+    left_s: float | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,9 +86,18 @@ class RunResult:
 
 
 @dataclass(frozen=True, slots=True)
+class Added:
+    """What a robot runs that was added to a session."""
+
+    executable: Executable
+    arguments: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class SessionSnapshot:
     """The whole state of a run between two timesteps; see `Session.snapshot`."""
 
+    added: tuple[Added, ...]
     environment: EnvironmentSnapshot
     programs: tuple[Snapshot, ...]
     arrays: tuple[npt.NDArray[Any], ...]
@@ -97,4 +116,10 @@ def robot_state(state: EnvState, robot: int) -> dict[str, Any]:
         "distance_m": float(state.distance_m[robot]),
         "collisions": int(state.collisions[robot]),
         "commands": int(state.commands[robot]),
+        "joined_s": _finite(state.presence.joined_s[robot]),
+        "left_s": _finite(state.presence.left_s[robot]),
     }
+
+
+def _finite(instant_s: float) -> float | None:
+    return float(instant_s) if math.isfinite(instant_s) else None

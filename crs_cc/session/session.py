@@ -27,7 +27,8 @@ import hashlib
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import fields
-from typing import TYPE_CHECKING, Any, Protocol
+from itertools import takewhile
+from typing import TYPE_CHECKING, Any, Final, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -44,6 +45,8 @@ from crs_cc.session.host import (
     no_input,
 )
 from crs_cc.session.result import (
+    Added,
+    Outcome,
     RobotResult,
     RunResult,
     SessionSnapshot,
@@ -55,13 +58,22 @@ if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
     from crs_cc.runtime.executable import Executable
     from crs_cc.session.host import Client, Input, Output, TimeServer
-    from crs_cc.sim.model import WorldModel
+    from crs_cc.sim.model import Robot, WorldModel
     from crs_cc.sim.step import Step
 
 ENDLESS = math.inf
 
 _GOES_OUT = np.isin(np.arange(max(REQUESTS) + 2), list(REQUESTS.keys() - HOST_CODES))
 """By code, whether a request goes over the link; the last stands for all codes beyond."""
+_NOTHING: Final[dict[str, float]] = {
+    "clock_s": 0.0,
+    "fuel": 0,
+    "_alive": False,
+    "_due_s": ENDLESS,
+    "_ended_s": 0.0,
+    "_called_s": -math.inf,
+}
+"""The session's own state, arrays over robots, and what they hold of a robot that has not begun."""
 
 
 class Listener(Protocol):
@@ -111,23 +123,24 @@ class Session:
             trace: hears of every timestep.
         """
         assert len(executables) == len(world.robots)
-        self._world = world
-        self._executables = tuple(executables)
         self.environment = Environment(world, seed)
         self.fleet = Fleet(executables)
         rows = arguments or [[executable.name] for executable in executables]
         self._host = Host(rows, output, read, files, client)
         self._trace = trace
         count = len(executables)
-        self._speed_hz = np.array([robot.model.host_speed_hz for robot in world.robots])
-        self.clock_s = np.zeros(count)
-        self.fuel = np.zeros(count, np.int64)
+        self._added: list[Added] = []
+        self._learn_speeds()
         self.timesteps = 0
         self.unconnected_calls: list[ActiveCall | None] = [None] * count
-        self._alive = np.ones(count, bool)
+        self.clock_s = np.zeros(count)
+        self.fuel = np.zeros(count, np.int64)
+        self._alive = np.zeros(count, bool)
         self._due_s = np.full(count, ENDLESS)  # when a request has come through the link
         self._ended_s = np.zeros(count)
         self._called_s = np.full(count, -math.inf)  # when it last had an answer of its robot
+        self._present = np.zeros(count, bool)
+        self._meet()
 
     @property
     def time_s(self) -> float:
@@ -152,9 +165,76 @@ class Session:
         self.clock_s[step.robots] = self._called_s[step.robots] = step.at_s
         self.fleet.slots["message"][step.robots] = step.messages
         self.timesteps += 1
+        self._meet()
         if self._trace is not None:
             self._trace.step(step)
-        return self.running > 0
+        return self.running > 0 or self.environment.awaits
+
+    def add_robot(self, robot: Robot, executable: Executable, arguments: Sequence[str] = ()) -> int:
+        """Puts another robot into the world, between two timesteps; gives its number.
+
+        Args:
+            robot: the robot; it joins now, or at its time if that comes later.
+            executable: its program.
+            arguments: its `argv`; by default just the program's name.
+
+        Raises:
+            ValueError: it cannot be there, or something stands in its place.
+            OSError: the system does not give the memory for its program.
+        """
+        number = self.fleet.add(executable)
+        try:
+            self.environment.add_robot(robot)
+        except ValueError:
+            self.fleet.keep(number)
+            raise
+        self._make_room(executable, arguments or [executable.name])
+        self._meet()
+        return number
+
+    def remove_robot(self, robot: int | str) -> None:
+        """Takes a robot, by its number or its id, out of the world, between two timesteps.
+
+        Its program ends, its result stays. One that has not joined yet never will.
+
+        Raises:
+            ValueError: there is no such robot, or it has left before.
+        """
+        if isinstance(robot, str):
+            ids = [each.id for each in self.environment.world.robots]
+            if robot not in ids:
+                raise ValueError(f"there is no robot {robot!r}")
+            robot = ids.index(robot)
+        self.environment.remove_robot(robot)
+        self._meet()
+
+    def _learn_speeds(self) -> None:
+        robots = self.environment.world.robots
+        self._speed_hz = np.array([robot.model.host_speed_hz for robot in robots])
+
+    def _make_room(self, executable: Executable, arguments: Sequence[str]) -> None:
+        """Gives a robot that is new in world and fleet a host, and a place in our own state."""
+        self._added.append(Added(executable, tuple(arguments)))
+        self._host.add(arguments)
+        self.unconnected_calls.append(None)
+        self._learn_speeds()
+        self._present = np.append(self._present, False)
+        for name, nothing in _NOTHING.items():
+            array = getattr(self, name)
+            setattr(self, name, np.append(array, array.dtype.type(nothing)))
+
+    def _meet(self) -> None:
+        """Starts the programs of robots that have joined, ends those of robots that have left."""
+        before, now = self._present, self.environment.state.presence.present
+        if now is before:
+            return
+        self._present = now
+        joined, left = np.flatnonzero(now & ~before), np.flatnonzero(before & ~now & self._alive)
+        self._alive[joined] = True
+        self.clock_s[joined] = self.time_s
+        self.clock_s[left] = self.time_s
+        self._due_s[left] = ENDLESS
+        self._end(left)
 
     def _resume(self, ready: npt.NDArray[np.intp], end_s: float) -> None:
         """Lets programs run until each has posted a request or used up the cycle."""
@@ -241,23 +321,32 @@ class Session:
 
     def result(self) -> RunResult:
         """Gives the run so far."""
-        robots = tuple(self._robot_result(robot) for robot in range(len(self.fleet)))
+        robots = tuple(map(self._robot_result, range(len(self.fleet))))
         return RunResult(robots, self.timesteps, self.time_s, self.state_hash())
 
     def _robot_result(self, robot: int) -> RobotResult:
-        running = bool(self._alive[robot])
-        failed = bool(self.fleet.slots["status"][robot] == FAILED)
+        outcome = self._outcome(robot)
         return RobotResult(
-            id=self._world.robots[robot].id,
-            program=self._executables[robot].name,
-            outcome="running" if running else "failed" if failed else "exited",
+            id=self.environment.world.robots[robot].id,
+            program=self.fleet.executable(robot).name,
+            outcome=outcome,
             exit_status=self._host.exit_status[robot],
-            error=self.fleet.report(robot) if failed else None,
-            time_s=self.time_s if running else float(self._ended_s[robot]),
+            error=self.fleet.report(robot) if outcome == "failed" else None,
+            time_s=self.time_s if outcome == "running" else float(self._ended_s[robot]),
             fuel=int(self.fuel[robot]),
             robot_call_s=self._robot_call_s(robot),
             **robot_state(self.environment.state, robot),
         )
+
+    def _outcome(self, robot: int) -> Outcome:
+        if self._alive[robot]:
+            return "running"
+        if self.fleet.slots["status"][robot] == FAILED:
+            return "failed"
+        if self._host.exit_status[robot] is not None:
+            return "exited"
+        joined_s = self.environment.state.presence.joined_s[robot]
+        return "left" if math.isfinite(joined_s) else "absent"
 
     def _robot_call_s(self, robot: int) -> float | None:
         if self._alive[robot] and (self._due_s[robot] < ENDLESS or self.clock_s[robot] == ENDLESS):
@@ -287,6 +376,7 @@ class Session:
         has to give a restored session one that goes on from there.
         """
         return SessionSnapshot(
+            tuple(self._added),
             self.environment.snapshot(),
             tuple(self.fleet.snapshot(robot) for robot in range(len(self.fleet))),
             tuple(array.copy() for array in self._arrays()),
@@ -296,16 +386,36 @@ class Session:
         )
 
     def restore(self, snapshot: SessionSnapshot) -> None:
-        """Goes back, or ahead, to a snapshot of a session of the same programs, world and seed."""
+        """Goes back, or ahead, to a snapshot of a session of the same programs, world and seed.
+
+        Robots that had been added when it was made are there again, others are not.
+        """
         self.environment.restore(snapshot.environment)
+        self._present = self.environment.state.presence.present
+        self._recruit(snapshot.added)
         for robot, program in enumerate(snapshot.programs):
             self.fleet.restore(robot, program)
-        for array, saved in zip(self._arrays(), snapshot.arrays, strict=True):
-            array[:] = saved
+        for name, saved in zip(_NOTHING, snapshot.arrays, strict=True):
+            setattr(self, name, saved.copy())
         self._host.exit_status[:] = snapshot.exit_status
         for disk, files in zip(self._host.disks, snapshot.disks, strict=True):
             disk.restore(files)
         self.timesteps = snapshot.timesteps
+
+    def _recruit(self, added: Sequence[Added]) -> None:
+        """Lets these be the programs that were added, and no others."""
+        pairs = zip(self._added, added, strict=False)
+        same = sum(1 for _ in takewhile(lambda pair: pair[0] is pair[1], pairs))
+        first = len(self.fleet) - len(self._added)
+        self.fleet.keep(first + same)
+        self._host.keep(first + same)
+        del self.unconnected_calls[first + same :]
+        self._added = list(added)
+        for each in added[same:]:
+            self.fleet.add(each.executable)
+            self._host.add(each.arguments)
+            self.unconnected_calls.append(None)
+        self._learn_speeds()
 
     def state_hash(self) -> str:
         """Gives the SHA-256 of all state, see `RunResult`."""
@@ -323,11 +433,4 @@ class Session:
 
     def _arrays(self) -> tuple[npt.NDArray[Any], ...]:
         """Gives the session's own state, arrays over robots."""
-        return (
-            self.clock_s,
-            self.fuel,
-            self._alive,
-            self._due_s,
-            self._ended_s,
-            self._called_s,
-        )
+        return tuple(getattr(self, name) for name in _NOTHING)

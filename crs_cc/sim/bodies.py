@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.holds import Holds
+from crs_cc.sim.model import Pose
 from crs_cc.sim.scene import Scene
 
 FloatArray = npt.NDArray[np.float64]
@@ -69,6 +70,25 @@ class Bodies:
             np.array([len(rows) == robots]),
             self.holds.renumbered(np.isin(np.arange(robots, len(self.angle_rad)), rows)),
         )
+
+    def with_robot(self, start: Pose) -> Self:
+        """Gives the same with a further robot, which rests."""
+        robots = len(self.slipping)
+        return type(self)(
+            np.insert(self.position_m, robots, (start.x_m, start.y_m), axis=0),
+            np.insert(self.angle_rad, robots, start.heading_rad),
+            np.insert(self.velocity_mps, robots, 0.0, axis=0),
+            np.insert(self.spin_radps, robots, 0.0),
+            np.append(self.slipping, False),
+            np.append(self.touching, False),
+            self.settled,
+            self.holds.with_another(),
+        )
+
+    def stop(self, robots: IndexArray) -> None:
+        """Takes from robots what motion and contacts they have."""
+        self.velocity_mps[robots] = 0.0
+        self.slipping[robots] = self.touching[robots] = False
 
     def copy(self) -> Self:
         """Gives a copy that shares nothing."""

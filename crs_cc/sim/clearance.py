@@ -23,14 +23,15 @@ def clearance_m(scene: Scene, position_m: FloatArray, angle_rad: FloatArray) -> 
         angle_rad: how they are turned, shape (bodies,).
     """
     moving = scene.moving(position_m, angle_rad)
-    radii_m = moving.circles[: scene.robots, 2]
-    x_m, y_m = (position_m[: scene.robots, axis, None] for axis in (0, 1))
+    x_m, y_m, radii_m = moving.circles[: np.count_nonzero(scene.present), :, None].transpose(
+        1, 0, 2
+    )
     room = [
         _to_segments(x_m, y_m, np.concatenate([scene.fixed.segments, moving.segments])),
         _to_circles(x_m, y_m, scene.fixed),
         _to_others(x_m, y_m, moving),
     ]
-    return float((np.concatenate(room, axis=1) - radii_m[:, None]).min(initial=math.inf))
+    return float((np.concatenate(room, axis=1) - radii_m).min(initial=math.inf))
 
 
 def _to_segments(x_m: FloatArray, y_m: FloatArray, segments: FloatArray) -> FloatArray:

@@ -84,9 +84,24 @@ class Devices:
         own = [*self._cameras.fans, *self.handling.grippers.fans]
         return [*self.sonars.fans, *self.instruments.fans, *own]
 
-    def begin(self, state: EnvState, equipment: Equipment, around: Surroundings) -> None:
-        """Lets them begin, before the first cycle."""
-        self.sonars.begin(state, equipment, around)
+    def begin(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        now_s: float,
+    ) -> None:
+        """Lets those of some robots begin, between two cycles: timers start now.
+
+        Args:
+            state: changed in place.
+            equipment: the robots' constants.
+            around: what there is to see.
+            rows: whose: robots that are there from the start, or that join.
+            now_s: the start of the current cycle.
+        """
+        self.sonars.begin(state, equipment, around, rows, now_s)
 
     def advance(
         self,

@@ -23,7 +23,6 @@ array([0.02])
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -31,27 +30,14 @@ import numpy.typing as npt
 
 from crs_cc.requests import CODES, MESSAGE, NUM_STATE, STATE_REPLIES
 from crs_cc.sim.actuators import drive, traction
-from crs_cc.sim.actuators.rolling import RollingNoise
 from crs_cc.sim.asked import Asked
 from crs_cc.sim.bodies import Contacts
 from crs_cc.sim.commands import CHANGES_WORLD, HANDLERS, MOVES, UNCONNECTED, WAITS
-from crs_cc.sim.degradation_control import DegradationControl
-from crs_cc.sim.devices import Devices
-from crs_cc.sim.equipment import Equipment
-from crs_cc.sim.events import Event, EventLog
 from crs_cc.sim.falls import tell_falls
-from crs_cc.sim.link import SerialLine
-from crs_cc.sim.messages.control import CommunicationControl
 from crs_cc.sim.messages.traffic import take
-from crs_cc.sim.model import WorldModel
-from crs_cc.sim.physics import Physics, PhysicsSnapshot
-from crs_cc.sim.scene import Scene
-from crs_cc.sim.sensors.bumper import Bumpers
-from crs_cc.sim.state import EnvState
+from crs_cc.sim.setting import Setting
 from crs_cc.sim.state_vector import configuration, state_vector
 from crs_cc.sim.step import TELLS, Served, Step, slices_of
-from crs_cc.sim.surroundings import Surroundings
-from crs_cc.sim.things import Things
 from crs_cc.sim.waits import settle, when
 
 FloatArray = npt.NDArray[np.float64]
@@ -63,78 +49,8 @@ _ALL: Final = slice(None)
 _STATE_BYTES: Final = 4 * NUM_STATE
 
 
-@dataclass(frozen=True, slots=True)
-class Snapshot:
-    """Everything that an environment needs to go on from an instant; never changed."""
-
-    state: EnvState
-    physics: PhysicsSnapshot
-    served: tuple[Served, ...]
-    events: tuple[Event, ...]
-
-
-class Environment:
-    """A world while it runs.
-
-    Attributes:
-        world: the world, which never changes.
-        state: what changes; to be read by others, changed only here.
-    """
-
-    def __init__(self, world: WorldModel, seed: int) -> None:
-        """Makes the environment.
-
-        Args:
-            world: the world.
-            seed: decides all that is random; not negative.
-
-        Raises:
-            ValueError: the seed is negative.
-        """
-        if seed < 0:
-            raise ValueError(f"the seed must not be negative: {seed}")
-        self.world = world
-        self.state = EnvState.at_start(world)
-        self._equipment = Equipment.of(world, seed)
-        self._bumpers = Bumpers(world)
-        self._rolling = RollingNoise(world, seed)
-        self._log = EventLog()
-        self._devices = Devices(world, seed, self._log)
-        self._furnish(self._equipment.scene)
-        self._devices.begin(self.state, self._equipment, self._around)
-        self._served: list[Served] = []
-        self._axes = tuple(robot.model.drive.axis_names for robot in world.robots)
-        self._line = SerialLine(world)
-
-    @property
-    def world_now(self) -> WorldModel:
-        """Gives the world with what programs have put into it and taken out of it."""
-        return self.state.obstacles.world_now(self.world)
-
-    @property
-    def degradations(self) -> DegradationControl:
-        """Gives what is wrong with devices, to be asked and changed between two steps."""
-        return DegradationControl(self.world, self.state.degradation, self._log, self.time_s)
-
-    @property
-    def communication(self) -> CommunicationControl:
-        """Gives the ways of messages, to be shut and opened between two steps, and counts."""
-        return CommunicationControl(self.world, self.state.messages, self.time_s)
-
-    @property
-    def timestep_s(self) -> float:
-        """Gives the length of a cycle [s]."""
-        return self.world.timestep_s
-
-    @property
-    def time_s(self) -> float:
-        """Gives the start of the current cycle [s]."""
-        return self.state.cycle * self.timestep_s
-
-    @property
-    def end_s(self) -> float:
-        """Gives the end of the current cycle [s], the start of the next."""
-        return (self.state.cycle + 1) * self.timestep_s
+class Environment(Setting):
+    """A world while it runs."""
 
     def link_s(
         self, codes: npt.ArrayLike, robots: npt.ArrayLike = 0, sizes: npt.ArrayLike = 0
@@ -202,9 +118,10 @@ class Environment:
     def step(self) -> Step:
         """Ends the cycle, and gives what happened in it and which waits end in the next."""
         state = self.state
-        robots = len(state.drive.clock_s)
-        self._advance(np.arange(robots), np.full(robots, self.end_s))
-        drive.advance(state, self._equipment, _ALL, np.full(robots, self.end_s))
+        robots, present = len(state.drive.clock_s), np.flatnonzero(state.presence.present)
+        rows: IndexArray | slice = _ALL if len(present) == robots else present
+        self._advance(present, np.full(len(present), self.end_s))
+        drive.advance(state, self._equipment, rows, np.full(len(present), self.end_s))
         self._rolling.add(state, self._equipment)
         before_m = state.bodies.position_m[:robots].copy()
         handling, pull = self._devices.handling, traction.pull(state, self._equipment)
@@ -226,56 +143,13 @@ class Environment:
         if state.degradation.next_s < self.end_s:
             self.degradations.tell(self.end_s)
         self._devices.end_cycle(state, self._equipment, self.time_s, self.end_s)
-        traffic, events = take(state.messages), self._log.take()
-        self._begin_cycle()
-        rows, at_s, messages = self._end_waits()
-        heard = (slices, served, events, traffic)
-        return Step(cycle, time_s, rows, at_s, messages, began, self._names, *heard)
-
-    def snapshot(self) -> Snapshot:
-        """Gives all that is needed to come back to this instant."""
-        physics, events = self._physics.snapshot(), self._log.snapshot()
-        return Snapshot(self.state.copy(), physics, tuple(self._served), events)
-
-    def restore(self, snapshot: Snapshot) -> None:
-        """Goes back to a snapshot of an environment with the same world and seed."""
-        self.state = snapshot.state.copy()
-        if not self.state.obstacles.same_as(self._furnished):
-            self._furnish(Scene(self.world_now))
-        bodies = self._physics.restore(snapshot.physics)
-        assert np.array_equal(bodies.position_m, self.state.bodies.position_m)
-        self._served = list(snapshot.served)
-        self._log.restore(snapshot.events)
-        self._around.forget()
-
-    def hash(self) -> str:
-        """Gives the SHA-256 of the whole state."""
-        return self.state.sha256()
-
-    def _furnish(self, scene: Scene) -> None:
-        """Makes all that follows from which things stand where."""
-        self._furnished = self.state.obstacles
-        self._names = scene.names
-        self._equipment = replace(self._equipment, scene=scene, things=Things.of(scene))
-        self._physics = Physics(scene.world, scene, self.state.bodies)
-        self._around = Surroundings(scene, self._devices.fans)
-
-    def _refurnish(self, moved: bool) -> None:
-        """Does so where a program has changed the world, or has moved its robot."""
-        if self.state.obstacles.same_as(self._furnished):
-            if moved:
-                self._physics.start_from(self.state.bodies)
-                self._around.forget()
-            return
-        scene = Scene(self.world_now)
-        self.state.renumber(self._names, scene.names)
-        self._furnish(scene)
+        traffic = take(state.messages)
 
     def _handle(self, code: int, rows: IndexArray, messages: Messages) -> BoolArray:
         """Lets connected robots do what is asked; gives which requests were good."""
         messages["result"] = 1
         if code in UNCONNECTED:
-            good = np.ones(len(rows), dtype=np.bool_)
+            good = self.state.presence.present[rows]
         else:
             good = self.state.connected[rows]
         handler = HANDLERS[code]

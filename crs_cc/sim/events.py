@@ -10,6 +10,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 
@@ -40,10 +41,10 @@ class EventLog:
         """Adds an event, see `Event`."""
         self._events.append(Event(float(time_s), kind, text, int(robot)))
 
-    def take(self) -> tuple[Event, ...]:
-        """Gives all events, and forgets them."""
-        events = tuple(self._events)
-        self._events.clear()
+    def take(self, until_s: float = math.inf) -> tuple[Event, ...]:
+        """Gives the events up to an instant, and forgets them."""
+        events = tuple(event for event in self._events if event.time_s <= until_s)
+        self._events[:] = [event for event in self._events if event.time_s > until_s]
         return events
 
     def snapshot(self) -> tuple[Event, ...]:

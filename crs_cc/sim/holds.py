@@ -44,6 +44,13 @@ class Holds:
         """Gives empty fingers and hands."""
         return cls(np.full((robots, _KINDS), -1, np.int64), np.zeros((robots, _KINDS, 3)))
 
+    def with_another(self) -> Self:
+        """Gives the same with a further robot, which holds nothing."""
+        more = self.nothing(1)
+        return type(self)(
+            np.concatenate([self.thing, more.thing]), np.concatenate([self.grasp, more.grasp])
+        )
+
     def copy(self) -> Self:
         """Gives a copy that shares nothing."""
         return type(self)(self.thing.copy(), self.grasp.copy())

@@ -128,7 +128,7 @@ class Instruments:
         kinds = pos_data.ALL_KINDS if code in _TELLS_ALL else pos_data.ONE_KIND.get(code, 0)
         pos_data.tell(state, equipment, self._clock, rows, kinds)
         messages["i"][:, 1], messages["i"][:, 2] = self.batteries.told(state, equipment, rows, at_s)
-        messages["f"][:, 0] = self._clock.ms(rows, at_s)
+        messages["f"][:, 0] = self._clock.ms(rows, at_s - state.presence.joined_s[rows])
 
     def look(
         self,

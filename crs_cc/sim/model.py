@@ -225,6 +225,8 @@ class Robot:
         dialect: whose functions the program calls: the vendor's, `nomad`, or those of the CRS
             report, `report`; None when the world does not say.
         material: what its shell is made of.
+        join_s: when it comes into the world; 0 for one that is there from the start.
+        leave_s: when it leaves, infinite for one that stays.
     """
 
     id: str
@@ -235,6 +237,8 @@ class Robot:
     heat: float = 0.0
     dialect: Literal["nomad", "report"] | None = None
     material: Material = PLAIN
+    join_s: float = 0.0
+    leave_s: float = math.inf
 
     @property
     def height_m(self) -> float:

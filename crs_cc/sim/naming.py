@@ -17,6 +17,19 @@ _OURS: Final = ("edge-", "obstacle-")  # what programs add is named so
 _ID: Final = re.compile(r"[A-Za-z_][A-Za-z0-9_.\-]{0,63}")
 
 
+def complaint(name: str) -> str:
+    """Gives why a thing cannot be called so; empty if it can.
+
+    >>> complaint("edge-north")
+    "names that begin with edge- are the world's"
+    """
+    if name.startswith(_OURS):
+        return f"names that begin with {name.partition('-')[0]}- are the world's"
+    if not _ID.fullmatch(name):
+        return "letters, digits, _ . - only, no digit first, at most 64"
+    return ""
+
+
 def name_things(elements: Sequence[Element], reader: Reader) -> None:
     """Gives ids to things that have none, and notes ids that cannot be, or are used twice."""
     used: dict[str, Element] = {}
@@ -32,15 +45,8 @@ def name_things(elements: Sequence[Element], reader: Reader) -> None:
                 element,
                 f"a second thing with the id {name!r}; the first is in {used[name].place}",
             )
-        elif name.startswith(_OURS):
-            prefix = name.partition("-")[0]
-            reader.error(
-                element, f"the id {name!r}: names that begin with {prefix}- are the world's"
-            )
-        elif not _ID.fullmatch(name):
-            reader.error(
-                element, f"the id {name!r}: letters, digits, _ . - only, no digit first, at most 64"
-            )
+        elif wrong := complaint(name):
+            reader.error(element, f"the id {name!r}: {wrong}")
         used.setdefault(name, element)
 
 

@@ -98,7 +98,8 @@ class Physics:
         self._scene = scene
         self._robots = scene.robots
         drives = [robot.model.drive for robot in world.robots]
-        fastest_mps = max((drive.wheels.speed_limit for drive in drives), default=0.0)
+        limits_mps = np.array([drive.wheels.speed_limit for drive in drives])
+        fastest_mps = float(limits_mps[scene.present].max(initial=0.0))
         self._fewest_substeps = max(1, math.ceil(world.timestep_s * fastest_mps / SUBSTEP_M))
         self._substep_s = world.timestep_s / self._fewest_substeps
         self._own_kg = np.array([robot.model.mass_kg for robot in world.robots])
@@ -109,6 +110,7 @@ class Physics:
         if not world.surface.is_flat:
             self._inclines = Inclines(world, scene)
             self._ledges = Ledges(self._inclines.terrain, scene)
+        self._absent = np.flatnonzero(~scene.present)  # slopes move what touches nothing, too
         self._start = bodies.copy()
         self._pulls: list[Pull] = []
         self._room_m = 0.0
@@ -184,6 +186,8 @@ class Physics:
         free = ~bodies.slipping
         bodies.velocity_mps[robots][free] = wanted_mps[free]
         contacts, touched = self._run_space(bodies, pull, wanted_mps, incline)
+        bodies.position_m[self._absent] = free_m[self._absent]
+        bodies.velocity_mps[self._absent] = 0.0
         lag_mps = np.abs(bodies.velocity_mps[robots] - wanted_mps)
         bodies.slipping[:] = (lag_mps > _SAME).any(axis=1)
         bodies.touching[:] = touched
@@ -242,7 +246,8 @@ class Physics:
             bodies.append(body)
             carried = parts.get(number)
             load = () if carried is None else thing_shapes(body, *carried)
-            add(space, body, pymunk.Circle(body, robot.model.radius_m), *load)
+            own = [pymunk.Circle(body, robot.model.radius_m)] * bool(self._scene.present[number])
+            add(space, body, *own, *load)
         for number, thing in enumerate(self._scene.pushables):
             body = pymunk.Body(thing.mass_kg, moment_kgm2(thing))
             body.position = next(places)

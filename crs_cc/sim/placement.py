@@ -1,6 +1,7 @@
 """Who stands where nobody can stand: robots and things to be pushed inside of something else.
 
-Touching is allowed; an overlap of more than `TOLERANCE_M` is not.
+Touching is allowed; an overlap of more than `TOLERANCE_M` is not. A robot that joins later may be
+in the way of other robots and of what can be pushed: until then these may have moved.
 
 >>> from crs_cc.sim.model import Area, Pose, Robot, Wall, WorldModel
 >>> from crs_cc.sim.robot_model import Drive, RobotModel
@@ -27,6 +28,7 @@ from crs_cc.sim.polygon import distances_m
 from crs_cc.sim.scene import corners_m
 
 FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
 
 TOLERANCE_M: Final = 1e-6
 
@@ -45,8 +47,11 @@ def misplaced(world: WorldModel, most: int | None = None) -> list[tuple[int, str
     y_m = np.array([robot.start.y_m for robot in robots])
     places = Discs(x_m, y_m, np.array([robot.model.radius_m for robot in robots]))
     ids = [robot.id for robot in robots]
+    there = np.array([robot.join_s <= 0.0 for robot in robots])
     complaints = chain(
-        _outside(world, ids, places), _inside(world, ids, places), _overlapping(ids, places)
+        _outside(world, ids, places),
+        _inside(world, ids, places, there),
+        _overlapping(ids, places, there),
     )
     return list(islice(complaints, most))
 
@@ -116,7 +121,9 @@ def _outside(world: WorldModel, ids: list[str], robots: Discs) -> Iterator[tuple
         yield int(robot), f"robot {ids[robot]!r} stands outside the world or in its edge"
 
 
-def _inside(world: WorldModel, ids: list[str], robots: Discs) -> Iterator[tuple[int, str]]:
+def _inside(
+    world: WorldModel, ids: list[str], robots: Discs, there: BoolArray
+) -> Iterator[tuple[int, str]]:
     solids = world.solids()[len(world.edge_walls()) :]
     if not solids:
         return
@@ -125,7 +132,8 @@ def _inside(world: WorldModel, ids: list[str], robots: Discs) -> Iterator[tuple[
         for number in np.unique(solid_of).tolist():
             near, solid = np.sort(robot_of[solid_of == number]), solids[number]
             room_m = clearance_m(solid, robots.x_m[near], robots.y_m[near])
-            for robot in near[room_m < robots.radius_m[near] - TOLERANCE_M]:
+            inside = room_m < robots.radius_m[near] - TOLERANCE_M
+            for robot in near[inside & there[near] if is_pushable(solid) else inside]:
                 yield int(robot), f"robot {ids[robot]!r} stands inside {_named(solid)}"
 
 
@@ -147,9 +155,9 @@ def _disc_around(solid: Solid) -> tuple[float, float, float]:
     return x_m, y_m, max(math.hypot(*corner) for corner in solid.corners_m)
 
 
-def _overlapping(ids: list[str], robots: Discs) -> Iterator[tuple[int, str]]:
+def _overlapping(ids: list[str], robots: Discs, there: BoolArray) -> Iterator[tuple[int, str]]:
     for first, second in overlapping(robots, robots):
-        before = first < second
+        before = (first < second) & there[first] & there[second]
         one, other = first[before], second[before]
         distance_m = np.hypot(
             robots.x_m[one] - robots.x_m[other], robots.y_m[one] - robots.y_m[other]

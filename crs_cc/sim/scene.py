@@ -26,6 +26,7 @@ from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Thing, Wall, WorldMo
 from crs_cc.sim.polygon import is_convex, triangles
 
 FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
 IndexArray = npt.NDArray[np.intp]
 
 
@@ -64,14 +65,22 @@ class Scene:
         fixed: the outlines of what does not move.
         pushables: what can be pushed, in the order of the bodies.
         fixed_solids: what cannot.
+        present: the robots that are in the world; the others are seen by nobody, (robots,).
         names: the id of each body, then of each fixed solid, then `GROUND` where it is not flat.
         start: the poses of all bodies at the start, shape (bodies, 3): x, y [m], heading [rad].
     """
 
-    def __init__(self, world: WorldModel) -> None:
+    def __init__(self, world: WorldModel, present: BoolArray | None = None) -> None:
+        """Takes the outlines of a world.
+
+        Args:
+            world: the world.
+            present: which of its robots are there; by default all.
+        """
         solids = world.solids()
         self.world = world
         self.robots = len(world.robots)
+        self.present = np.ones(self.robots, dtype=np.bool_) if present is None else present
         self.pushables: tuple[Thing, ...] = tuple(
             solid for solid in solids if not isinstance(solid, Wall) and is_pushable(solid)
         )
@@ -83,9 +92,9 @@ class Scene:
         rows = [(pose.x_m, pose.y_m, pose.heading_rad) for pose in poses]
         self.start = np.array(rows, dtype=np.float64).reshape(-1, 3)
         self._sides = _Sides(enumerate(self.pushables, len(world.robots)))
-        radii = [robot.model.radius_m for robot in world.robots]
-        round_bodies = list(range(len(radii)))
-        for body, thing in enumerate(self.pushables, len(radii)):
+        round_bodies = np.flatnonzero(self.present).tolist()
+        radii = [world.robots[robot].model.radius_m for robot in round_bodies]
+        for body, thing in enumerate(self.pushables, self.robots):
             if isinstance(thing, Cylinder):
                 radii.append(thing.radius_m)
                 round_bodies.append(body)

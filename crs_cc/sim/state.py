@@ -44,6 +44,7 @@ from crs_cc.sim.states.messages import MessageState
 from crs_cc.sim.states.obstacles import ObstacleState
 from crs_cc.sim.states.odometry import OdometryState
 from crs_cc.sim.states.pos_data import PosDataState
+from crs_cc.sim.states.presence import PresenceState
 from crs_cc.sim.states.sonar import SonarState
 from crs_cc.sim.states.tilt import TiltState
 from crs_cc.sim.states.waits import WaitState
@@ -62,6 +63,7 @@ class EnvState:
 
     Attributes:
         cycle: number of the current cycle.
+        presence: which robots are in the world.
         bodies: what moves, the robots first.
         heading_rad: the robots' true headings at the start of the cycle: where their wheels roll.
         turret_rad: where the mount of their sonars, infrared sensors and laser points: the heading,
@@ -99,6 +101,7 @@ class EnvState:
     """
 
     cycle: int
+    presence: PresenceState
     bodies: Bodies
     heading_rad: FloatArray
     turret_rad: FloatArray
@@ -140,6 +143,7 @@ class EnvState:
         heading_rad = bodies.angle_rad[:count].copy()
         return cls(
             cycle=0,
+            presence=PresenceState.at_start(world),
             bodies=bodies,
             heading_rad=heading_rad,
             turret_rad=heading_rad.copy(),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from itertools import islice
@@ -67,6 +68,7 @@ def world_model(
             reader.not_negative(element, "heat", HEAT),
             _DIALECTS.get(element.attributes.get("dialect", "")),
             materials.of(element),
+            *_stay(element, reader),
         )
         for element in root.all("robot")
     ]
@@ -180,6 +182,15 @@ def _seed(root: Element, reader: Reader) -> int | None:
     if "seed" not in root.attributes:
         return None
     return reader.whole(root, "seed", 0, MAX_SEED)
+
+
+def _stay(element: Element, reader: Reader) -> tuple[float, float]:
+    """Gives when a robot joins and when it leaves [s]."""
+    join_s = reader.not_negative(element, "join", TIME)
+    leave_s = reader.positive(element, "leave", TIME, math.inf)
+    if leave_s <= join_s:
+        reader.refuse(element, "leave: the robot leaves before it joins")
+    return join_s, leave_s
 
 
 def _program(element: Element, folder: Path | None, reader: Reader) -> str:

@@ -91,18 +91,18 @@ class Batteries:
         """Tells whose motors have no force any more, shape (k,)."""
         if self._lasts:
             return np.zeros(len(rows), dtype=np.bool_)
-        kinds = self._kind[rows]
-        charge = self._motors.charge(kinds, at_s, state.battery.moved_j[rows])
+        kinds, for_s = self._kind[rows], at_s - state.presence.joined_s[rows]
+        charge = self._motors.charge(kinds, for_s, state.battery.moved_j[rows])
         return np.asarray(charge < self._least_charge[rows])
 
     def told(
         self, state: EnvState, equipment: Equipment, rows: IndexArray, at_s: FloatArray
     ) -> tuple[npt.NDArray[np.int32], npt.NDArray[np.int32]]:
         """Gives the bytes of the computers' and of the motors' battery, shape (k,) each."""
-        kinds = self._kind[rows]
+        kinds, for_s = self._kind[rows], at_s - state.presence.joined_s[rows]
         charges = (
-            self._computers.charge(kinds, at_s, 0.0),
-            self._motors.charge(kinds, at_s, state.battery.moved_j[rows]),
+            self._computers.charge(kinds, for_s, 0.0),
+            self._motors.charge(kinds, for_s, state.battery.moved_j[rows]),
         )
         supplies = (self._computers, self._motors)
         pairs = list(zip(supplies, charges, strict=True))
@@ -121,7 +121,8 @@ class Batteries:
         asks = self._in_status[rows]
         if not asks.any():
             return None
-        charge = self._motors.charge(self._kind[rows], at_s, state.battery.moved_j[rows])
+        for_s = at_s - state.presence.joined_s[rows]
+        charge = self._motors.charge(self._kind[rows], for_s, state.battery.moved_j[rows])
         level = np.minimum((charge * _LEVELS).astype(np.int32), _LEVELS - 1)
         return np.asarray(np.where(asks, level << 2, 0))
 
@@ -148,10 +149,10 @@ class _Supply:
         self._bytes = np.array([_bytes(curve_v, factor) for curve_v in self._curve_v])
 
     def charge(
-        self, kinds: IndexArray, at_s: FloatArray | float, moved_j: FloatArray | float
+        self, kinds: IndexArray, for_s: FloatArray, moved_j: FloatArray | float
     ) -> FloatArray:
-        """Gives the share of its energy that each has left."""
-        used_j = self._power_w[kinds] * at_s + moved_j
+        """Gives the share of its energy that each has left, on for some time."""
+        used_j = self._power_w[kinds] * for_s + moved_j
         left = self._start[kinds] - used_j / self._capacity_j[kinds]
         return np.asarray(np.maximum(left, 0.0))
 

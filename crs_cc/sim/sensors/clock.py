@@ -2,10 +2,10 @@
 
     reading = floor(floor(t / tick) * tick in ms)  modulo 2^32
 
-with t the simulated time since the start, and what the clock showed then. The vendor's header
-`Nclient.h` 1.29 gives the unit (ms), the tick of 16.4 ms, and that it starts at zero when the robot
-is switched on and flows over after 49 days, which are 2^32 ms. When a robot was switched on is a
-parameter of its definition. No degradation.
+with t the simulated time since the robot is in the world, and what the clock showed then. The
+vendor's header `Nclient.h` 1.29 gives the unit (ms), the tick of 16.4 ms, and that it starts at
+zero when the robot is switched on and flows over after 49 days, which are 2^32 ms. When a robot was
+switched on is a parameter of its definition. No degradation.
 
 >>> from crs_cc.sim.world_xml import empty_world
 >>> BoardClock(empty_world()).ms(np.array([0, 0]), np.array([0.0164, 1.0])).tolist()
@@ -37,13 +37,13 @@ class BoardClock:
         self._start_s = np.array([board.start_s for board in boards])
         self._tick_s = np.array([board.tick_s for board in boards])
 
-    def ms(self, rows: IndexArray, at_s: FloatArray) -> FloatArray:
+    def ms(self, rows: IndexArray, since_s: FloatArray) -> FloatArray:
         """Gives what clocks show [ms], whole numbers from 0 to 2^32 - 1.
 
         Args:
             rows: which robots, k of them.
-            at_s: when, for each, shape (k,).
+            since_s: how long each has been in the world, shape (k,).
         """
         tick_s = self._tick_s[rows]
-        ticks = np.floor((self._start_s[rows] + at_s) / tick_s + _ROUNDING)
+        ticks = np.floor((self._start_s[rows] + since_s) / tick_s + _ROUNDING)
         return np.asarray(np.floor(ticks * tick_s * 1e3 + _ROUNDING) % _WRAP)

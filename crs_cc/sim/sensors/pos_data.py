@@ -124,7 +124,8 @@ def _copy(
 ) -> None:
     at_s, configuration = read
     once = at_s >= 0.0
-    ms = clock.ms(robots[:, None], np.where(once, at_s, 0.0)).astype(np.uint32).view(np.int32)
+    since_s = np.where(once, at_s - state.presence.joined_s[robots, None], 0.0)
+    ms = clock.ms(robots[:, None], since_s).astype(np.uint32).view(np.int32)
     told = np.zeros((*at_s.shape, NUMBERS), dtype=np.int32)
     told[..., : NUMBERS - 2] = configuration
     told[..., NUMBERS - 2 :] = ms[..., None]

@@ -79,14 +79,24 @@ class SonarRing:
         self._beams = Beams(models)
         self._errors = SonarErrors(world, seed)
 
-    def begin(self, state: EnvState, equipment: Equipment, around: Surroundings) -> None:
-        """Lets all sonars in the orders have fired just before a run starts."""
-        robots = np.arange(len(state.sonar.length))
-        heard_m = self.hear_now(state, equipment, around, robots, np.zeros(len(robots)))
-        robot, turn = np.nonzero(np.arange(MAX_SONARS) < state.sonar.length[:, None])
-        number = state.sonar.order[robot, turn]
-        state.sonar.echo_m[robot, number] = heard_m[robot, number]
-        state.sonar.fired_from[:] = configuration(state, equipment, robots)[:, None, :]
+    def begin(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        now_s: float,
+    ) -> None:
+        """Lets all sonars in the orders have fired just before robots begin to run."""
+        sonar = state.sonar
+        heard_m = self.hear_now(state, equipment, around, rows, np.full(len(rows), now_s))
+        row, turn = np.nonzero(np.arange(MAX_SONARS) < sonar.length[rows, None])
+        robot = rows[row]
+        number = sonar.order[robot, turn]
+        sonar.echo_m[robot, number] = heard_m[row, number]
+        sonar.fired_from[rows] = configuration(state, equipment, rows)[:, None, :]
+        sonar.fired_s[rows] = sonar.start_s[rows] = now_s
+        sonar.next_s[rows] = np.where(sonar.length[rows] > 0, now_s, np.inf)
 
     def advance(
         self,

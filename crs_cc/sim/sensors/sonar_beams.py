@@ -126,6 +126,7 @@ def overheard(
     cells = CellList(state.x_m, state.y_m, max(reach_m, _NEAR_M))
     listener, other = cells.near(start.real, start.imag)
     fires = (sonar.length[other] > 0) & (pings.own[listeners[listener]] != other)
+    fires &= state.presence.present[other]
     listener, other = listener[fires], other[fires]
     # One ping of the other comes first of those that come after the own one is sent. The board
     # fires anew later than sound from the end of the range would come: there is no second one.

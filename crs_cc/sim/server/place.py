@@ -9,16 +9,14 @@ header says nothing of it). The program goes on at the end of the timestep.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.carrying import release
-from crs_cc.sim.model import Cylinder, Pose, Solid
-from crs_cc.sim.placement import TOLERANCE_M, clearance_m
+from crs_cc.sim.model import Pose
+from crs_cc.sim.presence import in_the_way
 from crs_cc.units import tenths_deg_to_rad, tenths_inch_to_m
 
 if TYPE_CHECKING:
@@ -44,36 +42,11 @@ def place_robot(
             tenths_inch_to_m(float(y)),
             tenths_deg_to_rad(float(heading % _FULL_TURN)),
         )
-        good[row] = _is_free(state, equipment, robot, place)
+        radius_m = float(equipment.radius_m[robot])
+        good[row] = not in_the_way(state, equipment, place, radius_m, robot)
         if good[row]:
             _put(state, equipment, robot, place, tenths_deg_to_rad(float(turret % _FULL_TURN)))
     return good
-
-
-def _is_free(state: EnvState, equipment: Equipment, robot: int, place: Pose) -> bool:
-    area, radius_m = equipment.world.area, float(equipment.radius_m[robot]) - TOLERANCE_M
-    x_m, y_m = np.array([place.x_m]), np.array([place.y_m])
-    return (
-        area.x_min_m + radius_m <= place.x_m <= area.x_max_m - radius_m
-        and area.y_min_m + radius_m <= place.y_m <= area.y_max_m - radius_m
-        and all(
-            clearance_m(thing, x_m, y_m)[0] >= radius_m
-            for thing in _others(state, equipment, robot)
-        )
-    )
-
-
-def _others(state: EnvState, equipment: Equipment, robot: int) -> Iterator[Solid]:
-    """Gives everything else, where it is now."""
-    scene, bodies = equipment.scene, state.bodies
-    yield from scene.fixed_solids
-    moved = zip(bodies.position_m.tolist(), bodies.angle_rad.tolist(), strict=True)
-    poses = [Pose(x_m, y_m, angle_rad) for (x_m, y_m), angle_rad in moved]
-    for other, radius_m in enumerate(equipment.radius_m.tolist()):
-        if other != robot:
-            yield Cylinder("", poses[other], radius_m)
-    for thing, pose in zip(scene.pushables, poses[scene.robots :], strict=True):
-        yield replace(thing, pose=pose)
 
 
 def _put(state: EnvState, equipment: Equipment, robot: int, place: Pose, turret_rad: float) -> None:

@@ -121,7 +121,7 @@ def _add(
     if area_m2(places_m) < 0.0:
         corners = corners[::-1]
     room_m = clearance_m(polygon_of(obstacles.made, corners.astype(np.int32)), state.x_m, state.y_m)
-    if (room_m < equipment.radius_m - TOLERANCE_M).any():
+    if (state.presence.present & (room_m < equipment.radius_m - TOLERANCE_M)).any():
         return False
     row = np.zeros((1, MAX_VERTICES, 2), dtype=np.int32)
     row[0, : len(corners)] = corners

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Self
 
 import numpy as np
@@ -15,6 +15,7 @@ from crs_cc.sim.robot_model import STILL
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
 WholeArray = npt.NDArray[np.int64]
+IndexArray = npt.NDArray[np.intp]
 
 
 @dataclass(slots=True)
@@ -86,6 +87,16 @@ class DriveState:
             ahead_m=np.zeros(count),
             stalled_s=np.zeros(count),
         )
+
+    def stop(self, rows: IndexArray) -> None:
+        """Lets axes stand still at once, without any command."""
+        for part in fields(self.axes):
+            getattr(self.axes, part.name)[rows] = 0.0
+        self.moved_m[rows] = self.slice[rows] = 0.0
+        self.forward_mps[rows] = self.ahead_m[rows] = self.stalled_s[rows] = 0.0
+        self.hindered[rows] = False
+        self.command[rows] = 0
+        self.deadline_s[rows] = np.inf
 
 
 def _rows(values: list[list[float]]) -> FloatArray:

@@ -1,0 +1,306 @@
+"""Robots that join and leave while a session runs.
+
+In the yard `home` stands in the west and drives about there; `gate`, in the east, is where others
+come in.
+
+    +-------------------------------------+
+    |                                     |
+    |  home >                       < gate|
+    |                                     |
+    +-------------------------------------+
+"""
+
+from __future__ import annotations
+
+import pickle
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from crs_cc.runtime.executable import Executable
+from crs_cc.session.session import Session
+from crs_cc.sim.model import Pose, Robot
+from crs_cc.sim.world_xml import load_robot, parse_world
+from tests.session.programs import LOOP, ROAM, build
+
+GATE = 'id="guest" x="19m" y="2m" heading="180deg"'
+
+
+def yard(guest: str = "", robots: str = ""):
+    """Gives the yard, with a guest if it has attributes."""
+    text = f"""<world version="1"><area length="20m" width="4m"/>
+    <robot id="home" x="1m" y="2m"/>{robots}
+    {f"<robot {GATE} {guest}/>" if guest else ""}</world>"""
+    return parse_world(text.encode(), "yard")
+
+
+GUEST = yard('join="0s"').robots[1]
+
+
+@pytest.fixture
+def roam(tmp_path: Path) -> Executable:
+    return build(tmp_path, ROAM)
+
+
+def begun(world, roam: Executable, seed: int = 3) -> Session:
+    return Session(world, [roam] * len(world.robots), seed)
+
+
+def run_to(session: Session, time_s: float) -> Session:
+    while session.time_s < time_s - 1e-9:
+        session.step()
+    return session
+
+
+def test_a_robot_joins_at_its_time(roam: Executable):
+    session = run_to(begun(yard('join="1s"'), roam), 0.95)
+    assert session.result().robots[1].outcome == "absent"
+    assert session.result().robots[1].joined_s is None
+    run_to(session, 3.0)
+    guest = session.result().robots[1]
+    assert (guest.outcome, guest.joined_s, guest.left_s) == ("running", 1.0, None)
+    assert guest.distance_m > 0.2
+    assert 0 < session.fuel[1] < session.fuel[0]
+
+
+def test_a_time_between_two_timesteps_means_the_later_one(roam: Executable):
+    session = run_to(begun(yard('join="0.51s" leave="0.98s"'), roam), 2.0)
+    guest = session.result().robots[1]
+    assert guest.joined_s == pytest.approx(0.55)
+    assert guest.left_s == pytest.approx(1.0)
+
+
+def test_a_robot_leaves_and_keeps_its_result(roam: Executable):
+    session = run_to(begun(yard('leave="2s"'), roam), 2.0)
+    left = session.result().robots[1]
+    assert (left.outcome, left.joined_s, left.left_s) == ("left", 0.0, 2.0)
+    assert left.exit_status is None
+    assert left.time_s == 2.0
+    run_to(session, 4.0)
+    assert session.result().robots[1] == left
+    assert session.running == 1
+
+
+@pytest.mark.parametrize("join_s", [0.0, 0.05, 1.0, 2.35])
+def test_by_file_and_by_call_is_the_same(roam: Executable, join_s: float):
+    by_file = begun(yard(f'join="{join_s}s" leave="4s"'), roam)
+    by_call = run_to(begun(yard(), roam), join_s)
+    assert by_call.add_robot(GUEST, roam) == 1
+    run_to(by_file, join_s)
+    for session in (by_file, by_call):
+        run_to(session, 4.0)
+    by_call.remove_robot("guest")
+    assert by_file.state_hash() == by_call.state_hash()
+    for session in (by_file, by_call):
+        run_to(session, 5.0)
+    assert by_file.result().robots == by_call.result().robots
+    assert by_file.state_hash() == by_call.state_hash()
+
+
+def test_noise_is_that_of_the_robots_number(roam: Executable):
+    text = """<world version="1"><area length="20m" width="4m"/>
+    <robot id="home" x="1m" y="2m" setup="noisy"/></world>"""
+    alone = parse_world(text.encode(), "yard", setup="noisy")
+    both = replace(alone, robots=(*alone.robots, replace(GUEST, model=alone.robots[0].model)))
+    by_file = run_to(begun(replace(both), roam), 1.5)
+    by_call = begun(alone, roam)
+    by_call.add_robot(both.robots[1], roam)
+    assert by_file.state_hash() == run_to(by_call, 1.5).state_hash()
+
+
+def test_who_joins_far_away_changes_nothing_for_the_others(roam: Executable):
+    alone, visited = begun(yard(), roam), begun(yard('join="1s" leave="2s"'), roam)
+    results = [run_to(session, 4.0).result().robots[0] for session in (alone, visited)]
+    assert results[0] == results[1]
+
+
+def test_an_absent_robot_is_nowhere(roam: Executable):
+    """Home drives east through the place where another one joins later, and back, unhindered."""
+    straight = """#include "Nclient.h"
+    int main(void) { connect_robot(1); vm(200, 200, 0); ws(1, 1, 0, 9); return 0; }
+    """
+    crossing = parse_world(
+        b"""<world version="1"><area length="20m" width="4m"/>
+        <robot id="home" x="1m" y="2m"/><robot id="late" x="2m" y="2m" join="60s"/></world>""",
+        "yard",
+    )
+    path = Path(roam.name)
+    program = build(path.parent, straight, "straight.c")
+    there = run_to(begun(crossing, program), 7.0).result().robots[0]
+    alone = run_to(begun(yard(), program), 7.0).result().robots[0]
+    assert there == alone
+    assert there.collisions == 0
+
+
+def test_a_taken_place_is_waited_for(roam: Executable):
+    """Sitter stands at the gate until it leaves; the guest, due before, comes in then."""
+    world = yard('join="0.5s"', '<robot id="sitter" x="18.8m" y="2m" leave="1.5s"/>')
+    idle = build(Path(roam.name).parent, LOOP, "idle.c")
+    session = run_to(Session(world, [roam, idle, roam]), 2.0)
+    sitter, guest = session.result().robots[1:]
+    assert sitter.left_s == guest.joined_s == 1.5
+
+
+def test_who_cannot_join_before_it_leaves_never_does(roam: Executable):
+    world = yard('join="0.5s" leave="1s"', '<robot id="sitter" x="18.8m" y="2m"/>')
+    idle = build(Path(roam.name).parent, LOOP, "idle.c")
+    guest = run_to(Session(world, [roam, idle, roam]), 2.0).result().robots[2]
+    assert (guest.outcome, guest.joined_s, guest.left_s) == ("absent", None, 1.0)
+
+
+def test_a_run_waits_for_those_to_come(roam: Executable):
+    """When nobody runs and the place of the last one is taken it is over."""
+    quiet = build(Path(roam.name).parent, "int main(void) { return 0; }\n", "quiet.c")
+    session = Session(yard('join="1s"'), [quiet, quiet])
+    steps = 1
+    while session.step():
+        steps += 1
+    assert steps == 21
+    assert session.result().robots[1].outcome == "exited"
+    blocked = Session(
+        yard('join="1s"', '<robot id="sitter" x="18.8m" y="2m"/>'), [quiet, quiet, quiet]
+    )
+    while blocked.step():
+        assert blocked.time_s < 2.0
+    assert blocked.result().robots[2].outcome == "absent"
+
+
+def test_events_say_who_comes_and_goes(roam: Executable):
+    heard = []
+
+    class Ear:
+        def step(self, step) -> None:
+            heard.extend(step.events)
+
+    session = Session(yard('join="0.5s" leave="1s"'), [roam, roam], trace=Ear())
+    run_to(session, 1.0)
+    session.remove_robot(0)
+    assert not session.step()
+    said = [(event.time_s, event.kind, event.text, event.robot) for event in heard]
+    assert said == [
+        (0.5, "join", "joined", 1),
+        (1.0, "leave", "left", 1),
+        (1.0, "leave", "left", 0),
+    ]
+
+
+def test_snapshots_lead_across_joining_and_leaving(roam: Executable):
+    """Back before the guest, forward again, and into a session that never knew of it."""
+    session = run_to(begun(yard(), roam), 1.0)
+    before = session.snapshot()
+    session.add_robot(GUEST, roam, ["guest", "now"])
+    hashes = {}
+    snapshots = {}
+    for time_s in (1.0, 2.0, 3.0):
+        run_to(session, time_s)
+        if time_s == 3.0:
+            session.remove_robot("guest")
+        snapshots[time_s], hashes[time_s] = session.snapshot(), session.state_hash()
+    end = run_to(session, 4.0).state_hash()
+    session.restore(before)
+    assert len(session.result().robots) == 1
+    assert session.add_robot(GUEST, roam, ["guest", "now"]) == 1
+    assert session.state_hash() == hashes[1.0]
+    for other in (session, begun(yard(), roam)):
+        for time_s in (2.0, 3.0, 1.0):
+            other.restore(pickle.loads(pickle.dumps(snapshots[time_s])))
+            assert other.state_hash() == hashes[time_s]
+        run_to(other, 3.0).remove_robot("guest")
+        assert run_to(other, 4.0).state_hash() == end
+
+
+def test_many_come_and_go(roam: Executable):
+    """A queue at the gate: each comes in where the one before has left."""
+    session = begun(yard(), roam)
+    for number in range(12):
+        session.add_robot(replace(GUEST, id=f"guest{number}"), roam)
+        run_to(session, session.time_s + 0.1)
+        session.remove_robot(f"guest{number}")
+    outcomes = [robot.outcome for robot in session.result().robots]
+    assert outcomes == ["running"] + ["left"] * 12
+    assert [robot.joined_s for robot in session.result().robots[1:4]] == pytest.approx(
+        [0.0, 0.1, 0.2]
+    )
+
+
+def test_another_kind_of_robot_joins(roam: Executable, tmp_path: Path):
+    nomad = load_robot(Path(__file__).parents[2] / "crs_cc/sim/robots/nomad200.xml")
+    session = run_to(begun(yard(), roam), 0.5)
+    session.add_robot(replace(GUEST, model=nomad), roam)
+    session.add_robot(replace(GUEST, id="third", start=Pose(17.0, 1.0)), roam)
+    middle = session.snapshot()
+    end = run_to(session, 2.0).state_hash()
+    session.restore(middle)
+    assert run_to(session, 2.0).state_hash() == end
+
+
+@pytest.mark.parametrize(
+    ("changes", "reason"),
+    [
+        ({"id": "home"}, "there is a thing with this id"),
+        ({"id": "edge-east"}, "names that begin with edge-"),
+        ({"id": "obstacle-1"}, "names that begin with obstacle-"),
+        ({"id": ""}, "letters, digits"),
+        ({"id": "a b"}, "letters, digits"),
+        ({"start": Pose(1.2, 2.0)}, "'home' is in its place"),
+        ({"start": Pose(0.1, 2.0)}, "the edge of the world is in its place"),
+        ({"start": Pose(99.0, 2.0)}, "the edge of the world is in its place"),
+        ({"start": Pose(float("nan"), 2.0)}, "not finite"),
+        ({"start": Pose(9.0, 2.0, float("inf"))}, "not finite"),
+        ({"join_s": float("nan")}, "not finite"),
+        ({"join_s": float("inf")}, "not finite"),
+        ({"leave_s": 1.0}, "it leaves before it joins"),
+        ({"leave_s": float("nan")}, "it leaves before it joins"),
+        ({"join_s": 5.0, "leave_s": 4.0}, "it leaves before it joins"),
+    ],
+)
+def test_who_cannot_be_there_is_refused(roam: Executable, changes, reason: str):
+    session = run_to(begun(yard(), roam), 1.0)
+    before = session.state_hash()
+    with pytest.raises(ValueError, match=reason):
+        session.add_robot(replace(GUEST, **changes), roam)
+    assert session.state_hash() == before
+    assert len(session.result().robots) == 1
+
+
+def test_only_who_is_there_can_leave(roam: Executable):
+    session = begun(yard('join="5s"'), roam)
+    for robot in ("nobody", 2, -1):
+        with pytest.raises(ValueError, match="there is no robot"):
+            session.remove_robot(robot)
+    session.remove_robot("guest")
+    with pytest.raises(ValueError, match="has left before"):
+        session.remove_robot(1)
+    run_to(session, 6.0)
+    assert session.result().robots[1].outcome == "absent"
+
+
+def test_an_added_robot_can_wait_for_its_time(roam: Executable):
+    session = run_to(begun(yard(), roam), 0.5)
+    robot: Robot = replace(GUEST, join_s=1.0, leave_s=1.5)
+    assert session.add_robot(robot, roam) == 1
+    assert session.result().robots[1].outcome == "absent"
+    run_to(session, 2.0)
+    guest = session.result().robots[1]
+    assert (guest.joined_s, guest.left_s) == (1.0, 1.5)
+
+
+def test_a_waiting_robot_that_leaves_is_not_answered(roam: Executable):
+    """The guest waits in `ws` when it leaves."""
+    source = """#include "Nclient.h"
+    int main(void) { connect_robot(1); pr(99, 99, 0); ws(1, 1, 0, 20); return 3; }
+    """
+    waits = build(Path(roam.name).parent, source, "waits.c")
+    session = Session(yard('leave="0.5s"'), [roam, waits])
+    run_to(session, 0.5)
+    left = session.result().robots[1]
+    assert (left.outcome, left.exit_status, left.time_s) == ("left", None, 0.5)
+    run_to(session, 3.0)
+    assert session.result().robots[1] == left
+
+
+def test_who_has_ended_before_it_leaves_has_exited(roam: Executable):
+    quiet = build(Path(roam.name).parent, "int main(void) { return 4; }\n", "quiet.c")
+    guest = run_to(Session(yard('leave="0.5s"'), [roam, quiet]), 1.0).result().robots[1]
+    assert (guest.outcome, guest.exit_status, guest.left_s) == ("exited", 4, 0.5)
