@@ -60,8 +60,8 @@ class RobotResult:
     commands: int
     fuel: int
     robot_call_s: float | None
-    joined_s: float | None
-    left_s: float | None
+    joined_s: float | None = 0.0
+    left_s: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
