@@ -137,3 +137,11 @@ class Contacts:
 
 _NOBODY: Final = np.zeros(0, np.intp)
 NO_CONTACTS: Final = Contacts(_NOBODY, _NOBODY, np.zeros(0), np.zeros(0), _NOBODY)
+
+
+@dataclass(frozen=True, slots=True)
+class PhysicsSnapshot:
+    """The bodies when the space was last made anew, and the pulls of the cycles since then."""
+
+    start: Bodies
+    pulls: tuple[Pull, ...]

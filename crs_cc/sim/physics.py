@@ -27,7 +27,7 @@ from __future__ import annotations
 
 import math
 import weakref
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -36,7 +36,7 @@ import pymunk
 from pymunk import batch
 
 from crs_cc.garbage import without_collector
-from crs_cc.sim.bodies import NO_CONTACTS, Bodies, Contacts, Pull
+from crs_cc.sim.bodies import NO_CONTACTS, Bodies, Contacts, PhysicsSnapshot, Pull
 from crs_cc.sim.carrying import Load
 from crs_cc.sim.clearance import clearance_m
 from crs_cc.sim.friction import moment_kgm2
@@ -80,14 +80,6 @@ _CONTACT: Final = (
     | batch.ArbiterFields.POINT_A_1 | batch.ArbiterFields.DISTANCE_1
 )  # fmt: skip
 _NO_PAIRS: Final = (np.zeros((0, 2), dtype=np.intp), np.zeros((0, 3)))
-
-
-@dataclass(frozen=True, slots=True)
-class PhysicsSnapshot:
-    """The bodies when the space was last made anew, and the pulls of the cycles since then."""
-
-    start: Bodies
-    pulls: tuple[Pull, ...]
 
 
 class Physics:

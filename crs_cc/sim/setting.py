@@ -27,6 +27,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.actuators.rolling import RollingNoise
+from crs_cc.sim.bodies import PhysicsSnapshot
 from crs_cc.sim.degradation_control import DegradationControl
 from crs_cc.sim.devices import Devices
 from crs_cc.sim.equipment import Equipment
@@ -34,7 +35,7 @@ from crs_cc.sim.events import Event, EventLog
 from crs_cc.sim.growth import grown
 from crs_cc.sim.link import SerialLine
 from crs_cc.sim.model import Robot, WorldModel
-from crs_cc.sim.physics import Physics, PhysicsSnapshot
+from crs_cc.sim.physics import Physics
 from crs_cc.sim.presence import Timetable, complaint, in_the_way, leave
 from crs_cc.sim.scene import Scene
 from crs_cc.sim.sensors.bumper import Bumpers
