@@ -144,6 +144,12 @@ class Environment(Setting):
             self.degradations.tell(self.end_s)
         self._devices.end_cycle(state, self._equipment, self.time_s, self.end_s)
         traffic = take(state.messages)
+        self._begin_cycle()
+        ended, at_s, messages = self._end_waits()
+        if self._is_anybody_due():
+            self._come_and_go()
+        heard = (slices, served, self._log.take(self.time_s), traffic)
+        return Step(cycle, time_s, ended, at_s, messages, began, self._names, *heard)
 
     def _handle(self, code: int, rows: IndexArray, messages: Messages) -> BoolArray:
         """Lets connected robots do what is asked; gives which requests were good."""

@@ -34,6 +34,7 @@ from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.events import Event, EventLog
 from crs_cc.sim.growth import grown
 from crs_cc.sim.link import SerialLine
+from crs_cc.sim.messages.control import CommunicationControl
 from crs_cc.sim.model import Robot, WorldModel
 from crs_cc.sim.physics import Physics
 from crs_cc.sim.presence import Timetable, complaint, in_the_way, leave
@@ -96,6 +97,11 @@ class Setting:
     def degradations(self) -> DegradationControl:
         """Gives what is wrong with devices, to be asked and changed between two steps."""
         return DegradationControl(self.world, self.state.degradation, self._log, self.time_s)
+
+    @property
+    def communication(self) -> CommunicationControl:
+        """Gives the ways of messages, to be shut and opened between two steps, and counts."""
+        return CommunicationControl(self.world, self.state.messages, self.time_s)
 
     @property
     def timestep_s(self) -> float:
