@@ -266,3 +266,22 @@ def tells_ages_of_readings(drive: Drive) -> None:
     ahead_in = np.array(re.findall(r"now (\S+) in", drive.text), dtype=float)
     nearer_in = 20.3 * np.cos(np.radians(30)) / np.cos(np.radians(20))
     assert -np.diff(ahead_in) == pytest.approx(nearer_in, abs=1.5)
+
+
+def finds_out_which_sonar_lies(drive: Drive) -> None:
+    """The sonar ahead is stuck from 12 s to 42 s, on the first two of the four legs."""
+    touches_nothing(drive)
+    pattern = r"^ *(\S+) s  sonar (\d+) (says|fits)"
+    told = [
+        (float(at_s), sonar, word)
+        for at_s, sonar, word in re.findall(pattern, drive.text, re.MULTILINE)
+    ]
+    assert [(sonar, word) for _, sonar, word in told] == [("0", "says"), ("0", "fits")]
+    assert 12 < told[0][0] < 16
+    assert 42 < told[1][0] < 50
+    ends = [int(end) for end in re.findall(r"leg \d ends (\d+) in before a wall", drive.text)]
+    assert len(ends) == 4
+    assert all(15 < end <= 30 for end in ends)
+    x_in = drive.places[:, 0] / INCH_M
+    assert x_in.max() == pytest.approx(10 / INCH_M - 30, abs=12)
+    assert x_in.min() == pytest.approx(30, abs=12)

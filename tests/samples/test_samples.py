@@ -118,6 +118,7 @@ RUNS = [
     Run("turret", "pillar", properties.keeps_its_eye_on_the_pillar),
     Run("dead_reckoning", "wall", properties.reckons_until_it_slips),
     Run("sonar_ages", "wall", properties.tells_ages_of_readings),
+    Run("distrust", "faulty", properties.finds_out_which_sonar_lies),
     Run("drivers/carmen_like", "studio", properties.goes_as_commanded),
     Run("drivers/player_like", "room", properties.serves_at_10_hz, standard="gnu89"),
 ]
