@@ -1,0 +1,255 @@
+"""Range, walls, delay, jitter, bandwidth and queues against values worked out by hand."""
+
+import numpy as np
+import pytest
+
+from crs_cc.sim.messages.traffic import Fate
+from tests.sim.driver import Driver, open_world
+from tests.sim.messages.radio import DT, talking
+
+# -- range and walls -------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("distance", "hears"), [("3.999m", True), ("4.001m", False)])
+def test_a_channel_reaches_as_far_as_its_range(distance, hears):
+    talk = talking(f'<robot x="0" y="0"/><robot x="{distance}" y="0"/>', 'range="4m"')
+    talk.send(0, 1)
+    talk.run(2)
+    assert bool(talk.kinds(1)) == hears
+    assert len(talk.fates(Fate.RANGE)) == (not hears)
+
+
+WALL = '<wall x1="1m" y1="-1m" x2="1m" y2="1m"/>'
+BOX = '<box x="1m" y="0" length="40cm" width="40cm" heading="30deg" mass="2kg"/>'
+ROUND = '<cylinder x="1m" y="0" radius="20cm"/>'
+AWAY = '<wall x1="1m" y1="0.1m" x2="1m" y2="2m"/>'
+
+
+@pytest.mark.parametrize(
+    ("things", "fate"),
+    [(WALL, Fate.BLOCKED), (BOX, Fate.BLOCKED), (ROUND, Fate.BLOCKED), (AWAY, Fate.DELIVERED)],
+)
+def test_where_sight_is_needed_one_thing_in_the_way_blocks(things, fate):
+    """The wall that is away ends 5 cm from the line, as it has a thickness of 10 cm.
+
+    a . | . b
+    """
+    talk = talking(f'<robot x="0" y="0"/><robot x="2m" y="-5mm"/>{things}', 'walls="0"')
+    talk.send(0, 1)
+    talk.run(2)
+    assert len(talk.fates(fate)) == 1
+
+
+@pytest.mark.parametrize(("walls", "hears"), [(0, True), (1, True), (2, True), (3, False)])
+def test_each_thing_in_the_way_leaves_a_share_of_the_range(walls, hears):
+    """Range 10 m, share 0.5, distance 2 m: two walls leave 2.5 m, three 1.25 m."""
+    things = "".join(
+        f'<wall x1="{x}cm" y1="-1m" x2="{x}cm" y2="1m" thickness="2cm"/>'
+        for x in range(50, 50 + 30 * walls, 30)
+    )
+    talk = talking(f'<robot x="0" y="0"/><robot x="2m" y="0"/>{things}', 'range="10m" walls="0.5"')
+    talk.send(0, 1)
+    talk.run(2)
+    assert bool(talk.kinds(1)) == hears
+
+
+def test_robots_are_in_nobodys_way():
+    things = '<robot x="0" y="0"/><robot x="2m" y="0"/><robot x="1m" y="0"/>'
+    talk = talking(things, 'walls="0"')
+    talk.send(0, 1)
+    talk.run(2)
+    assert talk.kinds(1) == [0]
+
+
+def test_a_box_that_was_pushed_away_is_in_the_way_no_longer():
+    """A robot pushes a box sideways out of the line between two others."""
+    things = """<robot x="0" y="0"/><robot x="2m" y="0"/><robot x="1m" y="-0.5m" heading="90deg"/>
+        <box x="1m" y="0" length="40cm" width="40cm" mass="2kg"/>
+        <communication><channel name="radio" walls="0"/></communication>"""
+    driver = Driver.of(open_world(things))
+    driver.ask("PR", 300, 300, robot=2)
+    fates = []
+    for _ in range(2):
+        driver.post("SEND", 1, -1, 0, 0, robot=0)
+        steps = driver.run_s(3.0)
+        fates += [row["fate"] for step in steps for row in step.traffic]
+    assert driver.environment.state.bodies.position_m[3, 1] > 0.3
+    assert fates == [Fate.SENT, Fate.BLOCKED, Fate.SENT, Fate.DELIVERED]
+
+
+# -- time ------------------------------------------------------------------------------------------
+
+
+def test_a_message_arrives_when_it_has_been_sent_and_the_delay_is_over():
+    """28 bytes and a head of 12 at 400 B/s take 0.1 s, the delay 0.23 s: sent at 0.01, 0.34."""
+    talk = talking(channel='bandwidth="400B/s" delay="230ms"')
+    talk.send(0, 1, at_s=0.01, size=28)
+    talk.run(6)
+    message, goes_on_s = talk.receive(1, at_s=0.30, wait_ms=1000)
+    assert goes_on_s == pytest.approx(0.34)
+    assert message["f"][:2] == pytest.approx([0.01, 0.34])
+    talk.run(1)
+    assert talk.fates(Fate.DELIVERED)["time_s"] == pytest.approx([0.34])
+
+
+def test_what_would_arrive_in_the_cycle_it_was_sent_in_arrives_at_its_end():
+    talk = talking()
+    talk.send(0, 1, at_s=0.001)
+    assert not talk.receive(1, at_s=0.049)[0]["result"]
+    talk.run()
+    message, _ = talk.receive(1, at_s=DT)
+    assert message["f"][1] == DT
+
+
+def test_a_wait_that_goes_on_ends_at_the_arrival_in_a_later_cycle():
+    talk = talking(channel='delay="120ms"')
+    assert talk.receive(1, at_s=0.0, wait_ms=-1)[1] == np.inf
+    talk.send(0, 1, kind=9, at_s=0.0)
+    talk.run(2)
+    assert [list(step.robots) for step in talk.steps] == [[], [1]]
+    assert talk.steps[1].at_s == pytest.approx([0.12])
+    assert talk.steps[1].messages["i"][0, 3] == 9
+
+
+def test_a_wait_ends_when_its_time_is_up():
+    talk = talking()
+    message, goes_on_s = talk.receive(1, at_s=0.01, wait_ms=20)
+    assert (message["result"], goes_on_s) == (0, pytest.approx(0.03))
+    talk.receive(0, at_s=0.02, wait_ms=100)
+    talk.run(2)
+    assert talk.steps[1].at_s == pytest.approx([0.12])
+    assert talk.steps[1].messages["result"] == [0]
+
+
+def test_wheels_roll_on_while_a_program_waits_for_a_message():
+    """10 in/s, 50 in/s2: after 2 s, 19 in."""
+    driver = Driver.of(open_world())
+    driver.ask("AC", 500, 500)
+    driver.ask("VM", 100, 100)
+    driver.post("RECEIVE", -1)
+    driver.run_s(2.0)
+    assert driver.state.x_m[0] == pytest.approx(19 * 0.0254)
+
+
+def test_jitter_is_uniform_and_its_own_for_each_receiver():
+    """1,000 messages to two robots: mean 0.2 + 0.05, deviation 0.1 / sqrt(12)."""
+    things = '<robot x="0" y="0"/><robot x="1m" y="0"/><robot x="0" y="1m"/>'
+    talk = talking(things, 'delay="200ms" jitter="100ms"')
+    talk.state.receptions["status"] = 2
+    took_s = []
+    for _ in range(20):
+        sent_s = talk.environment.time_s
+        for _ in range(50):
+            talk.send(0)
+        talk.run()
+        coming = talk.state.receptions
+        arrives_s = coming["arrives_s"][np.lexsort([coming["packet"], coming["receiver"]])]
+        took_s.append(arrives_s.reshape(2, -1) - sent_s)
+        talk.state.receptions["status"] = 2
+        talk.run()
+    took = np.concatenate(took_s, axis=1)
+    assert took.shape == (2, 1000)
+    assert 0.2 <= took.min() < 0.202
+    assert 0.298 < took.max() < 0.3
+    assert took.mean(axis=1) == pytest.approx([0.25, 0.25], abs=0.004)
+    assert took.std(axis=1) == pytest.approx([0.1 / 12**0.5] * 2, rel=0.05)
+    assert abs(np.corrcoef(took)[0, 1]) < 0.1
+
+
+# -- bandwidth -------------------------------------------------------------------------------------
+
+
+def test_messages_of_one_sender_go_one_after_the_other():
+    """40 bytes each, head and all, at 1000 B/s: 0.04 s each, so they arrive 0.04 s apart.
+
+    The third begins at 0.10, with a cycle: it cannot arrive before that is over, at 0.15.
+    """
+    talk = talking(channel='bandwidth="1kB/s"')
+    for kind in range(5):
+        talk.send(0, 1, kind=kind, at_s=0.02, size=28)
+    talk.run(8)
+    assert talk.fates(Fate.DELIVERED)["time_s"] == pytest.approx([0.06, 0.1, 0.15, 0.18, 0.22])
+    assert talk.kinds(1) == [0, 1, 2, 3, 4]
+
+
+def test_each_sender_and_each_channel_has_a_bandwidth_of_its_own():
+    things = '<robot x="0" y="0"/><robot x="1m" y="0"/><robot x="0" y="1m"/>'
+    talk = talking(things, 'bandwidth="1kB/s"')
+    for sender in (0, 2):
+        talk.send(sender, 1, size=88)
+    talk.channel = 2
+    talk.send(0, 1, size=88)
+    talk.run(4)
+    assert talk.fates(Fate.DELIVERED)["time_s"] == pytest.approx([0.05, 0.1, 0.1])
+
+
+@pytest.mark.parametrize(("drop", "left"), [("newest", [0, 1, 2]), ("oldest", [0, 3, 4])])
+def test_a_full_queue_drops_the_oldest_or_the_newest(drop, left):
+    """Number 0 is being sent, two more wait, and two are too many."""
+    talk = talking(channel=f'bandwidth="100B/s" queue="2" drop="{drop}"')
+    taken = [talk.send(0, 1, kind=kind, at_s=0.01 * kind) for kind in range(5)]
+    assert taken == ([True] * 3 + [False] * 2 if drop == "newest" else [True] * 5)
+    talk.run(20)
+    assert talk.kinds(1) == left
+    lost = talk.fates(Fate.QUEUE)
+    assert lost["type"].tolist() == [kind for kind in range(5) if kind not in left]
+    assert lost["time_s"] == pytest.approx([0.03, 0.04])
+
+
+def test_there_is_room_again_when_a_transmission_has_begun():
+    """12 bytes at 100 B/s are sent in 0.12 s: the one that waits begins then, not before."""
+    talk = talking(channel='bandwidth="100B/s" queue="1"')
+    taken = [talk.send(0, 1, at_s=at_s) for at_s in (0.0, 0.01)]
+    talk.run(2)
+    taken += [talk.send(0, 1, at_s=at_s) for at_s in (0.11, 0.121, 0.13)]
+    assert taken == [True, True, False, True, False]
+
+
+def test_no_more_than_64_messages_leave_a_robot_in_a_cycle():
+    talk = talking()
+    assert [talk.send(0, 1) for _ in range(70)] == [True] * 64 + [False] * 6
+
+
+# -- inboxes ---------------------------------------------------------------------------------------
+
+
+def test_what_arrives_when_the_inbox_is_full_is_lost():
+    talk = talking()
+    for kind in range(100):
+        talk.send(0, 1, kind=kind)
+        if kind == 59:
+            talk.run()
+    talk.run(2)
+    assert talk.fates(Fate.INBOX)["type"].tolist() == list(range(64, 100))
+    assert talk.kinds(1) == list(range(64))
+
+
+def test_no_more_than_256_messages_are_on_their_way_to_a_robot():
+    talk = talking(channel='delay="10s"')
+    for _ in range(6):
+        for _ in range(50):
+            talk.send(0, 1)
+        talk.run()
+    assert len(talk.state.receptions) == 256
+    assert len(talk.fates(Fate.INBOX)) == 44
+
+
+# -- who hears what --------------------------------------------------------------------------------
+
+
+def test_messages_are_received_by_arrival_then_by_sending_then_by_sender():
+    things = '<robot x="0" y="0"/><robot x="1m" y="0"/><robot x="0" y="1m"/>'
+    talk = talking(things)
+    talk.send(2, 1, kind=0, at_s=0.02)
+    talk.send(0, 1, kind=1, at_s=0.02)
+    talk.send(0, 1, kind=2, at_s=0.03)
+    talk.send(2, 1, kind=3, at_s=0.021)
+    talk.run()
+    assert talk.kinds(1) == [1, 0, 3, 2]
+
+
+def test_a_broadcast_that_nobody_hears_is_lost_once():
+    talk = talking(channel='range="1m"')
+    talk.send(0)
+    talk.run()
+    assert talk.fates(Fate.RANGE)["receiver"].tolist() == [-1]

@@ -1,0 +1,112 @@
+"""Channels, senders and pairs that are shut: from the world file, and by hand."""
+
+import pytest
+
+from crs_cc.sim.messages.traffic import Fate, Monitor, events
+from tests.sim.messages.radio import PAIR, talking
+
+THREE = f'{PAIR}<robot id="c" x="0" y="2m"/>'
+
+
+@pytest.mark.parametrize(
+    ("shut", "heard"),
+    [
+        ('channel="test"', []),
+        ('channel="radio"', [(0, 1), (0, 2), (1, 0), (1, 2)]),
+        ('from="a"', [(1, 0), (1, 2)]),
+        ('to="b"', [(0, 2), (1, 0), (1, 2)]),
+        ('from="a" to="b"', [(0, 2), (1, 0), (1, 2)]),
+        ('channel="test" from="b" to="c"', [(0, 1), (0, 2), (1, 0)]),
+    ],
+)
+def test_what_is_shut_is_what_its_words_have_in_common(shut, heard):
+    talk = talking(THREE, shuts=f"<shut {shut}/>")
+    talk.send(0)
+    talk.send(1)
+    talk.run(2)
+    delivered = talk.fates(Fate.DELIVERED)
+    pairs = zip(delivered["sender"].tolist(), delivered["receiver"].tolist(), strict=True)
+    assert sorted(pairs) == heard
+    assert len(talk.fates(Fate.SHUT)) == 4 - len(heard)
+
+
+def test_it_is_shut_from_an_instant_to_an_instant():
+    talk = talking(shuts='<shut from="a" at="0.12s" until="0.3s"/>')
+    times_s = [0.11, 0.12, 0.2, 0.299, 0.3]
+    for kind, at_s in enumerate(times_s):
+        while talk.environment.end_s <= at_s:
+            talk.run()
+        talk.send(0, 1, kind=kind, at_s=at_s)
+    talk.run(2)
+    assert talk.kinds(1) == [0, 4]
+    said = [event for step in talk.steps for event in step.events]
+    assert [(event.time_s, event.text) for event in said] == [
+        (0.12, "all channels from a shut"),
+        (0.3, "all channels from a opened"),
+    ]
+
+
+def test_it_counts_when_the_transmission_begins():
+    """The first takes until 0.12 s; the second waits so long, and is then shut out."""
+    talk = talking(channel='bandwidth="100B/s"', shuts='<shut at="0.1s"/>')
+    talk.send(0, 1, kind=1)
+    talk.send(0, 1, kind=2)
+    talk.run(6)
+    assert talk.kinds(1) == [1]
+
+
+def test_it_is_shut_and_opened_by_hand():
+    talk = talking()
+    control = talk.environment.communication
+    control.shut(channel="test")
+    talk.send(0, 1, kind=1)
+    talk.run()
+    talk.environment.communication.open(channel="test")
+    talk.send(0, 1, kind=2)
+    talk.run(2)
+    assert talk.kinds(1) == [2]
+    assert [event.text for step in talk.steps for event in step.events] == [
+        "test shut",
+        "test opened",
+    ]
+    assert talk.environment.communication.counts("test")[Fate.SHUT] == 1
+
+
+def test_what_is_unknown_cannot_be_shut_nor_what_is_open_opened():
+    control = talking().environment.communication
+    with pytest.raises(ValueError, match="there is no channel 'telepathy': known are radio, inf"):
+        control.shut(channel="telepathy")
+    with pytest.raises(ValueError, match="there is no robot 'z'"):
+        control.shut(receiver="z")
+    with pytest.raises(ValueError, match="nothing is shut"):
+        control.open(sender="a")
+
+
+def test_a_monitor_counts_pairs_and_events_say_what_became_of_each():
+    talk = talking(THREE, 'range="2.1m"', shuts='<shut from="a" to="c"/>')
+    talk.send(0, kind=5, size=3)
+    talk.send(1, 2)
+    talk.run(2)
+    monitor = Monitor(("radio", "infrared", "local", "test"), ("a", "b", "c"))
+    for step in talk.steps:
+        monitor.step(step)
+    assert monitor.pairs() == {
+        (3, 0, -1): {Fate.SENT: 1},
+        (3, 0, 1): {Fate.DELIVERED: 1},
+        (3, 0, 2): {Fate.SHUT: 1},
+        (3, 1, 2): {Fate.SENT: 1, Fate.RANGE: 1},
+    }
+    assert monitor.total(Fate.SENT, channel=3) == 2
+    traffic = [
+        event
+        for step in talk.steps
+        for event in events(step.traffic, monitor.channels, monitor.robots)
+    ]
+    assert [event.text for event in traffic] == [
+        "test message 0 of a to all, type 5, 3 bytes: sent",
+        "test message 0 of b to c, type 0, 0 bytes: sent",
+        "test message 0 of a to c, type 5, 3 bytes: lost: the way was shut",
+        "test message 0 of b to c, type 0, 0 bytes: lost: out of range",
+        "test message 0 of a to b, type 5, 3 bytes: delivered",
+    ]
+    assert traffic[-1].robot == 1
