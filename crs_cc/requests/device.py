@@ -44,6 +44,25 @@ DEVICE_REQUESTS: Final = (
         ),
     ),
     _device(
+        "SENSE_HEAT", 203, "int crs_heat(int *heat)", "tells how much heat there is around",
+        results=arguments(("i[0]", "the heat", "1")),
+    ),
+    _device(
+        "LASER", 204, "int crs_laser(int *ranges, int most)",
+        "lets the laser look, and makes ready what it saw",
+        results=arguments(("i[0]", "how many ranges READINGS has ready", "1")),
+    ),
+    _device(
+        "PERIOD", 205, "int crs_period(int sensor, int ms)",
+        "sets how often a sensor measures by itself",
+        arguments(("i[0]", "the sensor's number", "1"), ("i[1]", "0 for on request", "ms")),
+    ),
+    _device(
+        "AGE", 206, "int crs_age(int sensor)", "tells how long ago a sensor measured",
+        arguments(("i[0]", "the sensor's number", "1")),
+        results=arguments(("i[0]", "the time since then, -1 for never", "ms")),
+    ),
+    _device(
         "GRIPPER", 220, "int crs_gripper(int what)", "lets the gripper open or close",
         arguments(("i[0]", "0 to open, 1 to close", "1")),
     ),

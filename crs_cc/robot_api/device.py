@@ -34,6 +34,29 @@ SENSORS: Final = Group("Sensors", (
         "colour, from the left to the right; gives how many it told, at most `most`",
         units="0.1 deg, 0.1 deg, 0xRRGGBB, 0.1 in", posts=("CAMERA", "READINGS"), source=(OURS,),
     ),
+    Function(
+        "int crs_heat(int *heat)", "tells how much heat there is around",
+        posts=("SENSE_HEAT",), source=(OURS,),
+    ),
+    Function(
+        "int crs_laser(int *ranges, int most)",
+        "lets the laser look, and tells how far away things are in each direction, from the right "
+        "to the left, -1 where nothing is in range; gives how many it told, at most `most`, 0 "
+        "also while the laser is off",
+        units="0.1 in", posts=("LASER", "READINGS"), source=(OURS,),
+    ),
+    Function(
+        "int crs_period(int sensor, int ms)",
+        "sets how often a sensor (`CRS_SENSOR_GPS`, ...) measures by itself, the first time now; "
+        "0: when it is asked. Its rate is the shortest period there is",
+        units="ms", posts=("PERIOD",), source=(OURS,),
+    ),
+    Function(
+        "int crs_age(int sensor)",
+        "gives how long ago a sensor measured what it tells, -1 for never, and without such a "
+        "sensor",
+        units="ms", posts=("AGE",), source=(OURS,),
+    ),
 ))  # fmt: skip
 
 HANDLING: Final = Group("Taking hold of things", (

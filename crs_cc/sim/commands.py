@@ -18,7 +18,7 @@ from crs_cc.sim import link
 from crs_cc.sim.actuators import drive, tag
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.messages import messenger
-from crs_cc.sim.sensors import compass, heat, infrared, laser, odometry, pos_data, sonar
+from crs_cc.sim.sensors import compass, infrared, laser, odometry, pos_data, sonar
 from crs_cc.sim.server import drawing, world
 from crs_cc.sim.server.motion import motion_check
 from crs_cc.sim.server.place import place_robot
@@ -131,7 +131,7 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("CREATE", connect),
         ("SPECIAL", refuse),
         ("SONAR", tell),
-        ("HEAT", heat.sense),
+        ("HEAT", tell),
         ("TAG", tag.tag),
         ("GPS", tell),
         ("TILT", tell),
@@ -143,6 +143,10 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("CHANNEL", tell),
         ("ROBOT", tell),
         ("READINGS", tell),
+        ("SENSE_HEAT", tell),
+        ("LASER", tell),
+        ("PERIOD", tell),
+        ("AGE", tell),
         ("GRIPPER", tell),
         ("GET_GRIPPER", tell),
         ("ARM", tell),

@@ -7,20 +7,24 @@ far time has come.
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
 from crs_cc.requests import CODES
+from crs_cc.sim.actuators import drive
 from crs_cc.sim.handling import Handling
 from crs_cc.sim.instruments import Instruments
 from crs_cc.sim.messages.messenger import Messenger
+from crs_cc.sim.sensors import heat
 from crs_cc.sim.sensors.camera import Cameras
 from crs_cc.sim.sensors.gps import GpsReceivers
 from crs_cc.sim.sensors.sonar import SonarRing
 from crs_cc.sim.sensors.tilt import Inclinometers
 from crs_cc.sim.server.prediction import predict
+from crs_cc.sim.states.timers import CAMERA, GPS, HEAT, LASER
+from crs_cc.sim.timers import Timed, Timers
 
 if TYPE_CHECKING:
     from crs_cc.sim.asked import Answer, Asked
@@ -30,9 +34,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.rays import Fan
     from crs_cc.sim.state import EnvState
     from crs_cc.sim.surroundings import Surroundings
-
-CAMERA: Final = 1
-"""Numbers of sensors in `crs.h`."""
 
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]
@@ -63,13 +64,42 @@ class Devices:
         self._cameras = Cameras(world, seed)
         self.handling = Handling(world, log)
         self.messenger = Messenger(world, seed)
+        receivers = GpsReceivers(world, seed)
+        self._timers = Timers(
+            {
+                GPS: Timed(
+                    receivers.read,
+                    lambda equipment: equipment.gps,
+                    lambda state: state.gps.at_s,
+                    receivers.interval_s,
+                ),
+                CAMERA: Timed(
+                    self._cameras.read,
+                    lambda equipment: equipment.camera,
+                    lambda state: state.camera.at_s,
+                    self._cameras.interval_s,
+                ),
+                HEAT: Timed(
+                    heat.read,
+                    lambda equipment: equipment.heat,
+                    lambda state: state.heat_sensor.at_s,
+                    np.zeros(len(world.robots)),
+                ),
+                **self.instruments.timed,
+            }
+        )
         self.answers: dict[int, Answer] = {
             CODES["SONAR"]: self.sonars.tell,
             CODES["PREDICT"]: partial(predict, sensors=(self.sonars, self.instruments)),
-            CODES["GPS"]: GpsReceivers(world, seed).tell,
             CODES["TILT"]: Inclinometers(world, seed).tell,
+            CODES["HEAT"]: heat.tell,
+            CODES["GPS"]: receivers.tell,
             CODES["CAMERA"]: self._cameras.tell,
             CODES["READINGS"]: tell_page,
+            CODES["SENSE_HEAT"]: heat.tell,
+            CODES["LASER"]: self.instruments.lasers.tell,
+            CODES["PERIOD"]: self._timers.set_period,
+            CODES["AGE"]: self._timers.tell_age,
             CODES["GRIPPER"]: self.handling.grippers.command,
             CODES["GET_GRIPPER"]: self.handling.grippers.tell,
             CODES["ARM"]: self.handling.arms.move,
@@ -120,6 +150,15 @@ class Devices:
             rows: whose, k of them.
             to_s: until when, for each, (k,).
         """
+        while True:
+            due = state.timers.soonest_s[rows] <= to_s
+            if not due.any():
+                break
+            firing = rows[due]
+            at_s = state.timers.soonest_s[firing]
+            self.sonars.advance(state, equipment, around, firing, at_s)
+            drive.advance(state, equipment, firing, np.maximum(at_s, state.drive.clock_s[firing]))
+            self._timers.fire(state, equipment, around, firing)
         self.sonars.advance(state, equipment, around, rows, to_s)
 
     def end_cycle(self, state: EnvState, equipment: Equipment, from_s: float, to_s: float) -> None:
@@ -139,7 +178,11 @@ def tell_page(asked: Asked) -> npt.NDArray[np.bool_]:
     state, equipment = asked.state, asked.equipment
     device = asked.messages["i"][:, 0].copy()
     good = np.zeros(len(device), dtype=np.bool_)
-    for number, told, numbers in ((CAMERA, state.camera.told, equipment.camera),):
+    tables = (
+        (CAMERA, state.camera.told, equipment.camera),
+        (LASER, state.laser.told, equipment.laser),
+    )
+    for number, told, numbers in tables:
         mine = numbers[asked.rows]
         for place in np.flatnonzero((device == number) & (mine >= 0)).tolist():
             message = asked.messages[place]

@@ -36,6 +36,7 @@ class Equipment:
         camera: the same for cameras.
         gripper: the same for grippers.
         arm: the same for arms.
+        heat: the same for heat sensors.
         laser_points: how many points a laser can tell.
         calibration_s: how long a compass turns around to be calibrated.
         heat_range_m: how far the heat sensor senses, 0 where there is none.
@@ -60,6 +61,7 @@ class Equipment:
     camera: IndexArray
     gripper: IndexArray
     arm: IndexArray
+    heat: IndexArray
     laser_points: npt.NDArray[np.int32]
     calibration_s: FloatArray
     heat_range_m: FloatArray
@@ -89,6 +91,7 @@ class Equipment:
             _numbers([model.camera is not None for model in models]),
             _numbers([model.gripper is not None for model in models]),
             _numbers([model.arm is not None for model in models]),
+            _numbers([model.heat.range_m > 0.0 for model in models]),
             np.array([model.laser.points if model.laser else 0 for model in models], np.int32),
             np.array([model.compass.calibration_s if model.compass else 0.0 for model in models]),
             np.array([model.heat.range_m for model in models]),

@@ -1,8 +1,8 @@
 """What the sensor board reads when a reply tells it, and tells with each state.
 
 Infrared ring, compass and laser measure on demand: where a reply carries their readings, and the
-mask that the program set (`ct`) has one of their bits. Batteries and clock are told with every
-state.
+mask that the program set (`ct`) has one of their bits; or by their timers. Batteries and clock are
+told with every state.
 """
 
 from __future__ import annotations
@@ -21,7 +21,9 @@ from crs_cc.sim.sensors.compass import Compasses
 from crs_cc.sim.sensors.infrared import InfraredRing
 from crs_cc.sim.sensors.laser import Lasers
 from crs_cc.sim.state_vector import MOTOR_STATUS
+from crs_cc.sim.states import timers
 from crs_cc.sim.states.mask import COMPASS, INFRARED, LASER
+from crs_cc.sim.timers import Timed
 
 if TYPE_CHECKING:
     from crs_cc.sim.equipment import Equipment
@@ -49,6 +51,7 @@ class Instruments:
 
     Attributes:
         batteries: the robots' batteries.
+        lasers: their lasers.
     """
 
     def __init__(self, world: WorldModel, seed: int) -> None:
@@ -56,7 +59,7 @@ class Instruments:
         self._clock = BoardClock(world)
         self._infrared = InfraredRing(world, seed)
         self._compasses = Compasses(world, seed)
-        self._lasers = Lasers(world, seed)
+        self.lasers = Lasers(world, seed)
         models = [robot.model for robot in world.robots]
         self._has_infrared = any(model.infrared is not None for model in models)
         self._has_lasers = any(model.laser is not None for model in models)
@@ -65,7 +68,31 @@ class Instruments:
     @property
     def fans(self) -> list[Fan]:
         """Gives the beams of those that measure distances."""
-        return [*self._infrared.fans, *self._lasers.fans]
+        return [*self._infrared.fans, *self.lasers.fans]
+
+    @property
+    def timed(self) -> dict[int, Timed]:
+        """Gives those that can have a timer, by their numbers in `crs.h`."""
+        return {
+            timers.LASER: Timed(
+                self.lasers.read,
+                lambda equipment: equipment.laser,
+                lambda state: state.laser.measured.at_s,
+                self.lasers.interval_s,
+            ),
+            timers.INFRARED: Timed(
+                self._infrared.read,
+                lambda equipment: equipment.infrared,
+                lambda state: state.infrared.measured.at_s,
+                self._infrared.interval_s,
+            ),
+            timers.COMPASS: Timed(
+                self._compasses.read,
+                lambda equipment: equipment.compass,
+                lambda state: state.compass.measured.at_s,
+                self._compasses.interval_s,
+            ),
+        }
 
     def read(
         self,
@@ -89,13 +116,16 @@ class Instruments:
         """
         if self._has_infrared and (code in _TELLS_ALL or code == CODES["GET_IR"]):
             asked = _asked(state, rows, INFRARED) | (code == CODES["GET_IR"])
+            asked &= state.timers.on_request(rows, timers.INFRARED)
             self._infrared.read(state, equipment, around, rows[asked], at_s[asked])
         if self._has_compasses and (code in _TELLS_ALL or code == CODES["GET_CP"]):
             asked = _asked(state, rows, COMPASS) | (code == CODES["GET_CP"])
-            self._compasses.read(state, equipment, rows[asked], at_s[asked])
+            asked &= state.timers.on_request(rows, timers.COMPASS)
+            self._compasses.read(state, equipment, around, rows[asked], at_s[asked])
         if self._has_lasers and (code in _TELLS_ALL or code in _LASER_CODES):
             asked = _asked(state, rows, LASER) | (code in _LASER_CODES)
-            self._lasers.read(state, equipment, around, rows[asked], at_s[asked])
+            asked &= state.timers.on_request(rows, timers.LASER)
+            self.lasers.read(state, equipment, around, rows[asked], at_s[asked])
 
     def tell(
         self,
@@ -159,7 +189,7 @@ class Instruments:
         has = equipment.laser[rows] >= 0
         if has.any():
             mine, kept = equipment.laser[rows[has]], state.laser
-            points, seen = self._lasers.look(state, equipment, around, rows[has], poses[has])
+            points, seen, _ = self.lasers.look(state, equipment, around, rows[has], poses[has])
             points = np.where(laser.is_on(kept.mode[mine]), points, 0)
             width = laser.widths(kept.mode[mine])
             laser.keep(state, kept.predicted, mine, width, (points, seen))

@@ -43,6 +43,9 @@ from crs_cc.sim.surface import FLAT, Surface
 FIXED_KG: Final = math.inf
 """The mass of what cannot be pushed."""
 
+EVERYWHERE_M: Final = math.inf
+"""The spread of heat that is the same wherever it is sensed."""
+
 TALL_M: Final = math.inf
 """The height of what is as high as anything that looks at it."""
 
@@ -129,14 +132,15 @@ class Wall:
     heat: float = 0.0
     material: Material = PLAIN
     height_m: float = TALL_M
+    spread_m: float = EVERYWHERE_M
 
 
 @dataclass(frozen=True, slots=True)
 class Box:
     """A rectangular object; `length_m` lies along the heading of its pose, `width_m` across.
 
-    How hot it is at the start is `heat`, as `sensors.heat` senses it; `height_m` is how far it
-    rises above the ground that it stands on.
+    How hot it is at the start is `heat`, and how far that spreads `spread_m`, as `sensors.heat`
+    senses it; `height_m` is how far it rises above the ground that it stands on.
     """
 
     id: str
@@ -147,6 +151,7 @@ class Box:
     heat: float = 0.0
     material: Material = PLAIN
     height_m: float = TALL_M
+    spread_m: float = EVERYWHERE_M
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,6 +165,7 @@ class Cylinder:
     heat: float = 0.0
     material: Material = PLAIN
     height_m: float = TALL_M
+    spread_m: float = EVERYWHERE_M
 
 
 @dataclass(frozen=True, slots=True)
@@ -175,6 +181,7 @@ class Polygon:
         heat: as of a box.
         material: as of a box.
         height_m: as of a box.
+        spread_m: as of a box.
     """
 
     id: str
@@ -184,6 +191,7 @@ class Polygon:
     heat: float = 0.0
     material: Material = PLAIN
     height_m: float = TALL_M
+    spread_m: float = EVERYWHERE_M
 
     @classmethod
     def of(
@@ -227,6 +235,7 @@ class Robot:
         material: what its shell is made of.
         join_s: when it comes into the world; 0 for one that is there from the start.
         leave_s: when it leaves, infinite for one that stays.
+        spread_m: how far its heat spreads, as of a box.
     """
 
     id: str
@@ -239,6 +248,7 @@ class Robot:
     material: Material = PLAIN
     join_s: float = 0.0
     leave_s: float = math.inf
+    spread_m: float = EVERYWHERE_M
 
     @property
     def height_m(self) -> float:

@@ -150,7 +150,11 @@ def _axis(element: Element, reader: Reader, speed: Kind, acceleration: Kind) -> 
 
 def _heat(element: Element, reader: Reader) -> Heat:
     range_m = reader.not_negative(element, "range", LENGTH)
-    return Heat(range_m, reader.not_negative(element, "tag-range", LENGTH, range_m))
+    return Heat(
+        range_m,
+        reader.not_negative(element, "tag-range", LENGTH, range_m),
+        sensor_elements.period_s(element, reader),
+    )
 
 
 def _link(element: Element, reader: Reader) -> Link:

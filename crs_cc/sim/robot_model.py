@@ -139,10 +139,12 @@ class Heat:
     Attributes:
         range_m: how far it senses, from the robot's middle; 0 when there is no such sensor.
         tag_range_m: how far it takes heat away.
+        period_s: how often it measures by its timer; 0 for when it is asked.
     """
 
     range_m: float = 0.0
     tag_range_m: float = 0.0
+    period_s: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

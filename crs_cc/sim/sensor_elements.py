@@ -32,6 +32,8 @@ BUMPER_BITS: Final = 24
 
 _TURN: Final = 2 * math.pi
 _CLOCKWISE: Final = "clockwise"
+_SHORTEST_S: Final = 0.001  # one robot must not keep the simulator busy with measuring
+_ROUNDING: Final = 1e-9
 
 
 def bumpers(root: Element, reader: Reader) -> tuple[Switch, ...]:
@@ -77,6 +79,7 @@ def infrared(root: Element, reader: Reader) -> Infrared | None:
         share=reader.whole(element, "history", 0, 10) / 10,
         order=order,
         height_m=reader.not_negative(element, "height", LENGTH),
+        period_s=period_s(element, reader),
     )
 
 
@@ -101,6 +104,7 @@ def compass(root: Element, reader: Reader) -> Compass | None:
         rate_hz=reader.positive(element, "rate", FREQUENCY),
         noise_rad=reader.not_negative(element, "noise", ANGLE),
         is_on=element.attributes["on"] == "yes",
+        period_s=period_s(element, reader),
     )
 
 
@@ -122,6 +126,7 @@ def laser(root: Element, reader: Reader) -> Laser | None:
         noise_m=reader.not_negative(element, "noise", LENGTH),
         mode=int(element.attributes["mode"]),
         height_m=reader.not_negative(element, "height", LENGTH),
+        period_s=period_s(element, reader),
     )
 
 
@@ -131,6 +136,7 @@ def gps(root: Element, reader: Reader) -> Gps | None:
         return Gps(
             reader.positive(element, "rate", FREQUENCY),
             reader.not_negative(element, "noise", LENGTH),
+            period_s(element, reader),
         )
     return None
 
@@ -162,8 +168,21 @@ def camera(root: Element, reader: Reader) -> Camera | None:
             noise_m=reader.not_negative(element, "noise", LENGTH),
             background=_colour(element, "background", reader),
             height_m=reader.not_negative(element, "height", LENGTH),
+            period_s=period_s(element, reader),
         )
     return None
+
+
+def period_s(element: Element, reader: Reader) -> float:
+    """Gives how often a sensor measures by its timer, 0 for one that has none [s]."""
+    value_s = reader.not_negative(element, "period", TIME)
+    if 0.0 < value_s < _SHORTEST_S:
+        reader.refuse(element, "period: must be 0, or at least 1 ms")
+    if "rate" in element.attributes and value_s > 0.0:
+        least_s = 1.0 / reader.positive(element, "rate", FREQUENCY)
+        if value_s < least_s * (1.0 - _ROUNDING):
+            reader.refuse(element, "period: must not be shorter than its rate allows")
+    return value_s
 
 
 def _colour(element: Element, name: str, reader: Reader) -> tuple[int, int, int]:

@@ -48,6 +48,7 @@ class Infrared:
         share: how much of a reading stays in the next, until the program sets another.
         order: the sensors that measure, until the program sets others.
         height_m: how high above the ground its beams run.
+        period_s: how often they measure by their timer; 0 for when they are asked.
     """
 
     step_m: float
@@ -58,6 +59,7 @@ class Infrared:
     share: float
     order: tuple[int, ...]
     height_m: float = 0.2
+    period_s: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,6 +73,7 @@ class Compass:
         rate_hz: how often it measures at most.
         noise_rad: standard deviation of a reading's error.
         is_on: whether it is switched on at the start.
+        period_s: how often it measures by its timer; 0 for when it is asked.
     """
 
     offset_rad: float
@@ -79,6 +82,7 @@ class Compass:
     rate_hz: float
     noise_rad: float
     is_on: bool
+    period_s: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,6 +98,7 @@ class Laser:
         noise_m: standard deviation of a distance's error at a distance of 1 m.
         mode: the vendor's mode at the start; 0 for off.
         height_m: how high above the ground its beams run.
+        period_s: how often it measures by its timer; 0 for when it is asked.
     """
 
     points: int
@@ -104,6 +109,7 @@ class Laser:
     noise_m: float
     mode: int
     height_m: float = 0.3
+    period_s: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,10 +119,12 @@ class Gps:
     Attributes:
         rate_hz: how often it measures at most.
         noise_m: standard deviation of the error along x and along y.
+        period_s: how often it measures by its timer; 0 for when it is asked.
     """
 
     rate_hz: float
     noise_m: float
+    period_s: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,6 +155,7 @@ class Camera:
         noise_m: standard deviation of a range's error at a distance of 1 m.
         background: red, green and blue of a column in which there is nothing, 0 to 255.
         height_m: how high above the ground its beams run.
+        period_s: how often it measures by its timer; 0 for when it is asked.
     """
 
     columns: int
@@ -159,6 +168,7 @@ class Camera:
     noise_m: float = 0.0
     background: tuple[int, int, int] = (0, 0, 0)
     height_m: float = 0.3
+    period_s: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,6 +10,7 @@ import numpy as np
 from crs_cc.sim.document import Element, Reader
 from crs_cc.sim.material_elements import Materials
 from crs_cc.sim.model import (
+    EVERYWHERE_M,
     FIXED_KG,
     TALL_M,
     Box,
@@ -37,6 +38,7 @@ class Common(TypedDict):
     heat: float
     material: Material
     height_m: float
+    spread_m: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,6 +131,7 @@ class SolidElements:
             "heat": self.reader.not_negative(element, "heat", HEAT),
             "material": self.materials.of(element),
             "height_m": self._height(element),
+            "spread_m": spread(element, self.reader),
         }
 
     def _height(self, element: Element) -> float:
@@ -143,6 +146,11 @@ class SolidElements:
         if value_m < SHORTEST_M:
             self.reader.refuse(element, f"{name}: must be 1mm or more")
         return value_m
+
+
+def spread(element: Element, reader: Reader) -> float:
+    """Gives how far the heat of a thing spreads [m]."""
+    return reader.positive(element, "spread", LENGTH, EVERYWHERE_M)
 
 
 def pose(element: Element, reader: Reader) -> Pose:

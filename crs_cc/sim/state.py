@@ -36,6 +36,7 @@ from crs_cc.sim.states.drive import DriveState
 from crs_cc.sim.states.gps import GpsState
 from crs_cc.sim.states.gripper import GripperState
 from crs_cc.sim.states.heat import HeatState
+from crs_cc.sim.states.heat_sensor import HeatSensorState
 from crs_cc.sim.states.infrared import InfraredState
 from crs_cc.sim.states.laser import LaserState
 from crs_cc.sim.states.link import LinkState
@@ -47,6 +48,7 @@ from crs_cc.sim.states.pos_data import PosDataState
 from crs_cc.sim.states.presence import PresenceState
 from crs_cc.sim.states.sonar import SonarState
 from crs_cc.sim.states.tilt import TiltState
+from crs_cc.sim.states.timers import TimerState
 from crs_cc.sim.states.waits import WaitState
 
 FloatArray = npt.NDArray[np.float64]
@@ -80,6 +82,8 @@ class EnvState:
         gps: what GPS receivers told.
         tilt: what inclinometers told.
         camera: what cameras saw and told.
+        heat_sensor: what heat sensors told.
+        timers: when sensors measure by themselves.
         degradation: what is wrong with all of these, and with the drive.
         gripper: where the fingers of grippers are; what they hold is in `bodies`.
         arm: where the joints of arms are; what their hands hold is in `bodies`.
@@ -116,6 +120,8 @@ class EnvState:
     gps: GpsState
     tilt: TiltState
     camera: CameraState
+    heat_sensor: HeatSensorState
+    timers: TimerState
     degradation: DegradationState
     gripper: GripperState
     arm: ArmState
@@ -158,6 +164,8 @@ class EnvState:
             gps=GpsState.at_start(world),
             tilt=TiltState.at_start(world),
             camera=CameraState.at_start(world),
+            heat_sensor=HeatSensorState.at_start(world),
+            timers=TimerState.at_start(world),
             degradation=DegradationState.at_start(world),
             gripper=GripperState.at_start(world),
             arm=ArmState.at_start(world),

@@ -41,6 +41,7 @@ class Things:
         corners_m: the corners of all polygons in their own frames, one after the other, (n, 2).
         first: the first corner of each thing, (things,).
         corners: how many there are, 0 of what is no polygon, (things,).
+        spread_m: how far the heat of each spreads, infinite for everywhere, (things,).
         fixed: x, y [m] and heading [rad] of the things that never move, the last ones, (fixed, 3).
     """
 
@@ -49,6 +50,7 @@ class Things:
     corners_m: FloatArray
     first: IndexArray
     corners: IndexArray
+    spread_m: FloatArray
     fixed: FloatArray
 
     @classmethod
@@ -65,6 +67,7 @@ class Things:
             np.array([corner for corners in own for corner in corners]).reshape(-1, 2),
             np.cumsum(counts) - counts,
             counts,
+            np.array([thing.spread_m for thing in things], dtype=np.float64),
             np.array(fixed, dtype=np.float64).reshape(-1, 3),
         )
 

@@ -21,7 +21,7 @@ from crs_cc.sim.naming import check_parts, name_things
 from crs_cc.sim.placement import misplaced, overlapping_things
 from crs_cc.sim.quantity import HEAT, LENGTH, TIME
 from crs_cc.sim.robot_model import RobotModel
-from crs_cc.sim.solid_elements import SHORTEST_M, SolidElements, pose
+from crs_cc.sim.solid_elements import SHORTEST_M, SolidElements, pose, spread
 from crs_cc.sim.surface_elements import surface
 
 SHORTEST_TIMESTEP_S: Final = 0.001
@@ -69,6 +69,7 @@ def world_model(
             _DIALECTS.get(element.attributes.get("dialect", "")),
             materials.of(element),
             *_stay(element, reader),
+            spread(element, reader),
         )
         for element in root.all("robot")
     ]

@@ -33,7 +33,7 @@ def tag(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messa
         state, "tag", rows, range_m[:, None], state.drive.clock_s[rows]
     )[:, 0]
     reach_m = np.where(np.isnan(reach_m), _NOTHING_M, reach_m)
-    robot, thing = hot_things(state, equipment, rows, reach_m)
+    robot, thing, _ = hot_things(state, equipment, rows, reach_m)
     state.heat.left[thing] = 0.0
     messages["size"] = 0
     messages["i"][:, 0] = np.bincount(robot, minlength=len(rows))

@@ -6,7 +6,7 @@
 Columns count from the left to the right, as in a picture. A column shows the colour of the thing's
 surface (`Material.colour` of the world file) and how far away it is from the camera, which a real
 one would have from a second lens; where nothing is in range it shows the camera's background.
-Light, shade and height count for nothing. A camera turns with the mount of its robot. It looks when
+Light and shade count for nothing. A camera turns with the mount of its robot. It looks when
 the program asks, at most at its rate, or by its timer (`timers`); in between it tells what it saw
 last.
 
@@ -26,11 +26,12 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.sim import noise
 from crs_cc.sim.blobs import blobs
 from crs_cc.sim.mount import mount_poses
-from crs_cc.sim.noise import CAMERA, Noise
 from crs_cc.sim.rays import NO_THING, Fan
 from crs_cc.sim.sensor_model import MAX_COLUMNS
+from crs_cc.sim.states.timers import CAMERA
 from crs_cc.sim.surfaces import packed
 from crs_cc.units import m_to_tenths_inch, rad_to_tenths_deg
 
@@ -57,6 +58,7 @@ class Cameras:
 
     Attributes:
         fans: the beams of each kind of camera.
+        interval_s: the least time between two looks of each.
     """
 
     def __init__(self, world: WorldModel, seed: int) -> None:
@@ -64,10 +66,10 @@ class Cameras:
         self._kinds = list(dict.fromkeys(self._models))
         self._kind = np.array([self._kinds.index(each) for each in self._models], dtype=np.intp)
         self.fans = [_fan(camera) for camera in self._kinds]
-        self._interval_s = np.array([1.0 / camera.rate_hz for camera in self._models])
+        self.interval_s = np.array([1.0 / camera.rate_hz for camera in self._models])
         self._noise_per_m = np.array([camera.noise_m for camera in self._models])
         noisy = len(self._models) if self._noise_per_m.any() else 0
-        self._noise = Noise(seed, CAMERA, MAX_COLUMNS, noisy)
+        self._noise = noise.Noise(seed, noise.CAMERA, MAX_COLUMNS, noisy)
 
     def read(
         self,
@@ -87,7 +89,7 @@ class Cameras:
             at_s: when, for each, shape (k,).
         """
         camera, mine = state.camera, equipment.camera[rows]
-        due = at_s - camera.at_s[mine] >= self._interval_s[mine] - _ROUNDING_S
+        due = at_s - camera.at_s[mine] >= self.interval_s[mine] - _ROUNDING_S
         rows, mine, at_s = rows[due], mine[due], at_s[due]
         kinds = self._kind[mine]
         for kind in np.unique(kinds).tolist():
@@ -125,7 +127,8 @@ class Cameras:
         state, messages = asked.state, asked.messages
         mine = asked.equipment.camera[asked.rows]
         has = np.asarray(mine >= 0)
-        self.read(state, asked.equipment, asked.around, asked.rows[has], asked.at_s[has])
+        looks = has & state.timers.on_request(asked.rows, CAMERA)
+        self.read(state, asked.equipment, asked.around, asked.rows[looks], asked.at_s[looks])
         for place in np.flatnonzero(has).tolist():
             number = mine[place]
             model = self._models[number]

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from crs_cc.sim.equipment import Equipment
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.state import EnvState
+    from crs_cc.sim.surroundings import Surroundings
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
@@ -48,18 +49,27 @@ _FULL_TURN: Final = 3600
 
 
 class Compasses:
-    """The compasses of all robots that have one."""
+    """The compasses of all robots that have one.
+
+    Attributes:
+        interval_s: the least time between two measurements of each.
+    """
 
     def __init__(self, world: WorldModel, seed: int) -> None:
         found = [model for robot in world.robots if (model := robot.model.compass) is not None]
-        self._interval_s = np.array([1.0 / compass.rate_hz for compass in found])
+        self.interval_s = np.array([1.0 / compass.rate_hz for compass in found])
         self._offset_rad = np.array([compass.offset_rad for compass in found])
         self._deviation_rad = np.array([compass.deviation_rad for compass in found])
         self._noise_rad = np.array([compass.noise_rad for compass in found])
         self._noise = Noise(seed, COMPASS, 1, len(found) if self._noise_rad.any() else 0)
 
     def read(
-        self, state: EnvState, equipment: Equipment, rows: IndexArray, at_s: FloatArray
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        _around: Surroundings,
+        rows: IndexArray,
+        at_s: FloatArray,
     ) -> None:
         """Lets the compasses of robots measure, those that are on and whose time has come.
 
@@ -71,7 +81,7 @@ class Compasses:
         """
         compass = state.compass
         mine = equipment.compass[rows]
-        due = compass.measured.are_due(mine, at_s, self._interval_s) & compass.on[mine]
+        due = compass.measured.are_due(mine, at_s, self.interval_s) & compass.on[mine]
         if not due.any():
             return
         rows, mine = rows[due], mine[due]

@@ -3,9 +3,9 @@
     reading = position of the robot's middle + normal deviates with the definition's noise
 
 along x and y of the world frame, to the nearest 0.1 inch. It measures when the program asks, at
-most at its rate; between two measurements it tells the last one. Degradation (`gps`): without x or
-y there is no fix, and the request is refused until the next measurement. All of it was chosen by
-us: the CRS report (6.2) wishes for such a device, and has no law for it.
+most at its rate, or by its timer; between two measurements it tells the last one. Degradation
+(`gps`): without x or y there is no fix, and the request is refused until the next measurement. All
+of it was chosen by us: the CRS report (6.2) wishes for such a device, and has no law for it.
 """
 
 from __future__ import annotations
@@ -15,46 +15,72 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.sim import noise
 from crs_cc.sim.mount import mount_poses
-from crs_cc.sim.noise import GPS, Noise
+from crs_cc.sim.states.timers import GPS
 from crs_cc.units import m_to_tenths_inch
 
 if TYPE_CHECKING:
     from crs_cc.sim.asked import Asked
+    from crs_cc.sim.equipment import Equipment
     from crs_cc.sim.model import WorldModel
+    from crs_cc.sim.state import EnvState
+    from crs_cc.sim.surroundings import Surroundings
 
+FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]
 
 _ROUNDING_S: Final = 1e-9
 
 
 class GpsReceivers:
-    """The receivers of all robots that have one."""
+    """The receivers of all robots that have one.
+
+    Attributes:
+        interval_s: the least time between two measurements of each.
+    """
 
     def __init__(self, world: WorldModel, seed: int) -> None:
         found = [gps for robot in world.robots if (gps := robot.model.gps) is not None]
-        self._interval_s = np.array([1.0 / gps.rate_hz for gps in found])
+        self.interval_s = np.array([1.0 / gps.rate_hz for gps in found])
         self._noise_m = np.array([gps.noise_m for gps in found])
-        self._noise = Noise(seed, GPS, 2, len(found) if self._noise_m.any() else 0)
+        self._noise = noise.Noise(seed, noise.GPS, 2, len(found) if self._noise_m.any() else 0)
+
+    def read(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        _around: Surroundings,
+        rows: IndexArray,
+        at_s: FloatArray,
+    ) -> None:
+        """Lets receivers measure whose time has come.
+
+        Args:
+            state: changed in place.
+            equipment: the robots' constants.
+            rows: robots that have a receiver, k of them, whose axes were turned to `at_s`.
+            at_s: when, for each, shape (k,).
+        """
+        gps, mine = state.gps, equipment.gps[rows]
+        due = at_s - gps.at_s[mine] >= self.interval_s[mine] - _ROUNDING_S
+        rows, mine, at_s = rows[due], mine[due], at_s[due]
+        fix_m = mount_poses(state, equipment, rows)[:, :2]
+        if self._noise_m.any():
+            fix_m += self._noise.rows(mine, gps.count[mine]) * self._noise_m[mine, None]
+        fix_m = equipment.degradations.alter(state, "gps", rows, fix_m, at_s)
+        gps.fix_m[mine], gps.at_s[mine] = fix_m, at_s
+        gps.count[mine] += 1
 
     def tell(self, asked: Asked) -> npt.NDArray[np.bool_]:
         """Answers GPS; refuses robots that have no receiver, or whose receiver has no fix."""
-        has = asked.equipment.gps[asked.rows] >= 0
-        rows, at_s = asked.rows[has], asked.at_s[has]
-        gps, mine = asked.state.gps, asked.equipment.gps[rows]
-        due = at_s - gps.at_s[mine] >= self._interval_s[mine] - _ROUNDING_S
-        self._measure(asked, rows[due], at_s[due])
+        state, equipment, rows = asked.state, asked.equipment, asked.rows
+        has = np.asarray(equipment.gps[rows] >= 0)
+        measures = has & state.timers.on_request(rows, GPS)
+        self.read(state, equipment, asked.around, rows[measures], asked.at_s[measures])
+        gps, mine = state.gps, equipment.gps[rows[has]]
         fixed = np.isfinite(gps.fix_m[mine]).all(axis=1)
         has[has] = fixed
         tenths = np.rint(m_to_tenths_inch(gps.fix_m[mine[fixed]]))
         asked.messages["i"][has, :2] = tenths.astype(np.int32)
-        return np.asarray(has)
-
-    def _measure(self, asked: Asked, rows: IndexArray, at_s: npt.NDArray[np.float64]) -> None:
-        gps, mine = asked.state.gps, asked.equipment.gps[rows]
-        fix_m = mount_poses(asked.state, asked.equipment, rows)[:, :2]
-        if self._noise_m.any():
-            fix_m += self._noise.rows(mine, gps.count[mine]) * self._noise_m[mine, None]
-        fix_m = asked.equipment.degradations.alter(asked.state, "gps", rows, fix_m, at_s)
-        gps.fix_m[mine], gps.at_s[mine] = fix_m, at_s
-        gps.count[mine] += 1
+        return has

@@ -56,6 +56,7 @@ class InfraredRing:
 
     Attributes:
         fans: the beams of each kind of ring.
+        interval_s: the least time between two measurements of each.
     """
 
     def __init__(self, world: WorldModel, seed: int) -> None:
@@ -65,7 +66,7 @@ class InfraredRing:
         self.fans = [_fan(ring, radius_m) for ring, radius_m in kinds]
         pairs = zip(rings, radii_m, strict=True)
         self._kind = np.array([kinds.index(pair) for pair in pairs], dtype=np.intp)
-        self._interval_s = np.array([1.0 / ring.rate_hz for ring in rings])
+        self.interval_s = np.array([1.0 / ring.rate_hz for ring in rings])
         step_m = [ring.step_m * math.sqrt(ring.reflectance) for ring in rings]
         self._step_m = np.array(step_m)[:, None]
         self._noise_m = np.array([ring.noise_m for ring in rings])[:, None]
@@ -90,7 +91,7 @@ class InfraredRing:
         """
         ring = state.infrared
         mine = equipment.infrared[rows]
-        due = ring.measured.are_due(mine, at_s, self._interval_s)
+        due = ring.measured.are_due(mine, at_s, self.interval_s)
         if not due.any():
             return
         rows, mine = rows[due], mine[due]

@@ -36,10 +36,12 @@ from crs_cc.sim.rays import Fan
 from crs_cc.sim.segments import segments
 from crs_cc.sim.sensor_model import NUM_LASER
 from crs_cc.sim.state_vector import configuration
+from crs_cc.sim.states import timers
 from crs_cc.sim.states.told import Told
 from crs_cc.units import m_to_tenths_inch
 
 if TYPE_CHECKING:
+    from crs_cc.sim.asked import Asked
     from crs_cc.sim.equipment import Equipment
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.sensor_model import Laser
@@ -66,12 +68,13 @@ class Lasers:
 
     Attributes:
         fans: the beams of each kind of laser, with all its points.
+        interval_s: the least time between two looks of each.
     """
 
     def __init__(self, world: WorldModel, seed: int) -> None:
         found = [laser for robot in world.robots if (laser := robot.model.laser) is not None]
         self._models = found
-        self._interval_s = np.array([1.0 / laser.rate_hz for laser in found])
+        self.interval_s = np.array([1.0 / laser.rate_hz for laser in found])
         self._noise_per_m = np.array([laser.noise_m for laser in found])
         self._noise = Noise(seed, LASER, NUM_LASER, len(found) if self._noise_per_m.any() else 0)
         self._cut: dict[tuple[Laser, int], Fan] = {}
@@ -96,11 +99,11 @@ class Lasers:
         """
         laser = state.laser
         mine = equipment.laser[rows]
-        due = laser.measured.are_due(mine, at_s, self._interval_s) & is_on(laser.mode[mine])
+        due = laser.measured.are_due(mine, at_s, self.interval_s) & is_on(laser.mode[mine])
         if not due.any():
             return
         rows, mine = rows[due], mine[due]
-        laser.points[mine], laser.seen[mine] = self.look(
+        laser.points[mine], laser.seen[mine], laser.ranges[mine] = self.look(
             state, equipment, around, rows, mount_poses(state, equipment, rows), at_s=at_s[due]
         )
         laser.count[mine] += 1
@@ -115,7 +118,7 @@ class Lasers:
         poses: FloatArray,
         *,
         at_s: FloatArray | None = None,
-    ) -> tuple[WholeArray, WholeArray]:
+    ) -> tuple[WholeArray, WholeArray, WholeArray]:
         """Gives the points that the lasers of robots see from somewhere.
 
         Args:
@@ -127,11 +130,13 @@ class Lasers:
             at_s: when, for each, shape (k,); None for what they would see without any error.
 
         Returns:
-            how many points each sees, shape (k,), and their x and y [0.1 in], shape (k, 964).
+            how many points each sees, shape (k,); their x and y [0.1 in], shape (k, 964); and how
+            far away they are in each direction [0.1 in], -1 for none, shape (k, 482).
         """
         mine = equipment.laser[rows]
         counts = np.zeros(len(rows), dtype=np.int32)
         numbers = np.zeros((len(rows), 2 * NUM_LASER), dtype=np.int32)
+        ranges = np.full((len(rows), NUM_LASER), -1, dtype=np.int32)
         kinds = [(self._models[number], int(state.laser.wanted[number])) for number in mine]
         for kind in dict.fromkeys(kinds):
             some = np.array([place for place, each in enumerate(kinds) if each == kind])
@@ -149,7 +154,26 @@ class Lasers:
                 points = np.rint(m_to_tenths_inch(np.column_stack([x_m, y_m])))
                 counts[place] = len(points)
                 numbers[place, : points.size] = points.ravel()
-        return counts, numbers
+                ranges[place, np.flatnonzero(hit)] = np.rint(m_to_tenths_inch(seen_m[hit]))
+        return counts, numbers, ranges
+
+    def tell(self, asked: Asked) -> BoolArray:
+        """Answers LASER with how many ranges there are; refuses lasers that are off, or not there.
+
+        What was seen is kept for READINGS.
+        """
+        state, equipment, rows = asked.state, asked.equipment, asked.rows
+        mine = equipment.laser[rows]
+        good = np.asarray(mine >= 0)
+        good[good] = is_on(state.laser.mode[mine[good]])
+        looks = good & state.timers.on_request(rows, timers.LASER)
+        self.read(state, equipment, asked.around, rows[looks], asked.at_s[looks])
+        for place in np.flatnonzero(good).tolist():
+            number = mine[place]
+            wanted = int(state.laser.wanted[number])
+            state.laser.told.keep(number, 1, state.laser.ranges[number, :wanted])
+            asked.messages["i"][place, 0] = wanted
+        return good
 
     def _fan(self, laser: Laser, points: int) -> Fan:
         if (laser, points) not in self._cut:

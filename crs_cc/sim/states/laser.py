@@ -30,6 +30,7 @@ class LaserState:
         segments: threshold, fewest points and gap of segments, as `conf_sg` set them, (n, 3).
         points: how many points were seen last, (n,).
         seen: their x and y [0.1 in], ahead and left of the middle of the mount, (n, 964).
+        ranges: how far away they were, from the right to the left [0.1 in], -1 for none, (n, 482).
         count: how often it looked, (n,).
         measured: when it looked last.
         told: what the last reply told of.
@@ -42,6 +43,7 @@ class LaserState:
     segments: WholeArray
     points: WholeArray
     seen: WholeArray
+    ranges: WholeArray
     count: npt.NDArray[np.int64]
     measured: Moments
     told: Told
@@ -59,6 +61,7 @@ class LaserState:
             segments=np.tile(np.array(_USUAL_SEGMENTS, dtype=np.int32), (count, 1)),
             points=np.zeros(count, dtype=np.int32),
             seen=np.zeros((count, 2 * NUM_LASER), dtype=np.int32),
+            ranges=np.full((count, NUM_LASER), -1, dtype=np.int32),
             count=np.zeros(count, dtype=np.int64),
             measured=Moments.never(count),
             told=Told.nothing(count, 2 * NUM_LASER),

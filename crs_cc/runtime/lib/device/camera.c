@@ -1,14 +1,12 @@
 #include <crs/device.h>
 
-#define SENSOR 1
-
 static int look(int blobs, int *numbers, int most)
 {
     struct __crs_message message;
 
     if (!__crs_ask_device(CRS_CAMERA, &message, blobs, 0, 0, 0))
         return 0;
-    return __crs_take_readings(SENSOR, message.i[0], numbers, most);
+    return __crs_take_readings(CRS_SENSOR_CAMERA, message.i[0], numbers, most);
 }
 
 int crs_camera(struct crs_pixel *row, int most)

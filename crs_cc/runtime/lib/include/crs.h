@@ -33,6 +33,30 @@ struct crs_blob {
    how many these are. */
 int crs_camera(struct crs_pixel *row, int most);
 int crs_blobs(struct crs_blob *blobs, int most);
+
+/* How much heat there is around. */
+int crs_heat(int *heat);
+
+/* Lets the laser look; tells how far away things are in each direction, from the right to the left:
+   0.1 inch, -1 where nothing is in range. Gives how many it told, at most `most`; 0 also while the
+   laser is switched off, as by conf_ls(). */
+int crs_laser(int *ranges, int most);
+
+/* Sensors that may measure by a timer of their own. */
+#define CRS_SENSOR_GPS 0
+#define CRS_SENSOR_CAMERA 1
+#define CRS_SENSOR_HEAT 2
+#define CRS_SENSOR_LASER 3
+#define CRS_SENSOR_INFRARED 4
+#define CRS_SENSOR_COMPASS 5
+
+/* Sets how often a sensor measures by itself, the first time now; whoever asks for its reading is then
+   told the last one. 0: it measures when it is asked. Its rate is the shortest period there is. */
+int crs_period(int sensor, int ms);
+
+/* How long ago a sensor measured what it tells: ms, -1 for never, and without such a sensor. */
+int crs_age(int sensor);
+
 /* The gripper opens or closes, in its own time; the function returns at once. It closes on what is
    between its fingers and carries it until it opens. */
 #define CRS_OPEN 0

@@ -85,6 +85,10 @@ struct __crs_message {
 #define CRS_GPS 200
 #define CRS_CAMERA 201
 #define CRS_READINGS 202
+#define CRS_SENSE_HEAT 203
+#define CRS_LASER 204
+#define CRS_PERIOD 205
+#define CRS_AGE 206
 #define CRS_GRIPPER 220
 #define CRS_GET_GRIPPER 221
 #define CRS_ARM 222

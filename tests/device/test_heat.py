@@ -1,0 +1,53 @@
+"""`crs_heat` from C: the sum of what is in range, and how heat spreads."""
+
+import pytest
+
+from tests.device.robot import scout_with
+from tests.nclient.drive import drive
+from tests.sim.driver import Driver, open_world
+
+ASK = 'int heat, got = crs_heat(&heat); printf("%d %d\\n", got, heat);'
+STOVE = '<cylinder x="{}m" y="0" radius="20cm" heat="{}" spread="{}m"/>'
+
+
+def around(things: str) -> list[float]:
+    return drive(ASK, things=f'<robot x="0" y="0"/>{things}').numbers
+
+
+@pytest.mark.function("crs_heat")
+def test_it_tells_the_sum_of_all_heat_in_range():
+    """A Scout senses 3 m; without a spread, heat is the same wherever in the range it is."""
+    stoves = "".join(
+        f'<cylinder x="{x}m" y="0" radius="20cm" heat="{heat}"/>'
+        for x, heat in ((1, 5), (-2, 7), (4, 100))
+    )
+    assert around(stoves) == [1, 12]
+
+
+@pytest.mark.parametrize(
+    ("away_m", "told"),
+    [(0.5, 75), (1.0, 50), (1.5, 25), (1.992, 0), (2.5, 0)],
+)
+def test_heat_with_a_spread_falls_with_the_distance_and_ends_there(away_m, told):
+    """100 at the stove's shell, 0 at 2 m from it, and a straight line between."""
+    assert around(STOVE.format(away_m + 0.2, 100, 2)) == [1, told]
+
+
+def test_spread_heat_of_several_things_is_added_before_it_is_rounded():
+    """A quarter of 1 is sensed from each of two: half of 1, and so 0; from three of them 1."""
+    stove = '<cylinder x="{}m" y="{}m" radius="20cm" heat="1" spread="2m"/>'
+    two = stove.format(1.7, 0) + stove.format(-1.7, 0)
+    assert around(two) == [1, 0]
+    assert around(two + stove.format(0, 1.7)) == [1, 1]
+
+
+def test_the_report_s_sensor_obeys_the_same_law():
+    driver = Driver.of(open_world('<robot x="0" y="0"/>' + STOVE.format(1.2, 100, 2)))
+    assert driver.post("HEAT")[0]["i"][0] == driver.post("SENSE_HEAT")[0]["i"][0] == 50
+
+
+def test_a_robot_without_one_gives_false(tmp_path):
+    path = tmp_path / "scout-with.xml"
+    scout_with(tmp_path)
+    path.write_text(path.read_text().replace('<heat range="3m"/>', ""))
+    assert drive("int heat; return crs_heat(&heat);", robot=str(path)).status == 0

@@ -1,0 +1,143 @@
+"""`crs_period` and `crs_age`: sensors that measure whether anybody asks or not."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from crs_cc.errors import WorldError
+from crs_cc.session.library import HEADERS
+from crs_cc.sim.states import timers
+from crs_cc.sim.world_xml import empty_world, load_robot
+from tests.device.robot import scout_with
+from tests.nclient.drive import drive
+from tests.sim.driver import Driver
+
+SENSORS = {"GPS": 0, "CAMERA": 1, "HEAT": 2, "LASER": 3, "INFRARED": 4, "COMPASS": 5}
+GPS_10_HZ = '<gps rate="10Hz" period="0.1s"/>'
+ALL = (
+    "<infrared step='1in' order='0' rate='100Hz'/><compass rate='100Hz' on='yes'/>"
+    "<laser field-of-view='90deg' range='5m' rate='100Hz' mode='51'/>"
+    "<gps rate='100Hz'/><camera columns='4' rate='100Hz'/>"
+)
+
+
+def test_the_header_and_the_simulator_number_the_sensors_alike():
+    text = (HEADERS / "crs.h").read_text()
+    defined = re.findall(r"#define CRS_SENSOR_(\w+) (\d+)", text)
+    assert {name: int(number) for name, number in defined} == SENSORS
+    assert {name: getattr(timers, name) for name in SENSORS} == SENSORS
+    assert len(SENSORS) == timers.SENSORS
+
+
+@pytest.mark.function("crs_age")
+def test_a_periodic_sensor_measures_at_multiples_of_its_period(tmp_path):
+    """Asked at 1.23 s (plus 1 ms on the network) it last measured at 1.2 s."""
+    program = """
+    int x, y;
+    usleep(1230000);
+    printf("%d\\n", crs_age(CRS_SENSOR_GPS));
+    crs_gps(&x, &y);
+    printf("%d\\n", crs_age(CRS_SENSOR_GPS));
+    """
+    ages = drive(program, robot=scout_with(tmp_path, GPS_10_HZ)).numbers
+    assert ages == pytest.approx([30.5, 32.5], abs=1.01)  # crs_gps does not let it measure
+
+
+def test_a_periodic_sensor_fires_in_its_timestep_whether_anybody_asks_or_not(tmp_path):
+    """Every 70 ms, in timesteps of 50 ms: the last one before the end of each timestep."""
+    robot = scout_with(tmp_path, '<gps rate="100Hz" period="70ms"/>')
+    driver = Driver.of(empty_world(robot=robot))
+    for cycle in range(1, 30):
+        driver.run(1)
+        turn = np.ceil(cycle * 0.05 / 0.07 - 1e-9) - 1  # what falls on the end comes in the next
+        assert driver.state.gps.at_s[0] == pytest.approx(turn * 0.07, abs=1e-12)
+    assert driver.state.gps.count[0] == turn + 1
+
+
+def test_it_measures_from_where_the_robot_is_at_that_instant(tmp_path):
+    """At 10 in/s for a while, it has measured at the last of its instants, 0.33 s apart."""
+    program = """
+    int x, y;
+    connect_robot(1);
+    ac(200, 200, 0); sp(100, 100, 0); vm(100, 100, 0);
+    usleep(3000000);
+    crs_period(CRS_SENSOR_GPS, 330);
+    usleep(500000);
+    crs_gps(&x, &y);
+    printf("%d %d\\n", x, crs_age(CRS_SENSOR_GPS));
+    crs_period(CRS_SENSOR_GPS, 0);
+    crs_gps(&x, &y);
+    printf("%d %d\\n", x, crs_age(CRS_SENSOR_GPS));
+    """
+    done = drive(program, robot=scout_with(tmp_path, '<gps rate="100Hz"/>'), timestep="100ms")
+    periodic, age, now, fresh = done.numbers
+    assert 150 < age < 185
+    assert fresh <= 2
+    # What was measured then is as far behind as the robot went since, at 0.01 in in a millisecond.
+    assert now - periodic == pytest.approx((age + 2 - fresh) / 10, abs=1.1)
+
+
+@pytest.mark.function("crs_period")
+@pytest.mark.parametrize("sensor", SENSORS)
+def test_every_sensor_can_have_a_timer_and_lose_it_again(tmp_path, sensor):
+    program = f"""
+    int sensor = CRS_SENSOR_{sensor};
+    printf("%d\\n", crs_age(sensor));
+    printf("%d\\n", crs_period(sensor, 100));
+    usleep(550000);
+    printf("%d\\n", crs_age(sensor));
+    printf("%d\\n", crs_period(sensor, 0));
+    usleep(550000);
+    printf("%d\\n", crs_age(sensor));
+    """
+    path = Path(scout_with(tmp_path))
+    text = path.read_text().replace('<heat range="3m"/>', f'<heat range="3m"/>{ALL}')
+    path.write_text(text)
+    before, first, age, second, old = drive(program, robot=str(path)).numbers
+    assert (before, first, second) == (-1, 1, 1)
+    assert 50 <= age <= 56
+    assert 600 <= old <= 615
+
+
+def test_the_rate_is_the_shortest_period(tmp_path):
+    driver = Driver.of(empty_world(robot=scout_with(tmp_path, '<gps rate="10Hz"/>')))
+    assert driver.post("PERIOD", 0, 1)[0]["result"] == 1
+    driver.run_s(1.0)
+    assert driver.state.gps.count[0] == 10
+
+
+@pytest.mark.parametrize("arguments", [(1, 100), (6, 100), (-1, 100), (2**31 - 1, 0), (0, -1)])
+def test_a_sensor_that_is_not_there_and_a_time_below_0_are_refused(tmp_path, arguments):
+    driver = Driver.of(empty_world(robot=scout_with(tmp_path, '<gps rate="10Hz"/>')))
+    assert driver.post("PERIOD", *arguments)[0]["result"] == 0
+    assert not np.isfinite(driver.state.timers.soonest_s).any()
+    if arguments[0]:
+        assert driver.post("AGE", *arguments)[0]["result"] == 0
+
+
+@pytest.mark.parametrize(
+    ("attributes", "wrong"),
+    [
+        ('rate="10Hz" period="99ms"', "gps, period: must not be shorter than its rate allows"),
+        ('rate="1MHz" period="0.1ms"', "gps, period: must be 0, or at least 1 ms"),
+        ('period="-1s"', "gps, period: '-1s' must not be negative"),
+    ],
+)
+def test_a_period_that_cannot_be_is_named(tmp_path, attributes, wrong):
+    with pytest.raises(WorldError, match=wrong):
+        load_robot(Path(scout_with(tmp_path, f"<gps {attributes}/>")))
+
+
+def test_from_a_snapshot_timers_go_on(tmp_path):
+    robot = scout_with(tmp_path, '<gps rate="100Hz" noise="1cm" period="30ms"/>')
+    driver = Driver.of(empty_world(robot=robot))
+    driver.run(3)
+    snapshot = driver.environment.snapshot()
+    hashes = []
+    for _ in range(2):
+        driver.environment.restore(snapshot)
+        driver.run(4)
+        hashes.append(driver.environment.hash())
+    assert hashes[0] == hashes[1]
