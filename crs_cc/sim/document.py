@@ -30,6 +30,7 @@ __all__ = ["LENGTH", "Element", "Reader"]
 
 MAX_MESSAGES: Final = 100
 _WHOLE_DIGITS: Final = 9
+_LONGEST: Final = 400  # values in messages may be of any length
 
 
 @dataclass(slots=True)
@@ -77,6 +78,8 @@ class Reader:
 
     def error(self, element: Element, text: str, hint: str = "") -> None:
         """Notes that something is wrong with an element."""
+        if len(text) > _LONGEST:
+            text = f"{text[: _LONGEST // 2]} ... {text[-_LONGEST // 2 :]}"
         count = len(self.diagnostics.messages)
         if count < MAX_MESSAGES:
             place = Location(element.file or self.file, element.line)
