@@ -97,6 +97,29 @@ DEVICE_REQUESTS: Final = (
         arguments(("i[0]", "0 to open, 1 to close", "1")),
     ),
     _device(
+        "LIGHT", 225, "int crs_light(int brightness)", "lets the lamp shine",
+        arguments(("i[0]", "brightness, as read at 1 m", "1")),
+    ),
+    _device(
+        "SOUND", 226, "int crs_sound(int level, int tone)", "lets the speaker sound",
+        arguments(("i[0]", "level, as read at 1 m", "1"), ("i[1]", "tone, 0 to 7", "1")),
+    ),
+    _device(
+        "GET_LIGHT", 227, "int crs_get_light(int *readings, int most)",
+        "tells what the light sensors read",
+        results=arguments(
+            ("i[0]", "how many sensors there are", "1"), ("data", "readings as int32", "1"),
+        ),
+    ),
+    _device(
+        "GET_SOUND", 228, "int crs_get_sound(int *levels, int most, int *direction)",
+        "tells how loud all tones are, and where the loudest comes from",
+        results=arguments(
+            ("i[0]", "direction of the loudest, from ahead", _ANGLE),
+            ("data", "levels of the eight tones as int32", "1"),
+        ),
+    ),
+    _device(
         "SEND", 240, "int crs_send(int to, int type, const void *data, int size)",
         "sends a message",
         arguments(

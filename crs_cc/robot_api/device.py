@@ -99,6 +99,30 @@ HANDLING: Final = Group("Taking hold of things", (
     ),
 ))  # fmt: skip
 
+BEACONS: Final = Group("Light and sound", (
+    Function(
+        "int crs_light(int brightness)",
+        "lets the robot's lamp shine so that a light sensor reads this at 1 m; 0 for off",
+        posts=("LIGHT",), source=(OURS,),
+    ),
+    Function(
+        "int crs_sound(int level, int tone)",
+        "lets the robot's speaker sound with a tone, 0 to 7, so that microphones read this at "
+        "1 m; 0 for silence", posts=("SOUND",), source=(OURS,),
+    ),
+    Function(
+        "int crs_get_light(int *readings, int most)",
+        "tells what the light sensors read, counter-clockwise; gives how many it told, at most "
+        "`most`", posts=("GET_LIGHT",), source=(OURS,),
+    ),
+    Function(
+        "int crs_get_sound(int *levels, int most, int *direction)",
+        "tells how loud each tone is, and where the loudest comes from, from ahead, which may be "
+        "NULL; gives how many tones it told, at most `most`", units="-, -, 0.1 deg",
+        posts=("GET_SOUND",), source=(OURS,),
+    ),
+))  # fmt: skip
+
 MESSAGES: Final = Group("Messages", (
     Function(
         "int crs_send(int to, int type, const void *data, int size)",
@@ -162,5 +186,5 @@ MESSAGES: Final = Group("Messages", (
     ),
 ))  # fmt: skip
 
-DEVICE_GROUPS: Final = (SENSORS, HANDLING, MESSAGES)
+DEVICE_GROUPS: Final = (SENSORS, HANDLING, BEACONS, MESSAGES)
 """All functions, by what they are about."""

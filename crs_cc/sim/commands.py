@@ -15,7 +15,7 @@ import numpy.typing as npt
 
 from crs_cc.requests import CODES, REQUESTS
 from crs_cc.sim import link
-from crs_cc.sim.actuators import drive, tag
+from crs_cc.sim.actuators import beacons, drive, tag
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.messages import messenger
 from crs_cc.sim.sensors import compass, infrared, laser, odometry, pos_data, sonar
@@ -152,6 +152,10 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("ARM", tell),
         ("GET_ARM", tell),
         ("HAND", tell),
+        ("LIGHT", beacons.light),
+        ("SOUND", beacons.sound),
+        ("GET_LIGHT", tell),
+        ("GET_SOUND", tell),
     )
 }
 """The handler of each request that a robot answers, or one of its devices."""

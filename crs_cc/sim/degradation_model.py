@@ -21,8 +21,20 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Literal
 
+from crs_cc.sim.beacon_model import MAX_LIGHT_SENSORS, TONES
 from crs_cc.sim.hardware import AXES
-from crs_cc.sim.quantity import ANGLE, HEAT, LENGTH, RATIO, SPEED, TURN_RATE, VOLTAGE, Kind
+from crs_cc.sim.quantity import (
+    ANGLE,
+    BRIGHTNESS,
+    HEAT,
+    LENGTH,
+    LOUDNESS,
+    RATIO,
+    SPEED,
+    TURN_RATE,
+    VOLTAGE,
+    Kind,
+)
 from crs_cc.sim.sensor_model import MAX_INFRARED, NUM_LASER
 from crs_cc.sim.sonar_model import MAX_SONARS
 
@@ -207,6 +219,31 @@ DEVICES: Final = {
         Device(
             "tag", "how far heat is taken away", LENGTH,
             _single(lambda model: model.heat.tag_range_m), 1, "takes nothing", acts=True,
+        ),
+        Device(
+            "gripper", "what the gripper is told: 1 to close, from 0.5 on, else to open", RATIO,
+            _single(lambda model: model.gripper), 1, "not told", acts=True,
+        ),
+        Device(
+            "arm", "the angle to which a joint is told to turn", ANGLE,
+            _single(lambda model: model.arm, "shoulder", "elbow"), 2, "not told", acts=True,
+        ),
+        Device(
+            "light", "what a light sensor reads", BRIGHTNESS,
+            lambda model: _numbered(model.light_sensors.number if model.light_sensors else 0),
+            MAX_LIGHT_SENSORS, "0",
+        ),
+        Device(
+            "sound", "how loud a tone is heard", LOUDNESS,
+            lambda model: _numbered(TONES if model.microphones else 0), TONES, "0",
+        ),
+        Device(
+            "lamp", "how bright it is told to shine", BRIGHTNESS,
+            _single(lambda model: model.brightest), 1, "0", acts=True,
+        ),
+        Device(
+            "speaker", "how loud it is told to sound", LOUDNESS,
+            _single(lambda model: model.loudest), 1, "0", acts=True,
         ),
     )
 }  # fmt: skip

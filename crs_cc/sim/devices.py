@@ -20,7 +20,9 @@ from crs_cc.sim.messages.messenger import Messenger
 from crs_cc.sim.sensors import heat
 from crs_cc.sim.sensors.camera import Cameras
 from crs_cc.sim.sensors.gps import GpsReceivers
+from crs_cc.sim.sensors.light import LightRings
 from crs_cc.sim.sensors.sonar import SonarRing
+from crs_cc.sim.sensors.sound import Microphones
 from crs_cc.sim.sensors.tilt import Inclinometers
 from crs_cc.sim.server.prediction import predict
 from crs_cc.sim.states.timers import CAMERA, GPS, HEAT, LASER
@@ -63,6 +65,8 @@ class Devices:
         self.instruments = Instruments(world, seed)
         self._cameras = Cameras(world, seed)
         self.handling = Handling(world, log)
+        self._lights = LightRings(world, seed)
+        self._microphones = Microphones(world, seed)
         self.messenger = Messenger(world, seed)
         receivers = GpsReceivers(world, seed)
         self._timers = Timers(
@@ -105,6 +109,8 @@ class Devices:
             CODES["ARM"]: self.handling.arms.move,
             CODES["GET_ARM"]: self.handling.arms.tell,
             CODES["HAND"]: self.handling.arms.hand,
+            CODES["GET_LIGHT"]: self._lights.tell,
+            CODES["GET_SOUND"]: self._microphones.tell,
             **self.messenger.answers,
         }
 
@@ -112,6 +118,7 @@ class Devices:
     def fans(self) -> list[Fan]:
         """Gives the beams of those that measure distances."""
         own = [*self._cameras.fans, *self.handling.grippers.fans]
+        own += [*self._lights.fans, *self._microphones.fans]
         return [*self.sonars.fans, *self.instruments.fans, *own]
 
     def begin(

@@ -37,6 +37,8 @@ class Equipment:
         gripper: the same for grippers.
         arm: the same for arms.
         heat: the same for heat sensors.
+        brightest: how bright the lamp can shine, 0 where there is none.
+        loudest: how loud the speaker can sound, 0 where there is none.
         laser_points: how many points a laser can tell.
         calibration_s: how long a compass turns around to be calibrated.
         heat_range_m: how far the heat sensor senses, 0 where there is none.
@@ -62,6 +64,8 @@ class Equipment:
     gripper: IndexArray
     arm: IndexArray
     heat: IndexArray
+    brightest: FloatArray
+    loudest: FloatArray
     laser_points: npt.NDArray[np.int32]
     calibration_s: FloatArray
     heat_range_m: FloatArray
@@ -92,6 +96,8 @@ class Equipment:
             _numbers([model.gripper is not None for model in models]),
             _numbers([model.arm is not None for model in models]),
             _numbers([model.heat.range_m > 0.0 for model in models]),
+            np.array([model.brightest for model in models]),
+            np.array([model.loudest for model in models]),
             np.array([model.laser.points if model.laser else 0 for model in models], np.int32),
             np.array([model.compass.calibration_s if model.compass else 0.0 for model in models]),
             np.array([model.heat.range_m for model in models]),

@@ -34,6 +34,7 @@ from typing import Final, Literal, Self, TypeAlias
 
 import numpy as np
 
+from crs_cc.sim.beacon_model import Light, Sound
 from crs_cc.sim.communication import PLAIN_COMMUNICATION, Communication
 from crs_cc.sim.degradation_model import Degradation
 from crs_cc.sim.polygon import area_m2, centroid_m
@@ -275,6 +276,8 @@ class WorldModel:
     duration_s: float | None = None
     seed: int | None = None
     surface: Surface = FLAT
+    lights: tuple[Light, ...] = ()
+    sounds: tuple[Sound, ...] = ()
     degradations: tuple[Degradation, ...] = ()
     communication: Communication = PLAIN_COMMUNICATION
 

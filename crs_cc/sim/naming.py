@@ -10,6 +10,7 @@ from crs_cc.sim.document import Element, Reader
 
 THINGS: Final = frozenset(
     {"wall", "box", "cylinder", "polygon", "object", "map", "robot", "degradation"}
+    | {"light", "sound"}
 )
 """The elements that have an id."""
 

@@ -32,6 +32,8 @@ GPS: Final = 5
 CAMERA: Final = 6
 TILT: Final = 29
 MESSAGES: Final = 20
+LIGHT: Final = 22
+SOUND: Final = 23
 DEGRADATION: Final = 100
 """Numbers of the sensors."""
 

@@ -109,3 +109,6 @@ DATA_RATE: Final = Kind(
 RATIO: Final = Kind("a ratio", (("", 1.0),), "", "1.002", 1e3)
 HEAT: Final = Kind("a heat", (("", 1.0),), "", "1", 1e6)
 """How hot a thing is, without unit."""
+BRIGHTNESS: Final = Kind("a brightness", (("", 1.0),), "", "100", 1e6)
+LOUDNESS: Final = Kind("a level", (("", 1.0),), "", "100", 1e6)
+"""How bright and how loud sources are at a distance of 1 m, without unit."""

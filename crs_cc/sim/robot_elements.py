@@ -6,7 +6,7 @@ import math
 from typing import Final
 
 from crs_cc.requests import REQUESTS
-from crs_cc.sim import handling_elements, sensor_elements, sonar_elements
+from crs_cc.sim import beacon_elements, handling_elements, sensor_elements, sonar_elements
 from crs_cc.sim.document import Element, Reader
 from crs_cc.sim.quantity import (
     ACCELERATION,
@@ -61,6 +61,10 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         camera=sensor_elements.camera(root, reader),
         gripper=handling_elements.gripper(root, radius_m, reader),
         arm=handling_elements.arm(root, reader),
+        light_sensors=beacon_elements.light_sensors(root, reader),
+        microphones=beacon_elements.microphones(root, reader),
+        brightest=beacon_elements.brightest(root, reader),
+        loudest=beacon_elements.loudest(root, reader),
         computer_battery=sensor_elements.computer_battery(root, reader),
         motor_battery=sensor_elements.motor_battery(root, reader),
         board=sensor_elements.sensor_board(root, reader),

@@ -14,6 +14,7 @@ import math
 from dataclasses import dataclass
 from typing import Final
 
+from crs_cc.sim.beacon_model import LightSensors, Microphones
 from crs_cc.sim.handling_model import Arm, Gripper
 from crs_cc.sim.sensor_model import (
     ENDLESS,
@@ -188,6 +189,10 @@ class RobotModel:
         camera: its camera, None where there is none.
         gripper: its gripper, None where there is none.
         arm: its arm, None where there is none.
+        light_sensors: its light sensors, None where there are none.
+        microphones: its microphones, None where there are none.
+        brightest: how bright its lamp can shine, 0 where there is none.
+        loudest: how loud its speaker can sound, 0 where there is none.
         computer_battery: what feeds its computers.
         motor_battery: what feeds its motors.
         board: the computer that reads its sensors.
@@ -215,6 +220,10 @@ class RobotModel:
     camera: Camera | None = None
     gripper: Gripper | None = None
     arm: Arm | None = None
+    light_sensors: LightSensors | None = None
+    microphones: Microphones | None = None
+    brightest: float = 0.0
+    loudest: float = 0.0
     computer_battery: Battery = ENDLESS
     motor_battery: MotorBattery = ENDLESS_MOTORS
     board: SensorBoard = USUAL_BOARD

@@ -27,6 +27,7 @@ from crs_cc.sim.model import WorldModel
 from crs_cc.sim.scene import Scene
 from crs_cc.sim.states.arm import ArmState
 from crs_cc.sim.states.battery import BatteryState
+from crs_cc.sim.states.beacons import BeaconState
 from crs_cc.sim.states.bumper import BumperState
 from crs_cc.sim.states.camera import CameraState
 from crs_cc.sim.states.compass import CompassState
@@ -87,6 +88,7 @@ class EnvState:
         degradation: what is wrong with all of these, and with the drive.
         gripper: where the fingers of grippers are; what they hold is in `bodies`.
         arm: where the joints of arms are; what their hands hold is in `bodies`.
+        beacons: how bright robots shine and how loud they sound.
         mask: which parts of `State` the program asks for (`Smask`), (robots, 44).
         pos_data: where and when sensors were read, for those who ask.
         battery: what the motors took from theirs.
@@ -125,6 +127,7 @@ class EnvState:
     degradation: DegradationState
     gripper: GripperState
     arm: ArmState
+    beacons: BeaconState
     mask: npt.NDArray[np.uint8]
     pos_data: PosDataState
     battery: BatteryState
@@ -169,6 +172,7 @@ class EnvState:
             degradation=DegradationState.at_start(world),
             gripper=GripperState.at_start(world),
             arm=ArmState.at_start(world),
+            beacons=BeaconState.at_start(world),
             mask=first_mask(count),
             pos_data=PosDataState.at_start(world),
             battery=BatteryState.at_start(world),

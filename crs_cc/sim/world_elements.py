@@ -9,6 +9,7 @@ from itertools import islice
 from pathlib import Path, PurePosixPath
 from typing import Final, Literal, TypeAlias
 
+from crs_cc.sim.beacon_elements import lights, sounds
 from crs_cc.sim.communication_elements import communication
 from crs_cc.sim.composite_elements import CompositeElements
 from crs_cc.sim.degradation_elements import degradations
@@ -81,6 +82,8 @@ def world_model(
         duration_s=_duration(root, reader),
         seed=_seed(root, reader),
         surface=surface(root.first("surface"), reader),
+        lights=lights(root, reader),
+        sounds=sounds(root, reader),
         degradations=degradations(
             root.all("degradation"), zip(root.all("robot"), robots, strict=True), reader
         ),

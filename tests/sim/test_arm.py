@@ -152,3 +152,15 @@ def test_from_a_snapshot_with_something_in_the_hand_all_happens_again_to_the_bit
         hashes.append(driver.environment.hash())
     assert hashes[0] == hashes[1]
     assert tell(driver)[4] == 0
+
+
+@pytest.mark.parametrize(("fault", "joints"), [
+    ('element="elbow" bias="10deg"', [300, 400]),
+    ('element="shoulder" gain="0.5"', [150, 300]),
+    ('element="0" dead="yes"', [0, 300]),
+])  # fmt: skip
+def test_a_joint_that_is_degraded_goes_elsewhere(tmp_path, fault, joints):
+    driver = arm_of(tmp_path, f'<degradation robot="robot0" device="arm" {fault}/>')
+    driver.post("ARM", 0, 300, 300)
+    driver.run_s(3)
+    assert tell(driver)[:2] == joints

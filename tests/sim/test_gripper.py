@@ -126,3 +126,16 @@ def test_a_word_that_is_neither_open_nor_close_is_refused(tmp_path):
     for what in (-1, 2, 2**31 - 1, -(2**31)):
         assert driver.post("GRIPPER", what)[0]["result"] == 0
     assert tell(driver) == [79, 0, 0]
+
+
+@pytest.mark.parametrize(("fault", "apart"), [
+    ('dead="yes"', 79), ('dead="yes" duration="1s"', 0), ('bias="-1"', 79), ('dropouts="1"', 79),
+])  # fmt: skip
+def test_one_that_is_degraded_may_not_do_what_it_is_told(tmp_path, fault, apart):
+    fault = f'<degradation robot="robot0" device="gripper" {fault}/>'
+    driver = gripping(tmp_path, ROBOT + fault, WIDE)
+    driver.post("GRIPPER", CLOSE)
+    driver.run_s(1.5)
+    driver.post("GRIPPER", CLOSE)
+    driver.run_s(1.5)
+    assert tell(driver) == [apart, 0, 0]

@@ -68,7 +68,11 @@ class Arms:
         now_rad = self._angles_rad(asked.state, which, at_s)
         to_rad = tenths_deg_to_rad(words[:, 1:3].astype(np.float64))
         to_rad += np.where(words[:, [0]] != 0, now_rad, 0.0)
+        to_rad = asked.equipment.degradations.alter(
+            asked.state, "arm", asked.rows[has], to_rad, at_s
+        )
         arm = asked.state.arm
+        to_rad = np.where(np.isfinite(to_rad), to_rad, arm.to_rad[which])
         arm.from_rad[which], arm.since_s[which] = now_rad, at_s
         within_rad = np.minimum(np.maximum(to_rad, self._least_rad[which]), self._most_rad[which])
         arm.to_rad[which] = within_rad

@@ -42,6 +42,7 @@ FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
 IndexArray = npt.NDArray[np.intp]
 
+_CLOSE: Final = 0.5
 _SAME_M: Final = 1e-9
 _GRAMS: Final = 1000.0
 _LARGEST: Final = 2**31 - 1
@@ -72,9 +73,12 @@ class Grippers:
         """Answers GRIPPER: opens or closes; refuses robots that have none, and nonsense."""
         mine, wanted = asked.equipment.gripper[asked.rows], asked.messages["i"][:, 0]
         good = (mine >= 0) & (wanted >= 0) & (wanted <= 1)
-        which, at_s = mine[good], asked.at_s[good]
-        state, closing = asked.state.gripper, wanted[good] == 1
-        new = state.closing[which] != closing
+        which, at_s, state = mine[good], asked.at_s[good], asked.state.gripper
+        told = asked.equipment.degradations.alter(
+            asked.state, "gripper", asked.rows[good], wanted[good, None].astype(np.float64), at_s
+        )[:, 0]
+        closing = told >= _CLOSE
+        new = (state.closing[which] != closing) & np.isfinite(told)
         which, at_s, closing = which[new], at_s[new], closing[new]
         state.from_m[which] = self._apart_m(asked.state, which, at_s)
         state.since_s[which], state.closing[which] = at_s, closing

@@ -81,6 +81,17 @@ int crs_arm_get(int *shoulder, int *elbow, int *x, int *y);
 int crs_hand(int what);
 int crs_get_hand(int *weight);
 
+/* The robot's own lamp and speaker, which others sense: how bright and how loud, as it reads at 1 m;
+   0 for off. There are eight tones, 0 to 7. */
+int crs_light(int brightness);
+int crs_sound(int level, int tone);
+
+/* What the light sensors read, counter-clockwise, and what the microphones hear of each tone. Both
+   give how many numbers they told, at most `most`, 0 when the robot has no such device. Where the
+   loudest tone comes from, from ahead: 0.1 degree; that pointer may be NULL. */
+int crs_get_light(int *readings, int most);
+int crs_get_sound(int *levels, int most, int *direction);
+
 /* Messages go from robot to robot on a channel: these, and what the world has besides. Robots count
    from 0. */
 #define CRS_RADIO    0
