@@ -23,18 +23,15 @@ array([[ 1., -1.,  0.]])
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
-from typing import Final, Self, TypeAlias
+from typing import Final, Self
 
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.sim.rows import ALL, Rows, take
+
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
-Rows: TypeAlias = "npt.NDArray[np.intp] | slice"
-"""Which robots: their indices, or `ALL`."""
-
-ALL: Final = slice(None)
-
 AXES: Final = 3
 """How many axes a robot has (vendor header `Nclient.h` 1.29)."""
 
@@ -83,8 +80,8 @@ class Axes:
 
     def end_s(self, rows: Rows = ALL) -> FloatArray:
         """Gives when each axis will stand still [s]: infinite when it goes on for ever."""
-        end_s = self.start_s[rows] + self.ramp_s[rows]
-        return np.asarray(end_s + self.cruise_s[rows] + self.brake_s[rows])
+        end_s = take(self.start_s, rows) + take(self.ramp_s, rows)
+        return np.asarray(end_s + take(self.cruise_s, rows) + take(self.brake_s, rows))
 
 
 def plan_speed(
@@ -106,7 +103,7 @@ def plan_speed(
         ramp: acceleration, greater than 0.
         which: the axes that are meant, shape (k, 3).
     """
-    first = axes.speed[rows]
+    first = take(axes.speed, rows)
     ramp_s = np.abs(target - first) / ramp
     stops = target == 0.0
     _replace(
@@ -154,7 +151,7 @@ def plan_move(
     """
     # Seen along `side`, braking at once ends at the goal or before it; so the axis has time to
     # reach a peak: from v to p to 0 takes the way (p^2 - v^2) / 2a + p^2 / 2a.
-    first = axes.speed[rows]
+    first = take(axes.speed, rows)
     spare = way - first * np.abs(first) / (2 * ramp)
     side = np.where(np.abs(spare) > _NO_WAY, np.sign(spare), np.sign(first))
     speed, ahead = side * first, side * way
@@ -193,24 +190,28 @@ def advance(axes: Axes, rows: Rows, to_s: FloatArray) -> FloatArray:
     Returns:
         the way that each axis went, shape (k, 3): the slice.
     """
-    since_s = to_s[:, None] - axes.start_s[rows]
-    ramp_s, cruise_s, brake_s = axes.ramp_s[rows], axes.cruise_s[rows], axes.brake_s[rows]
+    since_s = to_s[:, None] - take(axes.start_s, rows)
+    ramp_s, cruise_s, brake_s = (
+        take(axes.ramp_s, rows),
+        take(axes.cruise_s, rows),
+        take(axes.brake_s, rows),
+    )
     stands = since_s >= ramp_s + cruise_s + brake_s
-    travelled: FloatArray = axes.total[rows]
+    travelled: FloatArray = take(axes.total, rows)
     speed = np.zeros_like(travelled)
     if not stands.all():
-        first, ramp, cruise = axes.first[rows], axes.ramp[rows], axes.cruise[rows]
+        first, ramp, cruise = take(axes.first, rows), take(axes.ramp, rows), take(axes.cruise, rows)
         ramping_s = np.minimum(since_s, ramp_s)
         behind_s = np.maximum(since_s - ramp_s, 0.0)
         cruising_s = np.minimum(behind_s, cruise_s)
         braking_s = np.minimum(behind_s - cruising_s, brake_s)
         slowing = np.divide(cruise, brake_s, out=np.zeros_like(brake_s), where=brake_s > 0.0)
-        way = axes.begun[rows] + (first + ramp * ramping_s / 2) * ramping_s
+        way = take(axes.begun, rows) + (first + ramp * ramping_s / 2) * ramping_s
         way += cruise * (cruising_s + braking_s) - slowing * braking_s * braking_s / 2
         now = np.where(since_s < ramp_s, first + ramp * ramping_s, cruise) - slowing * braking_s
         travelled = np.where(stands, travelled, way)
         speed = np.where(stands, 0.0, now)
-    slice_ = travelled - axes.travelled[rows]
+    slice_ = travelled - take(axes.travelled, rows)
     axes.travelled[rows] = travelled
     axes.speed[rows] = speed
     return np.asarray(slice_)
@@ -225,16 +226,16 @@ def fall_short(axes: Axes, rows: Rows, now_s: FloatArray, short: FloatArray) -> 
         now_s: the present, shape (k,).
         short: by how much each axis did not go as far as it was turned, shape (k, 3).
     """
-    moves = (axes.limit[rows] > 0.0) & (short != 0.0)
+    moves = (take(axes.limit, rows) > 0.0) & (short != 0.0)
     if moves.any():
-        begun = axes.travelled[rows] - short
+        begun = take(axes.travelled, rows) - short
         plan_move(
             axes,
             rows,
             now_s,
-            np.where(moves, axes.total[rows] - begun, 0.0),
-            limit=np.where(moves, axes.limit[rows], 1.0),
-            ramp=np.where(moves, axes.rate[rows], 1.0),
+            np.where(moves, take(axes.total, rows) - begun, 0.0),
+            limit=np.where(moves, take(axes.limit, rows), 1.0),
+            ramp=np.where(moves, take(axes.rate, rows), 1.0),
             begun=begun,
             which=moves,
         )
@@ -245,4 +246,4 @@ def _replace(axes: Axes, rows: Rows, which: BoolArray | bool, **profile: FloatAr
     profile["travelled"] = profile["begun"]
     for name, values in profile.items():
         old: FloatArray = getattr(axes, name)
-        old[rows] = np.where(which, values, old[rows])
+        old[rows] = np.where(which, values, take(old, rows))

@@ -19,6 +19,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.sim.rows import take
+
 if TYPE_CHECKING:
     from crs_cc.sim.equipment import Equipment
     from crs_cc.sim.state import EnvState
@@ -29,8 +31,8 @@ IndexArray = npt.NDArray[np.intp]
 
 def mount_poses(state: EnvState, equipment: Equipment, rows: IndexArray) -> FloatArray:
     """Gives x, y [m] and direction [rad] of the mount of robots, world frame, shape (k, 3)."""
-    moved_m = np.where(state.bodies.slipping[rows, None], 0.0, state.drive.moved_m[rows])
-    place_m = state.bodies.position_m[rows] + moved_m
+    moved_m = np.where(state.bodies.slipping[rows, None], 0.0, take(state.drive.moved_m, rows))
+    place_m = take(state.bodies.position_m, rows) + moved_m
     facing_rad, turret_rad = state.drive.facing_rad[rows], state.drive.turret_rad[rows]
     return np.column_stack([place_m, mount_rad(state, equipment, rows, facing_rad, turret_rad)])
 

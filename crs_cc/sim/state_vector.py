@@ -21,6 +21,7 @@ import numpy.typing as npt
 from crs_cc.requests import NUM_STATE
 from crs_cc.sim.actuators import traction
 from crs_cc.sim.equipment import Equipment
+from crs_cc.sim.rows import take
 from crs_cc.sim.sonar_model import MAX_SONARS
 from crs_cc.sim.state import EnvState
 from crs_cc.sim.states.sonar import CONFIGURATION
@@ -68,14 +69,14 @@ def state_vector(state: EnvState, equipment: Equipment, rows: IndexArray) -> npt
     vector[:, BUMPER] = state.bumpers.pressed[rows]
     vector[:, CONF_X : VEL_TURRET + 1] = configuration(state, equipment, rows)
     works = state.drive.axes.end_s(rows) > state.drive.clock_s[rows, None]
-    vector[:, MOTOR_STATUS] = (works & ~state.drive.limp[rows]) @ _BITS
+    vector[:, MOTOR_STATUS] = (works & ~take(state.drive.limp, rows)) @ _BITS
     return vector
 
 
 def configuration(state: EnvState, equipment: Equipment, rows: IndexArray) -> npt.NDArray[np.int32]:
     """Gives the part of `State` that tells where robots are and how fast, shape (k, 7)."""
     odometry = state.odometry
-    speed, unit = traction.speed(state, equipment, rows), equipment.drives.unit[rows]
+    speed, unit = traction.speed(state, equipment, rows), take(equipment.drives.unit, rows)
     now_s = state.drive.clock_s[rows]
     speed = equipment.degradations.speeds(state, "odometry", rows, speed, now_s)
     told = np.zeros((len(rows), CONFIGURATION))

@@ -38,6 +38,7 @@ from crs_cc.sim import hardware
 from crs_cc.sim.actuators import traction
 from crs_cc.sim.drives import weighted
 from crs_cc.sim.hardware import AXES
+from crs_cc.sim.rows import take
 from crs_cc.sim.sensors import odometry
 
 if TYPE_CHECKING:
@@ -124,8 +125,8 @@ def _turn(
     if not way.any():
         return
     facing_rad = state.drive.facing_rad[rows]
-    turn_rad = weighted(way, equipment.drives.true_turn[rows])
-    way_m = weighted(way, equipment.drives.true_forward[rows])
+    turn_rad = weighted(way, take(equipment.drives.true_turn, rows))
+    way_m = weighted(way, take(equipment.drives.true_forward, rows))
     x_m, y_m = odometry.arc(facing_rad, way_m, turn_rad)
     if equipment.inclines is not None:
         place_m = state.bodies.position_m[: len(state.heading_rad)][rows]
@@ -291,9 +292,9 @@ def _run_at(
     which: BoolArray | bool = True,
 ) -> None:
     _take_up(state, equipment, rows, which)
-    limit = equipment.drives.speed_limit[rows]
-    target = np.clip(values.astype(np.float64) * equipment.drives.unit[rows], -limit, limit)
-    ramp, now_s = state.drive.ramp[rows], state.drive.clock_s[rows]
+    limit = take(equipment.drives.speed_limit, rows)
+    target = np.clip(values.astype(np.float64) * take(equipment.drives.unit, rows), -limit, limit)
+    ramp, now_s = take(state.drive.ramp, rows), state.drive.clock_s[rows]
     hardware.plan_speed(state.drive.axes, rows, now_s, target, ramp=ramp, which=which)
 
 
@@ -320,7 +321,7 @@ def _stop(
     state: EnvState, equipment: Equipment, rows: IndexArray, which: BoolArray | bool = True
 ) -> None:
     _take_up(state, equipment, rows, which)
-    ramp, now_s = state.drive.ramp[rows], state.drive.clock_s[rows]
+    ramp, now_s = take(state.drive.ramp, rows), state.drive.clock_s[rows]
     standing = np.zeros_like(ramp)
     hardware.plan_speed(state.drive.axes, rows, now_s, standing, ramp=ramp, which=which)
 

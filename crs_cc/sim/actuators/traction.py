@@ -27,6 +27,7 @@ import numpy.typing as npt
 from crs_cc.sim import hardware
 from crs_cc.sim.bodies import Pull
 from crs_cc.sim.drives import weighted
+from crs_cc.sim.rows import take
 from crs_cc.sim.sensors import odometry
 
 if TYPE_CHECKING:
@@ -83,7 +84,7 @@ def turned(
 
 def speed(state: EnvState, equipment: Equipment, rows: IndexArray) -> FloatArray:
     """Gives the speeds of robots' axes as their encoders tell them, shape (k, 3)."""
-    now_s, driven = state.drive.clock_s[rows], state.drive.axes.speed[rows]
+    now_s, driven = state.drive.clock_s[rows], take(state.drive.axes.speed, rows)
     driven = equipment.degradations.speeds(state, "drive", rows, driven, now_s)
     if not state.drive.hindered.any():
         return np.asarray(driven)

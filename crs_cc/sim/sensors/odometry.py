@@ -28,6 +28,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.drives import weighted
+from crs_cc.sim.rows import take
 from crs_cc.units import tenths_deg_to_rad, tenths_inch_to_m
 
 if TYPE_CHECKING:
@@ -68,8 +69,8 @@ def count_turns(
     """Takes the axes' ways since the last time into the odometry, as the encoders count them."""
     way = _counted(state, equipment, rows, way)
     heading_rad = state.odometry.heading_rad[rows]
-    turn_rad = weighted(way, equipment.drives.turn[rows])
-    x_m, y_m = arc(heading_rad, weighted(way, equipment.drives.forward[rows]), turn_rad)
+    turn_rad = weighted(way, take(equipment.drives.turn, rows))
+    x_m, y_m = arc(heading_rad, weighted(way, take(equipment.drives.forward, rows)), turn_rad)
     state.odometry.x_m[rows] += x_m
     state.odometry.y_m[rows] += y_m
     state.odometry.heading_rad[rows] = (heading_rad + turn_rad) % _TURN
@@ -84,9 +85,9 @@ def _counted(
     state: EnvState, equipment: Equipment, rows: IndexArray | slice, way: FloatArray
 ) -> FloatArray:
     """Gives the ways in whole counts; what is left over counts later."""
-    shaft = state.odometry.shaft[rows] + way
-    told = np.rint(shaft / equipment.drives.count[rows]) * equipment.drives.count[rows]
-    whole = told - state.odometry.told[rows]
+    shaft, count = take(state.odometry.shaft, rows) + way, take(equipment.drives.count, rows)
+    told = np.rint(shaft / count) * count
+    whole = told - take(state.odometry.told, rows)
     state.odometry.shaft[rows], state.odometry.told[rows] = shaft, told
     return np.asarray(whole)
 
