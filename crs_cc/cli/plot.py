@@ -14,6 +14,7 @@ from typing import Final
 
 import numpy as np
 
+from crs_cc.cli.relief import draw_relief, ground_m
 from crs_cc.cli.svg import Page, Point, View
 from crs_cc.cli.tracks import FloatArray, simplified
 from crs_cc.cli.x11_colours import HEX
@@ -105,6 +106,7 @@ class _Drawing:
         with self.page.group(font_family=_FONT, font_size=12.0, fill=_INK):
             self._heading()
             self._grid()
+            draw_relief(self.page, self.view, self.picture.world.surface)
             self._solids()
             self._strokes()
             self._starts()
@@ -330,6 +332,7 @@ def _bounds(picture: Picture) -> tuple[FloatArray, FloatArray]:
     for trip in picture.trips:
         clouds += [trip.path - trip.robot.model.radius_m, trip.path + trip.robot.model.radius_m]
     clouds += [_drawn(picture, drawing) for drawing in picture.drawings]
+    clouds += ground_m(picture.world.surface)
     clouds += [_outline(solid) for solid in (*picture.world.solids(), *picture.pushed)]
     if not clouds:
         area = picture.world.area

@@ -15,6 +15,7 @@ from crs_cc.cli.tracks import Tracks, simplified
 from crs_cc.sim.drawings import LINE, ROBOT, Drawing
 from crs_cc.sim.model import Area, Box, Cylinder, Material, Polygon, Pose, Robot, Wall, WorldModel
 from crs_cc.sim.robot_model import Drive, RobotModel
+from crs_cc.sim.surface import Patch, Surface
 
 SVG = "{http://www.w3.org/2000/svg}"
 SCOUT = RobotModel("scout", 0.2, Drive(0.35))
@@ -169,3 +170,28 @@ def test_contacts_at_one_place_are_kept_once() -> None:
         tracks.touch(0, x_m, 0.0)
     tracks.touch(1, 1.0, 0.0)
     assert tracks.contacts == [(0, 1.0, 0.0), (0, 2.0, 0.0), (1, 1.0, 0.0)]
+
+
+def test_the_ground_is_darker_the_higher_and_arrows_point_up() -> None:
+    """A ramp from 0 to 0.5 m along x, and a plateau of 1 m behind it."""
+    ramp, plateau = (
+        Patch(2.0, 2.0, 0.0, 2.0, 1.0, 0.0, 0.5),
+        Patch(4.0, 2.0, 0.0, 1.0, 1.0, 1.0, 1.0),
+    )
+    world = replace(OPEN, surface=Surface((ramp, plateau)))
+    root = draw(Picture("", "", world, []))
+    assert {"14.0°", "1.00 m"} <= set(texts(root))
+    fills = [row.get("fill") for row in root.iter(f"{SVG}polygon") if row.get("fill") != "none"]
+    reds = [int(fill[1:3], 16) for fill in fills[:13]]
+    assert reds == sorted(reds, reverse=True)
+    assert reds[0] > reds[-1]
+    (shaft,) = root.findall(f".//{SVG}g[@stroke='#8a6a48']/{SVG}line")
+    assert float(shaft.get("x1")) < float(shaft.get("x2"))
+    assert shaft.get("y1") == shaft.get("y2")
+
+
+def test_all_of_the_ground_is_in_the_picture() -> None:
+    far = replace(OPEN, surface=Surface((Patch(30.0, 0.0, 0.5, 4.0, 2.0, 0.1, 0.1),)))
+    root = draw(Picture("", "", far, [trip((0, 0), (1, 0))]))
+    width = float(root.get("width"))
+    assert all(0 <= x <= width for x, _ in all_points(root))

@@ -218,6 +218,32 @@ def keeps_its_eye_on_the_pillar(drive: Drive) -> None:
     assert turret_off_deg < 8
 
 
+def climbs_the_ramp(drive: Drive) -> None:
+    """The ramp begins 2 m from the wall and is 0.6 m high; limp, a robot rolls down half a metre.
+
+    That is (g sin a - r cos a) / 2 with tan a = 0.15 and r = 0.3 m/s2.
+    """
+    touches_nothing(drive)
+    assert drive.numbers(r"a ramp of (\d+) degrees begins after (\d+) in") == [
+        pytest.approx(8.5, abs=0.6), pytest.approx(1.0 / INCH_M, abs=1)
+    ]  # fmt: skip
+    rolled_in, held_in = drive.numbers(r"it rolls (\S+) in, held it moves (\S+) in")
+    expected_m = (9.80665 * 0.15 - 0.3) / math.hypot(1, 0.15) / 2
+    assert rolled_in * INCH_M == pytest.approx(-expected_m, rel=0.05)
+    assert held_in == pytest.approx(0.0, abs=0.1)
+    _, height_in = drive.numbers(r"after (\d+) in, (\d+) in above")
+    assert height_in * INCH_M == pytest.approx(0.6, abs=0.03)
+    assert 6.0 < drive.places[-1][0] < 9.0
+
+
+def stops_at_both_edges(drive: Drive) -> None:
+    """From below the edge at x = 4 m is heard; the one at x = 8 m is not, and nobody falls."""
+    touches_nothing(drive)
+    assert drive.numbers(r"from the floor: (\d+) in") == [pytest.approx(2.797 / INCH_M, abs=1)]
+    assert drive.numbers(r"on the stage: (\d+) in") == [pytest.approx(5.8 / INCH_M, abs=3)]
+    assert 7.4 < drive.places[-1][0] < 8.0
+
+
 def serves_at_10_hz(drive: Drive) -> None:
     touches_nothing(drive)
     rows = re.findall(r"^ *(\S+) position +(\S+) +(\S+) .* (\S+) V$", drive.text, re.MULTILINE)

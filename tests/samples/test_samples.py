@@ -119,6 +119,8 @@ RUNS = [
     Run("dead_reckoning", "wall", properties.reckons_until_it_slips),
     Run("sonar_ages", "wall", properties.tells_ages_of_readings),
     Run("distrust", "faulty", properties.finds_out_which_sonar_lies),
+    Run("climb", "slope", properties.climbs_the_ramp),
+    Run("stage", "plateau", properties.stops_at_both_edges),
     Run("drivers/carmen_like", "studio", properties.goes_as_commanded),
     Run("drivers/player_like", "room", properties.serves_at_10_hz, standard="gnu89"),
 ]

@@ -1,0 +1,89 @@
+"""The ground in the picture of a run: the higher, the darker; arrows point up ramps."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from crs_cc.cli.svg import Page, View
+from crs_cc.cli.tracks import FloatArray
+from crs_cc.sim.surface import Patch, Surface
+from crs_cc.sim.terrain import Terrain
+
+_EARTH = "#a67c52"
+_EDGE = "#8a6a48"
+_STRIPES = 12
+_LIGHTEST, _DARKEST = 0.06, 0.5
+
+
+def draw_relief(page: Page, view: View, surface: Surface) -> None:
+    """Draws the ramps and plateaus of a ground, the lowest first."""
+    patches = sorted(surface.patches, key=lambda patch: max(patch.from_m, patch.to_m))
+    highest_m = max((max(patch.from_m, patch.to_m) for patch in patches), default=0.0)
+    for patch in patches:
+        for stripe, height_m in _stripes(patch):
+            share = height_m / highest_m if highest_m else 0.0
+            paint = _mixed(_LIGHTEST + (_DARKEST - _LIGHTEST) * share)
+            page.polygon(_points(view, stripe), fill=paint, stroke=paint, stroke_width=0.4)
+        page.polygon(_points(view, _corners_m(patch)), fill="none", stroke=_EDGE, stroke_width=1.0)
+        if patch.slope:
+            _arrow(page, view, patch)
+        else:
+            place = view.point(patch.x_m, patch.y_m)
+            text = f"{patch.to_m:.2f} m"
+            page.text(place, text, fill=_EDGE, font_size=10.0, text_anchor="middle")
+
+
+def ground_m(surface: Surface) -> list[FloatArray]:
+    """Gives the corners of all patches [m], (4, 2) each."""
+    return [_corners_m(patch) for patch in surface.patches]
+
+
+def _stripes(patch: Patch) -> list[tuple[FloatArray, float]]:
+    """Gives the parts of a patch across its heading, and how high their middles are."""
+    count = _STRIPES if patch.slope else 1
+    length_m = patch.length_m / count
+    stripes = []
+    for number in range(count):
+        ahead_m = (number + 0.5) * length_m - patch.length_m / 2
+        x_m = patch.x_m + ahead_m * math.cos(patch.heading_rad)
+        y_m = patch.y_m + ahead_m * math.sin(patch.heading_rad)
+        height_m = (patch.from_m + patch.to_m) / 2 + patch.slope * ahead_m
+        part = Patch(x_m, y_m, patch.heading_rad, length_m, patch.width_m, height_m, height_m)
+        stripes.append((_corners_m(part), height_m))
+    return stripes
+
+
+def _arrow(page: Page, view: View, patch: Patch) -> None:
+    """Draws an arrow up a ramp, and writes how steep it is."""
+    up_rad = patch.heading_rad if patch.slope > 0.0 else patch.heading_rad + math.pi
+    half_m = 0.3 * patch.length_m
+    along = np.array([math.cos(up_rad), math.sin(up_rad)]) * half_m
+    middle = np.array([patch.x_m, patch.y_m])
+    foot, tip = (view.point(*(middle + side * along).tolist()) for side in (-1, 1))
+    head_px = min(9.0, view.length(half_m))
+    sides = [
+        (tip[0] - head_px * math.cos(up_rad + turn), tip[1] + head_px * math.sin(up_rad + turn))
+        for turn in (-0.45, 0.45)
+    ]
+    with page.group(stroke=_EDGE, stroke_width=1.3, fill="none", stroke_linejoin="round"):
+        page.line(foot, tip)
+        page.polyline([sides[0], tip, sides[1]])
+    place = (view.point(*middle.tolist())[0] + 5, view.point(*middle.tolist())[1] - 5)
+    slope_deg = math.degrees(math.atan(abs(patch.slope)))
+    page.text(place, f"{slope_deg:.1f}°", fill=_EDGE, font_size=10.0)
+
+
+def _corners_m(patch: Patch) -> FloatArray:
+    return np.asarray(Terrain(Surface((patch,))).corners_m()[0])
+
+
+def _points(view: View, corners_m: FloatArray) -> list[tuple[float, float]]:
+    return [view.point(*corner) for corner in corners_m.tolist()]
+
+
+def _mixed(share: float) -> str:
+    """Gives the colour of earth, as much of it as said, on white paper."""
+    parts = [int(_EARTH[place : place + 2], 16) for place in (1, 3, 5)]
+    return "#" + "".join(f"{round(255 + (part - 255) * share):02x}" for part in parts)

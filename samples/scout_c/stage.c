@@ -1,0 +1,86 @@
+/*
+ * stage.c - the edge of a stage, seen from below and from above.
+ *
+ * From the floor the edge of a plateau is a wall: the sonar ahead tells how far it
+ * is, and the robot stops in front of it. From above there is nothing to see: the
+ * sonar looks out over the edge, and only its encoders tell the robot where to stop.
+ *
+ * The robot goes up by a ramp to the left, whose place it knows.
+ *
+ * Usage:  crs run stage.c plateau.xml
+ */
+
+#include <stdio.h>
+#include <unistd.h>
+#include "Nclient.h"
+
+#define ROBOT_ID  1
+#define SPEED     150            /* 0.1 inch/s */
+#define NEAR      10             /* inches */
+#define PERIOD    100000         /* microseconds */
+#define MAX_TURNS 300
+#define TIMEOUT   60             /* seconds */
+#define STAGE     1570           /* from one end of the stage to the other, 0.1 inch */
+#define RAMP      997            /* the ramp along the ground */
+
+static int order[16] = { 0, 1, 15, 255 };
+
+static void go(int way)
+{
+    pr(way, way, 0);
+    ws(1, 1, 0, TIMEOUT);
+}
+
+/* Turns on the spot by an angle, 0.1 degree. */
+static void turn(int angle)
+{
+    int way = (int)(angle * 0.118597);
+
+    pr(way, -way, 0);
+    ws(1, 1, 0, TIMEOUT);
+}
+
+static int ahead(void)
+{
+    usleep(3 * PERIOD);
+    get_sn();
+    return (int)State[STATE_SONAR_0];
+}
+
+int main(void)
+{
+    int turns, came;
+
+    if (!connect_robot(ROBOT_ID))
+        return 1;
+    conf_sn(15, order);
+    ac(300, 300, 0);
+    sp(SPEED, SPEED, 0);
+
+    printf("from the floor: %d in to the edge\n", ahead());
+    vm(SPEED, SPEED, 0);
+    for (turns = 0; turns < MAX_TURNS; turns++) {
+        usleep(PERIOD);
+        get_sn();
+        if (State[STATE_SONAR_0] <= NEAR)
+            break;
+    }
+    st();
+    ws(1, 1, 0, TIMEOUT);
+    get_rc();
+    came = (int)State[STATE_CONF_X];
+    printf("stopped %d in before it, after %d in\n", ahead(), came / 10);
+
+    go(-came);
+    turn(900);
+    go(787);                     /* to the middle of the ramp */
+    turn(-900);
+    go(200 + RAMP);
+    printf("on the stage: %d in to what the sonar sees\n", ahead());
+    go(STAGE - 150);
+    get_bp();
+    printf("at the other end: %d in, and a drop before the wheels that nothing tells of\n",
+           ahead());
+    disconnect_robot(ROBOT_ID);
+    return 0;
+}
