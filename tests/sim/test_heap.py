@@ -1,0 +1,109 @@
+"""Fifty robots push fifty boxes into a heap, partly on slopes: a snapshot goes on to the same bits.
+
+r b r b ...      every other place of a grid of 10 by 10 has a robot; all drive towards the
+b r b r ...      middle, where a plateau stands with a ramp on each of two sides; on the ramp
+...              in the corner boxes slide
+"""
+
+import math
+import pickle
+import subprocess
+import sys
+
+import pytest
+
+from crs_cc.sim.environment import Environment
+from tests.sim.driver import Driver, world_of
+
+SPACING_M = 0.6
+LAST = 130  # cycles
+SURFACE = (
+    "<surface>"
+    '<plateau x="3.5m" y="3.5m" length="1m" width="1m" height="20cm"/>'
+    '<ramp x="2.25m" y="3.5m" length="1.5m" width="1m" to="20cm"/>'
+    '<ramp x="3.5m" y="4.6m" heading="270" length="1.2m" width="1m" to="20cm"/>'
+    '<ramp x="1.5m" y="1.2m" heading="200deg" length="1.6m" width="2m" to="80cm"/>'
+    "</surface>"
+)
+
+
+def heap():
+    """Gives the world."""
+    things = []
+    for number in range(100):
+        row, column = divmod(number, 10)
+        x_m, y_m = 0.8 + SPACING_M * column, 0.8 + SPACING_M * row
+        if (row + column) % 2:
+            size = f'length="{25 + number % 7 * 3}cm" width="30cm" heading="{number * 11 % 90}"'
+            things.append(f'<box x="{x_m}" y="{y_m}" {size} mass="{2 + number % 5}kg"/>')
+        else:
+            heading = math.degrees(math.atan2(3.5 - y_m, 3.5 - x_m))
+            things.append(f'<robot x="{x_m}" y="{y_m}" heading="{heading:.3f}"/>')
+    return world_of(SURFACE + "".join(things), 'length="7m" width="7m"')
+
+
+@pytest.fixture(scope="module")
+def driven():
+    """Gives the heap at the end, and snapshots on the way there."""
+    driver, snapshots = Driver.of(heap()), []
+    for cycle in range(LAST):
+        if cycle in (61, 99, 100, 118):
+            snapshots.append(driver.environment.snapshot())
+        drive_on(driver)
+    return driver, snapshots
+
+
+def drive_on(driver: Driver) -> None:
+    """Runs a cycle; every so often each robot gets a new command."""
+    cycle = driver.state.cycle
+    for robot in range(50 if cycle % 40 == 0 else 0):
+        if (robot + cycle) % 7 == 0:
+            driver.ask("LP", robot=robot)
+        else:
+            driver.ask("VM", 250 + robot, 260 - robot, robot=robot)
+    driver.run(1)
+
+
+def finish(environment: Environment) -> str:
+    """Goes on to the end as the first run did, and gives the hash."""
+    driver = Driver(environment)
+    while driver.state.cycle < LAST:
+        drive_on(driver)
+    return environment.hash()
+
+
+def test_it_is_a_heap(driven):
+    driver, _ = driven
+    assert len(driver.environment.world.robots) == 50
+    touching = {int(key) for step in driver.steps for key in step.contacts.robot}
+    assert len(touching) > 45
+    assert len(driver.state.touching) > 40
+    heights_m = driver.environment._equipment.inclines.terrain.height_m(
+        *driver.state.bodies.position_m.T
+    )
+    assert (heights_m > 0.01).sum() > 5
+
+
+@pytest.mark.slow
+def test_from_every_snapshot_it_goes_on_to_the_same_bits(driven):
+    driver, snapshots = driven
+    expected = driver.environment.hash()
+    fresh = Environment(driver.environment.world, seed=1)
+    for snapshot in snapshots[::-1]:
+        fresh.restore(snapshot)
+        assert finish(fresh) == expected
+
+
+@pytest.mark.slow
+def test_it_does_so_in_another_process(driven, tmp_path):
+    driver, snapshots = driven
+    (tmp_path / "heap").write_bytes(pickle.dumps((driver.environment.world, snapshots[-1])))
+    program = (
+        "import pickle, sys; from pathlib import Path; from tests.sim.test_heap import *;"
+        "world, snapshot = pickle.loads(Path(sys.argv[1]).read_bytes());"
+        "environment = Environment(world, seed=1); environment.restore(snapshot);"
+        "print(finish(environment))"
+    )
+    command = [sys.executable, "-c", program, str(tmp_path / "heap")]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == driver.environment.hash()
