@@ -1,7 +1,8 @@
 """Runs real C control programs of the Nomadic Scout in a simulated, shared world.
 
 The public names: `compile_c` makes a program, `load_world` a world, `Session` runs programs in a
-world, and the errors say who is to blame. README.md shows how they go together.
+world, a `Degradation` says what goes wrong with a device, and the errors say who is to blame.
+README.md shows how they go together.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from crs_cc.frontend.options import Dialect
     from crs_cc.runtime.executable import Executable
     from crs_cc.session.session import Session
+    from crs_cc.sim.degradation_model import Degradation
     from crs_cc.sim.world_xml import load_world
 
 __version__ = "0.1.0"
@@ -23,6 +25,7 @@ __version__ = "0.1.0"
 __all__ = [
     "CompileError",
     "CrsError",
+    "Degradation",
     "InternalError",
     "ProgramError",
     "Session",
@@ -32,6 +35,7 @@ __all__ = [
 ]
 
 _HOMES: Final = {
+    "Degradation": "crs_cc.sim.degradation_model",
     "Session": "crs_cc.session.session",
     "load_world": "crs_cc.sim.world_xml",
     **dict.fromkeys(

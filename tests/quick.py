@@ -20,6 +20,7 @@ FIRST_OF_EACH_FILE: Final = {
     HERE / "runtime": 4,
     HERE / "session": ALL,
     HERE / "sim": 6,
+    HERE / "sim" / "degradation": 6,
     HERE / "sim" / "server": 2,  # each of these makes worlds anew
 }
 """How many tests of each file in a folder quick runs take, and of each of them one case."""

@@ -24,7 +24,7 @@ What goes in and comes out is plain data (`Degradation`). Every change is an eve
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any, Final, Protocol
 
 import numpy as np
 
@@ -45,6 +45,8 @@ from crs_cc.sim.states.degradation import (
 if TYPE_CHECKING:
     from crs_cc.sim.events import EventLog
     from crs_cc.sim.model import WorldModel
+    from crs_cc.sim.robot_model import RobotModel
+    from crs_cc.sim.state import EnvState
 
 KIND: Final = "degradation"
 """The kind of the events."""
@@ -56,23 +58,43 @@ _TURNS: Final = {ACTS: "begins", FADES: "fades", OVER: "is over"}
 _LONGEST_ID: Final = 64
 
 
-class DegradationControl:
-    """The degradations of a world that runs, between two of its steps."""
+class Running(Protocol):
+    """A world that runs, as far as it matters here."""
 
-    def __init__(
-        self, world: WorldModel, state: DegradationState, log: EventLog, time_s: float
-    ) -> None:
-        """Makes one for an instant.
+    state: EnvState
+
+    @property
+    def world(self) -> WorldModel:
+        """Gives the world with all its robots."""
+
+    @property
+    def time_s(self) -> float:
+        """Gives the start of the current cycle [s]."""
+
+
+class DegradationControl:
+    """The degradations of a world that runs, to be asked and changed between two of its steps."""
+
+    def __init__(self, running: Running, log: EventLog) -> None:
+        """Makes one.
 
         Args:
-            world: the world.
-            state: its degradations, changed in place.
+            running: the world; its state is changed.
             log: takes the events.
-            time_s: the start of the current cycle.
         """
-        self._state, self._log, self._time_s = state, log, time_s
-        self._models = {robot.id: robot.model for robot in world.robots}
-        self._robots = list(self._models)
+        self._running, self._log = running, log
+
+    @property
+    def _state(self) -> DegradationState:
+        return self._running.state.degradation
+
+    @property
+    def _time_s(self) -> float:
+        return self._running.time_s
+
+    @property
+    def _robots(self) -> list[str]:
+        return [robot.id for robot in self._running.world.robots]
 
     def all(self) -> tuple[Degradation, ...]:
         """Gives all degradations, in the order in which they work."""
@@ -177,13 +199,15 @@ class DegradationControl:
             raise KeyError(f"there is no degradation {name!r}")
         return int(places[0])
 
+    def _model(self, robot: str) -> RobotModel:
+        return self._running.world.robots[self._robots.index(robot)].model
+
     def _check(self, degradation: Degradation) -> None:
-        model = self._models.get(degradation.robot)
-        if model is None:
+        if degradation.robot not in self._robots:
             raise ValueError(f"there is no robot {degradation.robot!r}")
         if len(degradation.id) > _LONGEST_ID:
             raise ValueError(f"an id has at most {_LONGEST_ID} characters")
-        wrong = complaint(degradation, model)
+        wrong = complaint(degradation, self._model(degradation.robot))
         if wrong:
             raise ValueError(wrong)
 
@@ -193,7 +217,7 @@ class DegradationControl:
 
     def _say(self, time_s: float, what: str, row: Any) -> None:
         degradation = degradation_of(row, self._robots)
-        model = self._models[degradation.robot]
+        model = self._model(degradation.robot)
         element = degradation.element
         which = (
             "" if element is None else f" {DEVICES[degradation.device].elements(model)[element]}"

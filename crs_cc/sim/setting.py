@@ -96,7 +96,7 @@ class Setting:
     @property
     def degradations(self) -> DegradationControl:
         """Gives what is wrong with devices, to be asked and changed between two steps."""
-        return DegradationControl(self.world, self.state.degradation, self._log, self.time_s)
+        return DegradationControl(self, self._log)
 
     @property
     def communication(self) -> CommunicationControl:
