@@ -39,7 +39,7 @@ class RunOptions:
         link: `ideal` for commands that take no time on the line between host and robot.
         robot: the kind of the robots of which the world says none: a name, or a definition file.
         setup: the setup of all robots, such as `noisy`; empty for what the world says.
-        trace_requests: show the request queue.
+        trace: what to show of each timestep: `requests`, the request queue, or `messages`.
         as_json: give the results as JSON on stdout.
         quiet: say nothing but errors.
         summary: show the summary; None to decide by whether stderr is a terminal.
@@ -59,7 +59,7 @@ class RunOptions:
     link: Literal["serial", "ideal"] = "serial"
     robot: str = "scout"
     setup: str = ""
-    trace_requests: bool = False
+    trace: str | None = None
     as_json: bool = False
     quiet: bool = False
     summary: bool | None = None
@@ -171,8 +171,9 @@ def _time(_ctx: click.Context, _option: click.Parameter, time_s: float | None) -
 )
 @click.option(
     "--trace",
-    type=click.Choice(["requests"]),
-    help="Show the request queue on stderr, a line per robot and timestep.",
+    type=click.Choice(["requests", "messages"]),
+    help="Show the request queue on stderr, a line per robot and timestep; or what becomes of "
+    "messages between robots.",
 )
 @click.option(
     "--json",
@@ -201,7 +202,6 @@ def run(
     compiler: CompilerOptions,
     *,
     named_files: Sequence[str],
-    trace: str | None,
     unchecked: bool,
     **others: Any,
 ) -> int:
@@ -221,7 +221,6 @@ def run(
         compiler=compiler,
         checked=not unchecked,
         inputs_on_disk=name_files(named_files),
-        trace_requests=trace == "requests",
         **others,
     )
     if options.plot is not None:

@@ -32,7 +32,7 @@ from crs_cc.source import Diagnostic, Diagnostics
 if TYPE_CHECKING:
     from crs_cc.cli.run import RunOptions
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
-    from crs_cc.session.trace import Trace
+    from crs_cc.session.session import Listener
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.step import Step
 
@@ -87,7 +87,7 @@ class Runner:
         world = loaded.world
         self._seed = options.seed if options.seed is not None else world.seed or 0
         self._end_s = options.max_time_s or world.duration_s
-        talks = not (options.quiet or options.trace_requests)
+        talks = not (options.quiet or options.trace)
         self._progress = ProgressLine(sys.stderr if talks and is_terminal(sys.stderr) else None)
         self._output = ProgramOutput(
             [robot.id for robot in world.robots],
@@ -98,8 +98,7 @@ class Runner:
         self._interrupt = Interrupt()
         self._started_s = time.monotonic()
         self.tracks = Tracks()
-        names = [robot.id for robot in world.robots]
-        self._trace = _request_trace(names) if options.trace_requests else None
+        self._trace = _trace(options.trace, world) if options.trace else None
         self.session = Session(
             world,
             loaded.executables,
@@ -235,10 +234,13 @@ def shows_summary(options: RunOptions) -> bool:
     return options.summary
 
 
-def _request_trace(names: list[str]) -> Trace:
-    from crs_cc.session.trace import Trace
+def _trace(what: str, world: WorldModel) -> Listener:
+    from crs_cc.session.trace import MessageTrace, Trace
 
-    return Trace(say, names)
+    names = [robot.id for robot in world.robots]
+    if what == "requests":
+        return Trace(say, names)
+    return MessageTrace(say, names, [channel.name for channel in world.communication.channels])
 
 
 def _write(path: Path, picture: bytes) -> None:

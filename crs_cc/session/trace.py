@@ -1,4 +1,6 @@
-"""The request queue as text: one line for each robot and timestep.
+"""What happens in each timestep, as text.
+
+`Trace` shows the request queue: one line for each robot and timestep.
 
 A line says which command the hardware simulator was running, which slice of it went into the
 timestep, and which requests were answered, each with the instant at which the program went on:
@@ -17,6 +19,8 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Final
 
+from crs_cc.sim.events import Event
+from crs_cc.sim.messages.traffic import events
 from crs_cc.sim.step import Answer, AxisSlice, RobotSlice, Step, describe_slice
 
 _TURNING: Final = frozenset({"steering", "turret"})
@@ -41,10 +45,42 @@ class Trace:
             slice_ = describe_slice(step, robot)
             self._write(f"{step.time_s:.3f} {name:{self._width}}  {line(slice_)}")
         for event in sorted(step.events, key=lambda event: event.time_s):
-            name = self._names[event.robot] if event.robot >= 0 else "-"
-            self._write(
-                f"{event.time_s:.3f} {name:{self._width}}  {event.kind}: {_one_line(event.text)}"
-            )
+            self._write(_event_line(event, self._names, self._width))
+
+
+class MessageTrace:
+    """Writes what becomes of messages, a line for each thing that happens to one, by time.
+
+    In the same lines as the events behind a `Trace`; the ways that are shut and opened are there
+    too:
+
+        0.350 robot1  message: radio message 0 of robot0 to all, type 3, 1 bytes: delivered
+
+    Args:
+        write: takes one line, without the end of line.
+        names: the robots' names, in the world's order.
+        channels: the channels' names.
+    """
+
+    def __init__(
+        self, write: Callable[[str], None], names: Sequence[str], channels: Sequence[str]
+    ) -> None:
+        self._write = write
+        self._names = tuple(names)
+        self._channels = tuple(channels)
+        self._width = max(map(len, self._names), default=0)
+
+    def step(self, step: Step) -> None:
+        """Hears from the session that a timestep has ended."""
+        said = [event for event in step.events if event.kind == "message"]
+        said += events(step.traffic, self._channels, self._names)
+        for event in sorted(said, key=lambda event: event.time_s):
+            self._write(_event_line(event, self._names, self._width))
+
+
+def _event_line(event: Event, names: Sequence[str], width: int) -> str:
+    name = names[event.robot] if event.robot >= 0 else "-"
+    return f"{event.time_s:.3f} {name:{width}}  {event.kind}: {_one_line(event.text)}"
 
 
 def _one_line(text: str) -> str:

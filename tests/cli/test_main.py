@@ -55,7 +55,7 @@ def test_help_imports_nothing_heavy() -> None:
         (["run", "a.c", "--max-time", "0"], "0.0 is not in the range"),
         (["run", "a.c", "--max-time", "nan"], "nan is not a time"),
         (["run", "a.c", "--seed", "-1"], "-1 is not in the range"),
-        (["run", "a.c", "--trace", "all"], "'all' is not 'requests'"),
+        (["run", "a.c", "--trace", "all"], "'all' is not one of 'requests', 'messages'"),
         (["run", "a.c", "a.xml", "b.xml"], "more than one world file: a.xml b.xml"),
         (["run", "a.c", "b.c", "./a.c"], "a.c is named twice"),
         (["run", "a.c", "--plot", "nowhere/a.svg"], "cannot write 'nowhere/a.svg': no such folder"),

@@ -383,6 +383,19 @@ def test_the_trace_has_a_line_for_each_robot_and_timestep(
     assert any(each.startswith("WS(") for row in rows for each in row)
 
 
+def test_the_trace_of_messages_tells_what_becomes_of_each(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    Path("call.c").write_text(
+        '#include "crs.h"\nint main(void) { return crs_broadcast(4, "hi", 2) - 1; }\n'
+    )
+    assert main(["run", "call.c", "pair.xml", "--trace", "messages", "--quiet"]) == 0
+    rows = [line.split(":") for line in NAME_ONLY.sub("", capfd.readouterr().err).splitlines()]
+    told = [(row[0].split()[1], row[1], row[-1].strip()) for row in rows]
+    assert told[0] == ("left", " radio message 0 of left to all, type 4, 2 bytes", "sent")
+    assert {row[2] for row in told} <= {"sent", "delivered", "something is in the way"}
+
+
 # -- from outside ----------------------------------------------------------------------------------
 
 

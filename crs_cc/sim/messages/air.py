@@ -78,6 +78,7 @@ class Air:
         packet, receiver = self._pairs(state, place, packets)
         fate = np.full(len(packet), int(Fate.DELIVERED), dtype=np.int8)
         fate[is_shut(messages, packets, packet, receiver)] = Fate.SHUT
+        fate[~state.presence.present[receiver]] = Fate.ABSENT
         channel = packets["channel"][packet]
         start, end = place[packets["sender"][packet]], place[receiver]
         distance_m, range_m = np.abs(end - start), channels.range_m[channel]
@@ -114,7 +115,7 @@ class Air:
             )
             packet, group = many[sender], packets["group"][many][sender]
             near = np.abs(place[receiver] - from_[sender]) <= reach_m
-            near &= receiver != packets["sender"][packet]
+            near &= (receiver != packets["sender"][packet]) & state.presence.present[receiver]
             bit = np.uint32(1) << np.maximum(group, 0).astype(np.uint32)
             near &= (group == NO_GROUP) | (state.messages.groups[receiver] & bit != 0)
             found.append((packet[near], receiver[near]))

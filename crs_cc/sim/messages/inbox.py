@@ -105,6 +105,16 @@ def first_s(messages: MessageState, rows: IndexArray) -> FloatArray:
     return first_s
 
 
+def clear(messages: MessageState, present: npt.NDArray[np.bool_]) -> None:
+    """Takes everything from robots that are not in the world: present tells who is."""
+    table = messages.receptions
+    absent = ~present[table["receiver"]]
+    late = table[absent & (table["status"] == COMING)]
+    packets = messages.packets[late["packet"]]
+    note(messages, Fate.ABSENT, packets, late["arrives_s"], late["receiver"])
+    table["status"][absent] = GONE
+
+
 def tidy(messages: MessageState) -> None:
     """Forgets what nobody can receive any more."""
     left = messages.receptions["status"] != GONE

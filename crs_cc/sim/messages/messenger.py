@@ -126,6 +126,9 @@ class Messenger:
         if len(messages.shuts):
             names = self._robots
             shutting.tell(messages, self._channels, names, from_s=from_s, to_s=to_s, log=log)
+        if not state.presence.present.all():
+            inbox.clear(messages, state.presence.present)
+            outbox.clear(messages, state.presence.present, from_s)
         if len(messages.receptions):
             rows = np.arange(len(self._robots))
             inbox.let_in(messages, rows, np.full(len(rows), np.nextafter(to_s, 0.0)))

@@ -68,6 +68,14 @@ def depart(messages: MessageState, channels: Channels, end_s: float) -> Table:
     return np.asarray(packets[order])
 
 
+def clear(messages: MessageState, present: BoolArray, now_s: float) -> None:
+    """Takes from robots that are not in the world what they had not sent: present tells who is."""
+    absent = ~present[messages.outbox["sender"]]
+    left = messages.outbox[absent]
+    note(messages, Fate.ABSENT, left, np.full(len(left), now_s))
+    messages.outbox = messages.outbox[~absent]
+
+
 def _make_room(
     messages: MessageState, channels: Channels, packets: Table, which: BoolArray
 ) -> BoolArray:

@@ -36,6 +36,7 @@ class Fate(IntEnum):
     QUEUE = 6
     SHUT = 7
     INBOX = 8
+    ABSENT = 9
 
 
 assert len(Fate) == FATES
@@ -50,6 +51,7 @@ MEANINGS: Final = {
     Fate.QUEUE: "lost: the sender's queue was full",
     Fate.SHUT: "lost: the way was shut",
     Fate.INBOX: "lost: the receiver's inbox was full",
+    Fate.ABSENT: "lost: its sender or its receiver was not in the world",
 }
 """What each fate means, for people."""
 

@@ -129,5 +129,5 @@ class MessageState:
         )
 
 
-FATES: Final = 9
+FATES: Final = 10
 """How many fates there are in `messages.traffic.Fate`."""

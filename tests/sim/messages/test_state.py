@@ -1,14 +1,17 @@
 """A snapshot holds all messages, wherever they are."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from crs_cc.sim.messages.traffic import Fate
+from crs_cc.sim.model import Pose
 from tests.sim.messages.radio import talking
 
 SIX = "".join(f'<robot x="{n % 3}m" y="{n // 3}m"/>' for n in range(6))
 BAD = (
-    'bandwidth="400B/s" queue="3" delay="60ms" jitter="150ms" loss="0.1" burst-begin="0.1" '
+    'bandwidth="400B/s" queue="1" delay="60ms" jitter="150ms" loss="0.1" burst-begin="0.1" '
     'burst-end="0.3" corruption="0.01" range="1.5m" drop="oldest"'
 )
 
@@ -50,7 +53,7 @@ def test_from_a_snapshot_in_the_middle_of_transmissions_everything_happens_again
     other.environment.restore(snapshot)
     assert play(other, range(cycles, cycles + 12)) == first
     fates = {Fate(fate) for step in talk.steps for fate in step.traffic["fate"].tolist()}
-    assert fates == set(Fate) - {Fate.BLOCKED, Fate.SHUT, Fate.INBOX}
+    assert fates == set(Fate) - {Fate.BLOCKED, Fate.SHUT, Fate.INBOX, Fate.ABSENT}
 
 
 def test_every_message_comes_to_one_end():
@@ -77,3 +80,54 @@ def test_nothing_is_left_of_messages_that_were_taken():
         talk.receive(1, at_s=talk.environment.time_s)
     talk.run()
     assert len(talk.state.packets) == len(talk.state.receptions) == len(talk.state.outbox) == 0
+
+
+def test_robots_that_have_left_neither_hear_nor_speak():
+    """Robot 2 leaves with messages waiting, on their way, and in its inbox."""
+    talk = talking(SIX, 'bandwidth="1kB/s" delay="150ms"')
+    for kind in range(3):
+        talk.send(2, 1, kind=kind, size=88)
+        talk.send(0, 2, kind=kind)
+    talk.run(2)
+    talk.environment.remove_robot(2)
+    talk.send(0, 2, kind=9)
+    talk.send(0, kind=10)
+    talk.run(8)
+    lost = talk.fates(Fate.ABSENT)
+    pairs = zip(lost["sender"].tolist(), lost["type"].tolist(), strict=True)
+    assert sorted(pairs) == [(0, 0), (0, 1), (0, 2), (0, 9), (2, 1), (2, 2)]
+    assert talk.kinds(1) == [0, 10]
+    assert 2 not in talk.fates(Fate.DELIVERED)["receiver"]
+
+
+def test_a_robot_that_joins_hears_what_is_sent_from_then_on():
+    talk = talking(f'{SIX}<robot id="late" x="1m" y="5m" join="0.1s"/>')
+    for kind in range(4):
+        talk.send(0, kind=kind)
+        talk.run()
+    talk.run()
+    assert talk.kinds(6) == [2, 3]
+
+
+def test_a_robot_that_is_added_while_others_talk_changes_nothing_for_them():
+    def heard(more: bool) -> list:
+        talk = talking(SIX, BAD)
+        play(talk, range(6))
+        if more:
+            old = talk.environment.world.robots[0]
+            talk.environment.add_robot(replace(old, id="more", start=Pose(50.0, 50.0)))
+        play(talk, range(6, 12))
+        records = np.concatenate([step.traffic for step in talk.steps])
+        return records.tolist()
+
+    assert heard(False) == heard(True)
+
+
+def test_a_robot_that_is_added_can_talk_at_once():
+    talk = talking(SIX)
+    old = talk.environment.world.robots[0]
+    number = talk.environment.add_robot(replace(old, id="more", start=Pose(0.0, 5.0)))
+    assert talk.send(number, 0, kind=3)
+    assert talk.send(0, number, kind=4)
+    talk.run()
+    assert (talk.kinds(0), talk.kinds(number)) == ([3], [4])
