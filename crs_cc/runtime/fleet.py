@@ -27,7 +27,7 @@ import numpy as np
 import numpy.typing as npt
 import wasmtime
 
-from crs_cc.requests import ERROR_KINDS, FAILED, SLOT
+from crs_cc.requests import ERROR_KINDS, FAILED, MESSAGE, SLOT
 from crs_cc.runtime import pages
 from crs_cc.runtime.driver import HEADER, SLOTS, driver
 from crs_cc.runtime.executable import Executable, engine
@@ -184,6 +184,14 @@ class Fleet:
         """Gives a robot's memory as an array of bytes that shows every change."""
         return self._memories[robot]
 
+    def messages(self, robots: npt.NDArray[np.intp]) -> npt.NDArray[np.void]:
+        """Gives copies of what robots posted, of dtype `MESSAGE`."""
+        return self.slots["message"].view(_BYTES)[robots].view(MESSAGE)
+
+    def reply(self, robots: npt.NDArray[np.intp], messages: npt.NDArray[np.void]) -> None:
+        """Writes replies over what robots posted."""
+        self.slots["message"].view(_BYTES)[robots] = messages.view(_BYTES)
+
     def run_round(self) -> int:
         """Resumes every robot whose slot says `run`; gives how many there were."""
         resumed = int(np.count_nonzero(self.slots["run"]))
@@ -309,6 +317,7 @@ def _pages(programs: int) -> int:
     return -(-(SLOTS + programs * SLOT.itemsize) // PAGE)
 
 
+_BYTES: Final = np.dtype(("V", MESSAGE.itemsize))  # numpy copies fields one by one
 _NO_SHADOW: Final = np.zeros(0, np.uint8)
 _NONE: Final = range(0)
 

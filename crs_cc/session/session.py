@@ -163,7 +163,7 @@ class Session:
             self._resume(ready, end_s)
         step = self.environment.step()
         self.clock_s[step.robots] = self._called_s[step.robots] = step.at_s
-        self.fleet.slots["message"][step.robots] = step.messages
+        self.fleet.reply(step.robots, step.messages)
         self.timesteps += 1
         self._meet()
         if self._trace is not None:
@@ -283,10 +283,10 @@ class Session:
             self._answer_host(robot, code)
 
     def _answer_time(self, serve: TimeServer, robots: npt.NDArray[np.intp]) -> None:
-        messages = self.fleet.slots["message"][robots]
+        messages = self.fleet.messages(robots)
         used_s = self.fuel[robots] / self._speed_hz[robots]
         self.clock_s[robots] = serve(messages, self.clock_s[robots], used_s)
-        self.fleet.slots["message"][robots] = messages
+        self.fleet.reply(robots, messages)
 
     def _answer_host(self, robot: int, code: int) -> None:
         if code == CODES["UNCONNECTED"]:
@@ -305,11 +305,11 @@ class Session:
         codes = self.fleet.slots["code"][due]
         for code in sorted(set(codes.tolist())):
             robots = due[codes == code]
-            messages = self.fleet.slots["message"][robots]
+            messages = self.fleet.messages(robots)
             self.clock_s[robots] = self.environment.serve(
                 code, robots, messages, self._due_s[robots]
             )
-            self.fleet.slots["message"][robots] = messages
+            self.fleet.reply(robots, messages)
             self._called_s[robots] = self._due_s[robots]
             self._due_s[robots] = ENDLESS
 
