@@ -63,6 +63,16 @@ DEVICE_REQUESTS: Final = (
         results=arguments(("i[0]", "the time since then, -1 for never", "ms")),
     ),
     _device(
+        "SONAR_MODE", 207, "int crs_sonar_mode(int mode)", "lets the sonars work in another mode",
+        arguments(("i[0]", "the mode's number in the definition", "1")),
+    ),
+    _device(
+        "SONAR_RANGES", 208, "int crs_sonar(int *ranges, int most)",
+        "tells what the sonars heard last",
+        arguments(("i[0]", "0, or else all fire now", "1")),
+        results=arguments(("data", "range of each sonar as int32, -1 for no echo", _LENGTH)),
+    ),
+    _device(
         "GRIPPER", 220, "int crs_gripper(int what)", "lets the gripper open or close",
         arguments(("i[0]", "0 to open, 1 to close", "1")),
     ),

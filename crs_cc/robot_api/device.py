@@ -57,6 +57,17 @@ SENSORS: Final = Group("Sensors", (
         "sensor",
         units="ms", posts=("AGE",), source=(OURS,),
     ),
+    Function(
+        "int crs_sonar_mode(int mode)",
+        "lets the sonars work in another of the modes of the robot's definition, from each one's "
+        "next ping on",
+        posts=("SONAR_MODE",), source=(OURS,),
+    ),
+    Function(
+        "int crs_sonar(int *ranges, int most)",
+        "tells what the sonars heard last, -1 for no echo; gives how many it told, at most `most`",
+        units="0.1 in", posts=("SONAR_RANGES",), source=(OURS,),
+    ),
 ))  # fmt: skip
 
 HANDLING: Final = Group("Taking hold of things", (

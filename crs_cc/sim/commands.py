@@ -144,6 +144,8 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("ROBOT", tell),
         ("READINGS", tell),
         ("SENSE_HEAT", tell),
+        ("SONAR_MODE", sonar.set_mode),
+        ("SONAR_RANGES", tell),
         ("LASER", tell),
         ("PERIOD", tell),
         ("AGE", tell),

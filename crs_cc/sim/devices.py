@@ -101,6 +101,7 @@ class Devices:
             CODES["CAMERA"]: self._cameras.tell,
             CODES["READINGS"]: tell_page,
             CODES["SENSE_HEAT"]: heat.tell,
+            CODES["SONAR_RANGES"]: self.sonars.tell_ranges,
             CODES["LASER"]: self.instruments.lasers.tell,
             CODES["PERIOD"]: self._timers.set_period,
             CODES["AGE"]: self._timers.tell_age,
@@ -139,6 +140,7 @@ class Devices:
             now_s: the start of the current cycle.
         """
         self.sonars.begin(state, equipment, around, rows, now_s)
+        state.timers.begin(rows, now_s)
 
     def advance(
         self,

@@ -24,6 +24,9 @@ What answers:
 
 Feet, corners and fronts are found exactly, where a handful of rays would look past a thin pillar;
 faces and flanks at the sides of the beam, and where it has a lobe, along rays in between as well.
+A thing whose surface takes sound away is heard to a shorter distance: see `surfaces`. Where faces
+of different surfaces meet in a corner, the softer one decides.
+
 Whatever the sound would have to go through something to reach is not heard, whether that thing
 answers or not. A transducer that lies in or on something, or has something between itself and the
 middle of its robot, hears an echo at once.
@@ -131,43 +134,58 @@ class Pings:
 
 @dataclass(frozen=True, slots=True)
 class Points:
-    """Places that answer, seen from transducers: of which ping, where, and what they tell [m]."""
+    """Places that answer, seen from transducers.
+
+    Attributes:
+        ping: of which ping.
+        place: where they are.
+        told_m: what they tell.
+        share: how far they are heard, as a share of how far a hard thing is.
+    """
 
     ping: IndexArray
     place: ComplexArray
     told_m: FloatArray
+    share: FloatArray
 
     @classmethod
-    def at(cls, *parts: tuple[IndexArray, ComplexArray]) -> Self:
+    def at(cls, *parts: tuple[IndexArray, ComplexArray, FloatArray]) -> Self:
         """Makes points that tell their distance."""
-        place = np.concatenate([place for _, place in parts])
-        return cls(np.concatenate([ping for ping, _ in parts]), place, np.abs(place))
+        ping, place, share = (np.concatenate(column) for column in zip(*parts, strict=True))
+        return cls(ping, place, np.abs(place), share)
 
     def where(self, kept: BoolArray) -> Self:
         """Gives some of the points."""
-        return type(self)(self.ping[kept], self.place[kept], self.told_m[kept])
+        return type(self)(self.ping[kept], self.place[kept], self.told_m[kept], self.share[kept])
 
 
-def first_echo(pings: Pings, obstacles: Prospect, voices: Points | None = None) -> FloatArray:
+def first_echo(
+    pings: Pings,
+    obstacles: Prospect,
+    voices: Points | None = None,
+    hushed: FloatArray | None = None,
+) -> FloatArray:
     """Gives the distance at which each ping's first echo seems to be.
 
     Args:
         pings: what is sent.
         obstacles: what there is.
         voices: what else can be heard, if nothing stands in between and it lies in the beam.
+        hushed: how far each thing, as in `Scene.names`, is heard, as a share of how far a hard one
+            is, (things,); None when all are hard.
 
     Returns:
         distances from the transducers [m], infinite where nothing answers, shape (k,).
     """
-    faces, pierced = _faces(pings, obstacles)
-    rounds, covered = _rounds(pings, obstacles)
-    shaped = voices is not None or bool(
-        pings.falloff.any() or (pings.critical_rad < ANY_ANGLE).any()
-    )
+    faces, pierced = _faces(pings, obstacles, hushed)
+    rounds, covered = _rounds(pings, obstacles, hushed)
+    shaped = voices is not None or hushed is not None
+    shaped = shaped or bool(pings.falloff.any() or (pings.critical_rad < ANY_ANGLE).any())
     shares = _RAYS if pings.falloff.any() else _SIDES
     angle_rad = pings.half_rad[:, None] * shares
     rays = np.exp(1j * angle_rad)
     reach_m = pings.range_m[:, None] * np.exp2(-pings.falloff[:, None] * angle_rad * angle_rad)
+    loud_m = reach_m
     face_m, round_m = faces.hits_m(rays[faces.ping]), rounds.hits_m(rays[rounds.ping])
     points = _in_beam(pings, _points(faces, rounds, shaped, voices))
     if shaped:
@@ -176,6 +194,9 @@ def first_echo(pings: Pings, obstacles: Prospect, voices: Points | None = None) 
         np.minimum.at(free_m, rounds.ping, round_m)
         reach_m = np.minimum(reach_m, free_m + _BEFORE_M)
         points = points.where(~_hidden(points, faces, rounds))
+    if hushed is not None:
+        face_m[face_m > loud_m[faces.ping] * faces.share[:, None]] = np.inf
+        round_m[round_m > loud_m[rounds.ping] * rounds.share[:, None]] = np.inf
     glancing_m = faces.away_m / np.maximum(np.cos(pings.critical_rad[faces.ping]), 1e-12)
     face_m[face_m > np.minimum(reach_m[faces.ping], glancing_m[:, None])] = np.inf
     round_m[round_m > reach_m[rounds.ping]] = np.inf
@@ -199,6 +220,7 @@ class _Faces:
     start: ComplexArray
     along: ComplexArray
     away_m: FloatArray
+    share: FloatArray
 
     def hits_m(self, rays: ComplexArray, which: IndexArray | slice = slice(None)) -> FloatArray:
         """Gives how far along rays of length 1 the faces are, infinite for those that miss."""
@@ -218,6 +240,7 @@ class _Rounds:
     ping: IndexArray
     middle: ComplexArray
     radius_m: FloatArray
+    share: FloatArray
 
     def hits_m(self, rays: ComplexArray, which: IndexArray | slice = slice(None)) -> FloatArray:
         """Gives how far along rays of length 1 the circles are, infinite for those that miss."""
@@ -227,7 +250,9 @@ class _Rounds:
         return np.where(hit, turned.real - np.sqrt(np.maximum(square, 0.0)), np.inf)
 
 
-def _faces(pings: Pings, obstacles: Prospect) -> tuple[_Faces, IndexArray]:
+def _faces(
+    pings: Pings, obstacles: Prospect, hushed: FloatArray | None
+) -> tuple[_Faces, IndexArray]:
     """Gives the faces that may lie in beams, and the pings whose transducers lie in or on one."""
     ping, a, b, length_m = obstacles.segments_near(pings.place)
     a, b = pings.local(ping, a), pings.local(ping, b)
@@ -245,10 +270,15 @@ def _faces(pings: Pings, obstacles: Prospect) -> tuple[_Faces, IndexArray]:
     keep &= (np.minimum(left_a, left_b) <= 0.0) & (np.minimum(right_a, right_b) <= 0.0)
     kept = np.flatnonzero(keep)
     kept = kept[np.argsort(ping[kept], kind="stable")]
-    return _Faces(ping[kept], a[kept], b[kept] - a[kept], -behind_m[kept]), pierced
+    share = np.ones(len(kept))
+    if hushed is not None:
+        share = hushed[obstacles.segment_things(pings.place)[kept]]
+    return _Faces(ping[kept], a[kept], b[kept] - a[kept], -behind_m[kept], share), pierced
 
 
-def _rounds(pings: Pings, obstacles: Prospect) -> tuple[_Rounds, IndexArray]:
+def _rounds(
+    pings: Pings, obstacles: Prospect, hushed: FloatArray | None
+) -> tuple[_Rounds, IndexArray]:
     """Gives the circles that may lie in beams, and the pings whose transducers lie in one."""
     ping, middle, radius_m = obstacles.circles_near(pings.place, pings.own)
     middle = pings.local(ping, middle)
@@ -260,7 +290,10 @@ def _rounds(pings: Pings, obstacles: Prospect) -> tuple[_Rounds, IndexArray]:
     keep &= away_m - radius_m <= pings.range_m.take(ping)
     kept = np.flatnonzero(keep)
     kept = kept[np.argsort(ping[kept], kind="stable")]
-    return _Rounds(ping[kept], middle[kept], radius_m[kept]), ping[inside]
+    share = np.ones(len(kept))
+    if hushed is not None:
+        share = hushed[obstacles.circle_things(pings.place, pings.own)[kept]]
+    return _Rounds(ping[kept], middle[kept], radius_m[kept], share), ping[inside]
 
 
 def _points(faces: _Faces, rounds: _Rounds, shaped: bool, voices: Points | None) -> Points:
@@ -272,8 +305,12 @@ def _points(faces: _Faces, rounds: _Rounds, shaped: bool, voices: Points | None)
     points = Points.at(
         _ends(faces, faces.start, shaped),
         _ends(faces, faces.start + faces.along, shaped),
-        (faces.ping[foot], faces.start[foot] + share[foot] * faces.along[foot]),
-        (rounds.ping, front),
+        (
+            faces.ping[foot],
+            faces.start[foot] + share[foot] * faces.along[foot],
+            faces.share[foot],
+        ),
+        (rounds.ping, front, rounds.share),
         *([_corners(faces)] if shaped else []),
     )
     if voices is None:
@@ -282,13 +319,16 @@ def _points(faces: _Faces, rounds: _Rounds, shaped: bool, voices: Points | None)
         np.concatenate([points.ping, voices.ping]),
         np.concatenate([points.place, voices.place]),
         np.concatenate([points.told_m, voices.told_m]),
+        np.concatenate([points.share, voices.share]),
     )
 
 
-def _ends(faces: _Faces, end: ComplexArray, shaped: bool) -> tuple[IndexArray, ComplexArray]:
+def _ends(
+    faces: _Faces, end: ComplexArray, shaped: bool
+) -> tuple[IndexArray, ComplexArray, FloatArray]:
     """Gives the ends of faces, without those at which another face goes on, if that matters."""
     if not shaped:
-        return faces.ping, end
+        return faces.ping, end, faces.share
     one, other = _pairs(faces.ping, faces.ping)
     along, length_m = faces.along, np.abs(faces.along)[other]
     apart = end[one] - faces.start[other]
@@ -298,11 +338,14 @@ def _ends(faces: _Faces, end: ComplexArray, shaped: bool) -> tuple[IndexArray, C
     goes_on &= _parallel(along[one], along[other])
     corner = np.ones(len(end), dtype=np.bool_)
     corner[one[goes_on]] = False
-    return faces.ping[corner], end[corner]
+    return faces.ping[corner], end[corner], faces.share[corner]
 
 
-def _corners(faces: _Faces) -> tuple[IndexArray, ComplexArray]:
-    """Gives where faces in the same beam cut each other, as those of walls in a room do."""
+def _corners(faces: _Faces) -> tuple[IndexArray, ComplexArray, FloatArray]:
+    """Gives where faces in the same beam cut each other, as those of walls in a room do.
+
+    Sound goes by way of both, so the softer one decides.
+    """
     one, other = _pairs(faces.ping, faces.ping)
     once = (one < other) & ~_parallel(faces.along[one], faces.along[other])
     one, other = one[once], other[once]
@@ -311,15 +354,16 @@ def _corners(faces: _Faces) -> tuple[IndexArray, ComplexArray]:
     share = _cross(apart, faces.along[other]) / across
     others = _cross(apart, faces.along[one]) / across
     meet = (share >= 0.0) & (share <= 1.0) & (others >= 0.0) & (others <= 1.0)
-    one, share = one[meet], share[meet]
-    return faces.ping[one], faces.start[one] + share * faces.along[one]
+    one, other, share = one[meet], other[meet], share[meet]
+    heard = np.minimum(faces.share[one], faces.share[other])
+    return faces.ping[one], faces.start[one] + share * faces.along[one], heard
 
 
 def _in_beam(pings: Pings, points: Points) -> Points:
     """Gives those of some points that lie in the beams and within reach."""
     tan = np.tan(pings.half_rad).take(points.ping)
     points = points.where(np.abs(points.place.imag) <= tan * points.place.real)
-    reach_m = pings.reach_m(points.ping, np.angle(points.place))
+    reach_m = pings.reach_m(points.ping, np.angle(points.place)) * points.share
     return points.where(np.abs(points.place) <= reach_m)
 
 

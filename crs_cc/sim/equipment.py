@@ -28,6 +28,7 @@ class Equipment:
         drives: the drives.
         vendor_model: the vendor's number of the model.
         least_interval_s: the shortest time from one sonar's firing to the next.
+        sonar_modes: in how many modes the sonars can work, 0 for a robot without sonars.
         infrared: number of each robot among those that have an infrared ring, -1 for the others.
         compass: the same for compasses.
         laser: the same for lasers.
@@ -55,6 +56,7 @@ class Equipment:
     drives: Drives
     vendor_model: npt.NDArray[np.int64]
     least_interval_s: FloatArray
+    sonar_modes: npt.NDArray[np.int64]
     infrared: IndexArray
     compass: IndexArray
     laser: IndexArray
@@ -87,6 +89,7 @@ class Equipment:
             Drives.of(world),
             np.array([model.vendor_model for model in models], dtype=np.int64),
             np.array([model.sonar_board.least_interval_s for model in models]),
+            np.array([len(model.sonar_modes) if model.sonars else 0 for model in models], np.int64),
             _numbers([model.infrared is not None for model in models]),
             _numbers([model.compass is not None for model in models]),
             _numbers([model.laser is not None for model in models]),

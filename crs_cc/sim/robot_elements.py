@@ -41,6 +41,7 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
     body = root.first("body")
     vendor = root.attributes.get("model", "scout")
     sonars = sonar_elements.sonars(root, reader)
+    board = sonar_elements.board(root.first("sonars"), sonars, reader)
     radius_m = reader.positive(body, "radius", LENGTH)
     _check_places(root, radius_m, sonars, reader)
     return RobotModel(
@@ -50,7 +51,8 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         odometry=_odometry(root.first("odometry"), reader),
         mass_kg=reader.positive(body, "mass", MASS),
         sonars=sonars,
-        sonar_board=sonar_elements.board(root.first("sonars"), sonars, reader),
+        sonar_board=board,
+        own_modes=sonar_elements.modes(root.first("sonars"), sonars, board, reader),
         heat=_heat(root.first("heat"), reader),
         bumpers=sensor_elements.bumpers(root, reader),
         infrared=sensor_elements.infrared(root, reader),

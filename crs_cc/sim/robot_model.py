@@ -31,7 +31,7 @@ from crs_cc.sim.sensor_model import (
     SensorBoard,
     Switch,
 )
-from crs_cc.sim.sonar_model import NO_SONARS, Sonar, SonarBoard
+from crs_cc.sim.sonar_model import NO_SONARS, Sonar, SonarBoard, SonarMode
 
 
 @dataclass(frozen=True, slots=True)
@@ -179,6 +179,7 @@ class RobotModel:
         mass_kg: its mass.
         sonars: its sonars, by rising id.
         sonar_board: what they have in common.
+        own_modes: the ways in which they can work; empty when there is but one.
         heat: its heat sensor.
         bumpers: the switches of its bumpers.
         infrared: its infrared ring, None where there is none.
@@ -210,6 +211,7 @@ class RobotModel:
     mass_kg: float = 20.0
     sonars: tuple[Sonar, ...] = ()
     sonar_board: SonarBoard = NO_SONARS
+    own_modes: tuple[SonarMode, ...] = ()
     heat: Heat = Heat()
     bumpers: tuple[Switch, ...] = ()
     infrared: Infrared | None = None
@@ -234,3 +236,8 @@ class RobotModel:
 
     def __hash__(self) -> int:
         return hash(self.name)  # robots are sorted by kind again and again
+
+    @property
+    def sonar_modes(self) -> tuple[SonarMode, ...]:
+        """The ways in which its sonars can work, at least one."""
+        return self.own_modes or (SonarMode("", self.sonars, self.sonar_board),)

@@ -69,6 +69,7 @@ class SonarBoard:
         noise_share: the part of the standard deviation that grows with the distance, as its share.
         dropouts: probability of missing an echo.
         crosstalk: probability of taking another robot's ping for an echo, when it comes in.
+        resolution_m: readings are multiples of it; 0 for any.
     """
 
     order: tuple[int, ...] = ()
@@ -82,7 +83,23 @@ class SonarBoard:
     noise_share: float = 0.0
     dropouts: float = 0.0
     crosstalk: float = 0.0
+    resolution_m: float = 0.0
 
 
 NO_SONARS: Final = SonarBoard()
 """What a robot without sonars has."""
+
+
+@dataclass(frozen=True, slots=True)
+class SonarMode:
+    """A way in which a robot's sonars can work, such as far and coarse, or near and fine.
+
+    Attributes:
+        name: what it is called.
+        sonars: the sonars, with range and beam of the mode.
+        board: what they have in common; order and intervals are the same in all modes.
+    """
+
+    name: str
+    sonars: tuple[Sonar, ...]
+    board: SonarBoard

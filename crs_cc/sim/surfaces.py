@@ -1,5 +1,11 @@
 """What the surfaces of all things do to light and sound.
 
+A surface that sends back a share R of the sound is heard up to R ** (1/4) times as far as one that
+sends back all: the power of an echo falls with the fourth power of the distance, as sound spreads
+on both ways, and the least power that is heard stays the same. That is the radar equation, solved
+for the range (M. I. Skolnik, "Introduction to Radar Systems", 1980, 1.2), with the share in place
+of the cross section.
+
 >>> from crs_cc.sim.model import Area, Cylinder, Material, Pose, WorldModel
 >>> red = Cylinder("red", Pose(1, 1), 0.1, material=Material((255, 0, 0)))
 >>> surfaces = Surfaces.of(Scene(WorldModel("w", Area(0, 0, 9, 9, 0), cylinders=(red,))))
@@ -27,16 +33,14 @@ class Surfaces:
 
     Attributes:
         colour: what cameras see, 0xRRGGBB.
-        sonar: the share of sound that comes back, 0 to 1.
-        infrared: the share of infrared light that comes back; not a number where the sensor's
-            definition says what it takes surfaces for.
-        hushes: whether any of them takes sound away.
+        infrared: the share of infrared light that comes back, not a number where the sensor's
+            definition says what it takes surfaces for; None where it does for all.
+        hushed: how far each is heard, as a share of how far a hard one is; None when all are hard.
     """
 
     colour: npt.NDArray[np.int32]
-    sonar: FloatArray
-    infrared: FloatArray
-    hushes: bool
+    infrared: FloatArray | None
+    hushed: FloatArray | None
 
     @classmethod
     def of(cls, scene: Scene) -> Self:
@@ -45,12 +49,12 @@ class Surfaces:
         materials = [thing.material for thing in things]
         materials += [PLAIN] * (len(scene.names) - len(things))  # of the ground
         sonar = np.array([material.sonar for material in materials], dtype=np.float64)
-        infrared = [np.nan if each.infrared is None else each.infrared for each in materials]
+        shares = [np.nan if each.infrared is None else each.infrared for each in materials]
+        infrared = np.array(shares, dtype=np.float64)
         return cls(
             np.array([packed(material.colour) for material in materials], dtype=np.int32),
-            sonar,
-            np.array(infrared, dtype=np.float64),
-            bool((sonar < 1.0).any()),
+            None if np.isnan(infrared).all() else infrared,
+            np.sqrt(np.sqrt(sonar)) if (sonar < 1.0).any() else None,
         )
 
 

@@ -183,7 +183,7 @@ def test_a_turned_wall_is_heard_where_the_lobe_reaches_it():
 
 
 def voice(place: complex, told: float) -> Points:
-    return Points(np.array([0]), np.array([place]), np.array([told]))
+    return Points(np.array([0]), np.array([place]), np.array([told]), np.ones(1))
 
 
 def test_a_voice_is_heard_in_the_beam_when_it_comes_first_and_nothing_hides_it():

@@ -180,3 +180,10 @@ def test_rings_that_cannot_be_are_refused(tmp_path, bad, message):
     with pytest.raises(WorldError) as caught:
         own_world(tmp_path, (EXACT, bad), robot="nomad200")
     assert any(message in each.render() for each in caught.value.diagnostics)
+
+
+@pytest.mark.parametrize(("share", "reading"), [(1.0, 6), (0.25, 12), (0.16, 15), (0.0, 15)])
+def test_a_surface_that_reflects_less_looks_further_away(share, reading):
+    """6 in from the shell: twice as far for a quarter of the light, and 2.5 times for 0.16."""
+    dark = wall(6).replace("/>", f' infrared="{share}"/>')
+    assert ring(Driver.of(open_world(NOMAD + dark)))[0] == reading

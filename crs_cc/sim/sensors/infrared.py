@@ -11,8 +11,9 @@ largest value of the four bits on the line (vendor source `Ndirect.c` 2.7), and 
 Programs take readings for inches (MissionLab's driver of the Nomad 200): that is the step of the
 definitions. `conf_ir` sets the share that stays, in tenths (vendor header `Nclient.h` 1.29), and
 which sensors measure; the others read 15. Sensor n of the ring looks 22.5 n degrees from ahead,
-counter-clockwise like the sonars. A beam is a cone (`rays`), and the nearest thing in it counts;
-reflectance is the same for all surfaces. All other numbers are ours.
+counter-clockwise like the sonars. A beam is a cone (`rays`), and the nearest thing in it counts.
+Reflectance is that of its surface, or of one that says nothing, what the definition takes surfaces
+for. All other numbers are ours.
 
 The ring is on the turret. All of it measures when a reply tells its readings, at most as often as
 the definition says. A normal deviate with the definition's noise is added to each distance.
@@ -63,12 +64,13 @@ class InfraredRing:
         rings = [ring for robot in world.robots if (ring := robot.model.infrared) is not None]
         radii_m = [robot.model.radius_m for robot in world.robots if robot.model.infrared]
         kinds = list(dict.fromkeys(zip(rings, radii_m, strict=True)))
-        self.fans = [_fan(ring, radius_m) for ring, radius_m in kinds]
+        brightest = _brightest(world)
+        self.fans = [_fan(ring, radius_m, brightest) for ring, radius_m in kinds]
         pairs = zip(rings, radii_m, strict=True)
         self._kind = np.array([kinds.index(pair) for pair in pairs], dtype=np.intp)
         self.interval_s = np.array([1.0 / ring.rate_hz for ring in rings])
-        step_m = [ring.step_m * math.sqrt(ring.reflectance) for ring in rings]
-        self._step_m = np.array(step_m)[:, None]
+        self._step_m = np.array([ring.step_m for ring in rings])[:, None]
+        self._reflectance = np.array([ring.reflectance for ring in rings])[:, None]
         self._noise_m = np.array([ring.noise_m for ring in rings])[:, None]
         self._noise = Noise(seed, INFRARED, MAX_INFRARED, len(rings) if self._noise_m.any() else 0)
 
@@ -96,12 +98,12 @@ class InfraredRing:
             return
         rows, mine = rows[due], mine[due]
         poses = mount_poses(state, equipment, rows)
-        distance_m = self._distances_m(state, equipment, around, rows, poses)
+        distance_m, step_m = self._see(state, equipment, around, rows, poses)
         if self._noise_m.any():
             distance_m += self._noise.rows(mine, ring.count[mine]) * self._noise_m[mine]
         distance_m = equipment.degradations.alter(state, "infrared", rows, distance_m, at_s[due])
         distance_m = np.where(np.isnan(distance_m), np.inf, distance_m)
-        new = np.clip(distance_m / self._step_m[mine], 0.0, FARTHEST)
+        new = np.clip(_steps(distance_m, step_m), 0.0, FARTHEST)
         share = ring.share[mine, None]
         level = share * ring.level[mine] + (1.0 - share) * new
         ring.level[mine] = np.where(ring.on[mine], level, FARTHEST)
@@ -128,27 +130,49 @@ class InfraredRing:
         Returns:
             readings, shape (k, 16).
         """
-        distance_m = self._distances_m(state, equipment, around, rows, poses)
-        steps = distance_m / self._step_m[equipment.infrared[rows]]
+        steps = _steps(*self._see(state, equipment, around, rows, poses))
         return np.asarray(np.rint(np.clip(steps, 0.0, FARTHEST)), dtype=np.int32)
 
-    def _distances_m(
+    def _see(
         self,
         state: EnvState,
         equipment: Equipment,
         around: Surroundings,
         rows: IndexArray,
         poses: FloatArray,
-    ) -> FloatArray:
-        """Gives how far away things are that the sensors see from somewhere, shape (k, 16)."""
+    ) -> tuple[FloatArray, FloatArray]:
+        """Gives what the sensors see from somewhere.
+
+        Returns:
+            how far away the things are, and which distance of such a surface makes 1 of a reading,
+            both of shape (k, 16).
+        """
+        mine = equipment.infrared[rows]
         distance_m = np.empty((len(rows), MAX_INFRARED))
-        kinds = self._kind[equipment.infrared[rows]]
+        shine = np.tile(self._reflectance[mine], MAX_INFRARED)
+        kinds, own = self._kind[mine], around.surfaces.infrared
         for kind, fan in enumerate(self.fans):
             some = np.flatnonzero(kinds == kind)
             if len(some):
-                seen_m = around.distances_m(state, fan, poses[some], own=rows[some])
+                if own is None:
+                    seen_m = around.distances_m(state, fan, poses[some], own=rows[some])
+                else:
+                    seen_m, thing = around.seen(state, fan, poses[some], own=rows[some])
+                    shine[some] = np.where(np.isnan(own[thing]), shine[some], own[thing])
                 distance_m[some] = seen_m
-        return distance_m
+        return distance_m, self._step_m[mine] * np.sqrt(shine)
+
+
+def _steps(distance_m: FloatArray, step_m: FloatArray) -> FloatArray:
+    """Gives readings; black things are as far away as none, but where the sensor touches them."""
+    none = np.where(distance_m > 0.0, np.inf, 0.0)
+    return np.divide(distance_m, step_m, out=none, where=step_m > 0.0)
+
+
+def _brightest(world: WorldModel) -> float:
+    """Gives the largest share of light that any surface of a world is said to reflect."""
+    things = (*world.solids(), *world.robots)
+    return max((thing.material.infrared or 0.0 for thing in things), default=0.0)
 
 
 def get_ir(
@@ -175,9 +199,9 @@ def conf_ir(
     return good
 
 
-def _fan(ring: Infrared, radius_m: float) -> Fan:
+def _fan(ring: Infrared, radius_m: float, brightest: float) -> Fan:
     """Gives beams that start on the shell and reach as far as a reading below the largest."""
-    range_m = FARTHEST * ring.step_m * math.sqrt(ring.reflectance)
+    range_m = FARTHEST * ring.step_m * math.sqrt(max(ring.reflectance, brightest))
     directions = [number * _TURN / MAX_INFRARED for number in range(MAX_INFRARED)]
     beams = (
         (

@@ -42,7 +42,7 @@ from crs_cc.sim.rays import Fan
 from crs_cc.sim.sensors.order import orders
 from crs_cc.sim.sensors.sonar_beams import Beams, overheard
 from crs_cc.sim.sensors.sonar_errors import SonarErrors
-from crs_cc.sim.sonar_model import MAX_SONARS, SONAR_TICK_S
+from crs_cc.sim.sonar_model import MAX_SONARS, SONAR_TICK_S, SonarMode
 from crs_cc.sim.state_vector import configuration
 from crs_cc.sim.states.sonar import inches
 from crs_cc.units import SOUND_MPS, m_to_tenths_inch
@@ -52,7 +52,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.equipment import Equipment
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.prospect import Prospect
-    from crs_cc.sim.robot_model import RobotModel
     from crs_cc.sim.state import EnvState
     from crs_cc.sim.surroundings import Surroundings
 
@@ -75,7 +74,8 @@ class SonarRing:
 
     def __init__(self, world: WorldModel, seed: int) -> None:
         models = [robot.model for robot in world.robots]
-        self.fans = [_fan(model) for model in dict.fromkeys(models)]
+        kinds = dict.fromkeys(models)
+        self.fans = [_fan(mode) for model in kinds for mode in model.sonar_modes]
         self._beams = Beams(models)
         self._errors = SonarErrors(world, seed)
 
@@ -160,6 +160,11 @@ class SonarRing:
         messages["size"] = told.itemsize * MAX_SONARS
         messages["data"][:, : told.itemsize * MAX_SONARS] = told.view(np.uint8)
 
+    def tell_ranges(self, asked: Asked) -> BoolArray:
+        """Answers SONAR_RANGES as SONAR; refuses robots without sonars."""
+        self.tell(asked)
+        return np.asarray(asked.equipment.sonar_modes[asked.rows] > 0)
+
     def look(
         self, state: EnvState, around: Surroundings, rows: IndexArray, poses: FloatArray
     ) -> npt.NDArray[np.int32]:
@@ -189,16 +194,16 @@ class SonarRing:
         sonar = state.sonar
         number = sonar.order[rows, sonar.turn[rows] % sonar.length[rows]]
         place, turn = self._stands(state, equipment, rows)
-        pings = self._beams.pings(rows, number, place, turn)
+        pings = self._beams.pings(rows, number, place, turn, sonar.mode[rows])
         gives_up_s = np.minimum(2 * pings.range_m / SOUND_MPS, sonar.interval_s[rows])
         deviates = self._errors.draw(rows, sonar.count[rows])
-        confused = np.flatnonzero(self._errors.mistakes(rows, deviates))
+        confused = np.flatnonzero(self._errors.mistakes(rows, sonar.mode[rows], deviates))
         voices = None
         if len(confused):
             from_s, to_s = at_s[confused], (at_s + gives_up_s)[confused]
             voices = overheard(state, self._beams, pings, confused, from_s=from_s, to_s=to_s)
         prospect = self._prospect(state, around, pings, number)
-        distance_m = first_echo(pings, prospect, voices)
+        distance_m = first_echo(pings, prospect, voices, around.surfaces.hushed)
         told_m = self._told_m(state, equipment, (rows, number, at_s), distance_m, deviates)
         in_time = 2 * told_m / SOUND_MPS <= gives_up_s
         sonar.listening[rows] = number
@@ -228,7 +233,7 @@ class SonarRing:
             deviates: of each firing, (k, 3).
         """
         rows, number, at_s = pings
-        told_m = self._errors.told_m(rows, distance_m, deviates)
+        told_m = self._errors.told_m(rows, state.sonar.mode[rows], distance_m, deviates)
         if not equipment.degradations.concern(state, "sonar"):
             return told_m
         elements = np.broadcast_to(number, rows.shape)
@@ -269,9 +274,11 @@ class SonarRing:
     ) -> FloatArray:
         each = np.repeat(np.arange(len(rows)), MAX_SONARS)
         number = np.tile(np.arange(MAX_SONARS), len(rows))
-        pings = self._beams.pings(rows[each], number, place[each], turn[each])
+        mode = state.sonar.mode[rows[each]]
+        pings = self._beams.pings(rows[each], number, place[each], turn[each], mode)
         prospect = self._prospect(state, around, pings, number)
-        return first_echo(pings, prospect).reshape(-1, MAX_SONARS)
+        heard_m = first_echo(pings, prospect, hushed=around.surfaces.hushed)
+        return heard_m.reshape(-1, MAX_SONARS)
 
     def _prospect(
         self, state: EnvState, around: Surroundings, pings: Pings, number: IndexArray
@@ -295,7 +302,17 @@ def conf_sn(
     return good
 
 
-def _fan(model: RobotModel) -> Fan:
+def set_mode(
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+) -> BoolArray:
+    """Lets sonars work in another mode from their next ping on; refuses modes there are not."""
+    mode = messages["i"][:, 0]
+    good = np.asarray((mode >= 0) & (mode < equipment.sonar_modes[rows]))
+    state.sonar.mode[rows[good]] = mode[good]
+    return good
+
+
+def _fan(model: SonarMode) -> Fan:
     return Fan.of(
         (sonar.x_m, sonar.y_m, sonar.direction_rad, sonar.half_angle_rad, sonar.range_m)
         for sonar in model.sonars

@@ -47,16 +47,19 @@ class Beams:
 
     def __init__(self, models: Sequence[RobotModel]) -> None:
         """Makes the beams of robots of these models."""
-        kinds = list(dict.fromkeys(models))
-        self._kind = np.array([kinds.index(model) for model in models], dtype=np.intp)
+        different = list(dict.fromkeys(models))
+        kinds = [mode for model in different for mode in model.sonar_modes]
+        counts = [len(model.sonar_modes) for model in different]
+        first = np.cumsum([0, *counts])[[different.index(model) for model in models]]
+        self._first = first.astype(np.intp)
         shape = (len(kinds), MAX_SONARS)
         self._offset = np.zeros(shape, dtype=np.complex128)
         self._axis = np.ones(shape, dtype=np.complex128)
         self._half_rad = np.full(shape, _THIN_RAD)
         self._range_m = np.zeros(shape)
         self._z_m = np.zeros(shape)
-        for kind, model in enumerate(kinds):
-            for sonar in model.sonars:
+        for kind, mode in enumerate(kinds):
+            for sonar in mode.sonars:
                 place = kind, sonar.id
                 self._offset[place] = complex(sonar.x_m, sonar.y_m)
                 self._axis[place] = np.exp(1j * sonar.direction_rad)
@@ -64,14 +67,14 @@ class Beams:
                 self._range_m[place] = sonar.range_m
                 self._z_m[place] = sonar.z_m
         self.start_m = float(np.abs(self._offset).max(initial=0.0))
-        boards = [model.sonar_board for model in kinds]
+        boards = [mode.board for mode in kinds]
         lobes = [board.lobe_rad for board in boards]
         self._falloff = np.array([1 / lobe**2 if lobe else 0.0 for lobe in lobes])
         self._critical_rad = np.array([min(board.critical_rad, ANY_ANGLE) for board in boards])
 
     def height_m(self, rows: IndexArray, number: IndexArray) -> FloatArray:
         """Gives how high above the ground a sonar of each of some robots sits."""
-        return np.asarray(self._z_m[self._kind[rows], number])
+        return np.asarray(self._z_m[self._first[rows], number])
 
     def pings(
         self,
@@ -79,16 +82,18 @@ class Beams:
         number: IndexArray,
         place: ComplexArray,
         turn: ComplexArray,
+        mode: IndexArray,
     ) -> Pings:
         """Gives a ping from one sonar of each of some robots.
 
         Args:
             rows: the robots.
             number: the number of the sonar.
+            mode: the mode in which it works.
             place: where each robot is.
             turn: where the front of its ring points, of length 1.
         """
-        kind = self._kind[rows]
+        kind = self._first[rows] + mode
         beam = kind, number
         return Pings(
             place,
@@ -136,7 +141,8 @@ def overheard(
     turn = np.maximum(np.ceil(since_s / round_s), 0).astype(np.int64)
     number = sonar.order[other, turn % sonar.length[other]]
     place = state.x_m[other] + 1j * state.y_m[other]
-    theirs = beams.pings(other, number, place, np.exp(1j * state.turret_rad[other]))
+    turn_there = np.exp(1j * state.turret_rad[other])
+    theirs = beams.pings(other, number, place, turn_there, sonar.mode[other])
     seen = theirs.local(np.arange(len(other)), start[listener])
     way_m = np.abs(seen)
     come_s = sonar.start_s[other] + turn * round_s + way_m / SOUND_MPS
@@ -145,4 +151,4 @@ def overheard(
     heard &= way_m <= theirs.reach_m(np.arange(len(other)), np.angle(seen))
     heard &= come_s <= to_s[listener]
     ping = listeners[listener[heard]]
-    return Points(ping, pings.local(ping, theirs.start[heard]), told_m[heard])
+    return Points(ping, pings.local(ping, theirs.start[heard]), told_m[heard], np.ones(len(ping)))

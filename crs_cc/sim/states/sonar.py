@@ -38,6 +38,7 @@ class SonarState:
         turn: how many firings the order has had.
         next_s: when the next sonar fires, infinite for never.
         count: how many firings there were in all.
+        mode: the mode in which the sonars work.
         listening: the sonar whose ping is in the air, -1 for none.
         sent_s: when it was sent.
         sent_from: what the robot knew of itself then, as in `State`, (robots, 7).
@@ -55,6 +56,7 @@ class SonarState:
     turn: WholeArray
     next_s: FloatArray
     count: WholeArray
+    mode: IndexArray
     listening: IndexArray
     sent_s: FloatArray
     sent_from: npt.NDArray[np.int32]
@@ -81,6 +83,7 @@ class SonarState:
             turn=np.zeros(count, dtype=np.int64),
             next_s=np.where(length > 0, 0.0, np.inf),
             count=np.zeros(count, dtype=np.int64),
+            mode=np.zeros(count, dtype=np.intp),
             listening=np.full(count, _NONE, dtype=np.intp),
             sent_s=np.zeros(count),
             sent_from=np.zeros((count, CONFIGURATION), dtype=np.int32),

@@ -53,6 +53,12 @@ class TimerState:
         """Tells which robots have no timer for a sensor."""
         return np.asarray(self.period_s[rows, sensor] == 0.0)
 
+    def begin(self, rows: IndexArray, now_s: float) -> None:
+        """Lets the timers of robots that come into the world begin."""
+        self.start_s[rows] = now_s
+        self.next_s[rows] = np.where(self.period_s[rows] > 0.0, now_s, np.inf)
+        self.soonest_s[rows] = self.next_s[rows].min(axis=1, initial=np.inf)
+
     def set(self, robot: int, sensor: int, period_s: float, now_s: float) -> None:
         """Sets a timer, whose first period begins now; or takes it away, with 0."""
         self.period_s[robot, sensor] = period_s
