@@ -6,7 +6,8 @@ apart; so the ring always reaches back beyond the delay.
 
 from __future__ import annotations
 
-from typing import Any, Final
+from dataclasses import dataclass
+from typing import Final, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -23,58 +24,131 @@ _SPARE: Final = 2  # so many more values are kept than a delay needs
 _LEAST_S: Final = 1e-3  # the shortest time over which a speed of long ago is taken
 
 
+@dataclass(frozen=True, slots=True)
+class _Rings:
+    """Where the past of some values is kept: of m rows with w elements, `depth` each.
+
+    Attributes:
+        memory: what all degradations remember.
+        count_at: where it is kept how many values each element has had, (m, w).
+        sum_at: where its sum of ways is kept, (m, w).
+        times_at: where the instants are kept, (m, w, depth).
+        values_at: where the values are, (m, w, depth).
+        touched: which elements are meant, (m, w).
+        apart_s: how long after a value the next one is kept, (m, 1).
+    """
+
+    memory: FloatArray
+    count_at: IndexArray
+    sum_at: IndexArray
+    times_at: IndexArray
+    values_at: IndexArray
+    touched: BoolArray
+    apart_s: FloatArray
+
+    @classmethod
+    def of(cls, step: Pass, some: IndexArray, depth: int) -> Self:
+        """Gives the rings of some rows."""
+        width = width_of(step.row["device"][some], step.row["element"][some])[:, None]
+        begin, slot = step.of("begin")[some], step.slot[some]
+        times_at = (begin + 3 * width + slot * depth)[..., None] + np.arange(depth)
+        return cls(
+            step.kept.memory,
+            begin + width + slot,
+            begin + 2 * width + slot,
+            times_at,
+            times_at + (width * depth)[..., None],
+            step.touched[some],
+            step.of("delay_s")[some] / (depth - _SPARE),
+        )
+
+    @property
+    def begin(self) -> BoolArray:
+        """Tells which elements have no past yet."""
+        return np.asarray(self.touched & (self.memory[self.count_at] == 0.0))
+
+    def keep(self, values: FloatArray, at_s: FloatArray, which: BoolArray) -> None:
+        """Keeps values with their instants, unless the last ones that were kept are too near."""
+        depth = self.times_at.shape[2]
+        count = self.memory[self.count_at].astype(np.intp)
+        last = ((count - 1) % depth)[..., None]
+        last_s = self.memory[np.take_along_axis(self.times_at, last, axis=2)[..., 0]]
+        since_s = at_s - np.where(count > 0, last_s, -np.inf)
+        keeps = which & (since_s >= self.apart_s - _ROUNDING_S) & (since_s > 0.0)
+        turn = (count % depth)[..., None]
+        for places, what in ((self.times_at, at_s), (self.values_at, values)):
+            place = np.take_along_axis(places, turn, axis=2)[..., 0]
+            self.memory[place[keeps]] = np.broadcast_to(what, keeps.shape)[keeps]
+        self.memory[self.count_at[keeps]] += 1.0
+
+    def find(self, at_s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+        """Gives instants and values of what was kept last until, and first after, some instants.
+
+        What there is not has an infinite instant, and the value of another one.
+        """
+        times_s = self.memory[self.times_at]
+        since = times_s <= at_s[..., None]
+        lower = np.where(since, times_s, -np.inf).argmax(axis=2)[..., None]
+        upper = np.where(since, np.inf, times_s).argmin(axis=2)[..., None]
+        lower_s = np.take_along_axis(times_s, lower, axis=2)[..., 0]
+        upper_s = np.take_along_axis(times_s, upper, axis=2)[..., 0]
+        values = [
+            self.memory[np.take_along_axis(self.values_at, each, axis=2)[..., 0]]
+            for each in (lower, upper)
+        ]
+        return (
+            np.where(lower_s <= at_s, lower_s, -np.inf),
+            values[0],
+            np.where(upper_s > at_s, upper_s, np.inf),
+            values[1],
+        )
+
+
 def delayed(step: Pass, values: FloatArray) -> FloatArray:
     """Gives readings of as long ago as the delay says, and remembers these."""
-    delayed = values.copy()
+    told = values.copy()
     for some, depth in _by_depth(step):
-        times_at, values_at = _rings(step, some, depth)
-        _remember(step, some, depth, (values[some], step.at_s[some]))
-        times_s, old = step.kept.memory[times_at], step.kept.memory[values_at]
+        rings = _Rings.of(step, some, depth)
+        rings.keep(values[some], step.at_s[some], rings.touched)
         wanted_s = step.at_s[some] - step.of("delay_s")[some] + _ROUNDING_S
-        good = times_s <= wanted_s[..., None]
-        newest = np.where(good, times_s, -np.inf).argmax(axis=2)
-        pick = np.where(good.any(axis=2), newest, times_s.argmin(axis=2))
-        found = np.take_along_axis(old, pick[..., None], axis=2)[..., 0]
-        delayed[some] = np.where(np.isinf(times_s).all(axis=2), values[some], found)
-    return delayed
+        lower_s, lower, upper_s, upper = rings.find(wanted_s)
+        first = np.where(np.isfinite(upper_s), upper, values[some])
+        told[some] = np.where(np.isfinite(lower_s), lower, first)
+    return told
 
 
 def delayed_speeds(step: Pass, speeds: FloatArray, from_s: FloatArray) -> FloatArray:
-    """Gives the speeds of as long ago as the delay says, and remembers these."""
-    delayed = speeds.copy()
+    """Gives the speeds of as long ago as the delay says, and remembers these.
+
+    Args:
+        step: the speeds' way; its instant is the end of the time for which they count.
+        speeds: the speeds, (m, w).
+        from_s: the beginning of that time, (m,).
+    """
+    told = speeds.copy()
     for some, depth in _by_depth(step):
-        memory, to_s, since_s = step.kept.memory, step.at_s[some], from_s[some, None]
-        sum_at = _sums(step, some)
+        to_s, since_s = step.at_s[some], from_s[some, None]
+        rings = _Rings.of(step, some, depth)
         if step.writes:
-            first = step.touched[some] & np.isinf(memory[_rings(step, some, depth)[0]]).all(axis=2)
-            began = np.broadcast_to(since_s, first.shape)
-            _remember(step, some, depth, (np.zeros_like(speeds[some]), began), first)
-            memory[sum_at[step.touched[some]]] += (speeds[some] * (to_s - since_s))[
-                step.touched[some]
-            ]
-            _remember(step, some, depth, (memory[sum_at], to_s))
-        times_at, values_at = _rings(step, some, depth)
-        ring = memory[times_at], memory[values_at]
+            begin = rings.begin
+            if begin.any():
+                rings.keep(np.zeros_like(speeds[some]), since_s, begin)
+            ways = speeds[some] * (to_s - since_s)
+            rings.memory[rings.sum_at[rings.touched]] += ways[rings.touched]
+            rings.keep(rings.memory[rings.sum_at], to_s, rings.touched)
         for_s = np.maximum(to_s - since_s, _LEAST_S)
         ago_s = to_s - step.of("delay_s")[some]
-        way = _between(ring, ago_s) - _between(ring, ago_s - for_s)
-        delayed[some] = way / for_s
-    return delayed
+        told[some] = (_sum(rings, ago_s) - _sum(rings, ago_s - for_s)) / for_s
+    return told
 
 
-def _between(ring: tuple[FloatArray, FloatArray], at_s: FloatArray) -> FloatArray:
-    """Gives the sum of ways at instants, along straight lines between those that were kept."""
-    order = np.argsort(ring[0], axis=2, kind="stable")
-    times_s = np.take_along_axis(ring[0], order, axis=2)
-    sums = np.take_along_axis(ring[1], order, axis=2)
-    count = np.isfinite(times_s).sum(axis=2)
-    upper = np.minimum((times_s <= at_s[..., None]).sum(axis=2), count - 1)
-    lower, upper = np.maximum(upper - 1, 0)[..., None], np.maximum(upper, 0)[..., None]
-    t0, t1 = (np.take_along_axis(times_s, each, axis=2)[..., 0] for each in (lower, upper))
-    w0, w1 = (np.take_along_axis(sums, each, axis=2)[..., 0] for each in (lower, upper))
+def _sum(rings: _Rings, at_s: FloatArray) -> FloatArray:
+    """Gives the sums of ways at instants, along straight lines between those that were kept."""
+    lower_s, lower, upper_s, upper = rings.find(at_s)
+    between = np.isfinite(lower_s) & np.isfinite(upper_s)
     with np.errstate(invalid="ignore"):
-        part = np.divide(at_s - t0, t1 - t0, out=np.zeros_like(w0), where=t1 > t0)
-    return np.asarray(w0 + (w1 - w0) * np.clip(part, 0.0, 1.0))
+        part = np.divide(at_s - lower_s, upper_s - lower_s, out=np.zeros_like(lower), where=between)
+    return np.where(np.isfinite(lower_s), lower + part * (upper - lower), upper)
 
 
 def _by_depth(step: Pass) -> list[tuple[IndexArray, int]]:
@@ -82,47 +156,3 @@ def _by_depth(step: Pass) -> list[tuple[IndexArray, int]]:
     return [
         (np.flatnonzero(depths == depth), int(depth)) for depth in np.unique(depths[depths > 0])
     ]
-
-
-def _widths(step: Pass, some: IndexArray) -> Any:
-    return width_of(step.row["device"][some], step.row["element"][some])[:, None]
-
-
-def _sums(step: Pass, some: IndexArray) -> IndexArray:
-    place = step.of("begin")[some] + 2 * _widths(step, some) + step.slot[some]
-    return np.asarray(place)
-
-
-def _rings(step: Pass, some: IndexArray, depth: int) -> tuple[IndexArray, IndexArray]:
-    """Gives where the instants and the values of each element are kept, shape (m, w, depth)."""
-    width = _widths(step, some)
-    times_at = step.of("begin")[some] + 3 * width + step.slot[some] * depth
-    times_at = times_at[..., None] + np.arange(depth)
-    return times_at, times_at + (width * depth)[..., None]
-
-
-def _remember(
-    step: Pass,
-    some: IndexArray,
-    depth: int,
-    what: tuple[FloatArray, FloatArray],
-    which: BoolArray | None = None,
-) -> None:
-    """Keeps values with their instants, unless the last ones that were kept are too near."""
-    memory = step.kept.memory
-    times_at, values_at = _rings(step, some, depth)
-    values, at_s = what
-    at_s = np.broadcast_to(at_s, values.shape)
-    times_s = memory[times_at]
-    last_s = np.where(np.isinf(times_s), -np.inf, times_s).max(axis=2)
-    apart_s = step.of("delay_s")[some] / (depth - _SPARE)
-    keeps = step.touched[some] & (at_s - last_s >= apart_s - _ROUNDING_S) & (at_s > last_s)
-    if which is not None:
-        keeps &= which
-    count_at = step.of("begin")[some] + _widths(step, some) + step.slot[some]
-    turn = (memory[count_at].astype(np.intp) % depth)[..., None]
-    where_s = np.take_along_axis(times_at, turn, axis=2)[..., 0]
-    where = np.take_along_axis(values_at, turn, axis=2)[..., 0]
-    memory[where_s[keeps]] = at_s[keeps]
-    memory[where[keeps]] = values[keeps]
-    memory[count_at[keeps]] += 1.0
