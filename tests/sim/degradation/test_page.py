@@ -9,6 +9,7 @@ import re
 import shlex
 from collections.abc import Callable
 from pathlib import Path
+from unittest.mock import MagicMock
 
 import pytest
 
@@ -64,8 +65,10 @@ def elements(device: Device) -> str:
         names = device.elements(robot)
         if names:
             told.setdefault(shown(names), robot.name)
-    if not told:
-        return "0" if device.width == 1 else f"0 to {device.width - 1}"
+    if not told:  # of no robot that comes with crs
+        names = device.elements(MagicMock())
+        numbers = "0" if device.width == 1 else f"0 to {device.width - 1}"
+        return shown(names) if len(names) == device.width > 1 else numbers
     if len(told) == 1:
         return next(iter(told))
     return "; ".join(f"{each} ({name})" for each, name in told.items())
