@@ -3,24 +3,32 @@
 from __future__ import annotations
 
 import math
+from itertools import groupby
 
 import numpy as np
 
 from crs_cc.cli.svg import Page, View
 from crs_cc.cli.tracks import FloatArray
-from crs_cc.sim.surface import Patch, Surface
+from crs_cc.sim.surface import HeightMap, Patch, Surface
 from crs_cc.sim.terrain import Terrain
 
 _EARTH = "#a67c52"
 _EDGE = "#8a6a48"
 _STRIPES = 12
+_LEVELS = 20
+_SEAM_PX = 0.3  # rows must not leave a gap between them
 _LIGHTEST, _DARKEST = 0.06, 0.5
 
 
 def draw_relief(page: Page, view: View, surface: Surface) -> None:
     """Draws the ramps and plateaus of a ground, the lowest first."""
     patches = sorted(surface.patches, key=lambda patch: max(patch.from_m, patch.to_m))
-    highest_m = max((max(patch.from_m, patch.to_m) for patch in patches), default=0.0)
+    tops_m = [max(patch.from_m, patch.to_m) for patch in patches]
+    highest_m = max(
+        [*tops_m, *(surface.heightmap.heights_m if surface.heightmap else ())], default=0.0
+    )
+    if surface.heightmap is not None and highest_m:
+        _draw_pixels(page, view, surface.heightmap, highest_m)
     for patch in patches:
         for stripe, height_m in _stripes(patch):
             share = height_m / highest_m if highest_m else 0.0
@@ -36,8 +44,30 @@ def draw_relief(page: Page, view: View, surface: Surface) -> None:
 
 
 def ground_m(surface: Surface) -> list[FloatArray]:
-    """Gives the corners of all patches [m], (4, 2) each."""
-    return [_corners_m(patch) for patch in surface.patches]
+    """Gives the corners of all patches, and of the picture below them [m], (n, 2) each."""
+    found = [_corners_m(patch) for patch in surface.patches]
+    if (heightmap := surface.heightmap) is not None:
+        rows = len(heightmap.heights_m) // heightmap.columns
+        size_m = np.array([heightmap.columns, rows]) * heightmap.pixel_m
+        corner = np.array([heightmap.x_m, heightmap.y_m])
+        found.append(np.array([corner, corner + size_m]))
+    return found
+
+
+def _draw_pixels(page: Page, view: View, heightmap: HeightMap, highest_m: float) -> None:
+    """Draws runs of pixels of a row that are about equally high as one."""
+    pixel_m, heights = heightmap.pixel_m, np.array(heightmap.heights_m)
+    levels = np.ceil(heights.reshape(-1, heightmap.columns) / highest_m * _LEVELS).astype(np.int64)
+    for row, level in enumerate(levels.tolist()):
+        column = 0
+        for shade, run in groupby(level):
+            width = len(list(run))
+            if shade:
+                x_m, y_m = heightmap.x_m + column * pixel_m, heightmap.y_m + (row + 1) * pixel_m
+                size = view.length(width * pixel_m), view.length(pixel_m) + _SEAM_PX
+                paint = _mixed(_DARKEST * shade / _LEVELS)
+                page.rectangle(view.point(x_m, y_m), size, fill=paint)
+            column += width
 
 
 def _stripes(patch: Patch) -> list[tuple[FloatArray, float]]:

@@ -171,6 +171,8 @@ class Inclines:
 
     def _any_near(self, position_m: FloatArray) -> bool:
         terrain, place = self.terrain, position_m[:, 0] + 1j * position_m[:, 1]
+        if terrain.heights is not None and terrain.heights.holds(place, self._reach_m).any():
+            return True
         point, patch = self._near.near(place)
         local = (place.take(point) - terrain.middle.take(patch)) * terrain.along.take(patch).conj()
         beyond_x = np.abs(local.real) - terrain.half_length_m.take(patch)

@@ -2,8 +2,9 @@
 
 A patch of ground blocks a body like a wall, from below, where its top is higher by more than a step
 than the ground that the body stands on. Robots climb a step of the size `step` of their definition;
-what is pushed gets over `STEP_M`. A ramp that is steeper than the limit `climb` of a robot blocks
-it as if all of the ramp were as high as its highest end.
+what is pushed gets over `STEP_M`, and up a slope of `CLIMB`. A ramp that is steeper than the limit
+`climb` of a robot blocks it as if all of the ramp were as high as its highest end; so does a square
+between four pixels of a picture, as high as the highest one.
 
 From above nothing blocks: a body falls off, and goes on where it lands. It stands on the highest
 ground that is under it, a rim of `RIM_M` left out, so it is off a plateau only when all of it is;
@@ -41,6 +42,9 @@ ComplexArray = npt.NDArray[np.complex128]
 STEP_M: Final = 0.02
 """The highest step over which things can be pushed."""
 
+CLIMB: Final = 1.0
+"""The steepest slope onto which things can be pushed from below: 45 degrees."""
+
 RIM_M: Final = 0.02
 """How far the rim of a body hangs over what it stands on; more than it gets into a wall."""
 
@@ -57,8 +61,25 @@ class Ledges:
         self._feet += [_feet(thing) for thing in scene.pushables]
         self._step_m = [model.drive.step_m for model in models] + [STEP_M] * len(scene.pushables)
         self._climb = [math.tan(model.drive.climb_rad) for model in models]
-        self._climb += [math.inf] * len(scene.pushables)
-        self._highest_m = terrain.middle_m + np.abs(terrain.slope) * terrain.half_length_m
+        self._climb += [CLIMB] * len(scene.pushables)
+        middle, highest_m, steep = _steep_squares(terrain, min([*self._climb, 1.0]))
+        half_m = np.full(len(middle), terrain.heights.pixel_m / 2 if terrain.heights else 0.0)
+        self._patches = len(terrain.middle)
+        self._middle = np.concatenate([terrain.middle, middle])
+        self._along = np.concatenate([terrain.along, np.ones(len(middle), np.complex128)])
+        self._half_length_m = np.concatenate([terrain.half_length_m, half_m])
+        self._half_width_m = np.concatenate([terrain.half_width_m, half_m])
+        self._middle_m = np.concatenate([terrain.middle_m, highest_m])
+        self._slope = np.concatenate([terrain.slope, np.zeros(len(middle))])
+        self._steep = np.concatenate([np.abs(terrain.slope), steep])
+        self._highest_m = self._middle_m + np.abs(self._slope) * self._half_length_m
+
+    def corners_m(self) -> FloatArray:
+        """Gives the corners of all that can block, counter-clockwise, (n, 4, 2)."""
+        ahead, left = self._along * self._half_length_m, 1j * self._along * self._half_width_m
+        corners = [-ahead - left, ahead - left, ahead + left, left - ahead]
+        places = self._middle[:, None] + np.column_stack(corners)
+        return np.stack([places.real, places.imag], axis=2)
 
     def place(self, position_m: FloatArray, angle_rad: FloatArray) -> None:
         """Says where the bodies are at the start of a cycle."""
@@ -68,20 +89,18 @@ class Ledges:
 
     def blocks(self, body: int, patch: int, touches_m: Sequence[tuple[float, float]]) -> bool:
         """Tells whether a patch blocks a body that touches it at some places."""
-        terrain, along = self._terrain, self._terrain.along[patch]
-        local = (self._place[body] - terrain.middle[patch]) * along.conjugate()
-        half_m = terrain.half_length_m[patch], terrain.half_width_m[patch]
-        if abs(local.real) <= half_m[0] and abs(local.imag) <= half_m[1]:
+        middle, along, half_m = self._middle[patch], self._along[patch], self._half_length_m[patch]
+        local = (self._place[body] - middle) * along.conjugate()
+        if abs(local.real) <= half_m and abs(local.imag) <= self._half_width_m[patch]:
             return False
-        if abs(terrain.slope[patch]) > self._climb[body]:
+        if self._steep[patch] > self._climb[body]:
             top_m = float(self._highest_m[patch])
+        elif patch >= self._patches:
+            return False
         else:
-            ahead_m = [
-                ((complex(x, y) - terrain.middle[patch]) * along.conjugate()).real
-                for x, y in touches_m
-            ]
-            rises_m = np.clip(ahead_m, -half_m[0], half_m[0]) * terrain.slope[patch]
-            top_m = float(terrain.middle_m[patch] + rises_m.max())
+            ahead_m = [((complex(x, y) - middle) * along.conjugate()).real for x, y in touches_m]
+            rises_m = np.clip(ahead_m, -half_m, half_m) * self._slope[patch]
+            top_m = float(self._middle_m[patch] + rises_m.max())
         return top_m > self._stands_m(body) + self._step_m[body]
 
     def _stands_m(self, body: int) -> float:
@@ -90,6 +109,13 @@ class Ledges:
             feet = self._place[body] + self._turn[body] * self._feet[body]
             self._ground_m[body] = float(self._terrain.height_m(feet.real, feet.imag).max())
         return self._ground_m[body]
+
+
+def _steep_squares(terrain: Terrain, slope: float) -> tuple[ComplexArray, FloatArray, FloatArray]:
+    """Gives the parts of a picture that are steeper than a slope: middles, tops, slopes."""
+    if terrain.heights is not None:
+        return terrain.heights.steep(slope)
+    return np.zeros(0, np.complex128), np.zeros(0), np.zeros(0)
 
 
 def _round_feet(radius_m: float) -> ComplexArray:

@@ -8,7 +8,7 @@ as the robot does there:
 A thing stands on the ground under its middle. It is met when its top is higher than the beam at the
 nearest point of its side, else it is looked over. The ground is met where it is higher than the
 beam: each patch, cut off by the plane of the beam, is one more thing with straight sides, whose
-cut is where the beam runs into the slope.
+cut is where the beam runs into the slope; pixels of a picture are taken for level ones.
 
 Sound spreads: the lower side of a sonar's cone falls by the tangent of its half angle with each
 metre, and a thing or patch is met as soon as it is higher than that at its nearest point; but not
@@ -64,6 +64,7 @@ class Outlook:
         corners: their corners, x + i y [m], counter-clockwise, (patches, 4).
         corners_m: how high these are.
         grid: the patches without the floor, by where they are within reach.
+        reach_m: how far from its place any robot measures.
         ground: the number of the ground in `Scene.names`.
         tops_m: how high the tops of all things are, (names,).
     """
@@ -89,6 +90,7 @@ class Outlook:
         ahead_m = (away * self.patches.along[:, None].conj()).real
         self.corners_m = self.patches.middle_m[:, None] + self.patches.slope[:, None] * ahead_m
         self.grid = self.terrain.grid(reach_m)
+        self.reach_m = reach_m
         self.ground = len(scene.names) - 1
         self._moving = len(scene.start)
         things = (*scene.world.robots, *scene.pushables, *scene.fixed_solids)
@@ -236,7 +238,17 @@ class Level:
         away = ends - place.take(viewers)[:, None]
         beam_m = (plane[0].take(viewers) + above_m)[:, None]
         beam_m = beam_m + (plane[1].conj().take(viewers)[:, None] * away).real
-        return _cut(viewers, ends, self.outlook.corners_m[patch] - beam_m)
+        sides = _cut(viewers, ends, self.outlook.corners_m[patch] - beam_m)
+        heights = self.outlook.terrain.heights
+        if heights is None:
+            return sides
+        z_m = np.broadcast_to(np.asarray(self.z_m, dtype=np.float64), place.shape)
+        spread = np.broadcast_to(np.asarray(self.spread, dtype=np.float64), place.shape)
+        more = heights.outlines(place, plane, z_m, spread, self.outlook.reach_m)
+        viewers, start, end, length_m = (
+            np.concatenate(pair) for pair in zip(sides, more, strict=True)
+        )
+        return viewers, start, end, length_m
 
 
 def _cut(viewers: IndexArray, corners: ComplexArray, over_m: FloatArray) -> Segments:

@@ -259,8 +259,8 @@ class Physics:
 
     def _add_floor(self, space: pymunk.Space, bodies: list[pymunk.Body], borne: set[int]) -> None:
         """Adds the ground, and the floor, which rubs on all things that nobody bears."""
-        if self._inclines is not None and self._ledges is not None:
-            bodies.append(add_ground(space, bodies, self._inclines.terrain, self._ledges))
+        if self._ledges is not None:
+            bodies.append(add_ground(space, bodies, self._ledges))
         floor = pymunk.Body(body_type=pymunk.Body.STATIC)
         bodies.append(floor)
         space.add(floor)

@@ -17,7 +17,6 @@ from crs_cc.sim.friction import friction_n, friction_nm
 from crs_cc.sim.ledges import Ledges
 from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Thing, Wall
 from crs_cc.sim.scene import Scene, convex_parts_of, corners_m, own_corners_m
-from crs_cc.sim.terrain import Terrain
 
 FloatArray = npt.NDArray[np.float64]
 
@@ -78,12 +77,10 @@ def _straight_shapes(
     return [pymunk.Poly(body, [(x, y) for x, y in piece]) for piece in pieces]
 
 
-def add_ground(
-    space: pymunk.Space, bodies: list[pymunk.Body], terrain: Terrain, ledges: Ledges
-) -> pymunk.Body:
-    """Adds all patches of a ground; whether one blocks a body that touches it, `ledges` tells."""
+def add_ground(space: pymunk.Space, bodies: list[pymunk.Body], ledges: Ledges) -> pymunk.Body:
+    """Adds all of the ground that can block; whether it does, `ledges` tells at each touch."""
     ground = pymunk.Body(body_type=pymunk.Body.STATIC)
-    shapes = [pymunk.Poly(ground, corners) for corners in terrain.corners_m().tolist()]
+    shapes = [pymunk.Poly(ground, corners) for corners in ledges.corners_m().tolist()]
     add(space, ground, *shapes)
     numbers = {shape: n for n, body in enumerate(bodies) for shape in body.shapes}
     numbers.update({shape: n for n, shape in enumerate(shapes)})

@@ -46,19 +46,40 @@ class Patch:
 
 
 @dataclass(frozen=True, slots=True)
+class HeightMap:
+    """Ground whose height comes from a picture, see `heightmap`.
+
+    Attributes:
+        x_m: where the lower left corner of the picture lies.
+        y_m: the same.
+        pixel_m: the size of a pixel.
+        columns: how many pixels a row has, 2 or more.
+        heights_m: how high the middle of each pixel is, row after row from the lowest one up.
+    """
+
+    x_m: float
+    y_m: float
+    pixel_m: float
+    columns: int
+    heights_m: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Surface:
     """The ground of a world.
 
     Attributes:
         patches: the ramps and plateaus on the floor.
+        heightmap: what lies below them, None for a flat floor.
     """
 
     patches: tuple[Patch, ...] = ()
+    heightmap: HeightMap | None = None
 
     @property
     def is_flat(self) -> bool:
         """Whether all of it is the floor."""
-        return not self.patches
+        return not self.patches and self.heightmap is None
 
 
 FLAT: Final = Surface()

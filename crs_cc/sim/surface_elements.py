@@ -2,19 +2,40 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Final
 
+import numpy as np
+import numpy.typing as npt
+
 from crs_cc.sim.document import Element, Reader
+from crs_cc.sim.image import MAX_BYTES, grey_values
+from crs_cc.sim.model import Area
+from crs_cc.sim.nearby import read_below
 from crs_cc.sim.quantity import ANGLE, LENGTH
-from crs_cc.sim.surface import Patch, Surface
+from crs_cc.sim.surface import HeightMap, Patch, Surface
 
 HIGHEST_M: Final = 100.0
+MOST_PIXELS: Final = 128
+"""Along each side of a picture of heights."""
+
+_LEAST_PIXELS: Final = 2
 _LEAST_M: Final = 0.01
+_SHOWN: Final = 80
 
 
-def surface(element: Element, reader: Reader) -> Surface:
-    """Gives the ground that an element describes; mistakes go to the reader."""
-    return Surface(tuple(_patch(child, reader) for child in element.children))
+def surface(element: Element, area: Area, folder: Path | None, reader: Reader) -> Surface:
+    """Gives the ground that an element describes; mistakes go to the reader.
+
+    Args:
+        element: the element.
+        area: the world's area, at whose lower left corner a picture lies, unless told.
+        folder: where pictures are looked for; None when the world came from no file.
+        reader: reads the values.
+    """
+    patches = [_patch(each, reader) for each in element.children if each.tag != "heightmap"]
+    maps = [_heightmap(child, area, folder, reader) for child in element.all("heightmap")]
+    return Surface(tuple(patches), maps[0] if maps else None)
 
 
 def _patch(element: Element, reader: Reader) -> Patch:
@@ -29,6 +50,34 @@ def _patch(element: Element, reader: Reader) -> Patch:
         _height(element, "from", reader) if is_ramp else to_m,
         to_m,
     )
+
+
+def _heightmap(
+    element: Element, area: Area, folder: Path | None, reader: Reader
+) -> HeightMap | None:
+    pixel_m = _size(element, "resolution", reader)
+    height_m = _height(element, "height", reader)
+    x_m = reader.quantity(element, "x", LENGTH, area.x_min_m)
+    y_m = reader.quantity(element, "y", LENGTH, area.y_min_m)
+    try:
+        grey = _grey(element.attributes["image"], folder)
+    except ValueError as wrong:
+        reader.refuse(element, f"image {element.attributes['image'][:_SHOWN]!r}: {wrong}")
+        return None
+    if element.broken:
+        return None
+    heights_m = (grey[::-1] * height_m).ravel().tolist()
+    return HeightMap(x_m, y_m, pixel_m, grey.shape[1], tuple(heights_m))
+
+
+def _grey(image: str, folder: Path | None) -> npt.NDArray[np.float64]:
+    if folder is None:
+        raise ValueError("a world that is no file has no pictures")
+    grey = grey_values(read_below(folder, image, ".png", MAX_BYTES))
+    if min(grey.shape) < _LEAST_PIXELS or max(grey.shape) > MOST_PIXELS:
+        size = f"{grey.shape[1]} x {grey.shape[0]}"
+        raise ValueError(f"has {size} pixels; {_LEAST_PIXELS} to {MOST_PIXELS} a side are allowed")
+    return grey
 
 
 def _height(element: Element, name: str, reader: Reader) -> float:

@@ -3,7 +3,8 @@
     height(p)   = max(0, from + (to - from) (u + length / 2) / length)  of all patches that p is in
     gradient(p) = ((to - from) / length) (cos heading, sin heading)  of the patch that counts
 
-where u is how far p lies ahead of the patch's middle. The gradient is in the world frame and points
+where u is how far p lies ahead of the patch's middle, and 0 stands for the height of the picture
+below where there is one (`heightmap`). The gradient is in the world frame and points
 uphill; on the floor, and on plateaus, it is 0. Where patches are equally high, the first one of the
 world file counts. The edge of a patch belongs to it.
 
@@ -24,6 +25,7 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.sim.heightmap import Heights
 from crs_cc.sim.obstacles import Grid
 from crs_cc.sim.surface import Surface
 
@@ -46,6 +48,7 @@ class Terrain:
         half_width_m: half its size across.
         middle_m: how high its middle is.
         slope: by how much it rises with each metre along.
+        heights: what lies below the patches, None for the floor.
     """
 
     def __init__(self, surface: Surface) -> None:
@@ -59,6 +62,7 @@ class Terrain:
         self.middle_m = np.array([(patch.from_m + patch.to_m) / 2 for patch in patches])
         self.slope = np.array([patch.slope for patch in patches])
         self._patches = self.grid(_ON_M)
+        self.heights = None if surface.heightmap is None else Heights(surface.heightmap)
 
     def grid(self, reach_m: float) -> Grid:
         """Gives the patches, sorted by where they are within reach."""
@@ -83,6 +87,8 @@ class Terrain:
         """Gives by how much the ground rises along x and y at places [m/m], shape (n, 2)."""
         place = x_m + 1j * y_m
         gradient = np.zeros(len(place), dtype=np.complex128)
+        if self.heights is not None:
+            gradient = self.heights.at(x_m, y_m)[1]
         height_m, point, patch, patch_m = self._on(place)
         top = np.flatnonzero(patch_m == height_m.take(point))[::-1]  # the first is written last
         steep = patch.take(top)
@@ -92,6 +98,8 @@ class Terrain:
     def _on(self, place: ComplexArray) -> tuple[FloatArray, IndexArray, IndexArray, FloatArray]:
         """Gives the heights of places, and pairs of a place and a patch there with its height."""
         height_m = np.zeros(len(place))
+        if self.heights is not None:
+            height_m = self.heights.at(place.real, place.imag)[0]
         point, patch = self._patches.near(place)
         local = (place.take(point) - self.middle.take(patch)) * self.along.take(patch).conj()
         inside = np.abs(local.real) <= self.half_length_m.take(patch) + _ON_M

@@ -81,7 +81,7 @@ def world_model(
         timestep_s=_timestep(root, reader),
         duration_s=_duration(root, reader),
         seed=_seed(root, reader),
-        surface=surface(root.first("surface"), reader),
+        surface=surface(root.first("surface"), area, included.folder, reader),
         lights=lights(root, reader),
         sounds=sounds(root, reader),
         degradations=degradations(

@@ -44,7 +44,6 @@ def test_ramps_and_plateaus_are_read_with_units():
 @pytest.mark.parametrize(
     ("surface", "wrong"),
     [
-        ("<surface/>", "<surface> ends too early"),
         ('<surface><ramp x="1" y="1" length="1" width="1"/></surface>', "lacks the attribute 'to'"),
         (
             '<surface><plateau x="1" y="1" length="1" width="1" height="-1m"/></surface>',
