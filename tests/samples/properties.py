@@ -311,3 +311,29 @@ def finds_out_which_sonar_lies(drive: Drive) -> None:
     x_in = drive.places[:, 0] / INCH_M
     assert x_in.max() == pytest.approx(10 / INCH_M - 30, abs=12)
     assert x_in.min() == pytest.approx(30, abs=12)
+
+
+def carries_every_reading(drive: Drive) -> None:
+    """Nothing goes through the wall, and the carrier goes to and fro for it."""
+    touches_nothing(drive)
+    numbers = [int(number) for number in re.findall(r"^reading (\d+)", drive.text, re.MULTILINE)]
+    assert sorted(numbers) == list(range(10))
+    assert drive.numbers(r"10 readings, (\d+) of them straight from the source") == [0]
+    trips = re.findall(r"trip \d+: took over (\d+) readings, 0 are left", drive.text)
+    assert len(trips) > 1
+    assert sum(map(int, trips)) == 10
+    crossings = np.count_nonzero(np.diff(drive.paths[:, 1, 0] > 5))
+    assert crossings == 2 * len(trips) - 1
+
+
+def keeps_together_by_radio(drive: Drive) -> None:
+    """Four robots, 80 cm from each other; only the first one knows the way."""
+    touches_nothing(drive)
+    gaps_m = np.hypot(*np.diff(drive.paths, axis=1).transpose(2, 0, 1))
+    assert gaps_m.min() > 0.45
+    assert gaps_m.max() < 1.2
+    told = drive.numbers(r"the leader told its place (\d+) times")[0]
+    heard = [int(times) for times in re.findall(r"heard of the leader (\d+) times", drive.text)]
+    assert np.array(heard) / told == pytest.approx(0.7, abs=0.1)
+    distances_m = [robot.distance_m for robot in drive.robots]
+    assert distances_m == pytest.approx([distances_m[0]] * 4, rel=0.05)

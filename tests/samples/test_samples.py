@@ -115,6 +115,8 @@ RUNS = [
     Run("log_drive", "room", properties.reads_what_it_wrote),
     Run("mission", "studio", properties.comes_home, reads=("samples/scout_c/mission.txt",)),
     Run("convoy", "convoy", properties.keeps_behind),
+    Run("relay", "radio-shadow", properties.carries_every_reading),
+    Run("platoon", "platoon", properties.keeps_together_by_radio),
     Run("turret", "pillar", properties.keeps_its_eye_on_the_pillar),
     Run("dead_reckoning", "wall", properties.reckons_until_it_slips),
     Run("sonar_ages", "wall", properties.tells_ages_of_readings),
