@@ -29,6 +29,7 @@ from crs_cc.sim.scene import Scene
 from crs_cc.sim.surfaces import Surfaces
 
 if TYPE_CHECKING:
+    from crs_cc.sim.bodies import Bodies
     from crs_cc.sim.prospect import Prospect
     from crs_cc.sim.state import EnvState
 
@@ -62,6 +63,7 @@ class Surroundings:
         self._pieces = Pieces(scene, start_m)
         self._outlook = Outlook(scene, self._obstacles, reach_m) if is_needed(scene) else None
         self._placed = -1
+        self._places: FloatArray = np.zeros((0, 3))
 
     def forget(self) -> None:
         """Says that bodies may be elsewhere than in the cycle that was seen last."""
@@ -70,13 +72,20 @@ class Surroundings:
     def obstacles(self, state: EnvState) -> Obstacles:
         """Gives what beams can hit, where it is at the start of the cycle."""
         if self._placed != state.cycle:
-            bodies = state.bodies
-            self._obstacles.place(self._scene.moving(bodies.position_m, bodies.angle_rad))
-            self._pieces.place(bodies.position_m, bodies.angle_rad)
-            if self._outlook is not None:
-                self._outlook.place(bodies.position_m)
+            self._place(state.bodies)
             self._placed = state.cycle
         return self._obstacles
+
+    def _place(self, bodies: Bodies) -> None:
+        """Sorts what moves, unless all of it is where it was."""
+        places = np.column_stack([bodies.position_m, bodies.angle_rad])
+        if np.array_equal(places, self._places):
+            return
+        self._places = places
+        self._obstacles.place(self._scene.moving(bodies.position_m, bodies.angle_rad))
+        self._pieces.place(bodies.position_m, bodies.angle_rad)
+        if self._outlook is not None:
+            self._outlook.place(bodies.position_m)
 
     def prospect(
         self, state: EnvState, z_m: FloatArray | float, spread: FloatArray | float

@@ -81,3 +81,21 @@ def test_the_place_that_a_beam_hits_lies_on_the_thing_that_it_names(robots):
     poses = np.concatenate([scene.start, things.fixed])
     off_m = things.distance_m(poses, thing[seen], x_m[seen], y_m[seen])
     assert np.abs(off_m).max() < 1e-7
+
+
+def test_beams_see_where_things_are_however_long_they_stood_there():
+    """A robot looks at a crate, which is there for two cycles, then farther off, back, turned."""
+    world = open_world(
+        '<robot x="0" y="0"/><box x="2m" y="0" length="1m" width="1m" mass="5kg"/>'
+        '<cylinder x="0" y="9m" radius="0.1m" mass="5kg"/>'
+    )
+    scene, state = Scene(world), EnvState.at_start(world)
+    fan, own = Fan.of([(0.0, 0.0, 0.0, 0.0, 5.0)]), np.array([0])
+    around, seen = Surroundings(scene, [fan]), []
+    for x_m in (2.0, 2.0, 3.0, 2.0):
+        state.bodies.position_m[1, 0] = x_m
+        seen.append(float(around.distances_m(state, fan, scene.start[:1], own)[0, 0]))
+        state.cycle += 1
+    state.bodies.angle_rad[1] = math.pi / 4
+    seen.append(float(around.distances_m(state, fan, scene.start[:1], own)[0, 0]))
+    assert seen == pytest.approx([1.5, 1.5, 2.5, 1.5, 2 - math.sqrt(0.5)])
