@@ -12,13 +12,15 @@ and so on. A definition may use others, those behind it too, but not itself.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Final
 
 from crs_cc.sim.document import Element, Reader
+from crs_cc.sim.friction import floor_m2
 from crs_cc.sim.model import Pose, Solid, Wall
 from crs_cc.sim.naming import name_things
+from crs_cc.sim.quantity import MASS
 from crs_cc.sim.solid_elements import SolidElements, pose
 
 MAX_DEFINITIONS: Final = 400
@@ -69,7 +71,23 @@ class CompositeElements:
             element.broken = True
             return ()
         element.broken |= self._elements[name].broken
-        return tuple(_placed(part, place, element.attributes["id"]) for part in parts)
+        placed = [_placed(part, place, element.attributes["id"]) for part in parts]
+        return self._with_mass(element, placed) if "mass" in element.attributes else tuple(placed)
+
+    def _with_mass(self, element: Element, parts: Sequence[Solid]) -> tuple[Solid, ...]:
+        """Gives the parts of an object that can be pushed, each with its share of the mass."""
+        mass_kg = self._reader.positive(element, "mass", MASS)
+        things = [part for part in parts if not isinstance(part, Wall)]
+        if self._open:
+            self._reader.refuse(element, "mass: an object within a definition has none of its own")
+        elif len(things) < len(parts):
+            self._reader.refuse(element, "mass: an object with walls cannot be pushed")
+        whole_m2 = sum(map(floor_m2, things))
+        name = element.attributes["id"]
+        return tuple(
+            replace(thing, mass_kg=mass_kg * floor_m2(thing) / whole_m2, part_of=name)
+            for thing in things
+        )
 
     def _read(self, name: str) -> tuple[Solid, ...]:
         """Gives the parts of a definition in its own frame."""

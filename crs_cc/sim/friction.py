@@ -26,6 +26,15 @@ def friction_n(thing: Thing) -> float:
     return FLOOR_FRICTION * GRAVITY_MPS2 * thing.mass_kg
 
 
+def floor_m2(thing: Thing) -> float:
+    """Gives the area of the floor under a thing."""
+    if isinstance(thing, Cylinder):
+        return math.pi * thing.radius_m**2
+    if isinstance(thing, Box):
+        return thing.length_m * thing.width_m
+    return area_m2(np.array(thing.corners_m))
+
+
 def friction_nm(thing: Thing) -> float:
     """Gives the torque below which a thing does not turn.
 
@@ -34,11 +43,7 @@ def friction_nm(thing: Thing) -> float:
     """
     if isinstance(thing, Cylinder):
         return friction_n(thing) * 2 / 3 * thing.radius_m
-    if isinstance(thing, Box):
-        floor_m2 = thing.length_m * thing.width_m
-    else:
-        floor_m2 = area_m2(np.array(thing.corners_m))
-    return friction_n(thing) * 2 / 3 * math.sqrt(floor_m2 / math.pi)
+    return friction_n(thing) * 2 / 3 * math.sqrt(floor_m2(thing) / math.pi)
 
 
 def moment_kgm2(thing: Thing) -> float:

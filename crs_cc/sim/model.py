@@ -153,6 +153,7 @@ class Box:
     material: Material = PLAIN
     height_m: float = TALL_M
     spread_m: float = EVERYWHERE_M
+    part_of: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,6 +168,7 @@ class Cylinder:
     material: Material = PLAIN
     height_m: float = TALL_M
     spread_m: float = EVERYWHERE_M
+    part_of: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -193,6 +195,7 @@ class Polygon:
     material: Material = PLAIN
     height_m: float = TALL_M
     spread_m: float = EVERYWHERE_M
+    part_of: str = ""
 
     @classmethod
     def of(

@@ -39,12 +39,12 @@ from crs_cc.garbage import without_collector
 from crs_cc.sim.bodies import NO_CONTACTS, Bodies, Contacts, PhysicsSnapshot, Pull
 from crs_cc.sim.carrying import Load
 from crs_cc.sim.clearance import clearance_m
-from crs_cc.sim.friction import moment_kgm2
 from crs_cc.sim.inclines import Incline, Inclines
 from crs_cc.sim.ledges import Ledges
 from crs_cc.sim.model import Thing, WorldModel
+from crs_cc.sim.rigid import Rigid
 from crs_cc.sim.scene import Scene
-from crs_cc.sim.shapes import add, add_ground, fixed_shapes, floor_friction, thing_shapes
+from crs_cc.sim.shapes import add, add_ground, fixed_shapes, floor_friction, shapes_of, thing_shapes
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
@@ -87,8 +87,7 @@ class Physics:
 
     def __init__(self, world: WorldModel, scene: Scene, bodies: Bodies) -> None:
         self._world = world
-        self._scene = scene
-        self._robots = scene.robots
+        self._scene, self._robots, self._rigid = scene, scene.robots, Rigid(scene)
         drives = [robot.model.drive for robot in world.robots]
         limits_mps = np.array([drive.wheels.speed_limit for drive in drives])
         fastest_mps = float(limits_mps[scene.present].max(initial=0.0))
@@ -232,19 +231,18 @@ class Physics:
         places = iter(self._start.position_m.tolist())  # all in one place would be O(n^2)
         parts, borne, apart = self._parts()
         for number, robot in enumerate(self._world.robots):
-            mass_kg = float(self._mass_kg[number])
-            body = pymunk.Body(mass_kg, math.inf)  # only its wheels turn a robot
+            body = pymunk.Body(float(self._mass_kg[number]), math.inf)  # only its wheels turn it
             body.position = next(places)
             bodies.append(body)
             carried = parts.get(number)
             load = () if carried is None else thing_shapes(body, *carried)
             own = [pymunk.Circle(body, robot.model.radius_m)] * bool(self._scene.present[number])
             add(space, body, *own, *load)
-        for number, thing in enumerate(self._scene.pushables):
-            body = pymunk.Body(thing.mass_kg, moment_kgm2(thing))
+        for number, whole in enumerate(self._rigid.wholes):
+            body = pymunk.Body(whole.mass_kg, whole.moment_kgm2)
             body.position = next(places)
             bodies.append(body)
-            add(space, body, *(() if number in apart else thing_shapes(body, thing)))
+            add(space, body, *(() if number in apart else shapes_of(body, whole)))
         for solid in self._scene.fixed_solids:
             body = pymunk.Body(body_type=pymunk.Body.STATIC)
             bodies.append(body)
@@ -266,12 +264,12 @@ class Physics:
         space.add(floor)
         self._rubs: dict[int, list[tuple[pymunk.Constraint, float]]] = {}
         things_kg = np.zeros(len(self._scene.pushables))
-        for number, thing in enumerate(self._scene.pushables):
+        for number, whole in enumerate(self._rigid.wholes):
             if number not in borne:
-                joints = floor_friction(floor, bodies[self._robots + number], thing)
+                joints = floor_friction(floor, bodies[self._robots + number], whole)
                 self._rubs[number] = [(joint, joint.max_force) for joint in joints]
                 space.add(*joints)
-                things_kg[number] = thing.mass_kg
+                things_kg[number] = whole.mass_kg
         self._pulled_kg = np.concatenate([self._borne_kg, things_kg])
         self._grip = np.ones(len(things_kg))
 
@@ -282,12 +280,12 @@ class Physics:
             what each robot carries as a part of itself, and where; the things that no floor rubs
             on; and those of them that are not there for themselves.
         """
-        load = self._load
+        load, others = self._load, self._rigid.others
         if load is None:
-            return {}, set(), set()
+            return {}, set(others), set(others)
         things = [self._scene.pushables[thing] for thing in load.carried.tolist()]
         parts = dict(zip(load.carriers.tolist(), zip(things, load.grasp, strict=True), strict=True))
-        apart = {*load.carried.tolist(), *load.lifted.tolist()}
+        apart = {*load.carried.tolist(), *load.lifted.tolist(), *others}
         return parts, apart | set(load.shared.tolist()), apart
 
     def _shared_grips(self, bodies: list[pymunk.Body]) -> list[pymunk.Constraint]:
@@ -323,6 +321,7 @@ class Physics:
         motion = self._motion[: len(bodies.position_m)]
         motion[:, 0:2], motion[:, 2] = bodies.position_m, bodies.angle_rad
         motion[:, 3:5], motion[:, 5] = bodies.velocity_mps, bodies.spin_radps
+        self._rigid.load(motion)
         batch.set_space_bodies(self._space, _MOTION, self._write_motion)
         velocity_mps = bodies.velocity_mps
         stands = (wanted_mps[:, 0] == 0.0) & (wanted_mps[:, 1] == 0.0)
@@ -351,6 +350,7 @@ class Physics:
         motion = self._read_bodies(_MOTION, 6)[: len(bodies.position_m)]
         bodies.position_m[:], bodies.angle_rad[:] = motion[:, 0:2], motion[:, 2]
         bodies.velocity_mps[:], bodies.spin_radps[:] = motion[:, 3:5], motion[:, 5]
+        self._rigid.place(bodies)
         self._bring_to_rest(bodies)
         bodies.settled[0] = self._is_settled(*found[-1])
         self._room_m = 0.0
@@ -467,7 +467,10 @@ class Physics:
         if not touch.any():
             return _NO_PAIRS
         pairs = self._by_id[np.searchsorted(self._ids, numbers[touch, :2])]
-        return pairs, np.frombuffer(self._touch.float_buf()).reshape(-1, 3)[touch]
+        places = np.frombuffer(self._touch.float_buf()).reshape(-1, 3)[touch]
+        # pymunk lists the contacts of one body's shapes by where these lie in memory.
+        order = np.lexsort((places[:, 1], places[:, 0], pairs[:, 1], pairs[:, 0]))
+        return pairs[order], places[order]
 
     def _bring_to_rest(self, bodies: Bodies) -> None:
         """Takes away what rounding left of the velocity of things that stand."""

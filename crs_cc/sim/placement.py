@@ -71,6 +71,7 @@ def overlapping_things(world: WorldModel) -> Iterator[tuple[str, str]]:
             for thing in near[room_m < things.radius_m[near]].tolist():
                 other = pushable[thing]
                 first = number < other or not is_pushable(solid)
+                first &= not _together(solid, solids[other])
                 if first and overlap_m(solids[other], solid) > TOLERANCE_M:
                     yield solids[other].id, f"{_named(solids[other])} overlaps {_named(solid)}"
 
@@ -135,6 +136,13 @@ def _inside(
             inside = room_m < robots.radius_m[near] - TOLERANCE_M
             for robot in near[inside & there[near] if is_pushable(solid) else inside]:
                 yield int(robot), f"robot {ids[robot]!r} stands inside {_named(solid)}"
+
+
+def _together(one: Solid, other: Solid) -> bool:
+    """Tells whether things are parts of the same object."""
+    if isinstance(one, Wall) or isinstance(other, Wall):
+        return False
+    return bool(one.part_of) and one.part_of == other.part_of
 
 
 def _named(solid: Solid) -> str:

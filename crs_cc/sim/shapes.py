@@ -13,9 +13,9 @@ import pymunk
 
 from crs_cc.sim.bodies import Bodies
 from crs_cc.sim.frames import compose
-from crs_cc.sim.friction import friction_n, friction_nm
 from crs_cc.sim.ledges import Ledges
 from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Thing, Wall
+from crs_cc.sim.rigid import Whole
 from crs_cc.sim.scene import Scene, convex_parts_of, corners_m, own_corners_m
 
 FloatArray = npt.NDArray[np.float64]
@@ -36,14 +36,19 @@ def add(space: pymunk.Space, body: pymunk.Body, *shapes: pymunk.Shape) -> None:
 
 
 def floor_friction(
-    floor: pymunk.Body, body: pymunk.Body, thing: Thing
+    floor: pymunk.Body, body: pymunk.Body, whole: Whole
 ) -> tuple[pymunk.Constraint, pymunk.Constraint]:
     """Gives joints that hold a thing's velocity and spin at 0 as far as friction can."""
     slide = pymunk.PivotJoint(floor, body, (0.0, 0.0), (0.0, 0.0))
     turn = pymunk.GearJoint(floor, body, 0.0, 1.0)
-    slide.max_force, turn.max_force = friction_n(thing), friction_nm(thing)
+    slide.max_force, turn.max_force = whole.friction_n, whole.friction_nm
     slide.max_bias = turn.max_bias = 0.0  # they hold no place: what was pushed stays there
     return slide, turn
+
+
+def shapes_of(body: pymunk.Body, whole: Whole) -> list[pymunk.Shape]:
+    """Gives the shapes of all parts of what moves as one body."""
+    return [shape for thing, place in whole.parts for shape in thing_shapes(body, thing, place)]
 
 
 def thing_shapes(

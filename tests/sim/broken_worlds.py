@@ -45,7 +45,7 @@ NUMBERS = frozenset(
 )
 NO_NUMBERS = (
     "NaN", "nan", "inf", "-inf", "Infinity", "1e999", "-1e999", "9" * 400, "1e99999", "0x10", "1,5",
-    "", " ", "-", ".", "+-1", "1e", "1..2", "1m2", "5 parsecs", "\u0661\u0662", "1\u00a0m", "one",
+    "", " ", "-", ".", "+-1", "1e", "1..2", "1m2", "5 parsecs", "\u0661\u0662", "one",
     "1m 2m", "${x}", "%s%n", "1e308m", "99999999m", "<", "\u202e1", "1;2",
 )  # fmt: skip
 WRONG_UNITS = {"heading": "1kg", "mass": "2m", "timestep": "50cm", "duration": "9deg"}
@@ -66,7 +66,7 @@ def pick(dice: random.Random, root: etree._Element, names: frozenset[str]) -> tu
         (node, name)
         for node in root.iter(etree.Element)
         for name in sorted(node.attrib)
-        if name in names
+        if name in names and node.tag != "map"
     ]
     return dice.choice(found)
 

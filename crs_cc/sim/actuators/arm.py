@@ -17,6 +17,7 @@ room below: the thing rests where it is. All of this was chosen by us.
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -160,7 +161,7 @@ class Arms:
         cells = CellList(poses[pushables, 0], poses[pushables, 1], reach_m)
         hand, found = cells.near(hands[:, 0], hands[:, 1])
         away_m = things.distance_m(poses, pushables[found], hands[hand, 0], hands[hand, 1])
-        mass_kg = np.array([each.mass_kg for each in scene.pushables])
+        mass_kg = np.array([math.inf if each.part_of else each.mass_kg for each in scene.pushables])
         good = (away_m <= self._hand_m[closing[hand]]) & (
             mass_kg[found] <= self._most_kg[closing[hand]]
         )

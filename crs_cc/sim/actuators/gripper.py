@@ -158,7 +158,7 @@ class Grippers:
         fits = (found.right_m >= -half_m) & (found.left_m <= half_m)
         fits &= found.width_m >= apart_m[which] - _SAME_M
         fits &= found.width_m <= state.gripper.before_m[which] + _SAME_M
-        mass_kg = np.array([each.mass_kg for each in scene.pushables])
+        mass_kg = np.array([math.inf if each.part_of else each.mass_kg for each in scene.pushables])
         fits &= mass_kg[thing] <= self._most_kg[which]
         fits &= ~np.isin(thing, bodies.holds.in_hands()[1])
         order = np.flatnonzero(fits)
