@@ -24,9 +24,8 @@ def draw_relief(page: Page, view: View, surface: Surface) -> None:
     """Draws the ramps and plateaus of a ground, the lowest first."""
     patches = sorted(surface.patches, key=lambda patch: max(patch.from_m, patch.to_m))
     tops_m = [max(patch.from_m, patch.to_m) for patch in patches]
-    highest_m = max(
-        [*tops_m, *(surface.heightmap.heights_m if surface.heightmap else ())], default=0.0
-    )
+    tops_m += surface.heightmap.heights_m if surface.heightmap else ()
+    highest_m = max(tops_m, default=0.0)
     if surface.heightmap is not None and highest_m:
         _draw_pixels(page, view, surface.heightmap, highest_m)
     for patch in patches:

@@ -15,7 +15,7 @@ from crs_cc.cli.tracks import Tracks, simplified
 from crs_cc.sim.drawings import LINE, ROBOT, Drawing
 from crs_cc.sim.model import Area, Box, Cylinder, Material, Polygon, Pose, Robot, Wall, WorldModel
 from crs_cc.sim.robot_model import Drive, RobotModel
-from crs_cc.sim.surface import Patch, Surface
+from crs_cc.sim.surface import HeightMap, Patch, Surface
 
 SVG = "{http://www.w3.org/2000/svg}"
 SCOUT = RobotModel("scout", 0.2, Drive(0.35))
@@ -195,3 +195,14 @@ def test_all_of_the_ground_is_in_the_picture() -> None:
     root = draw(Picture("", "", far, [trip((0, 0), (1, 0))]))
     width = float(root.get("width"))
     assert all(0 <= x <= width for x, _ in all_points(root))
+
+
+def test_pixels_of_a_picture_of_heights_are_drawn_in_runs() -> None:
+    """Two rows of three pixels: 0 1 1 above 0 0 0.5."""
+    ground = HeightMap(0.0, 0.0, 1.0, 3, (0.0, 0.0, 0.5, 0.0, 1.0, 1.0))
+    root = draw(Picture("", "", replace(OPEN, surface=Surface((), ground)), [trip((0, 0), (3, 2))]))
+    boxes = list(root.iter(f"{SVG}rect"))[2:]
+    widths = [float(row.get("width")) for row in boxes]
+    assert len(boxes) == 2
+    assert widths[1] == pytest.approx(2 * widths[0], rel=0.01)
+    assert int(boxes[1].get("fill")[1:3], 16) < int(boxes[0].get("fill")[1:3], 16)
