@@ -130,6 +130,10 @@ DEVICE_REQUESTS: Final = (
         ),
     ),
     _device(
+        "TAKE_HEAT", 229, "int crs_tag(void)", "takes the heat from all things near",
+        results=arguments(("i[0]", "how many things lost heat", "1")),
+    ),
+    _device(
         "SEND", 240, "int crs_send(int to, int type, const void *data, int size)",
         "sends a message",
         arguments(

@@ -108,6 +108,11 @@ HANDLING: Final = Group("Taking hold of things", (
         "int crs_get_hand(int *weight)", "tells the weight of what is in the hand, 0 for nothing",
         units="g", posts=("GET_ARM",), source=(OURS,),
     ),
+    Function(
+        "int crs_tag(void)",
+        "takes the heat from all things near, as tagTarget() of the CRS report does; gives how "
+        "many things lost theirs", posts=("TAKE_HEAT",), source=(OURS,),
+    ),
 ))  # fmt: skip
 
 BEACONS: Final = Group("Light and sound", (

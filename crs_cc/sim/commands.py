@@ -158,6 +158,7 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("SOUND", beacons.sound),
         ("GET_LIGHT", tell),
         ("GET_SOUND", tell),
+        ("TAKE_HEAT", tag.tag),
     )
 }
 """The handler of each request that a robot answers, or one of its devices."""

@@ -111,12 +111,15 @@ def _meet_patch(
 
 def overlap(scene: Scene, bodies: Bodies, one: int, other: int) -> bool:
     """Tells whether two things, as in `Scene.names`, overlap or touch where they are now."""
-    mine, theirs = (_standing(scene, bodies, each) for each in (one, other))
-    return any(a.shapes_collide(b).points for a in mine for b in theirs)
+    space = pymunk.Space()  # pymunk's comparison of two shapes fails where they do not meet
+    body, theirs = _standing(scene, bodies, other)
+    space.add(body, *theirs)
+    _, shapes = _standing(scene, bodies, one)
+    return any(space.shape_query(shape) for shape in shapes)
 
 
-def _standing(scene: Scene, bodies: Bodies, thing: int) -> list[pymunk.Shape]:
-    """Gives the shapes of a thing where it is now, in no space."""
+def _standing(scene: Scene, bodies: Bodies, thing: int) -> tuple[pymunk.Body, list[pymunk.Shape]]:
+    """Gives the body and the shapes of a thing where it is now, in no space."""
     moving = len(scene.start)
     body = pymunk.Body(body_type=pymunk.Body.STATIC)
     shapes: list[pymunk.Shape]
@@ -129,6 +132,4 @@ def _standing(scene: Scene, bodies: Bodies, thing: int) -> list[pymunk.Shape]:
         shapes = thing_shapes(body, scene.pushables[thing - scene.robots])
     else:
         shapes = fixed_shapes(body, scene.fixed_solids[thing - moving])
-    for shape in shapes:
-        shape.cache_bb()
-    return shapes
+    return body, shapes

@@ -164,3 +164,13 @@ def test_a_joint_that_is_degraded_goes_elsewhere(tmp_path, fault, joints):
     driver.post("ARM", 0, 300, 300)
     driver.run_s(3)
     assert tell(driver)[:2] == joints
+
+
+def test_what_is_near_without_touching_leaves_room(tmp_path):
+    """Beside a box's corner: the discs around both overlap, they themselves do not."""
+    box = '<box x="67cm" y="9cm" length="6cm" width="6cm" mass="9kg"/>'
+    driver = arm_of(tmp_path, CAN + box)
+    driver.post("HAND", CLOSE)
+    driver.run(1)
+    driver.post("HAND", OPEN)
+    assert kinds(driver.run(1)) == ["release"]

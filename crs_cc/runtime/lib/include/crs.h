@@ -89,6 +89,9 @@ int crs_arm_get(int *shoulder, int *elbow, int *x, int *y);
 int crs_hand(int what);
 int crs_get_hand(int *weight);
 
+/* Takes the heat from all things near; gives how many lost theirs. */
+int crs_tag(void);
+
 /* The robot's own lamp and speaker, which others sense: how bright and how loud, as it reads at 1 m;
    0 for off. There are eight tones, 0 to 7. */
 int crs_light(int brightness);

@@ -100,6 +100,7 @@ struct __crs_message {
 #define CRS_SOUND 226
 #define CRS_GET_LIGHT 227
 #define CRS_GET_SOUND 228
+#define CRS_TAKE_HEAT 229
 #define CRS_SEND 240
 #define CRS_RECEIVE 241
 #define CRS_MESSAGE_COUNT 242
