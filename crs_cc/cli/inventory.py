@@ -8,6 +8,7 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Final
 
+from crs_cc.sim.degradation_model import Degradation, described
 from crs_cc.sim.model import Robot, WorldModel, is_pushable
 from crs_cc.sim.robot_model import RobotModel
 from crs_cc.sim.world_xml import Definitions
@@ -62,6 +63,10 @@ def _world(world: WorldModel) -> Iterator[str]:
         yield _robot(robot)
     if len(world.robots) > _MOST:
         yield f"... and {counted(len(world.robots) - _MOST, 'more robot')}"
+    for degradation in world.degradations[:_MOST]:
+        yield _degradation(degradation, world)
+    if len(world.degradations) > _MOST:
+        yield f"... and {counted(len(world.degradations) - _MOST, 'more degradation')}"
 
 
 def _robot(robot: Robot) -> str:
@@ -72,6 +77,15 @@ def _robot(robot: Robot) -> str:
         return line
     arguments = "".join(f" {argument}" for argument in robot.arguments)
     return f"{line}, runs {Path(robot.program).name}{arguments}"
+
+
+def _degradation(degradation: Degradation, world: WorldModel) -> str:
+    model = next(robot.model for robot in world.robots if robot.id == degradation.robot)
+    line = f"degradation '{degradation.id}' of '{degradation.robot}': "
+    line += f"{described(degradation, model)}, from {degradation.onset_s:g} s on"
+    if degradation.duration_s is not None:
+        line += f" for {degradation.duration_s:g} s"
+    return line
 
 
 def _parts(model: RobotModel) -> Iterator[str]:

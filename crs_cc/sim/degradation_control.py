@@ -28,7 +28,7 @@ from typing import TYPE_CHECKING, Any, Final, Protocol
 
 import numpy as np
 
-from crs_cc.sim.degradation_model import DEVICES, Degradation, complaint
+from crs_cc.sim.degradation_model import Degradation, complaint, described
 from crs_cc.sim.states.degradation import (
     ACTS,
     FADES,
@@ -217,12 +217,8 @@ class DegradationControl:
 
     def _say(self, time_s: float, what: str, row: Any) -> None:
         degradation = degradation_of(row, self._robots)
-        model = self._model(degradation.robot)
-        element = degradation.element
-        which = (
-            "" if element is None else f" {DEVICES[degradation.device].elements(model)[element]}"
-        )
-        text = f"{degradation.id} {what}: {degradation.device}{which}, {degradation.faults}"
+        what_is_wrong = described(degradation, self._model(degradation.robot))
+        text = f"{degradation.id} {what}: {what_is_wrong}"
         self._log.say(time_s, KIND, text, int(row["robot"]))
 
 

@@ -272,6 +272,19 @@ def complaint(degradation: Degradation, model: RobotModel) -> str:
     return _out_of_range(degradation) or _ambiguous(degradation, device, names)
 
 
+def described(degradation: Degradation, model: RobotModel) -> str:
+    """Gives what is wrong with what, for people.
+
+    >>> from crs_cc.sim.world_xml import empty_world
+    >>> scout = empty_world().robots[0].model
+    >>> described(Degradation("robot0", "drive", element=1, gain=0.5, delay_s=1.0), scout)
+    'drive left, gain 0.5, delay 1s'
+    """
+    device, element = DEVICES[degradation.device], degradation.element
+    which = "" if element is None else f" {device.elements(model)[element]}"
+    return f"{device.name}{which}, {degradation.faults}"
+
+
 def element_of(device: Device, model: RobotModel, text: str) -> int | None:
     """Gives the number of the element that a text names, by name or number; None for none.
 

@@ -9,6 +9,8 @@ import pytest
 
 from crs_cc.cli.main import main
 
+WORLDS = Path(__file__).parents[2] / "worlds"
+
 
 @pytest.fixture(autouse=True)
 def in_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -59,3 +61,11 @@ def test_a_folder_of_headers_that_is_not_there_is_left_out(
     Path("main.c").write_text("int main(void) { return 0; }\n")
     assert main(["check", "main.c", "-I", "nowhere"]) == 0
     assert "warning: -I nowhere: no such folder" in capfd.readouterr().err
+
+
+def test_what_goes_wrong_in_a_world_is_told(capfd: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", str(WORLDS / "faulty.xml")]) == 0
+    told = capfd.readouterr()
+    assert "degradation 'weak' of 'robot0': drive right, gain 0.97, from 50 s on for 10 s" in (
+        told.out + told.err
+    )
