@@ -14,7 +14,7 @@ from typing import Final
 
 import numpy as np
 
-from crs_cc.cli.relief import draw_relief, ground_m
+from crs_cc.cli.relief import PAPER, draw_relief, ground_m
 from crs_cc.cli.svg import Page, Point, View
 from crs_cc.cli.tracks import FloatArray, simplified
 from crs_cc.cli.x11_colours import HEX
@@ -127,7 +127,7 @@ class _Drawing:
     def _grid(self) -> None:
         left, top = _LEFT_PX, _HEAD_PX
         width, height = self.size
-        self.page.rectangle((left, top), (width, height), fill="#fbfaf7", stroke="#d5d8de")
+        self.page.rectangle((left, top), (width, height), fill=PAPER, stroke="#d5d8de")
         step = round_length(float((self.high - self.low).max()) / 10)
         with self.page.group(stroke="#e7e8eb", fill="none"):
             for x_m in _multiples(self.low[0], self.high[0], step):

@@ -12,6 +12,9 @@ from crs_cc.cli.tracks import FloatArray
 from crs_cc.sim.surface import HeightMap, Patch, Surface
 from crs_cc.sim.terrain import Terrain
 
+PAPER = "#fbfaf7"
+"""What pictures are drawn on."""
+
 _EARTH = "#a67c52"
 _EDGE = "#8a6a48"
 _STRIPES = 12
@@ -113,6 +116,10 @@ def _points(view: View, corners_m: FloatArray) -> list[tuple[float, float]]:
 
 
 def _mixed(share: float) -> str:
-    """Gives the colour of earth, as much of it as said, on white paper."""
-    parts = [int(_EARTH[place : place + 2], 16) for place in (1, 3, 5)]
-    return "#" + "".join(f"{round(255 + (part - 255) * share):02x}" for part in parts)
+    """Gives the colour of earth, as much of it as said, on paper."""
+    pairs = zip(*(_parts(colour) for colour in (PAPER, _EARTH)), strict=True)
+    return "#" + "".join(f"{round(paper + (earth - paper) * share):02x}" for paper, earth in pairs)
+
+
+def _parts(colour: str) -> list[int]:
+    return [int(colour[place : place + 2], 16) for place in (1, 3, 5)]
