@@ -337,3 +337,51 @@ def keeps_together_by_radio(drive: Drive) -> None:
     assert np.array(heard) / told == pytest.approx(0.7, abs=0.1)
     distances_m = [robot.distance_m for robot in drive.robots]
     assert distances_m == pytest.approx([distances_m[0]] * 4, rel=0.05)
+
+
+def stops_before_the_red_thing(drive: Drive) -> None:
+    """The camera sits 6 in ahead of the middle, and stops 10 to 15 in before the column's side."""
+    touches_nothing(drive)
+    x_m, y_m = drive.places[-1]
+    away_in = (math.hypot(x_m - 6.5, y_m - 5.2) - 0.15) / INCH_M
+    assert 16 < away_in < 21.5
+
+
+def passes_all_waypoints(drive: Drive) -> None:
+    """Each within the 4 in of the program, 2 in that a fix is old, and four deviations of 1 cm."""
+    touches_nothing(drive)
+    for x_in, y_in in ((90, 40), (260, 130), (230, 190)):
+        off_m = np.hypot(*(drive.places - np.array([x_in, y_in]) * INCH_M).T)
+        assert off_m.min() < (4 + 2) * INCH_M + 0.04
+
+
+def finds_the_stove(drive: Drive) -> None:
+    """It reads 1000 at the stove's shell and 0 at 9 m from it: 900 within 0.9 m."""
+    x_m, y_m = drive.places[-1]
+    assert math.hypot(x_m - 8.6, y_m - 5.8) < 0.3 + 0.9 + 0.01
+    began, ended = drive.numbers(r"it begins at (\d+)\n(\d+) after")
+    first_m = math.hypot(8.6 - 1.0, 5.8 - 2.0) - 0.3
+    assert began == pytest.approx(1000 * (1 - first_m / 9), abs=1)
+    assert ended >= 900
+
+
+def looks_far_and_near(drive: Drive) -> None:
+    """The green column: 4.15 m from the sonar, told as 4.1 m; then in mm, with noise of 1 mm."""
+    touches_nothing(drive)
+    coarse, fine = drive.numbers(r"LF (\S+), HF (\S+)")
+    assert (coarse, fine) == (round(4.1 / INCH_M * 10), -1)
+    least, most = drive.numbers(r"there: HF (\d+) to (\d+)")
+    x_m, y_m = drive.places[-1]
+    true_in = (math.hypot(5.5 - x_m - 8 * INCH_M, 1.9 - y_m) - 0.15) / INCH_M
+    assert least / 10 - 0.1 < true_in < most / 10 + 0.1
+    assert most - least < 4
+
+
+def drives_through_the_door(drive: Drive) -> None:
+    """The partition stands at x = 8 m, and its door reaches from y = 1.5 m to 2.5 m."""
+    touches_nothing(drive)
+    (width,) = drive.numbers(r"a door of (\d+) in")
+    assert width == pytest.approx(0.9 / INCH_M, abs=4)  # the walls have round ends of 5 cm
+    x_m, y_m = drive.places[-1]
+    assert x_m > 8.05 + 8 * INCH_M
+    assert 1.5 < y_m < 2.5

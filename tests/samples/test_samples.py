@@ -123,6 +123,11 @@ RUNS = [
     Run("distrust", "faulty", properties.finds_out_which_sonar_lies),
     Run("climb", "slope", properties.climbs_the_ramp),
     Run("stage", "plateau", properties.stops_at_both_edges),
+    Run("follow_red", "gallery", properties.stops_before_the_red_thing),
+    Run("waypoints", "gallery", properties.passes_all_waypoints),
+    Run("warmer", "gallery", properties.finds_the_stove),
+    Run("two_modes", "gallery", properties.looks_far_and_near),
+    Run("laser_door", "gallery", properties.drives_through_the_door),
     Run("drivers/carmen_like", "studio", properties.goes_as_commanded),
     Run("drivers/player_like", "room", properties.serves_at_10_hz, standard="gnu89"),
 ]
