@@ -11,5 +11,6 @@
   (what beams hit), `surroundings` (all of that in the current cycle), `sensors/`.
 - What is wrong with devices: `degradation`, with what it is in `degradation_model`, and who changes
   it in `degradation_control`.
+- Talking: `messages/`, on the channels of `communication`; `waits` lets programs wait.
 - What it tells: `state_vector` (the vendor's `State`), `step` (a cycle, for traces and viewers).
 """

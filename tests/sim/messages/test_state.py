@@ -131,3 +131,20 @@ def test_a_robot_that_is_added_can_talk_at_once():
     assert talk.send(0, number, kind=4)
     talk.run()
     assert (talk.kinds(0), talk.kinds(number)) == ([3], [4])
+
+
+def test_in_which_order_programs_are_run_does_not_matter():
+    """Robots post at instants of their own, but are served in one order or the other."""
+
+    def heard(order: list[int]) -> list:
+        talk = talking(SIX, BAD)
+        for cycle in range(8):
+            for robot in order:
+                at_s = talk.environment.time_s + 0.007 * ((robot * 5 + cycle) % 6)
+                talk.send(robot, kind=robot, at_s=at_s, size=10)
+                talk.receive(robot, at_s=at_s)
+            talk.run()
+        records = np.concatenate([step.traffic for step in talk.steps])
+        return sorted(records.tolist())
+
+    assert heard([0, 1, 2, 3, 4, 5]) == heard([4, 2, 5, 0, 3, 1])

@@ -1,0 +1,90 @@
+"""Measures what messages cost: every robot broadcasts once in a second, and takes what comes.
+
+N robots stand on a jittered 3 m grid (9 m2 for each) with N/4 boxes of 0.6 m among them. A tenth of
+them broadcasts 32 bytes in each timestep of 100 ms; everybody empties its inbox. What is told is
+processor time for a simulated second, less that of robots that are silent.
+
+    python bench/messages.py [ROBOTS]
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+
+import numpy as np
+
+from crs_cc.requests import CODES, MESSAGE
+from crs_cc.sim.communication import PREDEFINED
+from crs_cc.sim.environment import Environment
+from crs_cc.sim.messages.traffic import Fate
+from crs_cc.sim.model import WorldModel
+from crs_cc.sim.world_xml import parse_world
+
+CYCLES = 10
+
+
+def world_of(robots: int) -> WorldModel:
+    """Gives the world."""
+    rng = np.random.default_rng(0)
+    side = int(np.ceil(np.sqrt(robots)))
+    things = [
+        f'<robot x="{3 * column + 1.5 + x:.2f}" y="{3 * row + 1.5 + y:.2f}"/>'
+        for (row, column), (x, y) in zip(
+            (divmod(number, side) for number in range(robots)),
+            rng.uniform(-0.5, 0.5, (robots, 2)),
+            strict=True,
+        )
+    ]
+    things += [
+        f'<box x="{3 * x}" y="{3 * y}" length="0.6" width="0.6"/>'
+        for x, y in rng.integers(1, max(side, 2), (robots // 4, 2)).tolist()
+    ]
+    area = f'<area length="{3 * side}" width="{3 * side}"/>'
+    text = f'<world version="1" timestep="100ms">{area}{"".join(things)}</world>'
+    return parse_world(text.encode(), "bench")
+
+
+def talk(environment: Environment, robots: int, channel: int, cycle: int) -> None:
+    """Lets a tenth of the robots broadcast, and all receive."""
+    speakers = np.arange(cycle % CYCLES, robots, CYCLES)
+    messages = np.zeros(len(speakers), MESSAGE)
+    messages["i"][:, :4], messages["size"] = (-1, -1, 0, channel), 32
+    at_s = np.full(robots, environment.time_s + 0.05)
+    environment.serve(CODES["SEND"], speakers, messages, at_s[speakers])
+    hearers = np.arange(robots)
+    while len(hearers):
+        messages = np.zeros(len(hearers), MESSAGE)
+        environment.serve(CODES["RECEIVE"], hearers, messages, at_s[hearers])
+        hearers = hearers[messages["result"] == 1]
+
+
+def measure(world: WorldModel, channel: int | None) -> tuple[float, float]:
+    """Gives the processor time of a second [s], and how many hear each message."""
+    robots = len(world.robots)
+    environment = Environment(world, 1)
+    start, delivered = 0.0, 0
+    for cycle in range(2 * CYCLES):
+        if cycle == CYCLES:  # what was sent before has come by now
+            start, delivered = time.process_time(), 0
+        if channel is not None:
+            talk(environment, robots, channel, cycle)
+        delivered += int((environment.step().traffic["fate"] == Fate.DELIVERED).sum())
+    return time.process_time() - start, delivered / robots
+
+
+def main() -> None:
+    """Measures all predefined channels."""
+    parser = argparse.ArgumentParser(description="What messages between robots cost.")
+    parser.add_argument("robots", nargs="?", type=int, default=1000)
+    robots = parser.parse_args().robots
+    world = world_of(robots)
+    silent_s, _ = measure(world, None)
+    print(f"{robots} robots, silent: {silent_s:.2f} s")
+    for number, channel in enumerate(PREDEFINED):
+        time_s, heard = measure(world, number)
+        print(f"{channel.name}: {heard:.0f} hear each message, {time_s - silent_s:.2f} s more")
+
+
+if __name__ == "__main__":
+    main()

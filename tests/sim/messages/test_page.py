@@ -1,0 +1,112 @@
+"""What `docs/communication.md` shows works and is that of the code."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from crs_cc.cli.main import main
+from crs_cc.sim.communication import HEAD_BYTES, LONGEST_QUEUE, PREDEFINED
+from crs_cc.sim.messages.inbox import COMING_MOST, INBOX
+from crs_cc.sim.messages.outbox import MOST
+from crs_cc.sim.messages.traffic import MEANINGS
+from crs_cc.sim.world_xml import parse_world
+
+ROOT = Path(__file__).parents[3]
+PAGE = (ROOT / "docs" / "communication.md").read_text()
+PAIR = '<robot x="0" y="0"/><robot x="1m" y="0"/>'
+AREA = '<area length="90m" width="90m" origin="centre"/>'
+
+
+def block(language: str) -> str:
+    found = re.search(rf"```{language}\n(.*?)```", PAGE, re.DOTALL)
+    assert found
+    return found[1]
+
+
+def test_the_table_has_the_channels_that_are_always_there() -> None:
+    rows = [
+        f"| {number} | `{channel.name}` | {channel.range_m:g} m | {channel.walls:g} "
+        f"| {channel.delay_s * 1e3:g} ms | {channel.jitter_s * 1e3:g} ms "
+        f"| {_rate(channel.bandwidth_bps)} | {channel.queue} |"
+        for number, channel in enumerate(PREDEFINED)
+    ]
+    assert "\n".join(["| --- " * 8 + "|", *rows, ""]) in PAGE
+    assert not any(channel.loss or channel.burst_begin for channel in PREDEFINED)
+
+
+def _rate(bandwidth_bps: float) -> str:
+    return "no limit" if bandwidth_bps == float("inf") else f"{bandwidth_bps:.0f} B/s"
+
+
+def test_the_table_has_all_that_can_happen_to_a_message() -> None:
+    rows = [f"| `{fate.name}` | {meaning} |" for fate, meaning in MEANINGS.items()]
+    assert "\n".join(["| --- | --- |", *rows, ""]) in PAGE
+
+
+def test_the_numbers_in_the_text_are_those_of_the_code() -> None:
+    assert f"{INBOX} messages lie in an inbox" in PAGE
+    assert f"At most {COMING_MOST} are on their way" in PAGE
+    assert f"At most {MOST} messages of a robot wait" in PAGE
+    assert f"there are {HEAD_BYTES} bytes of head" in PAGE
+    assert MOST == LONGEST_QUEUE
+
+
+def test_the_program_prints_what_the_page_says(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("call.c").write_text(block("c"))
+    Path("pair.xml").write_text(f'<world version="1">{AREA}{PAIR}</world>')
+    assert main(["run", "-q", "call.c", "pair.xml", "--trace", "messages"]) == 0
+    shown = capfd.readouterr()
+    assert f"\n```\n{shown.out.replace('[robot1] ', '')}```\n" in PAGE
+    assert f"\n```\n{shown.err}```\n" in PAGE
+
+
+def test_the_world_file_of_the_page_can_be_read() -> None:
+    things = f'{PAIR}<robot x="2m" y="0"/>{block("xml")}'
+    communication = parse_world(
+        f'<world version="1">{AREA}{things}</world>'.encode(), "page"
+    ).communication
+    assert [channel.name for channel in communication.channels][3:] == ["acoustic"]
+    assert communication.channels[0].walls == PREDEFINED[0].walls
+    assert [(shut.sender, shut.receiver) for shut in communication.shuts] == [(-1, -1), (2, 0)]
+
+
+def test_the_lines_of_python_run(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(ROOT)
+    exec(block("python"), {})
+    assert capsys.readouterr().out == "0 0\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "wrong"),
+    [
+        ('<channel name="x" loss="1.5"/>', "loss"),
+        ('<channel name="x" range="0"/>', "range: '0' must be greater than 0"),
+        ('<channel name="x" queue="65"/>', "queue: '65' is not a whole number, 1 to 64"),
+        ('<channel name="x" delay="61s"/>', "delay: must be 60s or less"),
+        ('<channel name="x" bandwidth="0.1"/>', "bandwidth: must be 1B/s or more"),
+        ('<channel name="x" bandwidth="9 baud"/>', "is not a rate of data: write a number and one"),
+        ('<channel name="x"/><channel name="x"/>', "a second channel 'x'"),
+        ("".join(f'<channel name="x{n}"/>' for n in range(14)), "more than 16 channels"),
+        ('<shut channel="x"/>', "shut, channel: there is no channel 'x'"),
+        ('<shut from="nobody"/>', "shut, from: there is no robot 'nobody'"),
+        ('<shut at="2s" until="2s"/>', "shut, until: must be later than at"),
+        ("<shut/>" * 1001, "shut more than 1000 times"),
+    ],
+)
+def test_what_is_wrong_is_told(
+    text: str, wrong: str, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "wrong.xml"
+    path.write_text(f'<world version="1">{AREA}{PAIR}<communication>{text}</communication></world>')
+    assert main(["check", str(path)]) == 122
+    shown = capfd.readouterr()
+    assert wrong in shown.out + shown.err
+    assert "wrong.xml:1" in shown.out + shown.err
