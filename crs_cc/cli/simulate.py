@@ -156,6 +156,10 @@ class Runner:
             contacts = step.contacts
             for robot, x_m, y_m in zip(contacts.robot, contacts.x_m, contacts.y_m, strict=True):
                 self.tracks.touch(int(robot), float(x_m), float(y_m))
+            # Where two robots touch, each of them is told of the other.
+            robots = len(self.session.environment.state.heading_rad)
+            once = (contacts.other >= robots) | (contacts.robot < contacts.other)
+            self.tracks.collisions += int(once.sum())
 
     def _look(self) -> None:
         """Keeps what the picture needs."""
@@ -202,7 +206,7 @@ class Runner:
         programs = dict.fromkeys(f"{Path(row[0]).name}.c" for row in self._loaded.arguments)
         where = Path(run.world).name if run.world else "an empty world"
         title = f"{', '.join(programs)} in {where}"
-        collisions = sum(robot.collisions for robot in run.result.robots)
+        collisions = self.tracks.collisions
         subtitle = f"{run.result.simulated_s:.2f} s simulated, seed {run.seed}, "
         subtitle += f"{collisions} collision{'' if collisions == 1 else 's'}"
         return Picture(

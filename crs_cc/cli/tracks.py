@@ -31,11 +31,13 @@ class Tracks:
 
     Attributes:
         max_samples: how many poses to keep of all robots together.
+        collisions: how often anything began to touch a robot; two robots that touch count once.
         contacts: places of contact with the robot that touched, one for each `0.1 m` cell.
     """
 
     def __init__(self, max_samples: int = MAX_SAMPLES) -> None:
         self.max_samples = max_samples
+        self.collisions = 0
         self.contacts: list[tuple[int, float, float]] = []
         self._cells: set[tuple[int, int, int]] = set()
         self._samples: list[FloatArray] = []

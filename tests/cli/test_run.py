@@ -333,6 +333,18 @@ def test_the_picture_shows_the_way(capfd: pytest.CaptureFixture[str]) -> None:
     assert "drive.c in pair.xml" in [row.text for row in root.iter("{*}text")]
 
 
+def test_two_robots_that_touch_are_one_collision_in_the_picture() -> None:
+    """They drive at each other, 2 m apart; the edge is out of reach."""
+    program = "int main(void) { connect_robot(1); vm(200, 200, 0); sleep(6); return 0; }"
+    Path("ram.c").write_text('#include <unistd.h>\n#include "Nclient.h"\n' + program)
+    Path("two.xml").write_text(
+        '<world version="1"><area length="9m" width="4m"/><robot x="3m" y="2m"/>'
+        '<robot x="5m" y="2m" heading="180deg"/></world>'
+    )
+    assert main(["run", "ram.c", "two.xml", "--plot", "way.svg", "--quiet"]) == 0
+    assert ", 1 collision<" in Path("way.svg").read_text()
+
+
 def test_the_picture_of_a_program_of_several_files_names_the_first() -> None:
     Path("main.c").write_text("int answer(void);\nint main(void) { return answer(); }\n")
     Path("part.c").write_text("int answer(void) { return 0; }\n")
