@@ -49,13 +49,16 @@ class Trip:
 
     Attributes:
         robot: the robot, with its pose at the start.
-        path: where its centre was [m], shape (samples, 2), from start to end.
+        path: where its centre was [m], shape (samples, 2), from start to end; none of a robot that
+            never joined.
         heading_rad: its heading at the end.
+        left: whether it had left the world by then.
     """
 
     robot: Robot
     path: FloatArray
     heading_rad: float
+    left: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -204,20 +207,25 @@ class _Drawing:
         trips = self.picture.trips
         style = {"stroke_width": 2.0 if len(trips) <= 20 else 1.0, "stroke_opacity": 0.85}
         with self.page.group(fill="none", stroke_linejoin="round", stroke_linecap="round", **style):
-            for number, trip in enumerate(trips):
+            for number, trip in self._there():
                 path = simplified(trip.path, _TOLERANCE_PX / self.view.scale)
                 points = [self.view.point(*place) for place in path.tolist()]
                 self.page.polyline(points, stroke=colour(number))
 
     def _starts(self) -> None:
-        for number, trip in enumerate(self.picture.trips):
+        for number, trip in self._there():
             place = self.view.point(*trip.path[0].tolist())
             self._hollow(place, self._radius_px(trip), trip.robot.start.heading_rad, colour(number))
 
     def _ends(self) -> None:
-        for number, trip in enumerate(self.picture.trips):
+        for number, trip in self._there():
             place = self.view.point(*trip.path[-1].tolist())
-            self._robot(place, self._radius_px(trip), trip.heading_rad, colour(number))
+            draw = self._hollow if trip.left else self._robot
+            draw(place, self._radius_px(trip), trip.heading_rad, colour(number))
+
+    def _there(self) -> list[tuple[int, Trip]]:
+        """Gives the robots that have been in the world, with their numbers."""
+        return [(n, trip) for n, trip in enumerate(self.picture.trips) if len(trip.path)]
 
     def _radius_px(self, trip: Trip) -> float:
         return max(3.0, self.view.length(trip.robot.model.radius_m))

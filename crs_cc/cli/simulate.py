@@ -12,6 +12,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 import click
+import numpy as np
+import numpy.typing as npt
 
 from crs_cc.cli.interrupt import Interrupt
 from crs_cc.cli.keep import dropped, keep, missed
@@ -35,6 +37,8 @@ if TYPE_CHECKING:
     from crs_cc.session.session import Listener
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.step import Step
+
+FloatArray = npt.NDArray[np.float64]
 
 _MOVED_M: Final = 0.005
 
@@ -164,8 +168,13 @@ class Runner:
     def _look(self) -> None:
         """Keeps what the picture needs."""
         if self._options.plot is not None:
-            state = self.session.environment.state
-            self.tracks.add(state.x_m, state.y_m)
+            self.tracks.add(*self._places_m())
+
+    def _places_m(self) -> tuple[FloatArray, FloatArray]:
+        """Gives x and y of all robots, NaN for those that are not in the world."""
+        state = self.session.environment.state
+        present = state.presence.present
+        return np.where(present, state.x_m, np.nan), np.where(present, state.y_m, np.nan)
 
     def _read(self, _robot: int, size: int) -> bytes:
         self._progress.clear()
@@ -198,10 +207,11 @@ class Runner:
         """Gives the picture of the finished run."""
         state = self.session.environment.state
         world = self.session.environment.world_now
-        self.tracks.end(state.x_m, state.y_m)
+        self.tracks.end(*self._places_m())
+        gone = np.isfinite(state.presence.left_s)
         trips = [
-            Trip(robot, self.tracks.path(number), float(state.heading_rad[number]))
-            for number, robot in enumerate(world.robots)
+            Trip(robot, self.tracks.path(n), float(state.heading_rad[n]), left=bool(gone[n]))
+            for n, robot in enumerate(world.robots)
         ]
         programs = dict.fromkeys(f"{Path(row[0]).name}.c" for row in self._loaded.arguments)
         where = Path(run.world).name if run.world else "an empty world"

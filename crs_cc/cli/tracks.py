@@ -45,7 +45,7 @@ class Tracks:
         self._timesteps = 0
 
     def add(self, x_m: FloatArray, y_m: FloatArray) -> None:
-        """Takes all robots' places after a timestep."""
+        """Takes all robots' places after a timestep, NaN for one that is not in the world."""
         if self._timesteps % self._stride == 0:
             self._samples.append(np.column_stack([x_m, y_m]))
             if len(self._samples) > max(2, self.max_samples // max(1, len(x_m))):
@@ -61,12 +61,13 @@ class Tracks:
             self.contacts.append((robot, x_m, y_m))
 
     def end(self, x_m: FloatArray, y_m: FloatArray) -> None:
-        """Takes all robots' last places, whatever the thinning."""
+        """Takes all robots' last places, whatever the thinning; NaN as for `add`."""
         self._samples.append(np.column_stack([x_m, y_m]))
 
     def path(self, robot: int) -> FloatArray:
-        """Gives a robot's places [m], shape (samples, 2)."""
-        return np.array([sample[robot] for sample in self._samples]).reshape(-1, 2)
+        """Gives a robot's places [m] while it was in the world, shape (samples, 2)."""
+        path = np.array([sample[robot] for sample in self._samples]).reshape(-1, 2)
+        return np.asarray(path[np.isfinite(path[:, 0])])
 
 
 def simplified(path: FloatArray, tolerance: float) -> FloatArray:

@@ -1,6 +1,6 @@
 """What happens in each timestep, as text.
 
-`Trace` shows the request queue: one line for each robot and timestep.
+`Trace` shows the request queue: one line for each timestep and robot that is in the world.
 
 A line says which command the hardware simulator was running, which slice of it went into the
 timestep, and which requests were answered, each with the instant at which the program went on:
@@ -42,6 +42,8 @@ class Trace:
     def step(self, step: Step) -> None:
         """Hears from the session that a timestep has ended."""
         for robot, name in enumerate(self._names):
+            if not step.slices.present[robot]:
+                continue
             slice_ = describe_slice(step, robot)
             self._write(f"{step.time_s:.3f} {name:{self._width}}  {line(slice_)}")
         for event in sorted(step.events, key=lambda event: event.time_s):

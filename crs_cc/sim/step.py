@@ -98,6 +98,7 @@ class Slices:
         travelled: the same since the command, (robots, 3).
         total: what the command asks for; NaN for a command without an end, (robots, 3).
         waiting: whether the robot waits (`ws`, `crs_receive`), (robots,).
+        present: whether the robot was in the world, (robots,).
     """
 
     axes: tuple[tuple[str, ...], ...]
@@ -108,6 +109,7 @@ class Slices:
     travelled: FloatArray
     total: FloatArray
     waiting: npt.NDArray[np.bool_]
+    present: npt.NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True)
@@ -233,6 +235,7 @@ def slices_of(state: EnvState, axes: tuple[tuple[str, ...], ...], timestep_s: fl
         state.drive.axes.travelled.copy(),
         state.drive.axes.total.copy(),
         state.waits.code != 0,
+        state.presence.present,
     )
 
 

@@ -51,7 +51,7 @@ class Drive:
             program: its C files, below `samples/scout_c`; robots for which the world names a
                 program run that.
             world: where.
-            arguments: what `main` finds behind its name.
+            arguments: what `main` finds behind its name, where the world does not say.
             files: what it can read, by name.
             standard: the C that it is written in.
             dialect: whose functions it calls; by default what it looks like.
@@ -66,7 +66,10 @@ class Drive:
                 build_executable(paths, Diagnostics(), standard=standard, dialect=dialect)
                 for paths in programs
             ],
-            arguments=[[each[0].stem, *arguments] for each in programs],
+            arguments=[
+                [paths[0].stem, *(robot.arguments or arguments)]
+                for robot, paths in zip(world.robots, programs, strict=True)
+            ],
             output=self._write,
             files=files,
         )

@@ -21,6 +21,16 @@ def gets_about(drive: Drive) -> None:
     assert drive.squares(0.5) > 10
 
 
+def all_kinds_get_about(drive: Drive) -> None:
+    """The Nomad leaves after 30 s, the second AmigoBot comes after 10 s."""
+    touches_nothing(drive)
+    assert all(robot.distance_m > 4 for robot in drive.robots)
+    outcomes = {robot.id: robot.outcome for robot in drive.robots}
+    assert outcomes.pop("nomad") == "left"
+    assert set(outcomes.values()) == {"exited"}
+    assert [robot.joined_s for robot in drive.robots] == [0.0, 0.0, 0.0, 0.0, 10.0]
+
+
 def closes_its_square(drive: Drive) -> None:
     touches_nothing(drive)
     assert np.hypot(*(drive.places[-1] - drive.places[0])) < 0.07

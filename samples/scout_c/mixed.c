@@ -1,0 +1,132 @@
+/*
+ * mixed.c - one behaviour for robots of several kinds.
+ *
+ * The program is told on which robot it runs, and looks up what differs: where
+ * its sonars point, how wide it is, and what vm() moves. The rest is the same
+ * for all: go ahead, bend away from what comes near, and turn on the spot when
+ * the way is blocked. From time to time it says where it is.
+ *
+ * Usage:  crs run mixed.c worlds/mixed.xml      the world names each robot's kind
+ *         crs run mixed.c --robot amigobot -- amigobot
+ */
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include "Nclient.h"
+
+#define DEG     (3.14159265358979 / 180.0)
+#define STEPS   1200
+#define TELL    400                     /* a line each so many steps */
+#define NEAR    36.0                    /* what is nearer counts [in] */
+#define STOP    11.0                    /* what is so near ahead blocks [in] */
+#define FREE    20.0                    /* go on when there is so much again [in] */
+#define SPEED   80                      /* [0.1 in/s] */
+#define TURN    400                     /* [0.1 deg/s] */
+
+/* The directions of the sonars by their numbers, counter-clockwise from ahead. */
+static const double nomad_ring[16] = {
+    0, 22.5, 45, 67.5, 90, 112.5, 135, 157.5, 180, -157.5, -135, -112.5, -90, -67.5, -45, -22.5
+};
+static const double pioneer_rings[16] = {
+    90, 50, 30, 10, -10, -30, -50, -90, -90, -130, -150, -170, 170, 150, 130, 90
+};
+static const double amigo_sonars[8] = { 90, 41, 15, -15, -41, -90, -145, 145 };
+
+static const struct kind {
+    const char *name;
+    int sonars;
+    const double *direction;
+    double axle;                        /* between the wheels [in]; 0: wheels that are steered */
+} kinds[] = {
+    { "scout", 16, nomad_ring, 13.59 },
+    { "nomad200", 16, nomad_ring, 0.0 },
+    { "pioneer2dx", 16, pioneer_rings, 14.06 },
+    { "amigobot", 8, amigo_sonars, 7.158 },
+};
+
+static const struct kind *me;
+
+static const struct kind *find_kind(const char *name)
+{
+    size_t k;
+
+    for (k = 0; k < sizeof kinds / sizeof kinds[0]; k++)
+        if (strcmp(kinds[k].name, name) == 0)
+            return &kinds[k];
+    return NULL;
+}
+
+/* Drives at a speed [0.1 in/s] while turning [0.1 deg/s, to the left]. */
+static void drive(double speed, double turn)
+{
+    double wheel = turn * DEG * me->axle / 2.0;
+
+    if (me->axle > 0.0)
+        vm((int)(speed + wheel), (int)(speed - wheel), 0);
+    else
+        vm((int)speed, (int)turn, (int)turn);   /* the turret, with the sonars, turns along */
+}
+
+/* The nearest echo within some degrees of ahead [in]. */
+static double ahead(double degrees)
+{
+    double nearest = 255.0;
+    int s;
+
+    for (s = 0; s < me->sonars; s++)
+        if (fabs(me->direction[s]) <= degrees && State[STATE_SONAR_0 + s] < nearest)
+            nearest = State[STATE_SONAR_0 + s];
+    return nearest;
+}
+
+/* How much stands on the left, less what stands on the right; the nearer, the more. */
+static double crowded_left(void)
+{
+    double sum = 0.0;
+    int s;
+
+    for (s = 0; s < me->sonars; s++) {
+        double away = State[STATE_SONAR_0 + s], angle = me->direction[s];
+        if (away < NEAR && fabs(angle) <= 100.0)
+            sum += sin(angle * DEG) * (NEAR - away) / NEAR;
+    }
+    return sum;
+}
+
+int main(int argc, char **argv)
+{
+    int step, blocked = 0, side = 0, turns = 0;
+
+    me = find_kind(argc > 1 ? argv[1] : "scout");
+    if (me == NULL) {
+        fprintf(stderr, "no kind of robot that I know: %s\n", argv[1]);
+        return 2;
+    }
+    if (!connect_robot(1))
+        return 1;
+    ac(200, me->axle > 0.0 ? 200 : 400, 400);
+    for (step = 1; step <= STEPS; step++) {
+        double room, left;
+
+        gs();
+        room = ahead(50.0);
+        left = crowded_left();
+        if (!blocked && room < STOP) {
+            blocked = 1;
+            side = left > 0.0 ? -1 : 1;
+            turns++;
+        } else if (blocked && room > FREE) {
+            blocked = 0;
+        }
+        if (blocked)
+            drive(0.0, side * TURN);
+        else
+            drive(room < NEAR ? SPEED * room / NEAR : SPEED, -left * TURN / 2.0);
+        if (step % TELL == 0)
+            printf("%-10s step %4d at %6.1f %6.1f in, %2d turns\n", me->name, step,
+                   State[STATE_CONF_X] / 10.0, State[STATE_CONF_Y] / 10.0, turns);
+    }
+    st();
+    return 0;
+}
