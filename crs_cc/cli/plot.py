@@ -337,7 +337,7 @@ def _bounds(picture: Picture) -> tuple[FloatArray, FloatArray]:
     An open world shows what happened in it; a closed one is shown whole.
     """
     clouds = []
-    for trip in picture.trips:
+    for trip in (trip for trip in picture.trips if len(trip.path)):
         clouds += [trip.path - trip.robot.model.radius_m, trip.path + trip.robot.model.radius_m]
     clouds += [_drawn(picture, drawing) for drawing in picture.drawings]
     clouds += ground_m(picture.world.surface)
