@@ -29,12 +29,20 @@ from crs_cc.sim.document import Element, Reader
 from crs_cc.sim.include import Included
 from crs_cc.sim.material_elements import Materials
 from crs_cc.sim.model import WorldModel
+from crs_cc.sim.nearby import read_below
 from crs_cc.sim.robot_elements import robot_model
 from crs_cc.sim.robot_model import Drive, RobotModel
 from crs_cc.sim.solid_elements import SolidElements
 from crs_cc.sim.world_elements import world_model
-from crs_cc.sim.xml_document import elements, lines_of, outermost, raise_errors, read_file
-from crs_cc.source import Diagnostic, Diagnostics
+from crs_cc.sim.xml_document import (
+    MAX_BYTES,
+    elements,
+    lines_of,
+    outermost,
+    raise_errors,
+    read_file,
+)
+from crs_cc.source import Diagnostic, Diagnostics, Location
 
 SCOUT: Final = "scout"
 """The kind of robot where nothing else is said."""
@@ -88,7 +96,10 @@ def load_robot(path: Path, setup: str = "") -> RobotModel:
     Raises:
         WorldError: the file cannot be read, or is wrong; all mistakes are told at once.
     """
-    text, file = read_file(path), str(path)
+    return _robot(read_file(path), str(path), setup)
+
+
+def _robot(text: bytes, file: str, setup: str) -> RobotModel:
     diagnostics = Diagnostics(lines={file: lines_of(text)})
     root = elements(text, "robot.xsd", file, diagnostics, outermost="robot-definition", setup=setup)
     model = robot_model(root, Reader(file, diagnostics))
@@ -196,11 +207,21 @@ class _World:
             )
             return None
         try:
-            return load_robot(path, setup)
+            return _robot(self._definition(element, path), str(path), setup)
         except WorldError as wrong:
             self.reader.error(element, f"robot definition {str(name)!r} cannot be used")
             self.reader.diagnostics.messages.extend(wrong.diagnostics)
             return None
+
+    def _definition(self, element: Element, path: Path) -> bytes:
+        """Gives a definition's text; no link leads out of the world's folder to one."""
+        name = element.attributes.get("definition", "")
+        if not name or name in known_robots() or self.folder is None:
+            return read_file(path)
+        try:
+            return read_below(self.folder, name, ".xml", MAX_BYTES)
+        except ValueError as wrong:
+            raise WorldError.at(Location(str(path)), str(wrong)) from None
 
     def _path(self, name: str) -> Path | None:
         """Gives a definition's file: one of ours, or one in the world's folder or below."""

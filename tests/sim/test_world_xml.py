@@ -528,6 +528,14 @@ def test_a_missing_program_is_told(tmp_path):
         load_world(path)
 
 
+def test_a_robot_definition_behind_a_link_is_refused(tmp_path):
+    (tmp_path / "own.xml").symlink_to(SIM / "robots" / "scout.xml")
+    path = tmp_path / "w.xml"
+    path.write_bytes(lines(AREA, '<robot definition="own.xml" x="1" y="1"/>'))
+    with pytest.raises(WorldError, match="is, or lies behind, a link"):
+        load_world(path)
+
+
 def test_mistakes_in_a_robot_definition_are_told_with_their_own_place(tmp_path):
     text = (SIM / "robots" / "scout.xml").read_text()
     bad = text.replace('radius="8in"', 'radius="8"').replace('radius="8"', 'radius="-8in"')
