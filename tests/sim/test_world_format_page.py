@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -18,12 +17,11 @@ ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "world-format.md"
 SIM = Path(crs_cc.sim.__file__).parent
 XS = "{http://www.w3.org/2001/XMLSchema}"
-EXAMPLES = {
-    "world.xsd": [*sorted((ROOT / "worlds").rglob("*.xml"))],
-    "robot.xsd": [*sorted((SIM / "robots").glob("*.xml"), reverse=True)],
+TEMPLATES = SIM.parent / "cli" / "templates"
+EXAMPLES = {  # the first file that has an element shows it
+    "world.xsd": [TEMPLATES / "world.xml", *sorted((ROOT / "worlds").rglob("*.xml"))],
+    "robot.xsd": [TEMPLATES / "robot.xml", *sorted((SIM / "robots").glob("*.xml"), reverse=True)],
 }
-EXAMPLES["world.xsd"].append(SIM.parent / "cli" / "templates" / "world.xml")
-EXAMPLES["robot.xsd"].append(SIM.parent / "cli" / "templates" / "robot.xml")
 LONGEST = 500
 
 INTRODUCTION = """\
@@ -67,18 +65,18 @@ class Schema:
     def __init__(self, name: str) -> None:
         self.root = etree.parse(SIM / name).getroot()
         self.examples = [etree.parse(path) for path in EXAMPLES[name]]
+        self.done: set[tuple[str, str | None]] = set()
         self.named = {(each.tag, each.get("name")): each for each in self.root}
 
     def page(self, outermost: str) -> Iterator[str]:
         """Gives the section of each element, the outermost first, each kind of element once."""
         work = [(outermost, self.named[f"{XS}element", outermost])]
-        done = set()
         for name, element in work:
             content = self.content(element)
-            key = element.get("type") or name
-            if (name, key) in done:
+            key = name, element.get("type")
+            if key in self.done:
                 continue
-            done.add((name, key))
+            self.done.add(key)
             children = list(self.parts(content, "element"))
             yield from self.section(name, element, content, children)
             work += [(child.get("name"), child) for child in children]
@@ -154,14 +152,13 @@ class Schema:
                 yield f"- *{name}*: {documentation(each)}"
 
     def example(self, name: str) -> str:
-        """Gives the shortest element of that name in the files that come with crs."""
-        found = [
-            re.sub(r"\s+", " ", text) if "\n" not in text else dedented(text)
+        """Gives the first element of that name in the files that come with crs, if it is short."""
+        texts = (
+            etree.tostring(node, encoding="unicode", with_tail=False)
             for file in self.examples
             for node in file.iter(name)
-            if len(text := etree.tostring(node, encoding="unicode", with_tail=False)) < LONGEST
-        ]
-        return max(found, key=len, default="")
+        )
+        return next((dedented(text) for text in texts if len(text) < LONGEST), "")
 
 
 def documentation(node: etree._Element) -> str:
@@ -180,8 +177,7 @@ def often(child: etree._Element) -> str:
 def dedented(text: str) -> str:
     first, *rest = text.splitlines()
     indent = min((len(line) - len(line.lstrip()) for line in rest if line.strip()), default=0)
-    least = len(rest[-1]) - len(rest[-1].lstrip()) if rest else 0
-    return "\n".join([first, *(line[min(indent, least) :] for line in rest)])
+    return "\n".join([first, *(line[indent:] for line in rest)])
 
 
 def page() -> str:
