@@ -437,7 +437,7 @@ def play(environment: Environment, cycles: range) -> list:
     for cycle in cycles:
         rng = np.random.default_rng(cycle)  # the same requests in the same cycle, always
         for _ in range(2):
-            code = int(rng.choice([*ROBOT_CODES, *[CODES["VM"]] * 30]))
+            code = int(rng.choice(ROBOT_CODES)) if rng.random() < 0.6 else CODES["VM"]
             robots = np.flatnonzero(rng.random(10) < 0.6)
             robots = robots[environment.state.waits.code[robots] == 0]
             messages = np.zeros(len(robots), MESSAGE)
@@ -448,6 +448,8 @@ def play(environment: Environment, cycles: range) -> list:
                 messages["i"][:, [0, 2, 4]] = rng.integers(0, 4, (len(robots), 3))
             if code == CODES["WS"]:
                 messages["i"][:, :4] = 1, 1, 0, 2
+            if code == CODES["RECEIVE"]:
+                messages["i"][:, 0] = 100
             if REQUESTS[code].name in {"AC", "DISCONNECT", "CONF_SN", "QUIT_SERVER", "NEW_WORLD"}:
                 code = CODES["VM"]
             if code == CODES["VM"]:  # on the whole ahead, into the things

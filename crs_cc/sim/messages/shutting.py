@@ -72,7 +72,10 @@ def tell(
     log: EventLog,
 ) -> None:
     """Says what was shut and opened between two instants."""
-    for row in messages.shuts.tolist():
+    rows = messages.shuts
+    changed = (rows["at_s"] >= from_s) & (rows["at_s"] < to_s)
+    changed |= (rows["until_s"] >= from_s) & (rows["until_s"] < to_s)
+    for row in rows[changed].tolist():
         for time_s, change in zip(row[:2], ("shut", "opened"), strict=True):
             if from_s <= time_s < to_s and row[0] < row[1]:
                 log.say(time_s, "message", f"{_name(row[2:], channels, robots)} {change}")
