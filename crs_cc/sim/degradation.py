@@ -172,13 +172,14 @@ class Degradations:
         robots = np.arange(len(state.degradation.made))[rows]
         for_s = (to_s - from_s)[:, None]
         runs = np.flatnonzero(for_s[:, 0] > 0.0)
-        speeds = ways[runs] / for_s[runs]
+        asked = ways[runs] / for_s[runs]
         instants = (from_s[runs], to_s[runs])
-        speeds = self._speeds(state, device, robots[runs], speeds, instants, writes=True)
+        speeds = self._speeds(state, device, robots[runs], asked.copy(), instants, writes=True)
         if limit is not None:
             speeds = np.clip(speeds, -limit[robots[runs]], limit[robots[runs]])
         other = ways.copy()
-        other[runs] = speeds * for_s[runs]
+        # What nothing is wrong with stays as it was to the last bit.
+        other[runs] = np.where(speeds == asked, ways[runs], speeds * for_s[runs])
         return other
 
     def speeds(

@@ -83,7 +83,8 @@ def distorted(step: Pass, values: FloatArray, normal: FloatArray) -> FloatArray:
         rounds = size > _FINEST
         size = np.where(rounds, size, 1.0)
         new = np.where(rounds, np.rint(new / size) * size, new)
-    return np.where(np.isfinite(values), np.clip(new, -_LARGEST, _LARGEST), values)
+    changes = np.isfinite(values) & (step.s > 0.0)
+    return np.where(changes, np.clip(new, -_LARGEST, _LARGEST), values)
 
 
 def stuck_at(step: Pass, values: FloatArray, before: BoolArray, number: int) -> FloatArray:

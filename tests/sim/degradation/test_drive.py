@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from crs_cc.sim.state_vector import CONF_STEER, CONF_X, CONF_Y, VEL_LEFT, VEL_RIGHT
+from crs_cc.sim.states.degradation import MOTIONS
 from tests.sim.driver import INCH, Driver, open_world
 
 BASE_IN = 13.59
@@ -221,11 +222,25 @@ def test_other_robots_run_as_before():
     for world in (open_world(things), open_world(things + fault)):
         driver = Driver.of(world)
         for robot in (0, 1):
-            driver.ask("VM", 100, 80, robot=robot)
-        driver.run(80)
-        places.append(driver.state.bodies.position_m.tolist())
-    assert places[0][1] == places[1][1]
-    assert places[0][0] != places[1][0]
+            driver.ask("VM", 100, 77, robot=robot, at_s=0.013)
+        way = []
+        for _ in range(40):
+            driver.run(1)
+            way.append(driver.state.bodies.position_m.copy())
+        places.append(np.array(way))
+    assert np.array_equal(places[0][:, 1], places[1][:, 1])
+    assert not np.array_equal(places[0][:, 0], places[1][:, 0])
+
+
+def test_before_its_onset_it_changes_nothing_to_the_last_bit():
+    late = 'onset="2s" gain="0.5" bias="1in/s" noise="1in/s" step="1in/s" stuck="hold" delay="1s"'
+    driver, sound = scout(*(f'device="{each}" {late}' for each in MOTIONS)), scout()
+    for each in (driver, sound):
+        for cycle in range(20):
+            each.ask("VM", 100 - cycle, 77, at_s=cycle * 0.05 + 0.013)
+            each.run(1)
+    assert np.array_equal(driver.state.bodies.position_m, sound.state.bodies.position_m)
+    assert np.array_equal(driver.ask("GS"), sound.ask("GS"))
 
 
 def test_a_wheel_that_is_pushed_against_a_wall_by_a_fault_does_no_harm():
