@@ -98,7 +98,7 @@ class DegradationControl:
 
     def all(self) -> tuple[Degradation, ...]:
         """Gives all degradations, in the order in which they work."""
-        return tuple(degradation_of(row, self._robots) for row in self._state.table)
+        return tuple(map(self._degradation, self._state.table))
 
     def phase(self, name: str) -> str:
         """Gives how far a degradation has come: one of `PHASES`.
@@ -155,7 +155,7 @@ class DegradationControl:
             raise ValueError(f"{', '.join(sorted(fixed))} cannot change: remove it, add another")
         old = self._state.table[place]
         try:
-            degradation = replace(degradation_of(old, self._robots), **changes)
+            degradation = replace(self._degradation(old), **changes)
         except TypeError:
             unknown = changes.keys() - set(Degradation.__dataclass_fields__)
             raise ValueError(f"a degradation has no {', '.join(sorted(unknown))}") from None
@@ -183,21 +183,30 @@ class DegradationControl:
 
     def tell(self, until_s: float) -> None:
         """Says which degradations begin, fade or are over before an instant."""
-        while self._state.next_s < until_s:
-            at_s = turns_s(self._state.table)
-            place = int(np.argmin(at_s))
-            row = self._state.table[place]
-            row["phase"] += 1
-            if row["phase"] == FADES and not row["recovery_s"]:
-                row["phase"] = OVER
-            self._say(float(at_s[place]), _TURNS[int(row["phase"])], row)
-            self._state.refresh()
+        if self._state.next_s >= until_s:
+            return
+        table, said = self._state.table, []
+        while True:
+            at_s = turns_s(table)
+            due = np.flatnonzero(at_s < until_s)
+            if not len(due):
+                break
+            phase = table["phase"][due] + 1
+            phase[(phase == FADES) & (table["recovery_s"][due] == 0.0)] = OVER
+            table["phase"][due] = phase
+            said += list(zip(at_s[due].tolist(), due.tolist(), phase.tolist(), strict=True))
+        self._state.refresh(others=any(phase == OVER for _, _, phase in said))
+        for time_s, place, now in sorted(said):
+            self._say(time_s, _TURNS[now], table[place])
 
     def _place(self, name: str) -> int:
         places = np.flatnonzero(self._state.table["id"] == name)
         if not len(places):
             raise KeyError(f"there is no degradation {name!r}")
         return int(places[0])
+
+    def _degradation(self, row: Any) -> Degradation:
+        return degradation_of(row, self._running.world.robots[int(row["robot"])].id)
 
     def _model(self, robot: str) -> RobotModel:
         return self._running.world.robots[self._robots.index(robot)].model
@@ -216,9 +225,9 @@ class DegradationControl:
             raise ValueError("too many degradations to remember what they need")
 
     def _say(self, time_s: float, what: str, row: Any) -> None:
-        degradation = degradation_of(row, self._robots)
-        what_is_wrong = described(degradation, self._model(degradation.robot))
-        text = f"{degradation.id} {what}: {what_is_wrong}"
+        degradation = self._degradation(row)
+        model = self._running.world.robots[int(row["robot"])].model
+        text = f"{degradation.id} {what}: {described(degradation, model)}"
         self._log.say(time_s, KIND, text, int(row["robot"]))
 
 

@@ -122,12 +122,17 @@ class DegradationState:
         self.memory = np.concatenate([np.zeros(0), *(part for _, part in pairs)])
         self.refresh()
 
-    def refresh(self) -> None:
-        """Takes note that the table or a phase has changed."""
+    def refresh(self, *, others: bool = True) -> None:
+        """Takes note that the table or a phase has changed.
+
+        Args:
+            others: whether other degradations than before work from now on.
+        """
         table = self.table
-        present = np.zeros(len(DEVICES), dtype=np.bool_)
-        present[table["device"][table["phase"] != OVER]] = True
-        self.present = present
+        if others:
+            present = np.zeros(len(DEVICES), dtype=np.bool_)
+            present[table["device"][table["phase"] != OVER]] = True
+            self.present = present
         self.next_s = float(np.min(turns_s(table), initial=np.inf))
 
 
@@ -164,20 +169,15 @@ def record(degradation: Degradation, robot: int, serial: int) -> npt.NDArray[np.
     return row
 
 
-def degradation_of(row: Any, robots: Sequence[str]) -> Degradation:
-    """Gives a record as plain data.
-
-    Args:
-        row: the record.
-        robots: the ids of all robots.
-    """
+def degradation_of(row: Any, robot: str) -> Degradation:
+    """Gives a record as plain data; `robot` is the id of its robot."""
     stuck: float | Literal["hold"] | None = None
     if row["stuck"] != FREE:
         stuck = HOLD if row["stuck"] == HOLDS else float(row["stuck_at"])
     duration_s = float(row["duration_s"])
     values = {name: float(row[name]) for name in _NUMBERS}
     return Degradation(
-        robots[row["robot"]],
+        robot,
         list(DEVICES)[row["device"]],
         None if row["element"] == ALL_ELEMENTS else int(row["element"]),
         stuck=stuck,
