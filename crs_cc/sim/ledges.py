@@ -52,7 +52,11 @@ _CIRCLE: Final = np.exp(2j * np.pi * np.arange(16) / 16)
 
 
 class Ledges:
-    """What the ground of a world blocks."""
+    """What the ground of a world blocks.
+
+    Attributes:
+        patches: how many of the parts that can block are ramps and plateaus: the first ones.
+    """
 
     def __init__(self, terrain: Terrain, scene: Scene) -> None:
         models = [robot.model for robot in scene.world.robots]
@@ -64,7 +68,7 @@ class Ledges:
         self._climb += [CLIMB] * len(scene.pushables)
         middle, highest_m, steep = _steep_squares(terrain, min([*self._climb, 1.0]))
         half_m = np.full(len(middle), terrain.heights.pixel_m / 2 if terrain.heights else 0.0)
-        self._patches = len(terrain.middle)
+        self.patches = len(terrain.middle)
         self._middle = np.concatenate([terrain.middle, middle])
         self._along = np.concatenate([terrain.along, np.ones(len(middle), np.complex128)])
         self._half_length_m = np.concatenate([terrain.half_length_m, half_m])
@@ -95,7 +99,7 @@ class Ledges:
             return False
         if self._steep[patch] > self._climb[body]:
             top_m = float(self._highest_m[patch])
-        elif patch >= self._patches:
+        elif patch >= self.patches:
             return False
         else:
             ahead_m = [((complex(x, y) - middle) * along.conjugate()).real for x, y in touches_m]

@@ -85,10 +85,16 @@ def _straight_shapes(
 def add_ground(space: pymunk.Space, bodies: list[pymunk.Body], ledges: Ledges) -> pymunk.Body:
     """Adds all of the ground that can block; whether it does, `ledges` tells at each touch."""
     ground = pymunk.Body(body_type=pymunk.Body.STATIC)
-    shapes = [pymunk.Poly(ground, corners) for corners in ledges.corners_m().tolist()]
-    add(space, ground, *shapes)
     numbers = {shape: n for n, body in enumerate(bodies) for shape in body.shapes}
-    numbers.update({shape: n for n, shape in enumerate(shapes)})
+    shapes: list[pymunk.Shape] = []
+    for number, corners in enumerate(ledges.corners_m().tolist()):
+        made: list[pymunk.Shape] = [pymunk.Poly(ground, corners)]
+        if number < ledges.patches:  # only their edges: what stands on one would always touch it
+            ends = zip(corners, [*corners[1:], corners[0]], strict=True)
+            made = [pymunk.Segment(ground, tuple(a), tuple(b), 0.0) for a, b in ends]
+        numbers.update(dict.fromkeys(made, number))
+        shapes += made
+    add(space, ground, *shapes)
     for shape in shapes:
         shape.collision_type = _PATCH
     # The space must not know who keeps it: neither could ever be freed.
