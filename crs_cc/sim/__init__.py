@@ -9,6 +9,8 @@
 - Motion: `hardware` (profiles of axes), `actuators/` (what commands mean), `physics` (contacts).
 - Seeing: `scene` (outlines of all things), `obstacles` (those within reach), `rays` and `echoes`
   (what beams hit), `surroundings` (all of that in the current cycle), `sensors/`.
+- The ground, where it is not flat: `surface` (what it is), `terrain` and `heightmap` (how high and
+  steep), `inclines` (what slopes do), `ledges` (what blocks), `outlook` (what beams meet).
 - What is wrong with devices: `degradation`, with what it is in `degradation_model`, and who changes
   it in `degradation_control`.
 - Talking: `messages/`, on the channels of `communication`; `waits` lets programs wait.
