@@ -15,6 +15,7 @@ from typing import Final
 import numpy as np
 
 from crs_cc.cli.relief import PAPER, draw_relief, ground_m
+from crs_cc.cli.sights import Beam, draw_sights
 from crs_cc.cli.svg import Page, Point, View
 from crs_cc.cli.tracks import FloatArray, simplified
 from crs_cc.cli.x11_colours import HEX
@@ -73,6 +74,7 @@ class Picture:
         contacts: robot number and place [m] of each contact.
         pushed: what was pushed away, at the end.
         drawings: what programs have drawn.
+        sights: what sensors told last.
     """
 
     title: str
@@ -82,6 +84,7 @@ class Picture:
     contacts: Sequence[tuple[int, float, float]] = ()
     pushed: Sequence[Thing] = ()
     drawings: Sequence[Drawing] = ()
+    sights: Sequence[Beam] = ()
 
     def render(self) -> bytes:
         """Gives the picture as SVG."""
@@ -110,6 +113,7 @@ class _Drawing:
             self._heading()
             self._grid()
             draw_relief(self.page, self.view, self.picture.world.surface)
+            draw_sights(self.page, self.view, list(self.picture.sights))
             self._solids()
             self._strokes()
             self._starts()

@@ -33,6 +33,7 @@ class RunOptions:
         max_time_s: stop at the first timestep that ends at or after it [s]; None for the world's,
             else no end.
         plot: the picture to draw.
+        plot_sensors: whether it shows what sensors told last, too.
         inputs_on_disk: files that the programs can read, by the names that they have for them.
         outputs: the folder that takes the files that the programs write; None to drop them.
         client: which of the vendor's client libraries the programs find.
@@ -53,6 +54,7 @@ class RunOptions:
     seed: int | None = None
     max_time_s: float | None = None
     plot: Path | None = None
+    plot_sensors: bool = False
     inputs_on_disk: Mapping[str, Path] = field(default_factory=dict)
     outputs: Path | None = None
     client: Client = "nclient"
@@ -127,6 +129,11 @@ def _time(_ctx: click.Context, _option: click.Parameter, time_s: float | None) -
     type=click.Path(dir_okay=False, path_type=Path),
     metavar="FILE.svg",
     help="Draw the world from above with each robot's path.",
+)
+@click.option(
+    "--plot-sensors",
+    is_flag=True,
+    help="Draw also what sonars and cameras told last.",
 )
 @click.option(
     "--file",

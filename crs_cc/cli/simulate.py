@@ -22,6 +22,7 @@ from crs_cc.cli.messages import as_data, is_terminal, say, show, show_before_run
 from crs_cc.cli.output import ProgramOutput, ProgressLine, read_line
 from crs_cc.cli.plot import Picture, Trip
 from crs_cc.cli.report import show_reports
+from crs_cc.cli.sights import sights
 from crs_cc.cli.summary import Run, as_json, exit_status
 from crs_cc.cli.tracks import Tracks
 from crs_cc.errors import CrsError
@@ -227,6 +228,7 @@ class Runner:
             self.tracks.contacts,
             self._pushed(world),
             drawings_in(state.drawings),
+            sights(state, world) if self._options.plot_sensors else [],
         )
 
     def _pushed(self, world: WorldModel) -> list[Thing]:

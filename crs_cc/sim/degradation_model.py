@@ -35,7 +35,7 @@ from crs_cc.sim.quantity import (
     VOLTAGE,
     Kind,
 )
-from crs_cc.sim.sensor_model import MAX_INFRARED, NUM_LASER
+from crs_cc.sim.sensor_model import MAX_COLUMNS, MAX_INFRARED, NUM_LASER
 from crs_cc.sim.sonar_model import MAX_SONARS
 
 if TYPE_CHECKING:
@@ -188,6 +188,11 @@ DEVICES: Final = {
             "laser", "the distance of a point, from the right to the left", LENGTH,
             lambda model: _numbered(model.laser.points if model.laser else 0), NUM_LASER,
             "no point",
+        ),
+        Device(
+            "camera", "how far away is what a column shows, from the left to the right", LENGTH,
+            lambda model: _numbered(model.camera.columns if model.camera else 0), MAX_COLUMNS,
+            "nothing is seen",
         ),
         Device(
             "gps", "where the robot is", LENGTH, _single(lambda model: model.gps, "x", "y"), 2,

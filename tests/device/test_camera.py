@@ -168,3 +168,14 @@ def test_from_a_snapshot_it_sees_the_same_again(tmp_path):
         driver.run(2)
         hashes.append(driver.environment.hash())
     assert hashes[0] == hashes[1]
+
+
+def test_a_degraded_column_tells_other_ranges_and_a_dead_one_the_background(tmp_path):
+    wall = '<robot id="me" x="0" y="0"/><wall x1="2.05m" y1="-9m" x2="2.05m" y2="9m"/>'
+    faults = (
+        '<degradation robot="me" device="camera" element="0" bias="1m"/>'
+        '<degradation robot="me" device="camera" element="2" dead="yes"/>'
+    )
+    camera = 'columns="3" field-of-view="3deg" background="#00000a"'
+    row = seen(tmp_path, camera, things=wall + faults)
+    assert row.tolist() == [[0x808080, 1181], [0x808080, 787], [10, -1]]

@@ -14,8 +14,9 @@ Blobs are runs of neighbouring columns of one colour, as a colour tracker finds 
 the same colour that touch in the picture are one blob, as far away as the nearer one.
 
 Degradation: a normal deviate is added to each range, with a spread that is the definition's noise
-at 1 m and grows with the square of the distance, as it does for two lenses. All of it was chosen by
-us: the CRS report (6.2) wishes for such a device, and has no law for it.
+at 1 m and grows with the square of the distance, as it does for two lenses; then comes that of the
+world (`camera`), of ranges: a column without one shows the background. All of it was chosen by us:
+the CRS report (6.2) wishes for such a device, and has no law for it.
 """
 
 from __future__ import annotations
@@ -94,7 +95,7 @@ class Cameras:
         kinds = self._kind[mine]
         for kind in np.unique(kinds).tolist():
             some = kinds == kind
-            self._look(state, equipment, around, rows[some], kind)
+            self._look(state, equipment, around, rows[some], kind=kind, at_s=at_s[some])
         camera.at_s[mine] = at_s
         camera.count[mine] += 1
 
@@ -104,7 +105,9 @@ class Cameras:
         equipment: Equipment,
         around: Surroundings,
         rows: IndexArray,
+        *,
         kind: int,
+        at_s: FloatArray,
     ) -> None:
         """Lets the cameras of one kind look."""
         camera, mine = state.camera, equipment.camera[rows]
@@ -115,6 +118,7 @@ class Cameras:
             deviates = self._noise.rows(mine, camera.count[mine])[:, : model.columns]
             spread_m = model.noise_m * np.where(thing == NO_THING, 0.0, range_m) ** 2
             range_m = np.maximum(range_m + deviates * spread_m, 0.0)
+        range_m = equipment.degradations.alter(state, "camera", rows, range_m, at_s)
         seen = np.isfinite(range_m)
         colour = around.surfaces.colour[thing]
         background = packed(model.background)
