@@ -14,6 +14,7 @@ from crs_cc.session.build import build_executable
 from crs_cc.session.result import RobotResult
 from crs_cc.session.session import Session
 from crs_cc.sim.model import WorldModel
+from crs_cc.sim.scene import Scene
 from crs_cc.source import Diagnostics
 
 ROOT = Path(__file__).parents[2]
@@ -32,6 +33,7 @@ class Drive:
         files: what it wrote, by name.
         paths: x and y of the robots after each timestep [m], shape (timesteps, robots, 2).
         robots: the results.
+        things: x, y [m] and heading [rad] of what can be pushed, at the end, by name.
     """
 
     def __init__(
@@ -82,6 +84,10 @@ class Drive:
         self.paths = np.array(paths)
         self.robots: tuple[RobotResult, ...] = session.result().robots
         self.output = b"".join(self._outputs)
+        bodies, pushables = session.environment.state.bodies, Scene(world).pushables
+        poses = np.column_stack([bodies.position_m, bodies.angle_rad])[len(world.robots) :]
+        names = [thing.id for thing in pushables]
+        self.things = dict(zip(names, poses.tolist(), strict=True))
         self.files = {name.decode(): content for name, content in session.files(0).items()}
 
     def _write(self, robot: int, stream: int, content: bytes) -> None:

@@ -395,3 +395,41 @@ def drives_through_the_door(drive: Drive) -> None:
     x_m, y_m = drive.places[-1]
     assert x_m > 8.05 + 8 * INCH_M
     assert 1.5 < y_m < 2.5
+
+
+def sorts_cans(drive: Drive) -> None:
+    """Heavy cans stand to the left of the robot's home, light ones to the right."""
+    assert drive.robot.exit_status == 0
+    for name, (x_m, y_m, _) in drive.things.items():
+        assert x_m == pytest.approx(-70 * INCH_M, abs=0.1)
+        assert (y_m > 1.0) if name.startswith("heavy") else (y_m < -1.0)
+
+
+def puts_cans_into_a_row(drive: Drive) -> None:
+    touches_nothing(drive)
+    places_in = {name: (x_m / INCH_M, y_m / INCH_M) for name, (x_m, y_m, _) in drive.things.items()}
+    for name, x_in in (("red", 0), ("green", 4), ("blue", -4)):
+        assert places_in[name] == pytest.approx((x_in, 22), abs=0.1)
+
+
+def comes_to_the_light(drive: Drive) -> None:
+    """The lamp of 400 reads 600 from 82 cm."""
+    touches_nothing(drive)
+    assert drive.text.splitlines()[-1].startswith("light at")
+    assert np.hypot(*(drive.places[-1] - [100 * INCH_M, 60 * INCH_M])) < 0.85
+
+
+def finds_who_calls(drive: Drive) -> None:
+    """The call of 500 is 450 from 1.1 m; the wall between has its end at y = -40 in."""
+    assert [robot.exit_status for robot in drive.robots] == [0, 0]
+    caller, seeker = drive.paths[0, 0], drive.paths[:, 1]
+    assert np.hypot(*(seeker[-1] - caller)) < 1.2
+    assert seeker[:, 1].min() < -40 * INCH_M
+
+
+def pushes_the_crate_together(drive: Drive) -> None:
+    """The floor holds the crate with 70 N, and a Scout has 60 N."""
+    x_m, y_m, heading_rad = drive.things["crate"]
+    assert x_m == pytest.approx((-60 + 80) * INCH_M, abs=0.05)
+    assert abs(y_m) < 0.05
+    assert abs(heading_rad) < math.radians(3)
