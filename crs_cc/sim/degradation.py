@@ -68,8 +68,8 @@ class _Layer:
 
     Attributes:
         place: the place in the table for each robot, -1 for none, (robots,).
-        draws: what is random in them, one row for each place in `places`.
-        stream: the row of `draws` for each robot.
+        draws: what is random in them, one stream for each.
+        stream: the number of each robot's stream, -1 for none, (robots,).
     """
 
     place: IndexArray
