@@ -15,6 +15,8 @@ import pytest
 from crs_cc.sim.environment import Environment
 from tests.sim.driver import Driver, world_of
 
+pytestmark = pytest.mark.slow
+
 SPACING_M = 0.6
 LAST = 130  # cycles
 SURFACE = (
@@ -84,7 +86,6 @@ def test_it_is_a_heap(driven):
     assert (heights_m > 0.01).sum() > 5
 
 
-@pytest.mark.slow
 def test_from_every_snapshot_it_goes_on_to_the_same_bits(driven):
     driver, snapshots = driven
     expected = driver.environment.hash()
@@ -94,7 +95,6 @@ def test_from_every_snapshot_it_goes_on_to_the_same_bits(driven):
         assert finish(fresh) == expected
 
 
-@pytest.mark.slow
 def test_it_does_so_in_another_process(driven, tmp_path):
     driver, snapshots = driven
     (tmp_path / "heap").write_bytes(pickle.dumps((driver.environment.world, snapshots[-1])))

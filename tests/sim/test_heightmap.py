@@ -80,6 +80,7 @@ def test_a_limp_robot_rolls_down_a_hill(tmp_path):
     assert 4 - driver.state.x_m[0] == pytest.approx(expected_m, rel=0.03)
 
 
+@pytest.mark.slow
 def test_a_cliff_blocks_from_below_and_not_from_above(tmp_path):
     """The drop is as steep as 45 degrees, which a Scout does not climb, and begins at 7.5 m."""
     robot = 'x="7.75" y="2" heading="180"'

@@ -92,7 +92,7 @@ def test_a_thing_slides_where_the_slope_beats_its_friction(things):
 def test_a_robot_climbs_as_steep_a_slope_as_its_motors_can():
     """Up to sin a = F / (m g) = 0.266."""
     steepest = math.tan(math.asin(FORCE_N / (MASS_KG * GRAVITY_MPS2)))
-    up, down = ramp(steepest * 0.99), ramp(steepest * 1.01)
+    up, down = (ramp(steepest * share, timestep="50ms") for share in (0.99, 1.01))
     for driver in (up, down):
         driver.ask("VM", 100, 100)
         driver.run_s(3.0)
