@@ -4,8 +4,9 @@
 - From files: `world_xml`; `xml_document`, which alone knows lxml; `world_elements`, ...; robots
   that come with crs in `robots/`.
 - What changes: `state.EnvState`, made of one part for each device, in `states/`.
-- What happens: `environment.Environment` serves requests and ends cycles. `commands` has the
-  handler of each request; those of the vendor's simulator window and world are in `server/`.
+- What happens: `environment.Environment` serves requests and ends cycles; `setting` has all that
+  follows from the state, `presence` who comes and goes. `commands` has the handler of each request;
+  those of the vendor's simulator window and world are in `server/`.
 - Motion: `hardware` (profiles of axes), `actuators/` (what commands mean), `physics` (contacts).
 - Seeing: `scene` (outlines of all things), `obstacles` (those within reach), `rays` and `echoes`
   (what beams hit), `surroundings` (all of that in the current cycle), `sensors/`.
