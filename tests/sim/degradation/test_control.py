@@ -197,21 +197,21 @@ def test_from_a_snapshot_all_goes_on_as_it_did():
     environment = driver.environment
     drive_on(environment, 25)
     snapshot = environment.snapshot()
-    went = drive_on(environment, 60)
+    went = drive_on(environment, 40)
     environment.degradations.remove("degradation2")
     drive_on(environment, 5)
     environment.restore(snapshot)
-    assert drive_on(environment, 60) == went
+    assert drive_on(environment, 40) == went
     fresh = driver_of(*FAULTS, robots=2).environment
     fresh.restore(snapshot)
-    assert drive_on(fresh, 60) == went
+    assert drive_on(fresh, 40) == went
 
 
 def test_the_same_seed_gives_the_same_faults_and_another_one_others():
     runs = []
     for seed in (1, 1, 2):
         driver = Driver.of(world_with(*FAULTS, robots=2), seed)
-        drive_on(driver.environment, 60)
+        drive_on(driver.environment, 30)
         runs.append(driver.environment.hash())
     assert runs[0] == runs[1] != runs[2]
 
