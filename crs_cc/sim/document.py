@@ -64,6 +64,10 @@ class Element:
         """Gives the children with a name."""
         return (child for child in self.children if child.tag == tag)
 
+    def sensors(self, kind: str) -> Iterator[Element]:
+        """Gives the children `<sensor>` of a type."""
+        return (child for child in self.all("sensor") if child.first("type").text == kind)
+
     def first(self, tag: str) -> Element:
         """Gives the first child with a name; an empty one when there is none."""
         return next(self.all(tag), Element(tag, self.line))

@@ -82,7 +82,7 @@ def _check_places(
 ) -> None:
     """Notes sensors that lie outside of the body."""
     places = {sonar.id: math.hypot(sonar.x_m, sonar.y_m) for sonar in sonars}
-    for element in root.all("sensor"):
+    for element in root.sensors("sonar"):
         number = element.first("id").text
         if places.get(int(number) if number.isdigit() else -1, 0.0) > radius_m + _ROUNDING_M:
             wrong = f"sensor {number} lies outside of the body, whose radius is {radius_m:g} m"
@@ -91,6 +91,11 @@ def _check_places(
         element = root.first(tag)
         if abs(reader.quantity(element, "forward", LENGTH)) > radius_m + _ROUNDING_M:
             reader.error(element, f"the {tag} lies outside of the body")
+    for element in root.sensors("camera"):
+        place = element.first("position")
+        x_m = reader.quantity(place, "x-relative", LENGTH)
+        if math.hypot(x_m, reader.quantity(place, "y-relative", LENGTH)) > radius_m + _ROUNDING_M:
+            reader.error(element, "the camera lies outside of the body")
 
 
 def _drive(element: Element, reader: Reader) -> Drive:

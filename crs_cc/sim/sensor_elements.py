@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Final
 
 from crs_cc.sim.colours import rgb
@@ -152,25 +153,55 @@ def inclinometer(root: Element, reader: Reader) -> Inclinometer | None:
 
 
 def camera(root: Element, reader: Reader) -> Camera | None:
-    """Gives the camera, None for a robot without one."""
+    """Gives the camera, None for a robot without one.
+
+    Where there is a `<sensor>` of this type, that says where the camera is, and what it sees.
+    """
+    places = list(root.sensors("camera"))
+    for place in places[1:]:
+        reader.error(place, "a second camera; a robot has one")
     for element in root.all("camera"):
-        field_of_view_rad = reader.positive(element, "field-of-view", ANGLE)
-        if field_of_view_rad > _TURN:
-            reader.refuse(element, "field-of-view: there are only 360 degrees")
-        return Camera(
-            columns=reader.whole(element, "columns", 1, MAX_COLUMNS, absent=1),
-            field_of_view_rad=field_of_view_rad,
-            range_m=reader.positive(element, "range", LENGTH),
-            x_m=reader.quantity(element, "forward", LENGTH),
-            y_m=reader.quantity(element, "left", LENGTH),
-            direction_rad=reader.quantity(element, "direction", ANGLE),
-            rate_hz=reader.positive(element, "rate", FREQUENCY),
-            noise_m=reader.not_negative(element, "noise", LENGTH),
-            background=_colour(element, "background", reader),
-            height_m=reader.not_negative(element, "height", LENGTH),
-            period_s=period_s(element, reader),
-        )
+        if places:
+            return _placed(_camera(element, reader), places[0].first("position"), reader)
+        return _camera(element, reader)
+    for place in places[:1]:
+        hint = "add <camera/> before <computer-battery>, or where it would stand"
+        reader.error(place, "a camera also needs <camera>, for columns and rate", hint)
     return None
+
+
+def _placed(camera: Camera, place: Element, reader: Reader) -> Camera:
+    """Gives a camera where the report's element for sensors puts it: its cone is what it sees."""
+    range_m = reader.positive(place, "range", LENGTH)
+    radius_m = reader.positive(place, "radius", LENGTH)
+    return replace(
+        camera,
+        field_of_view_rad=2 * math.atan2(radius_m, range_m),
+        range_m=range_m,
+        x_m=reader.quantity(place, "x-relative", LENGTH),
+        y_m=reader.quantity(place, "y-relative", LENGTH),
+        direction_rad=reader.quantity(place, "dir-relative", ANGLE, unit="rad"),
+        height_m=reader.not_negative(place, "z-relative", LENGTH),
+    )
+
+
+def _camera(element: Element, reader: Reader) -> Camera:
+    field_of_view_rad = reader.positive(element, "field-of-view", ANGLE)
+    if field_of_view_rad > _TURN:
+        reader.refuse(element, "field-of-view: there are only 360 degrees")
+    return Camera(
+        columns=reader.whole(element, "columns", 1, MAX_COLUMNS, absent=1),
+        field_of_view_rad=field_of_view_rad,
+        range_m=reader.positive(element, "range", LENGTH),
+        x_m=reader.quantity(element, "forward", LENGTH),
+        y_m=reader.quantity(element, "left", LENGTH),
+        direction_rad=reader.quantity(element, "direction", ANGLE),
+        rate_hz=reader.positive(element, "rate", FREQUENCY),
+        noise_m=reader.not_negative(element, "noise", LENGTH),
+        background=_colour(element, "background", reader),
+        height_m=reader.not_negative(element, "height", LENGTH),
+        period_s=period_s(element, reader),
+    )
 
 
 def period_s(element: Element, reader: Reader) -> float:

@@ -21,7 +21,7 @@ _RIGHT_ANGLE: Final = math.pi / 2
 def sonars(root: Element, reader: Reader) -> tuple[Sonar, ...]:
     """Gives the sonars of a definition, by rising number."""
     found: dict[int, Sonar] = {}
-    for element in root.all("sensor"):
+    for element in root.sensors("sonar"):
         sonar = _sonar(element, reader)
         if sonar.id in found:
             reader.error(element, f"a second sensor with the id {sonar.id}")

@@ -155,6 +155,54 @@ def test_a_wrong_definition_is_named(tmp_path, attribute, wrong):
         load_robot(Path(scout_with(tmp_path, f"<camera {attribute}/>")))
 
 
+PLACED = """
+<sensor><id>0</id><type>camera</type><position>
+  <x-relative>5in</x-relative><y-relative>3in</y-relative><z-relative>10in</z-relative>
+  <range>4m</range><radius>4m</radius><dir-relative>{}</dir-relative>
+</position></sensor>"""
+
+
+def placed(tmp_path, *places: str, camera: str = "<camera columns='3'/>") -> Path:
+    """Writes the definition of a Scout whose camera is placed by `<sensor>`, and gives its path."""
+    path = Path(scout_with(tmp_path, camera))
+    text = path.read_text()
+    start = text.index("  <sensor>")
+    path.write_text(text[:start] + "".join(places) + text[start:])
+    return path
+
+
+def test_the_report_s_element_for_sensors_places_a_camera(tmp_path):
+    """A cone as wide as it is long to each side is 90 degrees; 1.570796 rad is to the left."""
+    camera = load_robot(placed(tmp_path, PLACED.format("1.570796"))).camera
+    assert camera.field_of_view_rad == pytest.approx(math.pi / 2)
+    assert camera.direction_rad == pytest.approx(math.pi / 2, abs=1e-6)
+    assert (camera.range_m, camera.x_m, camera.y_m) == pytest.approx((4.0, 0.127, 0.0762))
+    assert (camera.columns, camera.height_m) == (3, pytest.approx(0.254))
+    wall = '<robot x="0" y="0"/><wall x1="-2m" y1="51in" x2="2m" y2="51in" thickness="2in"/>'
+    row = np.array(drive(ROW, robot=str(tmp_path / "scout-with.xml"), things=wall).numbers)
+    slanted = 470 / math.cos(math.radians(30))
+    assert row[1::2] == pytest.approx([slanted, 470, slanted], abs=0.6)
+
+
+@pytest.mark.parametrize(
+    ("places", "camera", "wrong"),
+    [
+        (1, "", "a camera also needs <camera>"),
+        (2, "<camera/>", "a second camera"),
+    ],
+)
+def test_a_camera_that_is_placed_wrongly_is_named(tmp_path, places, camera, wrong):
+    path = placed(tmp_path, *[PLACED.format("0")] * places, camera=camera)
+    with pytest.raises(WorldError, match=wrong):
+        load_robot(path)
+
+
+def test_a_sensor_of_another_type_is_refused_with_the_types_there_are(tmp_path):
+    path = placed(tmp_path, PLACED.format("0").replace(">camera<", ">gps<"))
+    with pytest.raises(WorldError, match="'gps' is not expected; expected sonar or camera"):
+        load_robot(path)
+
+
 def test_from_a_snapshot_it_sees_the_same_again(tmp_path):
     robot = scout_with(tmp_path, '<camera columns="8" noise="1cm"/>')
     driver = Driver.of(empty_world(robot=robot))
