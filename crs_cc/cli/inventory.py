@@ -44,6 +44,18 @@ def _world(world: WorldModel) -> Iterator[str]:
     if world.seed is not None:
         line += f", seed {world.seed}"
     yield line
+    yield from _things(world)
+    for robot in world.robots[:_MOST]:
+        yield _robot(robot)
+    if len(world.robots) > _MOST:
+        yield f"... and {counted(len(world.robots) - _MOST, 'more robot')}"
+    for degradation in world.degradations[:_MOST]:
+        yield _degradation(degradation, world)
+    if len(world.degradations) > _MOST:
+        yield f"... and {counted(len(world.degradations) - _MOST, 'more degradation')}"
+
+
+def _things(world: WorldModel) -> Iterator[str]:
     things = [
         counted(len(found), noun, plural)
         for found, noun, plural in (
@@ -59,14 +71,14 @@ def _world(world: WorldModel) -> Iterator[str]:
         notes = [f"{pushable} to be pushed"] if pushable else []
         notes += [f"{hot} hot"] if hot else []
         yield ", ".join(things) + (f" ({', '.join(notes)})" if notes else "")
-    for robot in world.robots[:_MOST]:
-        yield _robot(robot)
-    if len(world.robots) > _MOST:
-        yield f"... and {counted(len(world.robots) - _MOST, 'more robot')}"
-    for degradation in world.degradations[:_MOST]:
-        yield _degradation(degradation, world)
-    if len(world.degradations) > _MOST:
-        yield f"... and {counted(len(world.degradations) - _MOST, 'more degradation')}"
+    if world.surface.heightmap is not None:
+        yield "ground from a picture"
+    if world.surface.patches:
+        yield counted(len(world.surface.patches), "ramp or plateau", "ramps and plateaus")
+    more = (world.lights, "light"), (world.sounds, "sound"), (world.degradations, "degradation")
+    counts = [counted(len(found), noun) for found, noun in more if found]
+    if counts:
+        yield ", ".join(counts)
 
 
 def _robot(robot: Robot) -> str:

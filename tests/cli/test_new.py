@@ -75,6 +75,17 @@ def test_check_tells_what_is_wrong_with_robots_and_included_files(
         assert capfd.readouterr().err.splitlines()[0] == expected
 
 
+def test_check_tells_of_the_ground_and_of_degradations(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    for name in ("plateau", "hills", "faulty"):
+        assert main(["check", str(ROOT / "worlds" / f"{name}.xml")]) == 0
+    shown = capfd.readouterr().out
+    assert re.search(r"plateau.xml: \d+ ramps? (and|or) plateaus?\n", shown)
+    assert "hills.xml: ground from a picture\n" in shown
+    assert re.search(r"faulty.xml: \d+ degradations?\n", shown)
+
+
 def test_the_robots_that_come_with_crs_are_told(capfd: pytest.CaptureFixture[str]) -> None:
     for path in sorted((ROOT / "crs_cc" / "sim" / "robots").glob("*.xml")):
         assert main(["check", str(path)]) == 0
