@@ -134,6 +134,38 @@ def test_a_run_goes_on_from_a_snapshot_in_a_fresh_session(tmp_path: Path) -> Non
     assert second.result() == first.result()
 
 
+TALK = """
+#include "crs.h"
+int main(void)
+{
+    struct crs_message message;
+    int n, heard = 0;
+
+    for (n = 0; n < 6; n++) {
+        crs_broadcast(n, &heard, sizeof heard);
+        while (crs_receive(&message, 130 + 50 * crs_my_number()))
+            heard = 3 * heard + message.type + message.data[0];
+    }
+    return heard & 255;
+}
+"""
+
+
+def test_messages_on_their_way_and_programs_that_wait_for_them_are_in_a_snapshot(
+    tmp_path: Path,
+) -> None:
+    talk = build(tmp_path, TALK)
+    first = run(HALL, [talk, talk], 5, seed=3).session
+    assert first.environment.state.waits.code.any()
+    second = run(HALL, [talk, talk], 2, seed=3).session
+    second.restore(pickle.loads(pickle.dumps(first.snapshot())))
+    for session in (first, second):
+        while session.step():
+            pass
+    assert second.state_hash() == first.state_hash()
+    assert second.result() == first.result()
+
+
 CALLS = """
 #include "Nclient.h"
 #include <unistd.h>

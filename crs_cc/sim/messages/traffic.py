@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from enum import IntEnum
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -19,6 +19,7 @@ from crs_cc.sim.events import Event
 from crs_cc.sim.states.messages import EVERYBODY, FATES, NO_GROUP, TRAFFIC, MessageState
 
 if TYPE_CHECKING:
+    from crs_cc.sim.model import WorldModel
     from crs_cc.sim.step import Step
 
 Table = npt.NDArray[np.void]
@@ -140,6 +141,12 @@ class Monitor:
         self.channels = tuple(channels)
         self.robots = tuple(robots)
         self._counts: dict[tuple[int, int, int, int], int] = {}
+
+    @classmethod
+    def of(cls, world: WorldModel) -> Self:
+        """Begins to count in a world."""
+        channels = [channel.name for channel in world.communication.channels]
+        return cls(channels, [robot.id for robot in world.robots])
 
     def step(self, step: Step) -> None:
         """Takes what happened in a timestep that has ended."""

@@ -87,7 +87,7 @@ def test_a_monitor_counts_pairs_and_events_say_what_became_of_each():
     talk.send(0, kind=5, size=3)
     talk.send(1, 2)
     talk.run(2)
-    monitor = Monitor(("radio", "infrared", "local", "test"), ("a", "b", "c"))
+    monitor = Monitor.of(talk.environment.world)
     for step in talk.steps:
         monitor.step(step)
     assert monitor.pairs() == {
