@@ -120,7 +120,7 @@ def test_brakes_hold_a_robot_as_far_as_its_grip_goes(heading):
 def test_a_way_on_a_slope_is_shorter_as_seen_from_above():
     """100 in up a slope of 0.2 and 100 in across it, there back, and across."""
     for heading, share in [(0, 1 / math.hypot(1, 0.2)), (90, 1.0), (180, 1 / math.hypot(1, 0.2))]:
-        driver = ramp(0.2, f'<robot x="0" y="0" heading="{heading}"/>')
+        driver = ramp(0.2, f'<robot x="0" y="0" heading="{heading}"/>', "50ms")
         driver.ask("PR", 1000, 1000)
         driver.run_s(12.0)
         went_m = math.hypot(driver.state.x_m[0], driver.state.y_m[0])
