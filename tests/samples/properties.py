@@ -190,6 +190,17 @@ def tags_all_heat(drive: Drive) -> None:
     assert sum(tagged) == sum(int(heat) for _, heat in found) == 1 + 2 + 1 + 3
 
 
+def pushes_what_is_in_the_way(drive: Drive) -> None:
+    """One pushes a trolley into a carton, the other a drum; both come as far as they want."""
+    lines = drive.text.splitlines()
+    assert sum(line.startswith("pushing after 150 in") for line in lines) == 2
+    assert [robot.collisions for robot in drive.robots] == [1, 1]
+    trolley_m, drum_m = 2.22 - 0.2, 4.75 - 0.2
+    pushed_m = drive.paths[:, :, 0].max(axis=0) - (trolley_m, drum_m)
+    assert pushed_m[0] > 2.0
+    assert 0.0 < pushed_m[1] < 0.5
+
+
 def keeps_behind(drive: Drive) -> None:
     touches_nothing(drive)
     leader, follower = drive.robots

@@ -99,6 +99,7 @@ RUNS = [
     Run("square", "room", properties.closes_its_square),
     Run("report_table2", "stove", properties.bumps_into_the_stove, dialect="report", slow=False),
     Run("tag_heat", "complex-3r", properties.tags_all_heat),
+    Run("clear_aisle", "warehouse", properties.pushes_what_is_in_the_way),
     Run("wander", "room", properties.gets_about),
     Run("wander", "office", properties.gets_about),
     Run("follow_wall", "room", properties.gets_about),
