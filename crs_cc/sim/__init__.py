@@ -9,7 +9,8 @@
   those of the vendor's simulator window and world are in `server/`.
 - Motion: `hardware` (profiles of axes), `actuators/` (what commands mean), `physics` (contacts).
 - Seeing: `scene` (outlines of all things), `obstacles` (those within reach), `rays` and `echoes`
-  (what beams hit), `surroundings` (all of that in the current cycle), `sensors/`.
+  (what beams hit), `surfaces` (what that looks and sounds like), `surroundings` (all of that in the
+  current cycle), `sensors/`, and `timers` for those that measure by themselves.
 - The ground, where it is not flat: `surface` (what it is), `terrain` and `heightmap` (how high and
   steep), `inclines` (what slopes do), `ledges` (what blocks), `outlook` (what beams meet).
 - What is wrong with devices: `degradation`, with what it is in `degradation_model`, and who changes

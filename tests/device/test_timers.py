@@ -8,8 +8,9 @@ import pytest
 
 from crs_cc.errors import WorldError
 from crs_cc.session.library import HEADERS
+from crs_cc.sim.environment import Environment
 from crs_cc.sim.states import timers
-from crs_cc.sim.world_xml import empty_world, load_robot
+from crs_cc.sim.world_xml import empty_world, load_robot, parse_world
 from tests.device.robot import scout_with
 from tests.nclient.drive import drive
 from tests.sim.driver import Driver
@@ -128,6 +129,19 @@ def test_a_sensor_that_is_not_there_and_a_time_below_0_are_refused(tmp_path, arg
 def test_a_period_that_cannot_be_is_named(tmp_path, attributes, wrong):
     with pytest.raises(WorldError, match=wrong):
         load_robot(Path(scout_with(tmp_path, f"<gps {attributes}/>")))
+
+
+def test_a_robot_that_joins_starts_its_timers_then(tmp_path):
+    """It joins at 1 s; three tenths of a second apart, it measures at 1, 1.3 and 1.6 s."""
+    robot = scout_with(tmp_path, '<gps rate="100Hz" period="300ms"/>')
+    world = '<world version="1"><area length="9m" width="9m"/><robot x="1m" y="1m"/>{}</world>'
+    guest = '<robot x="5m" y="5m" join="1s"/>'
+    driver = Driver(Environment(parse_world(world.format(guest).encode(), "w", robot=robot), 1))
+    driver.run_s(1.0)
+    assert driver.state.gps.count.tolist() == [4, 0]
+    driver.run_s(0.7)
+    assert driver.state.gps.count.tolist() == [6, 3]
+    assert driver.state.gps.at_s[1] == pytest.approx(1.6)
 
 
 def test_from_a_snapshot_timers_go_on(tmp_path):

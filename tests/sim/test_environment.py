@@ -599,7 +599,7 @@ def scout_file(folder, *changes: tuple[str, str]):
 
 
 def test_robots_of_different_kinds_share_a_world(tmp_path):
-    small = ('radius="8in"', 'radius="6in"'), ("<range>255in", "<range>50in")
+    small = ('radius="8in"', 'radius="9in"'), ("<range>255in", "<range>50in")
     driver = Driver.of(scout_file(tmp_path, ('switches="8"', 'switches="4"'), *small))
     readings = [driver.ask("GET_SN", robot=robot)[17:33] for robot in range(3)]
     assert readings[1][readings[1] < 255].max(initial=0) <= 50

@@ -6,7 +6,13 @@ There are three ways in which a sensor measures:
   `sonar_errors`), which `Environment` lets fire before every request and at the end of a cycle;
 - when a reply tells its reading, at most at its rate: infrared, compass, laser. `Instruments` knows
   which replies those are (ADR 11);
-- when the program asks for just that: heat. Its handler answers (`commands.HANDLERS`).
+- when the program asks for just that: heat, and those of `crs.h`. `Devices.answers` has who does.
+
+Those of the last two kinds can have a timer instead (`timers`), as a definition or a program sets
+it: then they measure as the sonars do, and whoever asks is told the last reading. A new one gives
+`Devices` its `Timed`, and asks `state.timers.on_request` before it measures for an answer. Beams
+that want to know which thing they hit ask `Surroundings.seen`; what its surface does is in
+`Surroundings.surfaces`.
 
 Bumpers are pressed by the contacts of a cycle (`Environment`); odometry is what the wheels turned.
 
