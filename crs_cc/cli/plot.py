@@ -14,6 +14,7 @@ from typing import Final
 
 import numpy as np
 
+from crs_cc.cli.beacons import draw_beacons, draw_fingers
 from crs_cc.cli.relief import PAPER, draw_relief, ground_m
 from crs_cc.cli.sights import Beam, draw_sights
 from crs_cc.cli.svg import Page, Point, View
@@ -115,6 +116,7 @@ class _Drawing:
             draw_relief(self.page, self.view, self.picture.world.surface)
             draw_sights(self.page, self.view, list(self.picture.sights))
             self._solids()
+            draw_beacons(self.page, self.view, self.picture.world)
             self._strokes()
             self._starts()
             self._paths()
@@ -226,6 +228,10 @@ class _Drawing:
             place = self.view.point(*trip.path[-1].tolist())
             draw = self._hollow if trip.left else self._robot
             draw(place, self._radius_px(trip), trip.heading_rad, colour(number))
+            if trip.robot.model.gripper and not trip.left:
+                x_m, y_m = trip.path[-1].tolist()
+                at = (x_m, y_m, trip.heading_rad)
+                draw_fingers(self.page, self.view, trip.robot.model.gripper, at, colour(number))
 
     def _there(self) -> list[tuple[int, Trip]]:
         """Gives the robots that have been in the world, with their numbers."""
@@ -346,6 +352,8 @@ def _bounds(picture: Picture) -> tuple[FloatArray, FloatArray]:
     clouds += [_drawn(picture, drawing) for drawing in picture.drawings]
     clouds += ground_m(picture.world.surface)
     clouds += [_outline(solid) for solid in (*picture.world.solids(), *picture.pushed)]
+    clouds += [np.array([[light.x_m, light.y_m]]) for light in picture.world.lights]
+    clouds += [np.array([[sound.x_m, sound.y_m]]) for sound in picture.world.sounds]
     if not clouds:
         area = picture.world.area
         clouds = [np.array([[area.x_min_m, area.y_min_m], [area.x_max_m, area.y_max_m]])]

@@ -27,4 +27,5 @@ def has_room(equipment: Equipment, bodies: Bodies, thing: int) -> bool:
     away_m = np.hypot(poses[:, 0] - poses[own, 0], poses[:, 1] - poses[own, 1])
     near = away_m <= things.reach_m + things.reach_m[own]
     near[lifted] = False
+    near[: scene.robots] &= scene.present
     return not any(overlap(scene, bodies, own, other) for other in np.flatnonzero(near).tolist())

@@ -16,6 +16,7 @@ from crs_cc.sim.drawings import LINE, ROBOT, Drawing
 from crs_cc.sim.model import Area, Box, Cylinder, Material, Polygon, Pose, Robot, Wall, WorldModel
 from crs_cc.sim.robot_model import Drive, RobotModel
 from crs_cc.sim.surface import HeightMap, Patch, Surface
+from tests.sim.gripping import GRIPPER, gripping
 
 SVG = "{http://www.w3.org/2000/svg}"
 SCOUT = RobotModel("scout", 0.2, Drive(0.35))
@@ -206,3 +207,17 @@ def test_pixels_of_a_picture_of_heights_are_drawn_in_runs() -> None:
     assert len(boxes) == 2
     assert widths[1] == pytest.approx(2 * widths[0], rel=0.01)
     assert int(boxes[1].get("fill")[1:3], 16) < int(boxes[0].get("fill")[1:3], 16)
+
+
+def test_lights_sounds_and_fingers_are_drawn(tmp_path):
+    """A light is a disc with eight rays, a sound three circles, a gripper two lines."""
+    things = '<robot x="1m" y="1m"/><light x="2m" y="2m"/><sound x="3m" y="1m"/>'
+    world = gripping(tmp_path, things, 'length="4m" width="3m"', GRIPPER).environment.world
+    path = np.array([[1.0, 1.0]])
+    trips = [Trip(world.robots[0], path, 0.0)]
+    plain = Picture("t", "s", replace(world, lights=(), sounds=()), trips)
+    full = Picture("t", "s", world, trips)
+    tags = b"<line", b"<circle"
+    shapes = [[each.render().count(tag) for tag in tags] for each in (plain, full)]
+    assert [more - less for less, more in zip(*shapes, strict=True)] == [8, 4]
+    assert full.render().count(b'stroke-width="2.5"') == 2
