@@ -15,6 +15,9 @@
   steep), `inclines` (what slopes do), `ledges` (what blocks), `outlook` (what beams meet).
 - What is wrong with devices: `degradation`, with what it is in `degradation_model`, and who changes
   it in `degradation_control`.
+- Taking hold of things: `handling` (grippers and arms of all robots), `fingers` (what is between
+  them), `holds` (who holds what), `carrying` (how it moves with them), `room` (where it can stand).
+- Light and sound: `beacon_model`, and `sources` (which of them are near and in sight).
 - Talking: `messages/`, on the channels of `communication`; `waits` lets programs wait.
 - What it tells: `state_vector` (the vendor's `State`), `step` (a cycle, for traces and viewers).
 """

@@ -52,16 +52,16 @@ def churn(driver, seed, cycles) -> None:
         assert np.abs(bodies.position_m).max() < 1.3
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(3))
 def test_requests_at_random_do_no_harm_and_happen_again_to_the_bit(tmp_path, seed):
     driver = gripping(tmp_path, THINGS, AREA, *DEVICES)
     for robot in range(3):
         driver.post("GRIPPER", 1, robot=robot)
     assert "grip" in kinds(driver.run(25))
-    churn(driver, seed, 60)
+    churn(driver, seed, 25)
     snapshot, hashes = driver.environment.snapshot(), []
     for _ in range(2):
         driver.environment.restore(snapshot)
-        churn(driver, seed + 100, 30)
+        churn(driver, seed + 100, 12)
         hashes.append(driver.environment.hash())
     assert hashes[0] == hashes[1]
