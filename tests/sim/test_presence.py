@@ -189,3 +189,28 @@ def test_messages_reach_nobody_who_is_not_there():
     """
     things = '<robot x="0" y="0"/><robot x="1m" y="0" join="1s"/>'
     assert drive(send, receive, things=things).output[1] == "3 late 0"
+
+
+def test_what_a_robot_held_stays_where_it_is_when_it_leaves(tmp_path: Path):
+    """A can is taken at 26 cm ahead, carried for a while, and left behind."""
+    model = load_robot(Path(scout_with(tmp_path, "<gripper/>")))
+    can = '<cylinder id="can" x="1.26m" y="2m" radius="4cm" mass="1kg"/>'
+    world = world_of(f"{R0}{can}", 'length="8m" width="4m"')
+    world = replace(world, robots=(replace(world.robots[0], model=model),))
+    driver = Driver.of(world)
+    driver.post("GRIPPER", 1)
+    driver.run_s(3.0)
+    assert driver.state.bodies.holds.any()
+    driver.ask("VM", 50, 50)
+    driver.run_s(2.0)
+    driver.environment.remove_robot(0)
+    place_m = driver.state.bodies.position_m[1].copy()
+    assert place_m[0] > 1.4
+    assert not driver.state.bodies.holds.any()
+    snapshot = driver.environment.snapshot()
+    driver.run_s(1.0)
+    after = driver.environment.hash()
+    assert np.hypot(*(driver.state.bodies.position_m[1] - place_m)) < 0.05
+    driver.environment.restore(snapshot)
+    driver.run_s(1.0)
+    assert driver.environment.hash() == after
