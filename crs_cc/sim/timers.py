@@ -114,7 +114,8 @@ class Timers:
             timed = self._sensors[int(asked.messages["i"][place, 0])]
             number = timed.numbers(asked.equipment)[asked.rows[place]]
             measured_s = float(timed.measured_s(asked.state)[number])
-            age_ms = min(round((float(asked.at_s[place]) - measured_s) / _MS), _OLDEST_MS)
+            age_s = float(asked.at_s[place]) - measured_s  # infinite for never
+            age_ms = round(min(age_s / _MS, _OLDEST_MS))
             asked.messages["i"][place, 0] = _NEVER if measured_s < 0.0 else age_ms
         return good
 

@@ -155,3 +155,13 @@ def test_from_a_snapshot_timers_go_on(tmp_path):
         driver.run(4)
         hashes.append(driver.environment.hash())
     assert hashes[0] == hashes[1]
+
+
+def test_a_laser_that_was_switched_off_has_not_measured(tmp_path):
+    """What it saw before is forgotten; to ask for its age was an internal error."""
+    laser = "<laser field-of-view='90deg' range='5m' mode='51'/>"
+    driver = Driver.of(empty_world(robot=scout_with(tmp_path, laser)))
+    driver.post("LASER")
+    assert driver.post("AGE", SENSORS["LASER"])[0]["i"][0] >= 0
+    assert driver.post("CONF_LS", 0, 20, 20, 20, 4)[0]["result"] == 1
+    assert driver.post("AGE", SENSORS["LASER"])[0]["i"][0] == -1
