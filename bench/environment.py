@@ -32,11 +32,11 @@ import numpy as np
 
 from crs_cc.session.build import build_executable
 from crs_cc.session.session import Session
+from crs_cc.sim.files.world_xml import load_world
+from crs_cc.sim.geometry.rays import Fan
+from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.geometry.surroundings import Surroundings
 from crs_cc.sim.physics import REBUILD
-from crs_cc.sim.rays import Fan
-from crs_cc.sim.scene import Scene
-from crs_cc.sim.surroundings import Surroundings
-from crs_cc.sim.world_xml import load_world
 from crs_cc.source import Diagnostics
 
 PROGRAM = """

@@ -17,9 +17,9 @@ import numpy as np
 from crs_cc.requests import CODES, MESSAGE
 from crs_cc.sim.communication import PREDEFINED
 from crs_cc.sim.environment import Environment
+from crs_cc.sim.files.world_xml import parse_world
 from crs_cc.sim.messages.traffic import Fate
 from crs_cc.sim.model import WorldModel
-from crs_cc.sim.world_xml import parse_world
 
 CYCLES = 10
 

@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from crs_cc.frontend.options import Dialect
     from crs_cc.runtime.executable import Executable
     from crs_cc.session.session import Session
-    from crs_cc.sim.degradation_model import Degradation
-    from crs_cc.sim.world_xml import load_world
+    from crs_cc.sim.degradation.model import Degradation
+    from crs_cc.sim.files.world_xml import load_world
 
 __version__ = "0.1.0"
 
@@ -35,9 +35,9 @@ __all__ = [
 ]
 
 _HOMES: Final = {
-    "Degradation": "crs_cc.sim.degradation_model",
+    "Degradation": "crs_cc.sim.degradation.model",
     "Session": "crs_cc.session.session",
-    "load_world": "crs_cc.sim.world_xml",
+    "load_world": "crs_cc.sim.files.world_xml",
     **dict.fromkeys(
         ("CompileError", "CrsError", "InternalError", "ProgramError", "WorldError"),
         "crs_cc.errors",

@@ -37,8 +37,8 @@ CONFINED = {
     "pycparser": ("frontend/",),
     "wasmtime": ("runtime/",),
     "pymunk": ("sim/physics.py", "sim/shapes.py"),
-    "PIL": ("sim/image.py",),
-    "lxml": ("sim/xml_document.py", "cli/svg.py"),
+    "PIL": ("sim/files/image.py",),
+    "lxml": ("sim/files/xml_document.py", "cli/svg.py"),
     "rich": ("cli/", "debug/"),
     "click": ("cli/",),
 }

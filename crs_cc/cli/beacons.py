@@ -6,7 +6,7 @@ import math
 from typing import Final
 
 from crs_cc.cli.svg import Page, Point, View
-from crs_cc.sim.handling_model import Gripper
+from crs_cc.sim.handling.model import Gripper
 from crs_cc.sim.model import WorldModel
 
 _LIGHT: Final = "#e6a700"

@@ -83,7 +83,7 @@ def _world_messages(path: Path, contents: list[str]) -> tuple[Sequence[Diagnosti
         contents: gets lines that tell what is in it.
     """
     from crs_cc.cli.inventory import inventory
-    from crs_cc.sim.world_xml import load_any
+    from crs_cc.sim.files.world_xml import load_any
 
     try:
         demand_readable(path)

@@ -11,7 +11,7 @@ import click
 from crs_cc.cli.compiler_options import gathered, merged
 from crs_cc.cli.inputs import demand_readable
 from crs_cc.session.build import build_executable
-from crs_cc.sim.world_xml import empty_world, known_robots, load_world
+from crs_cc.sim.files.world_xml import empty_world, known_robots, load_world
 from crs_cc.source import Diagnostics, Location
 
 if TYPE_CHECKING:

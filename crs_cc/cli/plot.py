@@ -21,8 +21,8 @@ from crs_cc.cli.svg import Page, Point, View
 from crs_cc.cli.tracks import FloatArray, simplified
 from crs_cc.cli.x11_colours import HEX
 from crs_cc.sim.drawings import Drawing
+from crs_cc.sim.geometry.scene import corners_m
 from crs_cc.sim.model import PLAIN, Cylinder, Robot, Solid, Thing, Wall, WorldModel, is_pushable
-from crs_cc.sim.scene import corners_m
 
 _LONG_SIDE_PX: Final = 760.0
 _SHORT_SIDE_PX: Final = 240.0

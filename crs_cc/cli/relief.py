@@ -9,8 +9,8 @@ import numpy as np
 
 from crs_cc.cli.svg import Page, View
 from crs_cc.cli.tracks import FloatArray
-from crs_cc.sim.surface import HeightMap, Patch, Surface
-from crs_cc.sim.terrain import Terrain
+from crs_cc.sim.ground.surface import HeightMap, Patch, Surface
+from crs_cc.sim.ground.terrain import Terrain
 
 PAPER = "#fbfaf7"
 """What pictures are drawn on."""

@@ -28,8 +28,8 @@ from crs_cc.cli.tracks import Tracks
 from crs_cc.errors import CrsError
 from crs_cc.session.session import Session
 from crs_cc.sim.drawings import drawings_in
+from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model import Pose, Thing
-from crs_cc.sim.scene import Scene
 from crs_cc.source import Diagnostic, Diagnostics
 
 if TYPE_CHECKING:

@@ -185,7 +185,7 @@ CONFIGURATION: Final = Group("Configuration", (
         refreshes=ALL, posts=("CONF_SG",), under_ndirect=_NO_SENSOR,
         chosen="The threshold is the largest mean square of the distances of points from their"
         " segment; before the first call what the vendor's header advises holds, 50, 4 and 30."
-        " `crs_cc/sim/segments.py` tells the rest.",
+        " `crs_cc/sim/geometry/segments.py` tells the rest.",
     ),
     Function(
         "int conf_tm(unsigned char timeout)",
@@ -229,8 +229,8 @@ READING: Final = Group("Reading", (
         refreshes="STATE_SONAR_*", posts=("GET_SN",), source=_BOTH,
         chosen="A reading changes when its echo comes, 1.8 ms after the firing for each foot, or"
         " when the sound has been to the end of the range and back. The parameters of <sonars> in a"
-        " robot definition say what is heard; the formulas are in `crs_cc/sim/echoes.py` and"
-        " `crs_cc/sim/sensors/sonar_errors.py`.",
+        " robot definition say what is heard; the formulas are in `crs_cc/sim/geometry/echoes.py`"
+        " and `crs_cc/sim/sensors/sonar_errors.py`.",
     ),
     Function(
         "int get_rc(void)", "reads the odometry's pose", refreshes="STATE_CONF_*",

@@ -13,7 +13,7 @@ All robots that can go on are resumed in one call, and all requests with the sam
 in one call, in the order of their codes; so a run is a function of programs, world and seed alone.
 
 >>> from crs_cc.runtime.testing import counting_program
->>> from crs_cc.sim.world_xml import empty_world
+>>> from crs_cc.sim.files.world_xml import empty_world
 >>> session = Session(empty_world(), [counting_program(rounds=42)])
 >>> session.step()
 False

@@ -11,8 +11,8 @@ import numpy.typing as npt
 
 if TYPE_CHECKING:
     from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.geometry.surroundings import Surroundings
     from crs_cc.sim.state import EnvState
-    from crs_cc.sim.surroundings import Surroundings
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,9 +8,9 @@ from typing import Final, Self
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.holds import Holds
+from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.handling.holds import Holds
 from crs_cc.sim.model import Pose
-from crs_cc.sim.scene import Scene
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]

@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from crs_cc.requests import CODES
 from crs_cc.sim.actuators import drive
-from crs_cc.sim.handling import Handling
+from crs_cc.sim.handling.handling import Handling
 from crs_cc.sim.instruments import Instruments
 from crs_cc.sim.messages.messenger import Messenger
 from crs_cc.sim.sensors import heat
@@ -32,10 +32,10 @@ if TYPE_CHECKING:
     from crs_cc.sim.asked import Answer, Asked
     from crs_cc.sim.equipment import Equipment
     from crs_cc.sim.events import EventLog
+    from crs_cc.sim.geometry.rays import Fan
+    from crs_cc.sim.geometry.surroundings import Surroundings
     from crs_cc.sim.model import WorldModel
-    from crs_cc.sim.rays import Fan
     from crs_cc.sim.state import EnvState
-    from crs_cc.sim.surroundings import Surroundings
 
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]

@@ -6,7 +6,7 @@ ways of its axes, each with a weight. So differential and synchro drives share a
     differential:  forward = (right + left) / 2   turn = (right - left) / wheel base
     synchro:       forward = translation          turn = steering
 
->>> from crs_cc.sim.world_xml import empty_world
+>>> from crs_cc.sim.files.world_xml import empty_world
 >>> scout = Drives.of(empty_world())
 >>> scout.forward.tolist(), (1 / scout.turn[0, :2]).round(6).tolist()
 ([[0.5, 0.5, 0.0]], [0.345186, -0.345186])

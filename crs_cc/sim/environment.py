@@ -7,7 +7,7 @@ wheels are turned on to its end, which makes each robot's slice of the cycle; th
 bodies along these slices; contacts press bumpers; time goes on.
 
 >>> from crs_cc.requests import CODES, MESSAGE
->>> from crs_cc.sim.world_xml import empty_world
+>>> from crs_cc.sim.files.world_xml import empty_world
 >>> environment = Environment(empty_world(), seed=1)
 >>> robots, messages = np.array([0]), np.zeros(1, MESSAGE)
 >>> environment.serve(CODES["CONNECT"], robots, messages, np.array([0.0]))
@@ -33,7 +33,7 @@ from crs_cc.sim.actuators import drive, traction
 from crs_cc.sim.asked import Asked
 from crs_cc.sim.bodies import Contacts
 from crs_cc.sim.commands import CHANGES_WORLD, HANDLERS, MOVES, UNCONNECTED, WAITS
-from crs_cc.sim.falls import tell_falls
+from crs_cc.sim.ground.falls import tell_falls
 from crs_cc.sim.messages.traffic import take
 from crs_cc.sim.setting import Setting
 from crs_cc.sim.state_vector import configuration, state_vector

@@ -8,12 +8,12 @@ from typing import Self
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.degradation import Degradations
+from crs_cc.sim.degradation.law import Degradations
 from crs_cc.sim.drives import Drives
-from crs_cc.sim.inclines import Inclines
+from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.geometry.things import Things
+from crs_cc.sim.ground.inclines import Inclines
 from crs_cc.sim.model import WorldModel
-from crs_cc.sim.scene import Scene
-from crs_cc.sim.things import Things
 
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]

@@ -11,8 +11,8 @@ from typing import Final
 
 import numpy as np
 
+from crs_cc.sim.geometry.polygon import area_m2, second_moment_m4
 from crs_cc.sim.model import Box, Cylinder, Thing
-from crs_cc.sim.polygon import area_m2, second_moment_m4
 
 FLOOR_FRICTION: Final = 0.4
 """Friction of things on the floor; chosen by us, about that of cardboard on linoleum."""

@@ -27,10 +27,10 @@ from crs_cc.sim.timers import Timed
 
 if TYPE_CHECKING:
     from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.geometry.rays import Fan
+    from crs_cc.sim.geometry.surroundings import Surroundings
     from crs_cc.sim.model import WorldModel
-    from crs_cc.sim.rays import Fan
     from crs_cc.sim.state import EnvState
-    from crs_cc.sim.surroundings import Surroundings
 
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]

@@ -36,10 +36,10 @@ import numpy as np
 
 from crs_cc.sim.beacon_model import Light, Sound
 from crs_cc.sim.communication import PLAIN_COMMUNICATION, Communication
-from crs_cc.sim.degradation_model import Degradation
-from crs_cc.sim.polygon import area_m2, centroid_m
+from crs_cc.sim.degradation.model import Degradation
+from crs_cc.sim.geometry.polygon import area_m2, centroid_m
+from crs_cc.sim.ground.surface import FLAT, Surface
 from crs_cc.sim.robot_model import IDEAL_LINK, RobotModel
-from crs_cc.sim.surface import FLAT, Surface
 
 FIXED_KG: Final = math.inf
 """The mass of what cannot be pushed."""

@@ -6,7 +6,7 @@ it was then.
 
 >>> from crs_cc.sim.state import EnvState
 >>> from crs_cc.sim.equipment import Equipment
->>> from crs_cc.sim.world_xml import empty_world
+>>> from crs_cc.sim.files.world_xml import empty_world
 >>> world = empty_world()
 >>> mount_poses(EnvState.at_start(world), Equipment.of(world), np.array([0]))
 array([[0., 0., 0.]])

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import Final
 
-from crs_cc.sim.document import Element, Reader
+from crs_cc.sim.files.document import Element, Reader
 
 THINGS: Final = frozenset(
     {"wall", "box", "cylinder", "polygon", "object", "map", "robot", "degradation"}

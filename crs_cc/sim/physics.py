@@ -37,13 +37,13 @@ from pymunk import batch
 
 from crs_cc.garbage import without_collector
 from crs_cc.sim.bodies import NO_CONTACTS, Bodies, Contacts, PhysicsSnapshot, Pull
-from crs_cc.sim.carrying import Load
-from crs_cc.sim.clearance import clearance_m
-from crs_cc.sim.inclines import Incline, Inclines
-from crs_cc.sim.ledges import Ledges
+from crs_cc.sim.geometry.clearance import clearance_m
+from crs_cc.sim.geometry.rigid import Rigid
+from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.ground.inclines import Incline, Inclines
+from crs_cc.sim.ground.ledges import Ledges
+from crs_cc.sim.handling.carrying import Load
 from crs_cc.sim.model import Thing, WorldModel
-from crs_cc.sim.rigid import Rigid
-from crs_cc.sim.scene import Scene
 from crs_cc.sim.shapes import add, add_ground, fixed_shapes, floor_friction, shapes_of, thing_shapes
 
 FloatArray = npt.NDArray[np.float64]

@@ -21,8 +21,8 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim import naming
-from crs_cc.sim.carrying import release
-from crs_cc.sim.placement import TOLERANCE_M
+from crs_cc.sim.geometry.placement import TOLERANCE_M
+from crs_cc.sim.handling.carrying import release
 
 if TYPE_CHECKING:
     from crs_cc.sim.equipment import Equipment

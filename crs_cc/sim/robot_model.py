@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from crs_cc.sim.beacon_model import LightSensors, Microphones
-from crs_cc.sim.handling_model import Arm, Gripper
+from crs_cc.sim.handling.model import Arm, Gripper
 from crs_cc.sim.sensor_model import (
     ENDLESS,
     ENDLESS_MOTORS,

@@ -5,7 +5,7 @@ and devices), and from which things stand where (outlines, physics), is made aga
 joins or leaves, a program puts up an obstacle, or a snapshot is restored.
 
 >>> from crs_cc.sim.model import Pose, Robot
->>> from crs_cc.sim.world_xml import empty_world
+>>> from crs_cc.sim.files.world_xml import empty_world
 >>> setting = Setting(empty_world(), seed=1)
 >>> scout = setting.world.robots[0].model
 >>> setting.add_robot(Robot("late", scout, Pose(2.0, 0.0)))
@@ -28,22 +28,22 @@ import numpy.typing as npt
 
 from crs_cc.sim.actuators.rolling import RollingNoise
 from crs_cc.sim.bodies import PhysicsSnapshot
-from crs_cc.sim.degradation_control import DegradationControl
+from crs_cc.sim.degradation.control import DegradationControl
 from crs_cc.sim.devices import Devices
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.events import Event, EventLog
+from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.geometry.surroundings import Surroundings
+from crs_cc.sim.geometry.things import Things
 from crs_cc.sim.growth import grown
 from crs_cc.sim.link import SerialLine
 from crs_cc.sim.messages.control import CommunicationControl
 from crs_cc.sim.model import Robot, WorldModel
 from crs_cc.sim.physics import Physics
 from crs_cc.sim.presence import Timetable, complaint, in_the_way, leave
-from crs_cc.sim.scene import Scene
 from crs_cc.sim.sensors.bumper import Bumpers
 from crs_cc.sim.state import EnvState
 from crs_cc.sim.step import Served
-from crs_cc.sim.surroundings import Surroundings
-from crs_cc.sim.things import Things
 
 IndexArray = npt.NDArray[np.intp]
 

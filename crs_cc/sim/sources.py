@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.sim.geometry.neighbours import CellList
+from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.mount import mount_poses
-from crs_cc.sim.neighbours import CellList
-from crs_cc.sim.rays import Fan
 
 if TYPE_CHECKING:
     from crs_cc.sim.asked import Asked

@@ -3,8 +3,8 @@
 Everything that a later cycle depends on is here, so a copy of it (with the history that
 `physics.Physics` keeps) is a snapshot, and its SHA-256 tells whether two runs are the same.
 
->>> from crs_cc.sim.scene import Scene
->>> from crs_cc.sim.world_xml import empty_world
+>>> from crs_cc.sim.geometry.scene import Scene
+>>> from crs_cc.sim.files.world_xml import empty_world
 >>> state = EnvState.at_start(empty_world())
 >>> state.x_m, state.sonar.reading_in(np.array([0]))[0, :3]
 (array([0.]), array([255, 255, 255], dtype=int32))
@@ -23,8 +23,8 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.bodies import Bodies
+from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model import WorldModel
-from crs_cc.sim.scene import Scene
 from crs_cc.sim.states.arm import ArmState
 from crs_cc.sim.states.battery import BatteryState
 from crs_cc.sim.states.beacons import BeaconState

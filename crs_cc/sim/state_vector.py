@@ -4,7 +4,7 @@ Indices and units are those of the vendor header `Nclient.h` 1.29. What a Scout 
 (infrared, turret, laser, compass) is 0.
 
 >>> from crs_cc.sim.state import EnvState
->>> from crs_cc.sim.world_xml import empty_world
+>>> from crs_cc.sim.files.world_xml import empty_world
 >>> world = empty_world()
 >>> vector = state_vector(EnvState.at_start(world), Equipment.of(world), np.array([0]))
 >>> vector.shape, vector[0, SIM_SPEED], vector[0, SONAR_0]

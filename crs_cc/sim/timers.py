@@ -25,8 +25,8 @@ from crs_cc.sim.states.timers import SENSORS
 if TYPE_CHECKING:
     from crs_cc.sim.asked import Asked
     from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.geometry.surroundings import Surroundings
     from crs_cc.sim.state import EnvState
-    from crs_cc.sim.surroundings import Surroundings
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]

@@ -15,7 +15,7 @@ import pytest
 from crs_cc.errors import CrsError
 from crs_cc.requests import ERROR_KINDS
 from crs_cc.session.session import Session
-from crs_cc.sim.world_xml import parse_world
+from crs_cc.sim.files.world_xml import parse_world
 from tests.c.execution import HERE, Outcome, Run, Stepping, build, cases, name
 
 FUEL, ROUNDS = 200_000_000, 4000

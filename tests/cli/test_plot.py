@@ -13,9 +13,9 @@ from lxml import etree
 from crs_cc.cli.plot import Picture, Trip, colour
 from crs_cc.cli.tracks import Tracks, simplified
 from crs_cc.sim.drawings import LINE, ROBOT, Drawing
+from crs_cc.sim.ground.surface import HeightMap, Patch, Surface
 from crs_cc.sim.model import Area, Box, Cylinder, Material, Polygon, Pose, Robot, Wall, WorldModel
 from crs_cc.sim.robot_model import Drive, RobotModel
-from crs_cc.sim.surface import HeightMap, Patch, Surface
 from tests.sim.gripping import GRIPPER, gripping
 
 SVG = "{http://www.w3.org/2000/svg}"

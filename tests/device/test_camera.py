@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from crs_cc.errors import WorldError
-from crs_cc.sim.world_xml import empty_world, load_robot
+from crs_cc.sim.files.world_xml import empty_world, load_robot
 from tests.device.robot import scout_with
 from tests.nclient.drive import drive
 from tests.sim.driver import Driver

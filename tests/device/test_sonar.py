@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from crs_cc.errors import WorldError
-from crs_cc.sim.world_xml import empty_world, load_robot, parse_world
+from crs_cc.sim.files.world_xml import empty_world, load_robot, parse_world
 from tests.device.robot import scout_with
 from tests.nclient.drive import drive
 from tests.sim.driver import INCH, SCOUT_RADIUS_M, Driver

@@ -9,8 +9,8 @@ import pytest
 from crs_cc.errors import WorldError
 from crs_cc.session.library import HEADERS
 from crs_cc.sim.environment import Environment
+from crs_cc.sim.files.world_xml import empty_world, load_robot, parse_world
 from crs_cc.sim.states import timers
-from crs_cc.sim.world_xml import empty_world, load_robot, parse_world
 from tests.device.robot import scout_with
 from tests.nclient.drive import drive
 from tests.sim.driver import Driver

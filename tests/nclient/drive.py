@@ -17,8 +17,8 @@ from crs_cc.frontend.options import Dialect
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Client
 from crs_cc.session.session import Session
+from crs_cc.sim.files.world_xml import SCOUT, parse_world
 from crs_cc.sim.step import Step
-from crs_cc.sim.world_xml import SCOUT, parse_world
 from crs_cc.source import Diagnostics
 from crs_cc.units import m_to_inch
 

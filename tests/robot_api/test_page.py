@@ -26,7 +26,7 @@ from crs_cc.robot_api import (
     Name,
 )  # fmt: skip
 from crs_cc.sim.environment import Environment
-from crs_cc.sim.world_xml import empty_world
+from crs_cc.sim.files.world_xml import empty_world
 from tests.robot_api.dialects import section
 
 PAGE = Path(__file__).parents[2] / "docs" / "robot-api.md"

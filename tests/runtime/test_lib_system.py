@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.sim.world_xml import empty_world
+from crs_cc.sim.files.world_xml import empty_world
 from tests.runtime.library_runner import run
 from tests.session.programs import Recorded, build
 

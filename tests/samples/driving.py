@@ -13,8 +13,8 @@ from crs_cc.frontend.options import Dialect
 from crs_cc.session.build import build_executable
 from crs_cc.session.result import RobotResult
 from crs_cc.session.session import Session
+from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model import WorldModel
-from crs_cc.sim.scene import Scene
 from crs_cc.source import Diagnostics
 
 ROOT = Path(__file__).parents[2]

@@ -19,8 +19,8 @@ import pytest
 
 from crs_cc.cli.main import main
 from crs_cc.frontend.options import Dialect
+from crs_cc.sim.files.world_xml import load_world
 from crs_cc.sim.model import Pose, WorldModel
-from crs_cc.sim.world_xml import load_world
 from tests.samples import properties
 from tests.samples.driving import ROOT, SAMPLES, WORLDS, Drive
 

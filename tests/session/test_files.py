@@ -9,7 +9,7 @@ import pytest
 from crs_cc.session import files
 from crs_cc.session.files import CREATE, DISK_BYTES, DISK_FILES, EXCLUSIVE, NAMELESS, TRUNCATE, Disk
 from crs_cc.session.session import Session
-from crs_cc.sim.world_xml import empty_world
+from crs_cc.sim.files.world_xml import empty_world
 from tests.session.programs import HALL, build
 
 

@@ -20,8 +20,8 @@ import pytest
 
 from crs_cc.runtime.executable import Executable
 from crs_cc.session.session import Session
+from crs_cc.sim.files.world_xml import load_robot, parse_world
 from crs_cc.sim.model import Pose, Robot
-from crs_cc.sim.world_xml import load_robot, parse_world
 from tests.session.programs import LOOP, ROAM, build
 
 GATE = 'id="guest" x="19m" y="2m" heading="180deg"'

@@ -13,9 +13,9 @@ from pathlib import Path
 import pytest
 
 from crs_cc.cli.main import main
+from crs_cc.sim.files.world_xml import known_robots, load_robot
 from crs_cc.sim.robot_model import RobotModel
-from crs_cc.sim.world_xml import known_robots, load_robot
-from tests.sim.test_world_xml import SIM
+from tests.sim.files.test_world_xml import SIM
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "robots.md"

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.sim.world_xml import empty_world
+from crs_cc.sim.files.world_xml import empty_world
 from tests.session.programs import HALL, LOOP, ROAM, build, run
 
 STEPS = 60

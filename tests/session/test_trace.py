@@ -9,13 +9,13 @@ from pathlib import Path
 from crs_cc.session import trace as trace_module
 from crs_cc.session.session import Session
 from crs_cc.session.trace import Trace
-from crs_cc.sim import world_xml
 from crs_cc.sim.environment import Environment
 from crs_cc.sim.events import Event
-from crs_cc.sim.world_xml import empty_world, load_world
+from crs_cc.sim.files import world_xml
+from crs_cc.sim.files.world_xml import empty_world, load_world
 from tests.session.programs import build
 
-ROBOTS = Path(world_xml.__file__).parent / "robots"
+ROBOTS = Path(world_xml.__file__).parents[1] / "robots"
 
 SOURCE = """
 #include "Nclient.h"

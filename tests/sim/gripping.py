@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from crs_cc.sim.world_xml import load_world
+from crs_cc.sim.files.world_xml import load_world
 from tests.device.robot import scout_with
 from tests.sim.driver import Driver
 

@@ -12,7 +12,7 @@ from lxml import etree
 
 from crs_cc.cli.main import main
 from crs_cc.errors import WorldError
-from crs_cc.sim.world_xml import load_world
+from crs_cc.sim.files.world_xml import load_world
 from tests.sim.broken_worlds import BREAKAGES, hostile_files
 
 WORLDS = Path(__file__).parents[2] / "worlds"

@@ -13,13 +13,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from crs_cc.requests import CODES, MESSAGE, REQUESTS
-from crs_cc.sim import world_xml
 from crs_cc.sim.commands import HANDLERS, WAITS
 from crs_cc.sim.environment import Environment
+from crs_cc.sim.files import world_xml
+from crs_cc.sim.files.world_xml import empty_world, load_world
 from crs_cc.sim.model import Area, WorldModel
 from crs_cc.sim.state_vector import CONF_X, MOTOR_STATUS, VEL_RIGHT
 from crs_cc.sim.step import describe_slice
-from crs_cc.sim.world_xml import empty_world, load_world
 from tests.sim.driver import INCH, Driver, open_world, told, world_of
 
 ROBOT_CODES = sorted(code for code, row in REQUESTS.items() if row.server != "host")
@@ -585,7 +585,7 @@ def test_a_request_of_nobody_is_let_be():
 
 def scout_file(folder, *changes: tuple[str, str]):
     """Writes a robot definition like the Scout's with changes, and gives a world file beside it."""
-    text = (Path(world_xml.__file__).parent / "robots" / "scout.xml").read_text()
+    text = (Path(world_xml.__file__).parents[1] / "robots" / "scout.xml").read_text()
     for old, new in changes:
         assert old in text
         text = text.replace(old, new)

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from crs_cc.requests import CODES, MESSAGE
 from crs_cc.sim.environment import Environment
-from crs_cc.sim.world_xml import parse_world
+from crs_cc.sim.files.world_xml import parse_world
 from tests.sim.driver import Driver, world_of
 
 SENSOR_CODES = [

@@ -7,7 +7,7 @@ import pytest
 
 from crs_cc.errors import WorldError
 from crs_cc.requests import CODES, MESSAGE
-from crs_cc.sim.segments import segments
+from crs_cc.sim.geometry.segments import segments
 from crs_cc.sim.state_vector import LASER
 from tests.sim.driver import INCH, Driver, open_world, own_world, world_of
 

@@ -7,7 +7,7 @@ import pytest
 
 from crs_cc.requests import CODES, MESSAGE, REQUESTS
 from crs_cc.sim.environment import Environment
-from crs_cc.sim.world_xml import known_robots, parse_world
+from crs_cc.sim.files.world_xml import known_robots, parse_world
 
 NOWHERE = {
     *("CONNECT", "DISCONNECT", "CREATE"),

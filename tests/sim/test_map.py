@@ -9,9 +9,9 @@ import pytest
 from PIL import Image
 
 from crs_cc.errors import WorldError
-from crs_cc.sim.map_elements import rectangles
+from crs_cc.sim.files.map_elements import rectangles
+from crs_cc.sim.files.world_xml import load_world, parse_world
 from crs_cc.sim.model import WorldModel
-from crs_cc.sim.world_xml import load_world, parse_world
 
 ROOM = """
 ##########

@@ -7,8 +7,8 @@ import math
 import pytest
 
 from crs_cc.errors import WorldError
+from crs_cc.sim.files.world_xml import parse_world
 from crs_cc.sim.model import PLAIN, TALL_M, Material, WorldModel
-from crs_cc.sim.world_xml import parse_world
 
 WOOD = '<material name="wood" colour="brown" sonar="0.9" infrared="0.25"/>'
 

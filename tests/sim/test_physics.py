@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from crs_cc.sim.bodies import Bodies, Pull
+from crs_cc.sim.geometry.placement import clearance_m
+from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.physics import Physics
-from crs_cc.sim.placement import clearance_m
-from crs_cc.sim.scene import Scene
 from tests.sim.driver import SCOUT_RADIUS_M, Driver, world_of
 
 DT = 0.05

@@ -16,9 +16,9 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.sim.world_xml import load_robot
+from crs_cc.sim.files.world_xml import load_robot
 from tests.sim.driver import Driver, world_of
-from tests.sim.test_world_xml import SIM
+from tests.sim.files.test_world_xml import SIM
 
 HALF_BEAM_RAD = math.radians(7.5)
 SCOUT = 2

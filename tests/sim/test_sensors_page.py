@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 from crs_cc.robot_api.device import DEVICE_GROUPS
-from crs_cc.sim.degradation_model import DEVICES
+from crs_cc.sim.degradation.model import DEVICES
 from tests.sim.test_world_format_page import Schema
 
 ROOT = Path(__file__).parents[2]

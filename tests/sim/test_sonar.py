@@ -10,11 +10,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from crs_cc.sim.environment import Environment
+from crs_cc.sim.files.world_xml import empty_world
 from crs_cc.sim.model import Area, Pose, Robot, WorldModel
 from crs_cc.sim.sensors.sonar_errors import SonarErrors
 from crs_cc.sim.sonar_model import SonarBoard
 from crs_cc.sim.state_vector import CONF_X, SONAR_0
-from crs_cc.sim.world_xml import empty_world
 from crs_cc.units import SOUND_MPS
 from tests.sim.driver import INCH, SCOUT_RADIUS_M, Driver, open_world, world_of
 

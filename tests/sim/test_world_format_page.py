@@ -25,14 +25,14 @@ EXAMPLES = {  # the first file that has an element shows it
 LONGEST = 500
 
 INTRODUCTION = """\
-<!-- made by tests/sim/test_world_format_page.py of crs_cc/sim/world.xsd and robot.xsd; edit there,
-     then pytest --update-goldens -->
+<!-- made by tests/sim/test_world_format_page.py of crs_cc/sim/files/world.xsd and robot.xsd;
+     edit there, then pytest --update-goldens -->
 
 # World and robot files
 
 A world file says what stands where before the first timestep, and which robots run which programs.
-A robot definition says what a kind of robot is made of. Both are XML; `crs_cc/sim/world.xsd` and
-`robot.xsd` are their schemas, which let editors complete and check them.
+A robot definition says what a kind of robot is made of. Both are XML; `crs_cc/sim/files/world.xsd`
+and `robot.xsd` are their schemas, which let editors complete and check them.
 
 ```sh
 crs new world room           # a commented start: room.xml; also robot, program
@@ -63,7 +63,7 @@ class Schema:
     """A schema, as a reader of its files needs it."""
 
     def __init__(self, name: str) -> None:
-        self.root = etree.parse(SIM / name).getroot()
+        self.root = etree.parse(SIM / "files" / name).getroot()
         self.examples = [etree.parse(path) for path in EXAMPLES[name]]
         self.done: set[tuple[str, str | None]] = set()
         self.named = {(each.tag, each.get("name")): each for each in self.root}

@@ -23,10 +23,10 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.frames import compose, relative
-from crs_cc.sim.holds import HAND
-from crs_cc.sim.neighbours import CellList
-from crs_cc.sim.room import has_room
+from crs_cc.sim.geometry.frames import compose, relative
+from crs_cc.sim.geometry.neighbours import CellList
+from crs_cc.sim.geometry.room import has_room
+from crs_cc.sim.handling.holds import HAND
 from crs_cc.units import m_to_tenths_inch, rad_to_tenths_deg, tenths_deg_to_rad
 
 if TYPE_CHECKING:

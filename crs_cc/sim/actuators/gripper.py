@@ -22,11 +22,11 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.carrying import grasp_anew
-from crs_cc.sim.fingers import between
-from crs_cc.sim.holds import GRIPPER
+from crs_cc.sim.geometry.rays import Fan
+from crs_cc.sim.handling.carrying import grasp_anew
+from crs_cc.sim.handling.fingers import between
+from crs_cc.sim.handling.holds import GRIPPER
 from crs_cc.sim.mount import mount_poses
-from crs_cc.sim.rays import Fan
 from crs_cc.units import m_to_tenths_inch
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from crs_cc.sim.bodies import Contacts
     from crs_cc.sim.equipment import Equipment
     from crs_cc.sim.events import EventLog
-    from crs_cc.sim.handling_model import Gripper
+    from crs_cc.sim.handling.model import Gripper
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.state import EnvState
 

@@ -25,18 +25,18 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.chances import Chances
+from crs_cc.sim.geometry.neighbours import CellList, expand
+from crs_cc.sim.geometry.sight import Sight
 from crs_cc.sim.messages import inbox
 from crs_cc.sim.messages.channels import Channels
 from crs_cc.sim.messages.loss import burst_states
 from crs_cc.sim.messages.shutting import is_shut
 from crs_cc.sim.messages.traffic import Fate, note
-from crs_cc.sim.neighbours import CellList, expand
 from crs_cc.sim.noise import MESSAGES
-from crs_cc.sim.sight import Sight
 from crs_cc.sim.states.messages import EVERYBODY, NO_GROUP, RECEPTION
 
 if TYPE_CHECKING:
-    from crs_cc.sim.scene import Scene
+    from crs_cc.sim.geometry.scene import Scene
     from crs_cc.sim.state import EnvState
 
 BoolArray = npt.NDArray[np.bool_]

@@ -1,7 +1,7 @@
 """Who shuts and opens the ways of messages while a world runs: for programs that run worlds.
 
 >>> from crs_cc.sim.environment import Environment
->>> from crs_cc.sim.world_xml import empty_world
+>>> from crs_cc.sim.files.world_xml import empty_world
 >>> environment = Environment(empty_world(), seed=1)
 >>> environment.communication.shut(channel="radio", sender="robot0")
 >>> [event.text for event in environment.step().events]

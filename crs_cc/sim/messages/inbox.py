@@ -12,8 +12,8 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.sim.geometry.neighbours import expand
 from crs_cc.sim.messages.traffic import Fate, note
-from crs_cc.sim.neighbours import expand
 from crs_cc.sim.states.messages import ARRIVED, COMING, GONE, MessageState
 
 FloatArray = npt.NDArray[np.float64]

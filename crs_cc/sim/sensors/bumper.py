@@ -40,7 +40,7 @@ _ON_EDGE_RAD: Final = 1e-9  # rounding must not let a contact slip between two s
 class Bumpers:
     """The switches of all robots of a world.
 
-    >>> from crs_cc.sim.world_xml import empty_world
+    >>> from crs_cc.sim.files.world_xml import empty_world
     >>> bumpers = Bumpers(empty_world())        # a Scout: eight switches, the first one ahead
     >>> bumpers.pressed(np.array([0, 0, 0]), np.array([0.0, math.pi / 2, -0.3])).tolist()
     [1, 4, 1]

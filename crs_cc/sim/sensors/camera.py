@@ -29,20 +29,20 @@ import numpy.typing as npt
 
 from crs_cc.sim import noise
 from crs_cc.sim.blobs import blobs
+from crs_cc.sim.geometry.rays import NO_THING, Fan
+from crs_cc.sim.geometry.surfaces import packed
 from crs_cc.sim.mount import mount_poses
-from crs_cc.sim.rays import NO_THING, Fan
 from crs_cc.sim.sensor_model import MAX_COLUMNS
 from crs_cc.sim.states.timers import CAMERA
-from crs_cc.sim.surfaces import packed
 from crs_cc.units import m_to_tenths_inch, rad_to_tenths_deg
 
 if TYPE_CHECKING:
     from crs_cc.sim.asked import Asked
     from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.geometry.surroundings import Surroundings
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.sensor_model import Camera
     from crs_cc.sim.state import EnvState
-    from crs_cc.sim.surroundings import Surroundings
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]

@@ -7,7 +7,7 @@ vendor's header `Nclient.h` 1.29 gives the unit (ms), the tick of 16.4 ms, and t
 zero when the robot is switched on and flows over after 49 days, which are 2^32 ms. When a robot was
 switched on is a parameter of its definition. No degradation.
 
->>> from crs_cc.sim.world_xml import empty_world
+>>> from crs_cc.sim.files.world_xml import empty_world
 >>> BoardClock(empty_world()).ms(np.array([0, 0]), np.array([0.0164, 1.0])).tolist()
 [16.0, 984.0]
 """

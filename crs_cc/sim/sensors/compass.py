@@ -31,9 +31,9 @@ from crs_cc.units import rad_to_tenths_deg
 
 if TYPE_CHECKING:
     from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.geometry.surroundings import Surroundings
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.state import EnvState
-    from crs_cc.sim.surroundings import Surroundings
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]

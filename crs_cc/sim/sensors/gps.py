@@ -23,9 +23,9 @@ from crs_cc.units import m_to_tenths_inch
 if TYPE_CHECKING:
     from crs_cc.sim.asked import Asked
     from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.geometry.surroundings import Surroundings
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.state import EnvState
-    from crs_cc.sim.surroundings import Surroundings
 
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]

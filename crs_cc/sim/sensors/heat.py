@@ -19,14 +19,14 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.neighbours import CellList
+from crs_cc.sim.geometry.neighbours import CellList
 from crs_cc.sim.states.timers import HEAT
 
 if TYPE_CHECKING:
     from crs_cc.sim.asked import Asked
     from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.geometry.surroundings import Surroundings
     from crs_cc.sim.state import EnvState
-    from crs_cc.sim.surroundings import Surroundings
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]

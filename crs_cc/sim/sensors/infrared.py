@@ -28,9 +28,9 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.mount import mount_poses
 from crs_cc.sim.noise import INFRARED, Noise
-from crs_cc.sim.rays import Fan
 from crs_cc.sim.sensor_model import MAX_INFRARED
 from crs_cc.sim.sensors.order import orders
 from crs_cc.sim.state_vector import configuration
@@ -38,10 +38,10 @@ from crs_cc.sim.states.infrared import FARTHEST
 
 if TYPE_CHECKING:
     from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.geometry.surroundings import Surroundings
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.sensor_model import Infrared
     from crs_cc.sim.state import EnvState
-    from crs_cc.sim.surroundings import Surroundings
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]

@@ -30,10 +30,10 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.sim.geometry.rays import Fan
+from crs_cc.sim.geometry.segments import segments
 from crs_cc.sim.mount import mount_poses
 from crs_cc.sim.noise import LASER, Noise
-from crs_cc.sim.rays import Fan
-from crs_cc.sim.segments import segments
 from crs_cc.sim.sensor_model import NUM_LASER
 from crs_cc.sim.state_vector import configuration
 from crs_cc.sim.states import timers
@@ -43,10 +43,10 @@ from crs_cc.units import m_to_tenths_inch
 if TYPE_CHECKING:
     from crs_cc.sim.asked import Asked
     from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.geometry.surroundings import Surroundings
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.sensor_model import Laser
     from crs_cc.sim.state import EnvState
-    from crs_cc.sim.surroundings import Surroundings
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]

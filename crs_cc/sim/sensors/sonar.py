@@ -36,9 +36,9 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.actuators import drive
-from crs_cc.sim.echoes import Pings, first_echo
+from crs_cc.sim.geometry.echoes import Pings, first_echo
+from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.mount import mount_poses
-from crs_cc.sim.rays import Fan
 from crs_cc.sim.sensors.order import orders
 from crs_cc.sim.sensors.sonar_beams import Beams, overheard
 from crs_cc.sim.sensors.sonar_errors import SonarErrors
@@ -50,10 +50,10 @@ from crs_cc.units import SOUND_MPS, m_to_tenths_inch
 if TYPE_CHECKING:
     from crs_cc.sim.asked import Asked
     from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.geometry.prospect import Prospect
+    from crs_cc.sim.geometry.surroundings import Surroundings
     from crs_cc.sim.model import WorldModel
-    from crs_cc.sim.prospect import Prospect
     from crs_cc.sim.state import EnvState
-    from crs_cc.sim.surroundings import Surroundings
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]

@@ -21,8 +21,8 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.echoes import ANY_ANGLE, Pings, Points
-from crs_cc.sim.neighbours import CellList
+from crs_cc.sim.geometry.echoes import ANY_ANGLE, Pings, Points
+from crs_cc.sim.geometry.neighbours import CellList
 from crs_cc.sim.sonar_model import MAX_SONARS
 from crs_cc.units import SOUND_MPS
 

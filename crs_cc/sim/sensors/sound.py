@@ -23,7 +23,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.beacon_model import TONES
-from crs_cc.sim.frames import wrapped
+from crs_cc.sim.geometry.frames import wrapped
 from crs_cc.sim.noise import SOUND, Noise
 from crs_cc.sim.sources import Sources, line_of_sight, sense
 from crs_cc.units import rad_to_tenths_deg

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.carrying import release
+from crs_cc.sim.handling.carrying import release
 from crs_cc.sim.model import Pose
 from crs_cc.sim.presence import in_the_way
 from crs_cc.units import tenths_deg_to_rad, tenths_inch_to_m

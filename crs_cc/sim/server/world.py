@@ -17,11 +17,11 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.sim.geometry.placement import TOLERANCE_M, clearance_m
+from crs_cc.sim.geometry.polygon import area_m2, complaint
+from crs_cc.sim.geometry.scene import corners_m
 from crs_cc.sim.model import Box, Polygon, Solid, is_pushable
-from crs_cc.sim.placement import TOLERANCE_M, clearance_m
-from crs_cc.sim.polygon import area_m2, complaint
 from crs_cc.sim.quantity import LENGTH
-from crs_cc.sim.scene import corners_m
 from crs_cc.sim.states.obstacles import MAX_VERTICES, Corners, ObstacleState, polygon_of, things_of
 from crs_cc.units import m_to_tenths_inch, tenths_inch_to_m
 

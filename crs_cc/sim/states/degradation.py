@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Final, Literal, Self
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.degradation_model import DEVICES, HOLD, Degradation
+from crs_cc.sim.degradation.model import DEVICES, HOLD, Degradation
 
 if TYPE_CHECKING:
     from crs_cc.sim.model import WorldModel

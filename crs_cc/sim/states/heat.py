@@ -8,8 +8,8 @@ from typing import Self
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model import WorldModel
-from crs_cc.sim.scene import Scene
 
 
 @dataclass(slots=True)

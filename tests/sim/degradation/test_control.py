@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.sim.degradation_model import Degradation
+from crs_cc.sim.degradation.model import Degradation
 from crs_cc.sim.environment import Environment
 from crs_cc.sim.state_vector import SONAR_0
 from tests.sim.degradation.law import world_with

@@ -7,10 +7,10 @@ import pytest
 
 from crs_cc.requests import CODES, MESSAGE
 from crs_cc.sim.commands import HANDLERS
-from crs_cc.sim.degradation_model import DEVICES, Degradation, complaint
+from crs_cc.sim.degradation.model import DEVICES, Degradation, complaint
 from crs_cc.sim.environment import Environment
+from crs_cc.sim.files.world_xml import parse_world
 from crs_cc.sim.model import Robot
-from crs_cc.sim.world_xml import parse_world
 from tests.sim.degradation.law import world_with
 
 NUMBERS = (0.0, 1.0, -1.0, 0.3, 1e-300, 5e-324, 1e-9, -1e4, 1e4, 1e3, -1e3, 7.5)

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from crs_cc.errors import WorldError
-from crs_cc.sim.degradation_model import Degradation
+from crs_cc.sim.degradation.model import Degradation
 from tests.sim.driver import open_world
 
 ROBOT = '<robot x="0" y="0"/>'

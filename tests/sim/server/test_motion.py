@@ -134,7 +134,7 @@ def test_random_paths_end_where_small_steps_first_come_too_near(seed):
 
 def room_in(driver: Driver, places: np.ndarray) -> np.ndarray:
     """Gives how far a robot at places is from the next solid [in]."""
-    from crs_cc.sim.placement import clearance_m
+    from crs_cc.sim.geometry.placement import clearance_m
 
     solids = driver.environment.world_now.solids()
     x_m, y_m = (places * INCH).T

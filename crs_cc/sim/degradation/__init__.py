@@ -1,0 +1,1 @@
+"""What goes wrong with devices: the law, its state, and who changes it."""

@@ -1,0 +1,1 @@
+"""World files and robot definitions: from XML and pictures to the models."""

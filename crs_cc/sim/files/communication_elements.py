@@ -1,0 +1,120 @@
+"""From the element `<communication>` of a world file to a `Communication`."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Final
+
+from crs_cc.sim.communication import (
+    ANY,
+    LONGEST_QUEUE,
+    MAX_CHANNELS,
+    PREDEFINED,
+    Channel,
+    Communication,
+    Shut,
+)
+from crs_cc.sim.files.document import Element, Reader
+from crs_cc.sim.quantity import DATA_RATE, LENGTH, RATIO, TIME
+
+MAX_SHUTS: Final = 1000
+LONGEST_DELAY_S: Final = 60.0
+
+
+def communication(root: Element, robots: Sequence[str], reader: Reader) -> Communication:
+    """Gives what a world file says of messages; mistakes go to the reader.
+
+    Args:
+        root: the outermost element.
+        robots: the robots' ids.
+        reader: reads the values.
+    """
+    channels = {channel.name: channel for channel in PREDEFINED}
+    elements = [child for element in root.all("communication") for child in element.children]
+    said: dict[str, Element] = {}
+    for element in elements:
+        if element.tag != "channel":
+            continue
+        name = element.attributes["name"]
+        if name in said:
+            reader.error(element, f"a second channel {name!r}; the first is in {said[name].place}")
+        said.setdefault(name, element)
+        channels[name] = _channel(element, channels.get(name, Channel(name)), reader)
+    if len(channels) > MAX_CHANNELS:
+        reader.error(root.first("communication"), f"more than {MAX_CHANNELS} channels")
+    shuts = [element for element in elements if element.tag == "shut"]
+    if len(shuts) > MAX_SHUTS:
+        reader.error(root.first("communication"), f"channels shut more than {MAX_SHUTS} times")
+        shuts = []
+    found = tuple(_shut(element, list(channels), robots, reader) for element in shuts)
+    return Communication(tuple(channels.values()), found)
+
+
+def _channel(element: Element, before: Channel, reader: Reader) -> Channel:
+    """Gives a channel with what an element says of it."""
+    drop = element.attributes.get("drop")
+    return replace(
+        before,
+        range_m=reader.positive(element, "range", LENGTH, before.range_m),
+        walls=_share(element, "walls", before.walls, reader),
+        delay_s=_delay(element, "delay", before.delay_s, reader),
+        jitter_s=_delay(element, "jitter", before.jitter_s, reader),
+        bandwidth_bps=_bandwidth(element, before.bandwidth_bps, reader),
+        queue=reader.whole(element, "queue", 1, LONGEST_QUEUE, before.queue),
+        drops_oldest=before.drops_oldest if drop is None else drop == "oldest",
+        loss=_share(element, "loss", before.loss, reader),
+        burst_begin=_share(element, "burst-begin", before.burst_begin, reader),
+        burst_end=_share(element, "burst-end", before.burst_end, reader),
+        burst_loss=_share(element, "burst-loss", before.burst_loss, reader),
+        corruption=_share(element, "corruption", before.corruption, reader),
+    )
+
+
+def _share(element: Element, name: str, absent: float, reader: Reader) -> float:
+    value = reader.not_negative(element, name, RATIO, absent)
+    if value > 1.0:
+        reader.refuse(element, f"{name}: must be 0 or more and 1 or less")
+        return absent
+    return value
+
+
+def _delay(element: Element, name: str, absent: float, reader: Reader) -> float:
+    value_s = reader.not_negative(element, name, TIME, absent)
+    if value_s > LONGEST_DELAY_S:
+        reader.refuse(element, f"{name}: must be {LONGEST_DELAY_S:g}s or less")
+        return absent
+    return value_s
+
+
+def _bandwidth(element: Element, absent: float, reader: Reader) -> float:
+    value_bps = reader.positive(element, "bandwidth", DATA_RATE, absent)
+    if value_bps < 1.0:
+        reader.refuse(element, "bandwidth: must be 1B/s or more")
+        return absent
+    return value_bps
+
+
+def _shut(element: Element, channels: Sequence[str], robots: Sequence[str], reader: Reader) -> Shut:
+    at_s = reader.not_negative(element, "at", TIME)
+    until_s = reader.not_negative(element, "until", TIME, math.inf)
+    if until_s <= at_s and not element.broken:
+        reader.refuse(element, "until: must be later than at")
+    return Shut(
+        at_s,
+        until_s,
+        _number(element, "channel", channels, "channel", reader),
+        _number(element, "from", robots, "robot", reader),
+        _number(element, "to", robots, "robot", reader),
+    )
+
+
+def _number(element: Element, name: str, known: Sequence[str], kind: str, reader: Reader) -> int:
+    wanted = element.attributes.get(name)
+    if wanted is None:
+        return ANY
+    if wanted not in known:
+        reader.refuse(element, f"{name}: there is no {kind} {wanted!r}")
+        return ANY
+    return known.index(wanted)

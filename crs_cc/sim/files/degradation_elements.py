@@ -1,0 +1,123 @@
+"""From the `<degradation>` elements of a world file to `Degradation`.
+
+Values have the unit of the device's element; `stuck="hold"` holds the last one.
+
+>>> from crs_cc.sim.files.world_xml import parse_world
+>>> world = parse_world(b'''<world version="1"><area length="6m" width="5m"/>
+...   <robot x="1m" y="1m"/>
+...   <degradation robot="robot0" device="sonar" element="3" bias="20cm" onset="10s"/>
+...   <degradation robot="robot0" device="drive" element="left" gain="0.8"/>
+... </world>''', "room")
+>>> [(each.id, each.element, each.faults) for each in world.degradations]
+[('degradation0', 3, 'bias 0.2'), ('degradation1', 1, 'gain 0.8')]
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.sim.degradation.model import (
+    DEVICES,
+    HOLD,
+    Degradation,
+    Device,
+    complaint,
+    element_of,
+    shown,
+)
+from crs_cc.sim.quantity import RATIO, TIME
+from crs_cc.sim.states.degradation import MAX_MEMORY, memory_size
+
+if TYPE_CHECKING:
+    from crs_cc.sim.files.document import Element, Reader
+    from crs_cc.sim.model import Robot
+    from crs_cc.sim.robot_model import RobotModel
+
+_UNKNOWN: Final = -1
+
+
+def degradations(
+    elements: Iterable[Element], robots: Iterable[tuple[Element, Robot]], reader: Reader
+) -> tuple[Degradation, ...]:
+    """Gives what a world file's degradations are; mistakes go to the reader.
+
+    Args:
+        elements: the elements, with ids.
+        robots: all robots, each with its element.
+        reader: reads the values.
+    """
+    known = {robot.id: (place, robot.model) for place, robot in robots}
+    found, room = [], MAX_MEMORY
+    for element in elements:
+        name = element.attributes["robot"]
+        if name not in known:
+            reader.error(element, f"degradation of the robot {name!r}: there is none with that id")
+            continue
+        place, model = known[name]
+        if place.broken:  # and so, perhaps, without its devices
+            continue
+        degradation = _degradation(element, model, reader)
+        if degradation is None:
+            continue
+        room -= memory_size(degradation)
+        if room < 0:
+            reader.error(element, "too many degradations: delays of many elements need much memory")
+            break
+        found.append(degradation)
+    return tuple(found)
+
+
+def _degradation(element: Element, model: RobotModel, reader: Reader) -> Degradation | None:
+    device = DEVICES.get(element.attributes["device"])
+    if device is None:
+        name = element.attributes["device"][:40]
+        reader.refuse(element, f"device: there is no {name!r}; there are {', '.join(DEVICES)}")
+        return None
+    number = _element(element, device, model, reader)
+    if number == _UNKNOWN:
+        return None
+    names = device.elements(model) or ("",)
+    kind = device.kind_of(names[number or 0])
+    stuck = element.attributes.get("stuck")
+    holds = stuck is not None and stuck.strip() == HOLD
+    fixed = None if stuck is None or holds else reader.quantity(element, "stuck", kind)
+    degradation = Degradation(
+        element.attributes["robot"],
+        device.name,
+        number,
+        bias=reader.quantity(element, "bias", kind),
+        gain=reader.quantity(element, "gain", RATIO, 1.0),
+        noise=reader.quantity(element, "noise", kind),
+        step=reader.quantity(element, "step", kind),
+        stuck=HOLD if holds else fixed,
+        delay_s=reader.quantity(element, "delay", TIME),
+        dropouts=reader.quantity(element, "dropouts", RATIO),
+        dead=element.attributes.get("dead") == "yes",
+        onset_s=reader.quantity(element, "onset", TIME),
+        duration_s=_duration_s(element, reader),
+        recovery_s=reader.quantity(element, "recovery", TIME),
+        id=element.attributes["id"],
+    )
+    if not element.broken and (wrong := complaint(degradation, model)):
+        reader.refuse(element, wrong)
+    return None if element.broken else degradation
+
+
+def _element(element: Element, device: Device, model: RobotModel, reader: Reader) -> int | None:
+    """Gives the number of the element that is meant, None for all, `_UNKNOWN` for none there is."""
+    text = element.attributes.get("element")
+    names = device.elements(model)
+    if text is None or not names:  # that the device is missing is told later
+        return None
+    number = element_of(device, model, text)
+    if number is None:
+        reader.refuse(
+            element, f"element: {device.name} has no {text[:40]!r}; it has {shown(names)}"
+        )
+        return _UNKNOWN
+    return number
+
+
+def _duration_s(element: Element, reader: Reader) -> float | None:
+    return reader.quantity(element, "duration", TIME) if "duration" in element.attributes else None

@@ -1,0 +1,54 @@
+"""From the elements of a robot definition file to what the robot handles things with."""
+
+from __future__ import annotations
+
+from crs_cc.sim.files.document import Element, Reader
+from crs_cc.sim.handling.model import Arm, Gripper, Joint
+from crs_cc.sim.quantity import ANGLE, FORCE, LENGTH, MASS, TIME, TURN_RATE
+
+
+def gripper(root: Element, radius_m: float, reader: Reader) -> Gripper | None:
+    """Gives the gripper, None for a robot without one; mistakes go to the reader.
+
+    Args:
+        root: the outermost element.
+        radius_m: the robot's, where the palm is if nothing else is said.
+        reader: reads the values.
+    """
+    for element in root.all("gripper"):
+        return Gripper(
+            place_m=reader.not_negative(element, "place", LENGTH, radius_m),
+            reach_m=reader.positive(element, "reach", LENGTH),
+            opening_m=reader.positive(element, "opening", LENGTH),
+            closing_s=reader.positive(element, "closing", TIME),
+            most_kg=reader.positive(element, "max-mass", MASS),
+            force_n=reader.positive(element, "force", FORCE),
+        )
+    return None
+
+
+def arm(root: Element, reader: Reader) -> Arm | None:
+    """Gives the arm, None for a robot without one; mistakes go to the reader."""
+    for element in root.all("arm"):
+        return Arm(
+            x_m=reader.quantity(element, "x", LENGTH),
+            y_m=reader.quantity(element, "y", LENGTH),
+            upper_m=reader.positive(element, "upper", LENGTH),
+            fore_m=reader.positive(element, "fore", LENGTH),
+            shoulder=_joint(element, "shoulder", reader),
+            elbow=_joint(element, "elbow", reader),
+            hand_m=reader.positive(element, "hand", LENGTH),
+            most_kg=reader.positive(element, "max-mass", MASS),
+        )
+    return None
+
+
+def _joint(element: Element, name: str, reader: Reader) -> Joint:
+    joint = Joint(
+        reader.quantity(element, f"{name}-min", ANGLE),
+        reader.quantity(element, f"{name}-max", ANGLE),
+        reader.positive(element, f"{name}-speed", TURN_RATE),
+    )
+    if joint.least_rad > joint.most_rad:
+        reader.refuse(element, f"{name}-min: must not be greater than {name}-max")
+    return joint

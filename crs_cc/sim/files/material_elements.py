@@ -1,0 +1,68 @@
+"""What the things of a world file are made of: `<material>` elements, and attributes of their own.
+
+A thing takes the material that its `material` names, and in place of parts of it what it says
+itself:
+
+    <material name="curtain" colour="maroon" sonar="0.2"/>
+    <wall material="curtain" colour="navy" .../>
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from crs_cc.sim.colours import rgb
+from crs_cc.sim.files.document import Element, Reader
+from crs_cc.sim.model import PLAIN, Material
+from crs_cc.sim.quantity import RATIO
+
+
+class Materials:
+    """The materials of a world, by name."""
+
+    def __init__(self, elements: Iterable[Element], reader: Reader) -> None:
+        """Reads `<material>` elements; each may build on those before it."""
+        self._reader = reader
+        self._known: dict[str, Material] = {}
+        self._where: dict[str, str] = {}
+        for element in elements:
+            name = element.attributes["name"]
+            if name in self._known:
+                before = self._where[name]
+                reader.error(element, f"a second material {name!r}; the first is {before}")
+                continue
+            self._known[name] = self.of(element)
+            self._where[name] = f"in {element.place}"
+
+    def of(self, element: Element) -> Material:
+        """Gives the material that an element's attributes tell; mistakes go to the reader."""
+        reader = self._reader
+        name = element.attributes.get("material", "")
+        base = self._known.get(name, PLAIN)
+        if name and name not in self._known:
+            names = ", ".join(self._known) or "none: add <material name='...'/>"
+            reader.error(element, f"unknown material {name!r}", f"known are {names}")
+        infrared = base.infrared
+        if "infrared" in element.attributes:
+            infrared = _share(element, "infrared", 1.0, reader)
+        sonar = _share(element, "sonar", base.sonar, reader)
+        return replace(base, colour=_colour(element, base, reader), sonar=sonar, infrared=infrared)
+
+
+def _share(element: Element, name: str, absent: float, reader: Reader) -> float:
+    value = reader.quantity(element, name, RATIO, absent)
+    if 0.0 <= value <= 1.0:
+        return value
+    reader.refuse(element, f"{name}: {element.attributes[name]!r} must be between 0 and 1")
+    return absent
+
+
+def _colour(element: Element, base: Material, reader: Reader) -> tuple[int, int, int]:
+    if "colour" not in element.attributes:
+        return base.colour
+    try:
+        return rgb(element.attributes["colour"])
+    except ValueError as wrong:
+        reader.refuse(element, f"colour: {wrong}")
+        return base.colour

@@ -1,0 +1,182 @@
+"""From the elements of a robot definition file to a `RobotModel`."""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+from crs_cc.requests import REQUESTS
+from crs_cc.sim.files import beacon_elements, handling_elements, sensor_elements, sonar_elements
+from crs_cc.sim.files.document import Element, Reader
+from crs_cc.sim.quantity import (
+    ACCELERATION,
+    ANGLE,
+    FORCE,
+    FREQUENCY,
+    LENGTH,
+    MASS,
+    RATIO,
+    SPEED,
+    TIME,
+    TURN_ACCELERATION,
+    TURN_RATE,
+    Kind,
+)
+from crs_cc.sim.robot_model import Axis, Drive, Heat, Link, Odometry, RobotModel
+from crs_cc.sim.sonar_model import Sonar
+
+VENDOR_MODELS: Final = ("nomad200", "nomad150", "scout")
+"""The vendor's models by their numbers (vendor header `Nclient.h` 1.29: MODEL_N200, ...)."""
+
+_ROUNDING_M: Final = 1e-4  # sensors on the shell are written with so many digits
+_MOST_BYTES: Final = 65_535
+_MOST_BAUD: Final = 100_000_000
+_ROBOT_COMMANDS: Final = frozenset(
+    request.name for request in REQUESTS.values() if request.server == "robot"
+)
+
+
+def robot_model(root: Element, reader: Reader) -> RobotModel:
+    """Gives the model that a robot definition describes; mistakes go to the reader."""
+    body = root.first("body")
+    vendor = root.attributes.get("model", "scout")
+    sonars = sonar_elements.sonars(root, reader)
+    board = sonar_elements.board(root.first("sonars"), sonars, reader)
+    radius_m = reader.positive(body, "radius", LENGTH)
+    _check_places(root, radius_m, sonars, reader)
+    return RobotModel(
+        root.attributes["name"],
+        radius_m=radius_m,
+        drive=_drive(root.first("drive"), reader),
+        odometry=_odometry(root.first("odometry"), reader),
+        mass_kg=reader.positive(body, "mass", MASS),
+        sonars=sonars,
+        sonar_board=board,
+        own_modes=sonar_elements.modes(root.first("sonars"), sonars, board, reader),
+        heat=_heat(root.first("heat"), reader),
+        bumpers=sensor_elements.bumpers(root, reader),
+        infrared=sensor_elements.infrared(root, reader),
+        compass=sensor_elements.compass(root, reader),
+        laser=sensor_elements.laser(root, reader),
+        gps=sensor_elements.gps(root, reader),
+        inclinometer=sensor_elements.inclinometer(root, reader),
+        camera=sensor_elements.camera(root, reader),
+        gripper=handling_elements.gripper(root, radius_m, reader),
+        arm=handling_elements.arm(root, reader),
+        light_sensors=beacon_elements.light_sensors(root, reader),
+        microphones=beacon_elements.microphones(root, reader),
+        brightest=beacon_elements.brightest(root, reader),
+        loudest=beacon_elements.loudest(root, reader),
+        computer_battery=sensor_elements.computer_battery(root, reader),
+        motor_battery=sensor_elements.motor_battery(root, reader),
+        board=sensor_elements.sensor_board(root, reader),
+        link=_link(root.first("link"), reader),
+        host_speed_hz=reader.positive(root.first("host"), "speed", FREQUENCY, 5e7),
+        vendor_model=VENDOR_MODELS.index(vendor),
+        height_m=reader.positive(body, "height", LENGTH, math.inf),
+    )
+
+
+def _check_places(
+    root: Element, radius_m: float, sonars: tuple[Sonar, ...], reader: Reader
+) -> None:
+    """Notes sensors that lie outside of the body."""
+    places = {sonar.id: math.hypot(sonar.x_m, sonar.y_m) for sonar in sonars}
+    for element in root.sensors("sonar"):
+        number = element.first("id").text
+        if places.get(int(number) if number.isdigit() else -1, 0.0) > radius_m + _ROUNDING_M:
+            wrong = f"sensor {number} lies outside of the body, whose radius is {radius_m:g} m"
+            reader.error(element, wrong)
+    for tag in ("laser", "camera"):
+        element = root.first(tag)
+        if abs(reader.quantity(element, "forward", LENGTH)) > radius_m + _ROUNDING_M:
+            reader.error(element, f"the {tag} lies outside of the body")
+    for element in root.sensors("camera"):
+        place = element.first("position")
+        x_m = reader.quantity(place, "x-relative", LENGTH)
+        if math.hypot(x_m, reader.quantity(place, "y-relative", LENGTH)) > radius_m + _ROUNDING_M:
+            reader.error(element, "the camera lies outside of the body")
+
+
+def _drive(element: Element, reader: Reader) -> Drive:
+    synchro = element.attributes.get("type") == "synchro"
+    if synchro != any(element.all("steering")):
+        reader.error(element, "a synchro drive, and no other, has <steering>")
+    if not synchro and any(element.all("turret")):
+        reader.error(element, "a differential drive has no <turret>")
+    if not synchro and "wheel-base" not in element.attributes:
+        reader.error(element, "a differential drive has the attribute 'wheel-base'")
+    return Drive(
+        wheel_base_m=0.0 if synchro else reader.positive(element, "wheel-base", LENGTH),
+        wheels=_axis(element, reader, SPEED, ACCELERATION),
+        steering=_turning(element, "steering", reader),
+        turret=_turning(element, "turret", reader),
+        timeout_s=reader.not_negative(element, "timeout", TIME),
+        force_n=reader.positive(element, "force", FORCE),
+        grip_n=reader.positive(element, "grip", FORCE),
+        roll_out_mps2=reader.positive(element, "roll-out", ACCELERATION),
+        climb_rad=_climb(element, reader),
+        step_m=reader.not_negative(element, "step", LENGTH),
+        give_up_s=reader.not_negative(element, "give-up", TIME) or math.inf,
+        waits_forever=element.attributes.get("ws-timeout-zero") == "forever",
+    )
+
+
+def _climb(element: Element, reader: Reader) -> float:
+    climb_rad = reader.not_negative(element, "climb", ANGLE)
+    if climb_rad < math.pi / 2:
+        return climb_rad
+    reader.refuse(element, "climb: must be less than 90 degrees")
+    return 0.0
+
+
+def _odometry(element: Element, reader: Reader) -> Odometry:
+    return Odometry(
+        resolution_m=reader.not_negative(element, "resolution", LENGTH),
+        resolution_rad=reader.not_negative(element, "turn-resolution", ANGLE),
+        scale=reader.positive(element, "scale", RATIO),
+        diameters=reader.positive(element, "diameters", RATIO),
+        wheel_base=reader.positive(element, "wheel-base", RATIO),
+        drift_radpm=reader.quantity(element, "drift", ANGLE),
+        way_noise_m=reader.not_negative(element, "way-noise", LENGTH),
+        turn_noise_rad=reader.not_negative(element, "turn-noise", ANGLE),
+        spin_noise_rad=reader.not_negative(element, "spin-noise", ANGLE),
+    )
+
+
+def _turning(drive: Element, name: str, reader: Reader) -> Axis | None:
+    for element in drive.all(name):
+        return _axis(element, reader, TURN_RATE, TURN_ACCELERATION)
+    return None
+
+
+def _axis(element: Element, reader: Reader, speed: Kind, acceleration: Kind) -> Axis:
+    return Axis(
+        speed_limit=reader.positive(element, "speed-limit", speed),
+        acceleration_limit=reader.positive(element, "acceleration-limit", acceleration),
+        speed=reader.positive(element, "speed", speed),
+        acceleration=reader.positive(element, "acceleration", acceleration),
+    )
+
+
+def _heat(element: Element, reader: Reader) -> Heat:
+    range_m = reader.not_negative(element, "range", LENGTH)
+    return Heat(
+        range_m,
+        reader.not_negative(element, "tag-range", LENGTH, range_m),
+        sensor_elements.period_s(element, reader),
+    )
+
+
+def _link(element: Element, reader: Reader) -> Link:
+    counts: dict[str, int] = {}
+    for command in element.all("command"):
+        name = command.attributes["name"]
+        if name not in _ROBOT_COMMANDS:
+            reader.error(command, f"{name!r} is no command of a robot")
+        count = reader.whole(command, "sends", 0, _MOST_BYTES)
+        count += reader.whole(command, "receives", 0, _MOST_BYTES)
+        counts[name] = count
+    baud = reader.whole(element, "baud", 1, _MOST_BAUD, absent=1)
+    network_s = reader.not_negative(element, "network", TIME)
+    return Link(baud, tuple(sorted(counts.items())), network_s)

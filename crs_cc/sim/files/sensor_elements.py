@@ -1,0 +1,264 @@
+"""From the elements of a robot definition file to the models of its sensors."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Final
+
+from crs_cc.sim.colours import rgb
+from crs_cc.sim.files.document import Element, Reader
+from crs_cc.sim.quantity import ANGLE, ENERGY, FORCE, FREQUENCY, LENGTH, POWER, TIME, VOLTAGE
+from crs_cc.sim.sensor_model import (
+    ENDLESS,
+    ENDLESS_MOTORS,
+    MAX_COLUMNS,
+    MAX_INFRARED,
+    NUM_LASER,
+    USUAL_BOARD,
+    Battery,
+    Camera,
+    Compass,
+    Gps,
+    Inclinometer,
+    Infrared,
+    Laser,
+    MotorBattery,
+    SensorBoard,
+    Switch,
+)
+
+BUMPER_BITS: Final = 24
+"""The bumpers' state is 3 bytes wide (vendor source `Ndirect.c` 2.7)."""
+
+_TURN: Final = 2 * math.pi
+_CLOCKWISE: Final = "clockwise"
+_SHORTEST_S: Final = 0.001  # one robot must not keep the simulator busy with measuring
+_ROUNDING: Final = 1e-9
+
+
+def bumpers(root: Element, reader: Reader) -> tuple[Switch, ...]:
+    """Gives the switches of all rings; mistakes go to the reader."""
+    rings = root.first("bumpers").all("ring")
+    return tuple(switch for ring in rings for switch in _ring(ring, reader))
+
+
+def _ring(ring: Element, reader: Reader) -> list[Switch]:
+    count = reader.whole(ring, "switches", 1, BUMPER_BITS, absent=1)
+    spacing_rad = reader.positive(ring, "spacing", ANGLE, _TURN / count)
+    span_rad = reader.positive(ring, "span", ANGLE, spacing_rad)
+    first_rad = reader.quantity(ring, "first", ANGLE)
+    side = -1 if ring.attributes.get("direction") == _CLOCKWISE else 1
+    bits = [int(bit) for bit in ring.attributes.get("bits", "").split()] or list(range(count))
+    if len(bits) != count:
+        reader.error(ring, f"bits gives {len(bits)} numbers for {count} switches")
+    for bit in bits:
+        if bit >= BUMPER_BITS:
+            reader.error(ring, f"bits has {bit}; the last one is {BUMPER_BITS - 1}")
+    return [
+        Switch(bit, (first_rad + side * number * spacing_rad) % _TURN, span_rad)
+        for number, bit in enumerate(bits)
+    ]
+
+
+def infrared(root: Element, reader: Reader) -> Infrared | None:
+    """Gives the infrared ring, None for a robot without one."""
+    found = list(root.all("infrared"))
+    if not found:
+        return None
+    element = found[0]
+    order = tuple(int(number) for number in element.attributes["order"].split())
+    for number in order:
+        if number >= MAX_INFRARED:
+            reader.error(element, f"order names sensor {number}; the last is {MAX_INFRARED - 1}")
+    return Infrared(
+        step_m=reader.positive(element, "step", LENGTH),
+        half_angle_rad=_half_angle(element, reader),
+        reflectance=float(element.attributes["reflectance"]),
+        rate_hz=reader.positive(element, "rate", FREQUENCY),
+        noise_m=reader.not_negative(element, "noise", LENGTH),
+        share=reader.whole(element, "history", 0, 10) / 10,
+        order=order,
+        height_m=reader.not_negative(element, "height", LENGTH),
+        period_s=period_s(element, reader),
+    )
+
+
+def _half_angle(element: Element, reader: Reader) -> float:
+    half_angle_rad = reader.not_negative(element, "half-angle", ANGLE)
+    if half_angle_rad < math.pi / 2:
+        return half_angle_rad
+    reader.refuse(element, "half-angle: a beam must have less than 90 degrees to each side")
+    return 0.0
+
+
+def compass(root: Element, reader: Reader) -> Compass | None:
+    """Gives the compass, None for a robot without one."""
+    found = list(root.all("compass"))
+    if not found:
+        return None
+    element = found[0]
+    return Compass(
+        offset_rad=reader.quantity(element, "offset", ANGLE),
+        deviation_rad=reader.not_negative(element, "deviation", ANGLE),
+        calibration_s=reader.positive(element, "calibration", TIME),
+        rate_hz=reader.positive(element, "rate", FREQUENCY),
+        noise_rad=reader.not_negative(element, "noise", ANGLE),
+        is_on=element.attributes["on"] == "yes",
+        period_s=period_s(element, reader),
+    )
+
+
+def laser(root: Element, reader: Reader) -> Laser | None:
+    """Gives the laser, None for a robot without one."""
+    found = list(root.all("laser"))
+    if not found:
+        return None
+    element = found[0]
+    field_of_view_rad = reader.positive(element, "field-of-view", ANGLE)
+    if field_of_view_rad > _TURN:
+        reader.refuse(element, "field-of-view: there are only 360 degrees")
+    return Laser(
+        points=reader.whole(element, "points", 1, NUM_LASER),
+        field_of_view_rad=field_of_view_rad,
+        range_m=reader.positive(element, "range", LENGTH),
+        forward_m=reader.quantity(element, "forward", LENGTH),
+        rate_hz=reader.positive(element, "rate", FREQUENCY),
+        noise_m=reader.not_negative(element, "noise", LENGTH),
+        mode=int(element.attributes["mode"]),
+        height_m=reader.not_negative(element, "height", LENGTH),
+        period_s=period_s(element, reader),
+    )
+
+
+def gps(root: Element, reader: Reader) -> Gps | None:
+    """Gives the GPS receiver, None for a robot without one."""
+    for element in root.all("gps"):
+        return Gps(
+            reader.positive(element, "rate", FREQUENCY),
+            reader.not_negative(element, "noise", LENGTH),
+            period_s(element, reader),
+        )
+    return None
+
+
+def inclinometer(root: Element, reader: Reader) -> Inclinometer | None:
+    """Gives the inclinometer, None for a robot without one."""
+    for element in root.all("inclinometer"):
+        return Inclinometer(
+            reader.positive(element, "rate", FREQUENCY),
+            reader.not_negative(element, "noise", ANGLE),
+        )
+    return None
+
+
+def camera(root: Element, reader: Reader) -> Camera | None:
+    """Gives the camera, None for a robot without one.
+
+    Where there is a `<sensor>` of this type, that says where the camera is, and what it sees.
+    """
+    places = list(root.sensors("camera"))
+    for place in places[1:]:
+        reader.error(place, "a second camera; a robot has one")
+    for element in root.all("camera"):
+        if places:
+            return _placed(_camera(element, reader), places[0].first("position"), reader)
+        return _camera(element, reader)
+    for place in places[:1]:
+        hint = "add <camera/> before <computer-battery>, or where it would stand"
+        reader.error(place, "a camera also needs <camera>, for columns and rate", hint)
+    return None
+
+
+def _placed(camera: Camera, place: Element, reader: Reader) -> Camera:
+    """Gives a camera where the report's element for sensors puts it: its cone is what it sees."""
+    range_m = reader.positive(place, "range", LENGTH)
+    radius_m = reader.positive(place, "radius", LENGTH)
+    return replace(
+        camera,
+        field_of_view_rad=2 * math.atan2(radius_m, range_m),
+        range_m=range_m,
+        x_m=reader.quantity(place, "x-relative", LENGTH),
+        y_m=reader.quantity(place, "y-relative", LENGTH),
+        direction_rad=reader.quantity(place, "dir-relative", ANGLE, unit="rad"),
+        height_m=reader.not_negative(place, "z-relative", LENGTH),
+    )
+
+
+def _camera(element: Element, reader: Reader) -> Camera:
+    field_of_view_rad = reader.positive(element, "field-of-view", ANGLE)
+    if field_of_view_rad > _TURN:
+        reader.refuse(element, "field-of-view: there are only 360 degrees")
+    return Camera(
+        columns=reader.whole(element, "columns", 1, MAX_COLUMNS, absent=1),
+        field_of_view_rad=field_of_view_rad,
+        range_m=reader.positive(element, "range", LENGTH),
+        x_m=reader.quantity(element, "forward", LENGTH),
+        y_m=reader.quantity(element, "left", LENGTH),
+        direction_rad=reader.quantity(element, "direction", ANGLE),
+        rate_hz=reader.positive(element, "rate", FREQUENCY),
+        noise_m=reader.not_negative(element, "noise", LENGTH),
+        background=_colour(element, "background", reader),
+        height_m=reader.not_negative(element, "height", LENGTH),
+        period_s=period_s(element, reader),
+    )
+
+
+def period_s(element: Element, reader: Reader) -> float:
+    """Gives how often a sensor measures by its timer, 0 for one that has none [s]."""
+    value_s = reader.not_negative(element, "period", TIME)
+    if 0.0 < value_s < _SHORTEST_S:
+        reader.refuse(element, "period: must be 0, or at least 1 ms")
+    if "rate" in element.attributes and value_s > 0.0:
+        least_s = 1.0 / reader.positive(element, "rate", FREQUENCY)
+        if value_s < least_s * (1.0 - _ROUNDING):
+            reader.refuse(element, "period: must not be shorter than its rate allows")
+    return value_s
+
+
+def _colour(element: Element, name: str, reader: Reader) -> tuple[int, int, int]:
+    try:
+        return rgb(element.attributes[name])
+    except ValueError as wrong:
+        reader.refuse(element, f"{name}: {wrong}")
+        return 0, 0, 0
+
+
+def computer_battery(root: Element, reader: Reader) -> Battery:
+    """Gives the battery of the computers; without one in the definition it lasts for ever."""
+    found = list(root.all("computer-battery"))
+    return Battery(*_battery(found[0], reader)) if found else ENDLESS
+
+
+def motor_battery(root: Element, reader: Reader) -> MotorBattery:
+    """Gives the battery of the motors; without one in the definition it lasts for ever."""
+    found = list(root.all("motor-battery"))
+    if not found:
+        return ENDLESS_MOTORS
+    element = found[0]
+    return MotorBattery(
+        *_battery(element, reader),
+        friction_n=reader.not_negative(element, "friction", FORCE),
+        efficiency=float(element.attributes.get("efficiency", "1")),
+        stall_w=reader.not_negative(element, "stall", POWER),
+        cutoff_v=reader.not_negative(element, "cutoff", VOLTAGE),
+        is_in_status=element.attributes.get("in-status") == "yes",
+    )
+
+
+def _battery(element: Element, reader: Reader) -> tuple[float, float, float, tuple[float, ...]]:
+    return (
+        reader.positive(element, "capacity", ENERGY),
+        float(element.attributes.get("charge", "1")),
+        reader.not_negative(element, "power", POWER),
+        tuple(float(volts) for volts in element.attributes["curve"].split()),
+    )
+
+
+def sensor_board(root: Element, reader: Reader) -> SensorBoard:
+    """Gives the computer that reads the sensors."""
+    element = root.first("sensor-board")
+    return SensorBoard(
+        start_s=reader.not_negative(element, "clock", TIME, USUAL_BOARD.start_s),
+        tick_s=reader.positive(element, "tick", TIME, USUAL_BOARD.tick_s),
+    )

@@ -1,0 +1,162 @@
+"""The walls and objects of a world file: from elements to the parts of a `WorldModel`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Final, TypedDict
+
+import numpy as np
+
+from crs_cc.sim.files.document import Element, Reader
+from crs_cc.sim.files.material_elements import Materials
+from crs_cc.sim.geometry.polygon import complaint
+from crs_cc.sim.model import (
+    EVERYWHERE_M,
+    FIXED_KG,
+    TALL_M,
+    Box,
+    Cylinder,
+    Material,
+    Polygon,
+    Pose,
+    Solid,
+    Wall,
+)
+from crs_cc.sim.quantity import ANGLE, HEAT, LENGTH, MASS
+
+MAX_CORNERS: Final = 250
+SHORTEST_M: Final = 0.001
+"""Sizes of things must not be smaller."""
+
+_POINTS_FORM: Final = "write x,y of each corner, spaces between corners only: 1m,0 2m,0 2m,50cm"
+_STAND_IN: Final = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
+
+
+class Common(TypedDict):
+    """What all solids have."""
+
+    heat: float
+    material: Material
+    height_m: float
+    spread_m: float
+
+
+@dataclass(frozen=True, slots=True)
+class SolidElements:
+    """Reads solids; mistakes go to the reader.
+
+    Attributes:
+        reader: reads the values.
+        materials: what they may be made of.
+    """
+
+    reader: Reader
+    materials: Materials
+
+    def solid(self, element: Element) -> Solid:
+        """Gives what a `<wall>`, `<box>`, `<cylinder>` or `<polygon>` describes."""
+        match element.tag:
+            case "wall":
+                return self._wall(element)
+            case "box":
+                return self._box(element)
+            case "cylinder":
+                return self._cylinder(element)
+        return self._polygon(element)
+
+    def _wall(self, element: Element) -> Wall:
+        wall = Wall(
+            element.attributes["id"],
+            self.reader.quantity(element, "x1", LENGTH),
+            self.reader.quantity(element, "y1", LENGTH),
+            self.reader.quantity(element, "x2", LENGTH),
+            self.reader.quantity(element, "y2", LENGTH),
+            self.size(element, "thickness"),
+            **self.common(element),
+        )
+        if not element.broken and (wall.x1_m, wall.y1_m) == (wall.x2_m, wall.y2_m):
+            wrong = f"wall {wall.id!r} has no length: both its ends are the same point"
+            self.reader.error(element, wrong)
+        return wall
+
+    def _box(self, element: Element) -> Box:
+        return Box(
+            element.attributes["id"],
+            pose(element, self.reader),
+            self.size(element, "length"),
+            self.size(element, "width"),
+            self._mass(element),
+            **self.common(element),
+        )
+
+    def _cylinder(self, element: Element) -> Cylinder:
+        return Cylinder(
+            element.attributes["id"],
+            pose(element, self.reader),
+            self.size(element, "radius"),
+            self._mass(element),
+            **self.common(element),
+        )
+
+    def _polygon(self, element: Element) -> Polygon:
+        corners = self._corners(element)
+        name = element.attributes["id"]
+        if not element.broken and (wrong := complaint(np.array(corners).reshape(-1, 2))):
+            self.reader.error(element, f"polygon {name!r}: {wrong}")
+            element.broken = True
+        if element.broken:
+            corners = _STAND_IN
+        polygon = Polygon.of(name, corners, self._mass(element))
+        return replace(polygon, **self.common(element))
+
+    def _corners(self, element: Element) -> list[tuple[float, float]]:
+        """Gives the corners that `points` lists: x,y x,y ..."""
+        words = element.attributes["points"].split()
+        if len(words) > MAX_CORNERS:
+            self.reader.refuse(element, f"points: more than {MAX_CORNERS} corners")
+            return []
+        pairs = [word.split(",") for word in words]
+        if any(len(pair) != 2 or "" in pair for pair in pairs):
+            self.reader.refuse(element, f"points: {_POINTS_FORM}")
+            return []
+        try:
+            return [(LENGTH.parse(x), LENGTH.parse(y)) for x, y in pairs]
+        except ValueError as wrong:
+            self.reader.refuse(element, f"points: {wrong}")
+            return []
+
+    def common(self, element: Element) -> Common:
+        """Gives what all solids have."""
+        return {
+            "heat": self.reader.not_negative(element, "heat", HEAT),
+            "material": self.materials.of(element),
+            "height_m": self._height(element),
+            "spread_m": spread(element, self.reader),
+        }
+
+    def _height(self, element: Element) -> float:
+        return self.size(element, "height") if "height" in element.attributes else TALL_M
+
+    def _mass(self, element: Element) -> float:
+        return self.reader.positive(element, "mass", MASS, FIXED_KG)
+
+    def size(self, element: Element, name: str) -> float:
+        """Gives a length [m] that things can have."""
+        value_m = self.reader.positive(element, name, LENGTH)
+        if value_m < SHORTEST_M:
+            self.reader.refuse(element, f"{name}: must be 1mm or more")
+        return value_m
+
+
+def spread(element: Element, reader: Reader) -> float:
+    """Gives how far the heat of a thing spreads [m]."""
+    return reader.positive(element, "spread", LENGTH, EVERYWHERE_M)
+
+
+def pose(element: Element, reader: Reader) -> Pose:
+    """Gives the pose that the attributes `x`, `y` and `heading` tell."""
+    return Pose(
+        reader.quantity(element, "x", LENGTH),
+        reader.quantity(element, "y", LENGTH),
+        reader.quantity(element, "heading", ANGLE),
+    )

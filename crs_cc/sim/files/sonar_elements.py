@@ -1,0 +1,132 @@
+"""The sonars of a robot definition file."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Final
+
+from crs_cc.sim.files.document import Element, Reader
+from crs_cc.sim.quantity import ANGLE, LENGTH, TIME
+from crs_cc.sim.sonar_model import MAX_SONARS, SONAR_TICK_S, Sonar, SonarBoard, SonarMode
+
+_RATE: Final = 15  # times 4 ms: what nearly all programs give to `conf_sn`
+_MOST_RATE: Final = 255
+_LEAST_INTERVAL_S: Final = 0.04  # an echo from 255 in takes 37.7 ms, and the clock ticks in 4 ms
+_SHORTEST_S: Final = 0.001  # one robot must not keep the simulator busy with firing
+_THINNEST_RAD: Final = math.radians(0.01)
+_RIGHT_ANGLE: Final = math.pi / 2
+
+
+def sonars(root: Element, reader: Reader) -> tuple[Sonar, ...]:
+    """Gives the sonars of a definition, by rising number."""
+    found: dict[int, Sonar] = {}
+    for element in root.sensors("sonar"):
+        sonar = _sonar(element, reader)
+        if sonar.id in found:
+            reader.error(element, f"a second sensor with the id {sonar.id}")
+        found[sonar.id] = sonar
+    return tuple(found[number] for number in sorted(found))
+
+
+def _sonar(element: Element, reader: Reader) -> Sonar:
+    place = element.first("position")
+    return Sonar(
+        id=reader.whole(element, "id", 0, MAX_SONARS - 1),
+        x_m=reader.quantity(place, "x-relative", LENGTH),
+        y_m=reader.quantity(place, "y-relative", LENGTH),
+        direction_rad=reader.quantity(place, "dir-relative", ANGLE, unit="rad"),
+        range_m=reader.positive(place, "range", LENGTH),
+        radius_m=reader.not_negative(place, "radius", LENGTH),
+        z_m=reader.quantity(place, "z-relative", LENGTH),
+    )
+
+
+def board(element: Element, of: tuple[Sonar, ...], reader: Reader) -> SonarBoard:
+    """Gives what the sonars of a definition have in common.
+
+    Args:
+        element: the element with the attributes.
+        of: the sonars.
+        reader: takes mistakes.
+    """
+    least_s = reader.positive(element, "least-interval", TIME, _LEAST_INTERVAL_S)
+    if least_s < _SHORTEST_S:
+        reader.refuse(element, "least-interval: must be at least 1 ms")
+    rate = reader.whole(element, "rate", 0, _MOST_RATE, absent=_RATE)
+    usual = SonarBoard(
+        _order(element, of, reader),
+        interval_s=max(rate * SONAR_TICK_S, least_s),
+        least_interval_s=least_s,
+    )
+    return _heard(element, usual, reader)
+
+
+def modes(
+    element: Element, of: tuple[Sonar, ...], usual: SonarBoard, reader: Reader
+) -> tuple[SonarMode, ...]:
+    """Gives the ways in which the sonars of a definition can work, none if there is but one.
+
+    Args:
+        element: the element with the modes.
+        of: the sonars as they are without modes.
+        usual: what they have in common.
+        reader: takes mistakes.
+    """
+    found: dict[str, SonarMode] = {}
+    for mode in element.all("mode"):
+        name = mode.attributes["name"]
+        if name in found:
+            reader.error(mode, f"a second mode with the name {name!r}")
+        found[name] = SonarMode(name, _beams(mode, of, reader), _heard(mode, usual, reader))
+    return tuple(found.values())
+
+
+def _beams(mode: Element, of: tuple[Sonar, ...], reader: Reader) -> tuple[Sonar, ...]:
+    """Gives sonars with the range and the beam of a mode."""
+    ranges_m = [reader.positive(mode, "range", LENGTH)] * len(of)
+    if "range" not in mode.attributes:
+        ranges_m = [sonar.range_m for sonar in of]
+    halves_rad = [reader.not_negative(mode, "half-angle", ANGLE)] * len(of)
+    if "half-angle" not in mode.attributes:
+        halves_rad = [sonar.half_angle_rad for sonar in of]
+    elif halves_rad and halves_rad[0] >= _RIGHT_ANGLE:
+        reader.refuse(mode, "half-angle: a beam must have less than 90 degrees to each side")
+    beams = zip(of, ranges_m, halves_rad, strict=True)
+    return tuple(
+        replace(sonar, range_m=range_m, radius_m=range_m * math.tan(half_rad))
+        for sonar, range_m, half_rad in beams
+    )
+
+
+def _heard(element: Element, usual: SonarBoard, reader: Reader) -> SonarBoard:
+    """Gives a board with what an element says of how echoes are heard, and else as usual."""
+    lobe_rad = reader.not_negative(element, "lobe", ANGLE, usual.lobe_rad)
+    if 0.0 < lobe_rad < _THINNEST_RAD:
+        reader.refuse(element, "lobe: must be 0, or at least 0.01 degrees")
+    return replace(
+        usual,
+        lobe_rad=lobe_rad,
+        critical_rad=reader.not_negative(element, "critical-angle", ANGLE, usual.critical_rad),
+        blind_m=reader.not_negative(element, "blind", LENGTH, usual.blind_m),
+        minimum_m=reader.not_negative(element, "minimum", LENGTH, usual.minimum_m),
+        noise_m=reader.not_negative(element, "noise", LENGTH, usual.noise_m),
+        noise_share=_share(element, "noise-share", usual.noise_share),
+        dropouts=_share(element, "dropouts", usual.dropouts),
+        crosstalk=_share(element, "crosstalk", usual.crosstalk),
+        resolution_m=reader.not_negative(element, "resolution", LENGTH, usual.resolution_m),
+    )
+
+
+def _share(element: Element, name: str, usual: float) -> float:
+    """Gives a number from 0 to 1, which the schema has checked."""
+    return float(element.attributes.get(name, usual))
+
+
+def _order(element: Element, sonars: tuple[Sonar, ...], reader: Reader) -> tuple[int, ...]:
+    order = tuple(int(number) for number in element.attributes.get("order", "").split())
+    known = {sonar.id for sonar in sonars}
+    for number in order:
+        if number not in known:
+            reader.error(element, f"order names sonar {number}, which the robot does not have")
+    return order

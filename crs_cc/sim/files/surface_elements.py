@@ -1,0 +1,95 @@
+"""From the element `<surface>` of a world file to a `Surface`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.files.document import Element, Reader
+from crs_cc.sim.files.image import MAX_BYTES, grey_values
+from crs_cc.sim.files.nearby import read_below
+from crs_cc.sim.ground.surface import HeightMap, Patch, Surface
+from crs_cc.sim.model import Area
+from crs_cc.sim.quantity import ANGLE, LENGTH
+
+HIGHEST_M: Final = 100.0
+MOST_PIXELS: Final = 128
+"""Along each side of a picture of heights."""
+
+_LEAST_PIXELS: Final = 2
+_LEAST_M: Final = 0.01
+_SHOWN: Final = 80
+
+
+def surface(element: Element, area: Area, folder: Path | None, reader: Reader) -> Surface:
+    """Gives the ground that an element describes; mistakes go to the reader.
+
+    Args:
+        element: the element.
+        area: the world's area, at whose lower left corner a picture lies, unless told.
+        folder: where pictures are looked for; None when the world came from no file.
+        reader: reads the values.
+    """
+    patches = [_patch(each, reader) for each in element.children if each.tag != "heightmap"]
+    maps = [_heightmap(child, area, folder, reader) for child in element.all("heightmap")]
+    return Surface(tuple(patches), maps[0] if maps else None)
+
+
+def _patch(element: Element, reader: Reader) -> Patch:
+    is_ramp = element.tag == "ramp"
+    to_m = _height(element, "to" if is_ramp else "height", reader)
+    return Patch(
+        reader.quantity(element, "x", LENGTH),
+        reader.quantity(element, "y", LENGTH),
+        reader.quantity(element, "heading", ANGLE),
+        _size(element, "length", reader),
+        _size(element, "width", reader),
+        _height(element, "from", reader) if is_ramp else to_m,
+        to_m,
+    )
+
+
+def _heightmap(
+    element: Element, area: Area, folder: Path | None, reader: Reader
+) -> HeightMap | None:
+    pixel_m = _size(element, "resolution", reader)
+    height_m = _height(element, "height", reader)
+    x_m = reader.quantity(element, "x", LENGTH, area.x_min_m)
+    y_m = reader.quantity(element, "y", LENGTH, area.y_min_m)
+    try:
+        grey = _grey(element.attributes["image"], folder)
+    except ValueError as wrong:
+        reader.refuse(element, f"image {element.attributes['image'][:_SHOWN]!r}: {wrong}")
+        return None
+    if element.broken:
+        return None
+    heights_m = (grey[::-1] * height_m).ravel().tolist()
+    return HeightMap(x_m, y_m, pixel_m, grey.shape[1], tuple(heights_m))
+
+
+def _grey(image: str, folder: Path | None) -> npt.NDArray[np.float64]:
+    if folder is None:
+        raise ValueError("a world that is no file has no pictures")
+    grey = grey_values(read_below(folder, image, ".png", MAX_BYTES))
+    if min(grey.shape) < _LEAST_PIXELS or max(grey.shape) > MOST_PIXELS:
+        size = f"{grey.shape[1]} x {grey.shape[0]}"
+        raise ValueError(f"has {size} pixels; {_LEAST_PIXELS} to {MOST_PIXELS} a side are allowed")
+    return grey
+
+
+def _height(element: Element, name: str, reader: Reader) -> float:
+    value_m = reader.not_negative(element, name, LENGTH)
+    if value_m > HIGHEST_M:
+        reader.refuse(element, f"{name}: must be {HIGHEST_M:g}m or less")
+    return value_m
+
+
+def _size(element: Element, name: str, reader: Reader) -> float:
+    value_m = reader.positive(element, name, LENGTH)
+    if value_m < _LEAST_M:
+        reader.refuse(element, f"{name}: must be 1cm or more")
+        return _LEAST_M
+    return value_m

@@ -1,0 +1,251 @@
+"""World and robot files.
+
+Their form is that of the schemas `world.xsd` and `robot.xsd` (`xml_document`); what a schema cannot
+say is checked afterwards.
+
+>>> world = parse_world(b'''<world version="1" timestep="50ms">
+...   <area length="6m" width="5m"/>
+...   <robot x="1m" y="1m" heading="90deg"/>
+... </world>''', "room")
+>>> world.robots[0].model.name, len(world.robots[0].model.sonars)
+('scout', 16)
+>>> parse_world(b"<world version='1'><area length='6m'/></world>", "room")
+Traceback (most recent call last):
+crs_cc.errors.WorldError: room:1: error: <area> lacks the attribute 'width'
+    <world version='1'><area length='6m'/></world>
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path, PurePosixPath
+from typing import Final
+
+from crs_cc.errors import WorldError
+from crs_cc.sim.files.composite_elements import CompositeElements
+from crs_cc.sim.files.document import Element, Reader
+from crs_cc.sim.files.include import Included
+from crs_cc.sim.files.material_elements import Materials
+from crs_cc.sim.files.nearby import read_below
+from crs_cc.sim.files.robot_elements import robot_model
+from crs_cc.sim.files.solid_elements import SolidElements
+from crs_cc.sim.files.world_elements import world_model
+from crs_cc.sim.files.xml_document import (
+    MAX_BYTES,
+    elements,
+    lines_of,
+    outermost,
+    raise_errors,
+    read_file,
+)
+from crs_cc.sim.model import WorldModel
+from crs_cc.sim.robot_model import Drive, RobotModel
+from crs_cc.source import Diagnostic, Diagnostics, Location
+
+SCOUT: Final = "scout"
+"""The kind of robot where nothing else is said."""
+
+_HERE: Final = Path(__file__).parent
+_ROBOTS: Final = _HERE.parent / "robots"
+_STAND_IN: Final = RobotModel("unknown", 0.001, Drive(1.0))
+_EMPTY_WORLD: Final = b"""<world version="1" name="empty">
+  <area length="1000m" width="1000m" origin="centre" edge="0"/>
+  <robot x="0" y="0"/>
+</world>"""
+
+
+def load_world(path: Path, setup: str = "", robot: str = SCOUT) -> WorldModel:
+    """Gives the world that a file describes.
+
+    Args:
+        path: the file.
+        setup: the setup of all robots, such as `noisy`; by default what the file says.
+        robot: the kind of the robots of which the file says none: a name that comes with crs, or
+            the path of a definition file.
+
+    Raises:
+        WorldError: the file cannot be read, or is wrong; all mistakes are told at once.
+    """
+    return _World(path.stem, str(path), path.parent, setup, robot).parse(read_file(path))
+
+
+def parse_world(text: bytes, name: str, setup: str = "", robot: str = SCOUT) -> WorldModel:
+    """Gives the world that a text describes; `name` stands for it in messages.
+
+    Raises:
+        WorldError: the text is wrong; all mistakes are told at once.
+    """
+    return _World(name, name, None, setup, robot).parse(text)
+
+
+def empty_world(setup: str = "", robot: str = SCOUT) -> WorldModel:
+    """Gives the built-in world: one robot at the origin, wide and empty."""
+    return parse_world(_EMPTY_WORLD, "empty", setup, robot)
+
+
+def load_robot(path: Path, setup: str = "") -> RobotModel:
+    """Gives the kind of robot that a definition file describes.
+
+    Args:
+        path: the file.
+        setup: one of its setups, such as `noisy`; by default, and as `ideal`, the definition as it
+            stands.
+
+    Raises:
+        WorldError: the file cannot be read, or is wrong; all mistakes are told at once.
+    """
+    return _robot(read_file(path), str(path), setup)
+
+
+def _robot(text: bytes, file: str, setup: str) -> RobotModel:
+    diagnostics = Diagnostics(lines={file: lines_of(text)})
+    root = elements(text, "robot.xsd", file, diagnostics, outermost="robot-definition", setup=setup)
+    model = robot_model(root, Reader(file, diagnostics))
+    raise_errors(diagnostics)
+    return model
+
+
+@dataclass(frozen=True, slots=True)
+class Definitions:
+    """What is in a file that worlds include: names of materials and of objects."""
+
+    materials: tuple[str, ...]
+    objects: tuple[str, ...]
+
+
+def load_definitions(path: Path) -> Definitions:
+    """Gives what is in a file that worlds can include, and in those that it includes.
+
+    Raises:
+        WorldError: the file cannot be read, or is wrong; all mistakes are told at once.
+    """
+    text, file = read_file(path), str(path)
+    diagnostics = Diagnostics(lines={file: lines_of(text)})
+    root = elements(text, "world.xsd", file, diagnostics, outermost="definitions")
+    reader = Reader(file, diagnostics)
+    found = Included(path.parent, reader).definitions(root)
+    materials = [element for element in found if element.tag == "material"]
+    objects = [element for element in found if element.tag == "define"]
+    CompositeElements(objects, SolidElements(reader, Materials(materials, reader)))
+    raise_errors(diagnostics)
+    names = [tuple(each.attributes["name"] for each in some) for some in (materials, objects)]
+    return Definitions(*names)
+
+
+def load_any(path: Path) -> WorldModel | RobotModel | Definitions:
+    """Gives what a file describes, whichever of these it is.
+
+    Raises:
+        WorldError: the file cannot be read, or is wrong; all mistakes are told at once.
+    """
+    match outermost(read_file(path)):
+        case "robot-definition":
+            return load_robot(path)
+        case "definitions":
+            return load_definitions(path)
+    return load_world(path)
+
+
+def known_robots() -> list[str]:
+    """Gives the names of the robot definitions that come with crs."""
+    return sorted(path.stem for path in _ROBOTS.glob("*.xml"))
+
+
+@dataclass(slots=True)
+class _World:
+    """A world file that is being read, and the robot definitions that it uses, each read once.
+
+    Attributes:
+        name: the world's name, if the file gives none.
+        file: what to call it in messages.
+        folder: where definitions and programs are looked for; None when it came from no file.
+        setup: the setup of all robots; empty for what the file says.
+        robot: the kind of the robots of which the file says none, by name or path.
+    """
+
+    name: str
+    file: str
+    folder: Path | None
+    setup: str
+    robot: str
+    reader: Reader = field(init=False)
+    found: dict[tuple[str | Path, str], RobotModel | None] = field(default_factory=dict)
+
+    def parse(self, text: bytes) -> WorldModel:
+        diagnostics = Diagnostics(lines={self.file: lines_of(text)})
+        root = elements(text, "world.xsd", self.file, diagnostics, outermost="world")
+        self.reader = Reader(self.file, diagnostics)
+        included = Included(self.folder, self.reader)
+        world = world_model(root, self.name, included, self.reader, self._model)
+        diagnostics.messages = _by_line(diagnostics.messages, self.file, included.lines)
+        raise_errors(diagnostics)
+        return world
+
+    def _model(self, element: Element) -> RobotModel:
+        """Gives the model of a robot; notes it as a mistake of the element when there is none."""
+        setup = self.setup or element.attributes.get("setup", "")
+        name: str | Path = element.attributes.get("definition", "")
+        if not name:
+            name = self.robot if self.robot in known_robots() else Path(self.robot)
+        if (name, setup) not in self.found:
+            self.found[name, setup] = self._load(element, name, setup)
+        model = self.found[name, setup]
+        if model is None:
+            element.broken = True
+            return _STAND_IN
+        return model
+
+    def _load(self, element: Element, name: str | Path, setup: str) -> RobotModel | None:
+        path = name if isinstance(name, Path) else self._path(name)
+        if path is None:
+            self.reader.error(
+                element,
+                f"unknown robot definition {name!r}",
+                f"known are {', '.join(known_robots())}, and files (.xml) in the world's folder",
+            )
+            return None
+        try:
+            return _robot(self._definition(element, path), str(path), setup)
+        except WorldError as wrong:
+            self.reader.error(element, f"robot definition {str(name)!r} cannot be used")
+            self.reader.diagnostics.messages.extend(wrong.diagnostics)
+            return None
+
+    def _definition(self, element: Element, path: Path) -> bytes:
+        """Gives a definition's text; no link leads out of the world's folder to one."""
+        name = element.attributes.get("definition", "")
+        if not name or name in known_robots() or self.folder is None:
+            return read_file(path)
+        try:
+            return read_below(self.folder, name, ".xml", MAX_BYTES)
+        except ValueError as wrong:
+            raise WorldError.at(Location(str(path)), str(wrong)) from None
+
+    def _path(self, name: str) -> Path | None:
+        """Gives a definition's file: one of ours, or one in the world's folder or below."""
+        if name in known_robots():
+            return _ROBOTS / f"{name}.xml"
+        path = PurePosixPath(name)
+        outside = path.is_absolute() or ".." in path.parts or path.suffix != ".xml"
+        return None if outside or self.folder is None else self.folder / path
+
+
+def _by_line(
+    messages: list[Diagnostic], file: str, included: Mapping[str, int]
+) -> list[Diagnostic]:
+    """Sorts messages; those about another file stay behind the message that led there.
+
+    Args:
+        messages: the messages.
+        file: the world file.
+        included: the lines of it that include other files.
+    """
+    keys, key = [], math.inf
+    for message in messages:
+        if message.location.file == file:
+            key = message.location.line or math.inf
+        keys.append(included.get(message.location.file, key))
+    order = sorted(range(len(messages)), key=keys.__getitem__)
+    return [messages[number] for number in order]

@@ -1,0 +1,210 @@
+"""XML that may come from anywhere, as elements that keep to one of our schemas.
+
+Entities are not resolved, nothing is fetched, a document type declaration is refused, depth and
+size are limited (by libxml2 and by `MAX_BYTES`). The schema checks the form and fills in defaults;
+what it cannot say is for those who read the elements. This file alone in `sim` knows lxml.
+"""
+
+from __future__ import annotations
+
+import re
+import stat
+from functools import cache
+from itertools import islice
+from pathlib import Path
+from typing import Final
+
+from lxml import etree
+
+from crs_cc.errors import WorldError
+from crs_cc.sim.files.document import MAX_MESSAGES, Element, Reader
+from crs_cc.sim.files.schema_messages import explain
+from crs_cc.sim.files.schema_names import UnknownName, unknown_names
+from crs_cc.source import Diagnostic, Diagnostics, Location
+
+MAX_BYTES: Final = 16 * 1024 * 1024
+"""How large a file may be."""
+
+IDEAL: Final = "ideal"
+"""The setup that every robot definition has: the definition as it stands."""
+
+_HERE: Final = Path(__file__).parent
+_NAME: Final = re.compile(rb"<([A-Za-z-]+)")
+_SKIPPED: Final = ((b"<?", b"?>"), (b"<!--", b"-->"))
+_SAID_BETTER: Final = {
+    "SCHEMAV_CVC_PATTERN_VALID",  # numbers, later: with the units that are known
+    "SCHEMAV_CVC_IDC",  # ids, later: with the place of the other one
+}
+_SAID_OF_UNKNOWN: Final = {"SCHEMAV_ELEMENT_CONTENT", "SCHEMAV_CVC_COMPLEX_TYPE_3_2_1"}
+
+
+def read_file(path: Path) -> bytes:
+    """Gives what is in a file, which must be a regular one and not too large.
+
+    Raises:
+        WorldError: it cannot be read.
+    """
+    place = Location(str(path))
+    try:
+        status = path.stat()
+        if not stat.S_ISREG(status.st_mode):
+            raise WorldError.at(place, "not a regular file")
+        if status.st_size > MAX_BYTES:
+            raise WorldError.at(place, f"larger than {MAX_BYTES} bytes")
+        with path.open("rb") as file:
+            return file.read(MAX_BYTES)
+    except OSError as error:
+        reason = error.strerror or type(error).__name__
+        raise WorldError.at(place, f"cannot be read: {reason}") from None
+    except ValueError:  # a null character in the name
+        raise WorldError.at(place, "cannot be read: not a file name") from None
+
+
+def outermost(text: bytes) -> str:
+    """Gives the name of the outermost element as far as it can be told without reading it all.
+
+    >>> outermost(b"<?xml version='1.0'?><!-- <no> --><yes/>")
+    'yes'
+    """
+    place = len(text) - len(text.removeprefix(b"\xef\xbb\xbf").lstrip())
+    while closing := next((end for start, end in _SKIPPED if text.startswith(start, place)), b""):
+        place = text.find(closing, place) + len(closing)
+        if place < len(closing):
+            return ""
+        while text[place : place + 1].isspace():
+            place += 1
+    match = _NAME.match(text, place)
+    return match[1].decode("ascii") if match else ""
+
+
+def elements(
+    text: bytes,
+    schema: str,
+    file: str,
+    diagnostics: Diagnostics,
+    *,
+    outermost: str,
+    setup: str = "",
+) -> Element:
+    """Gives the outermost element of a document that keeps to a schema, also with a setup.
+
+    Args:
+        text: the document.
+        schema: the file of the schema.
+        file: what to call the document in messages.
+        diagnostics: gets the messages.
+        outermost: the name of the outermost element.
+        setup: a setup of a robot definition that takes the place of parts of it.
+
+    Raises:
+        WorldError: it does not; all mistakes are told at once.
+    """
+    if len(text) > MAX_BYTES:
+        raise WorldError.at(Location(file), f"larger than {MAX_BYTES} bytes")
+    parser = etree.XMLParser(
+        resolve_entities=False,
+        no_network=True,
+        load_dtd=False,
+        dtd_validation=False,
+        huge_tree=False,
+        remove_comments=True,
+        remove_pis=True,
+    )
+    try:
+        root = etree.fromstring(text, parser)
+    except etree.XMLSyntaxError as error:
+        if b"<!DOCTYPE" in text:
+            _refuse_document_type(file)
+        line, column = error.position
+        place = Location(file, line or 0, max(column, 0))
+        raise WorldError([_syntax_message(place, str(error.msg), diagnostics)]) from None
+    if root.getroottree().docinfo.doctype:
+        _refuse_document_type(file)
+    if root.tag != outermost:
+        place = Location(file, root.sourceline or 0)
+        raise WorldError.at(place, f"the outermost element is <{root.tag}>, not <{outermost}>")
+    _validate(root, schema, file, diagnostics)
+    if setup:
+        _apply(setup, root, Reader(file, diagnostics))
+        raise_errors(diagnostics)
+        _validate(root, schema, file, diagnostics)
+    return _plain(root)
+
+
+def _apply(setup: str, root: etree._Element, reader: Reader) -> None:
+    """Lets the attributes in a setup take the place of those in the definition."""
+    setups = {str(node.get("name")): node for node in root.iterfind("setup")}
+    if setup not in setups:
+        if setup != IDEAL:
+            known = ", ".join([IDEAL, *setups])
+            place = Element(root.tag, root.sourceline or 0)
+            reader.error(place, f"the definition has no setup {setup!r}", f"it has {known}")
+        return
+    for change in setups[setup]:
+        device = root.find(change.tag)
+        if device is None or change.tag == "setup":
+            place = Element(change.tag, change.sourceline or 0)
+            reader.error(place, f"setup {setup!r} changes <{change.tag}>, which is not there")
+        else:
+            device.attrib.update(change.attrib)
+
+
+def _refuse_document_type(file: str) -> None:
+    raise WorldError.at(
+        Location(file), "a document type declaration is not allowed", "take <!DOCTYPE ...> out"
+    )
+
+
+def _validate(root: etree._Element, name: str, file: str, diagnostics: Diagnostics) -> None:
+    """Checks a document against a schema, and completes it with the schema's defaults."""
+    schema = _schema(name)
+    if schema.validate(root):
+        return
+    found = list(islice(unknown_names(root, _schema_document(name).getroot()), MAX_MESSAGES))
+    lines = {each.line for each in found}
+    for entry in schema.error_log:
+        said = _SAID_BETTER | (_SAID_OF_UNKNOWN if entry.line in lines else set())
+        if entry.type_name not in said:
+            found.append(UnknownName(entry.line, *explain(entry.message)))
+    reader = Reader(file, diagnostics)
+    for each in sorted(found, key=lambda each: each.line):
+        reader.error(Element("", each.line), each.text, each.hint)
+    raise_errors(diagnostics)
+
+
+@cache
+def _schema_document(name: str) -> etree._ElementTree:
+    return etree.parse(_HERE / name)
+
+
+@cache
+def _schema(name: str) -> etree.XMLSchema:
+    return etree.XMLSchema(_schema_document(name), attribute_defaults=True)
+
+
+def _plain(node: etree._Element) -> Element:
+    """Copies an lxml element; the depth is limited by the schema."""
+    return Element(
+        node.tag,
+        node.sourceline or 0,
+        dict(node.attrib),
+        (node.text or "").strip(),
+        [_plain(child) for child in node],
+    )
+
+
+def lines_of(text: bytes) -> list[str]:
+    """Gives the lines of a file, for messages."""
+    return text.decode("utf-8", errors="replace").splitlines()
+
+
+def _syntax_message(place: Location, text: str, diagnostics: Diagnostics) -> Diagnostic:
+    shown = Diagnostics(lines=diagnostics.lines)
+    shown.error(place, f"not well-formed XML: {text}")
+    return shown.messages[0]
+
+
+def raise_errors(diagnostics: Diagnostics) -> None:
+    """Raises what was found, if anything was."""
+    if diagnostics.errors:
+        raise WorldError(diagnostics.errors)

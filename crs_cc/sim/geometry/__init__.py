@@ -1,0 +1,1 @@
+"""Where things are, what shape they have, and what beams meet."""

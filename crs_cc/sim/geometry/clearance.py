@@ -1,0 +1,53 @@
+"""How much room the robots have: the shortest way from any of them to anything else."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.geometry.scene import Outlines, Scene
+
+FloatArray = npt.NDArray[np.float64]
+
+
+def clearance_m(scene: Scene, position_m: FloatArray, angle_rad: FloatArray) -> float:
+    """Gives the shortest distance between a robot and anything else [m], infinite for no robot.
+
+    It looks at all pairs, and is meant for few bodies. Inside of something it is 0 or less.
+
+    Args:
+        scene: the world's outlines.
+        position_m: where the bodies are, shape (bodies, 2).
+        angle_rad: how they are turned, shape (bodies,).
+    """
+    moving = scene.moving(position_m, angle_rad)
+    x_m, y_m, radii_m = moving.circles[: np.count_nonzero(scene.present), :, None].transpose(
+        1, 0, 2
+    )
+    room = [
+        _to_segments(x_m, y_m, np.concatenate([scene.fixed.segments, moving.segments])),
+        _to_circles(x_m, y_m, scene.fixed),
+        _to_others(x_m, y_m, moving),
+    ]
+    return float((np.concatenate(room, axis=1) - radii_m).min(initial=math.inf))
+
+
+def _to_segments(x_m: FloatArray, y_m: FloatArray, segments: FloatArray) -> FloatArray:
+    ax, ay, bx, by, length = segments.T
+    along_x, along_y = (bx - ax) / length, (by - ay) / length
+    share = np.clip((x_m - ax) * along_x + (y_m - ay) * along_y, 0.0, length)
+    return np.asarray(np.hypot(x_m - ax - share * along_x, y_m - ay - share * along_y))
+
+
+def _to_circles(x_m: FloatArray, y_m: FloatArray, outlines: Outlines) -> FloatArray:
+    x, y, radius = outlines.circles.T
+    return np.asarray(np.hypot(x_m - x, y_m - y) - radius)
+
+
+def _to_others(x_m: FloatArray, y_m: FloatArray, moving: Outlines) -> FloatArray:
+    distance = _to_circles(x_m, y_m, moving)
+    robots = np.arange(len(x_m))
+    distance[robots, robots] = math.inf
+    return distance

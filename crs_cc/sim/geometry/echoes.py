@@ -1,0 +1,392 @@
+"""What a sonar's ping comes back from: the nearest thing that answers into the beam.
+
+A beam is a cone around its axis, with its tip at the transducer, and what lies at an angle `a` off
+the axis is heard up to
+
+    reach(a) = range * 2 ** -(a / lobe)^2
+
+`lobe` is the angle at which the sound pressure falls to one half (-6 dB). A transducer hears as
+it speaks, so an echo's pressure falls with the square of its lobe, and it falls with the square of
+the distance, as sound spreads on both ways; both squared, the reach falls as the lobe itself. The
+bell curve is the usual stand-in for the main lobe of a piston (R. Kuc, M. W. Siegel, "Physically
+based simulation model for acoustic sensor robot navigation", 1987). Side lobes are left out: the
+highest one of a piston has 0.13 of the pressure, so it would reach 0.13 of the range. A lobe of 0
+is a sharp cone, which reaches as far at its side as on its axis.
+
+What answers:
+
+- a face (a side of a box or wall) where the sound meets it at an angle of no more than `critical`
+  off its normal: a smooth face throws all other sound away (same source). At the foot of the
+  perpendicular it always answers;
+- a corner, where a face ends or where two faces meet, and the middle of a cylinder's or robot's
+  front: from wherever it is looked at. Where a face goes on in another one there is no corner;
+- a cylinder's flank, where its front lies outside of the beam.
+
+Feet, corners and fronts are found exactly, where a handful of rays would look past a thin pillar;
+faces and flanks at the sides of the beam, and where it has a lobe, along rays in between as well.
+A thing whose surface takes sound away is heard to a shorter distance: see `surfaces`. Where faces
+of different surfaces meet in a corner, the softer one decides.
+
+Whatever the sound would have to go through something to reach is not heard, whether that thing
+answers or not. A transducer that lies in or on something, or has something between itself and the
+middle of its robot, hears an echo at once.
+
+Places in the plane are complex numbers, x + i y [m]: to turn is to multiply.
+
+>>> from crs_cc.sim.model import Area, Cylinder, Pose, WorldModel
+>>> from crs_cc.sim.geometry.obstacles import Obstacles
+>>> from crs_cc.sim.geometry.scene import NOTHING, Scene
+>>> world = WorldModel("w", Area(0, 0, 9, 9, 0), cylinders=(Cylinder("c", Pose(3, 1), 0.5),))
+>>> obstacles = Obstacles(Scene(world).fixed, NOTHING, reach_m=6.0, start_m=0.2)
+>>> ahead = Pings.of([(1 + 1j, 1.2 + 1j, 0.0)], half_rad=0.2, range_m=5.0)
+>>> first_echo(ahead, obstacles)
+array([1.3])
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Final, Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.geometry.neighbours import expand
+from crs_cc.sim.geometry.prospect import Prospect
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+ComplexArray = npt.NDArray[np.complex128]
+IndexArray = npt.NDArray[np.intp]
+
+ANY_ANGLE: Final = math.pi / 2
+"""The critical angle of faces that answer from everywhere."""
+
+_SIDES: Final = np.array([-1.0, 1.0])
+_RAYS: Final = np.linspace(-1.0, 1.0, 17)
+_ON_M: Final = 1e-9  # a transducer so near to a face lies on it
+_BEFORE_M: Final = 1e-6  # what lies less than this in front of a place does not hide it
+_SEAM_M: Final = 1e-3  # faces that end so near to each other touch
+_STRAIGHT: Final = 1e-3  # sine of the angle below which one face goes on in another
+
+
+@dataclass(frozen=True, slots=True)
+class Pings:
+    """Pings that are sent at one instant, one from each of k transducers.
+
+    Attributes:
+        place: the middle of each transducer's robot.
+        start: the transducer.
+        axis: where it points, of length 1.
+        half_rad: the angle between the axis and the side of the beam, below a right angle.
+        range_m: how far it hears on the axis.
+        falloff: 1 / lobe^2 [1/rad^2], 0 for a sharp cone.
+        critical_rad: the angle of incidence up to which a face answers.
+        own: the number of the robot's own body, -1 for none.
+    """
+
+    place: ComplexArray
+    start: ComplexArray
+    axis: ComplexArray
+    half_rad: FloatArray
+    range_m: FloatArray
+    falloff: FloatArray
+    critical_rad: FloatArray
+    own: IndexArray
+
+    @classmethod
+    def of(
+        cls,
+        beams: Iterable[tuple[complex, complex, float]],
+        half_rad: float,
+        range_m: float,
+        lobe_rad: float = 0.0,
+        critical_rad: float = ANY_ANGLE,
+    ) -> Self:
+        """Makes pings of beams that are alike: the robot's middle, the start, the direction."""
+        rows = list(beams)
+        count = len(rows)
+        return cls(
+            np.array([place for place, _, _ in rows], dtype=np.complex128),
+            np.array([start for _, start, _ in rows], dtype=np.complex128),
+            np.exp(1j * np.array([direction for _, _, direction in rows])),
+            np.full(count, half_rad),
+            np.full(count, range_m),
+            np.full(count, 1 / lobe_rad**2 if lobe_rad else 0.0),
+            np.full(count, critical_rad),
+            np.full(count, -1, dtype=np.intp),
+        )
+
+    def __len__(self) -> int:
+        return len(self.place)
+
+    def local(self, which: IndexArray, place: ComplexArray) -> ComplexArray:
+        """Gives places as seen from transducers, whose axes are x."""
+        return (place - self.start.take(which)) * np.conjugate(self.axis.take(which))
+
+    def reach_m(self, which: IndexArray, angle_rad: FloatArray) -> FloatArray:
+        """Gives how far each of some transducers hears at an angle off its axis."""
+        falloff = self.falloff.take(which)
+        return np.asarray(self.range_m.take(which) * np.exp2(-falloff * angle_rad * angle_rad))
+
+
+@dataclass(frozen=True, slots=True)
+class Points:
+    """Places that answer, seen from transducers.
+
+    Attributes:
+        ping: of which ping.
+        place: where they are.
+        told_m: what they tell.
+        share: how far they are heard, as a share of how far a hard thing is.
+    """
+
+    ping: IndexArray
+    place: ComplexArray
+    told_m: FloatArray
+    share: FloatArray
+
+    @classmethod
+    def at(cls, *parts: tuple[IndexArray, ComplexArray, FloatArray]) -> Self:
+        """Makes points that tell their distance."""
+        ping, place, share = (np.concatenate(column) for column in zip(*parts, strict=True))
+        return cls(ping, place, np.abs(place), share)
+
+    def where(self, kept: BoolArray) -> Self:
+        """Gives some of the points."""
+        return type(self)(self.ping[kept], self.place[kept], self.told_m[kept], self.share[kept])
+
+
+def first_echo(
+    pings: Pings,
+    obstacles: Prospect,
+    voices: Points | None = None,
+    hushed: FloatArray | None = None,
+) -> FloatArray:
+    """Gives the distance at which each ping's first echo seems to be.
+
+    Args:
+        pings: what is sent.
+        obstacles: what there is.
+        voices: what else can be heard, if nothing stands in between and it lies in the beam.
+        hushed: how far each thing, as in `Scene.names`, is heard, as a share of how far a hard one
+            is, (things,); None when all are hard.
+
+    Returns:
+        distances from the transducers [m], infinite where nothing answers, shape (k,).
+    """
+    faces, pierced = _faces(pings, obstacles, hushed)
+    rounds, covered = _rounds(pings, obstacles, hushed)
+    shaped = voices is not None or hushed is not None
+    shaped = shaped or bool(pings.falloff.any() or (pings.critical_rad < ANY_ANGLE).any())
+    shares = _RAYS if pings.falloff.any() else _SIDES
+    angle_rad = pings.half_rad[:, None] * shares
+    rays = np.exp(1j * angle_rad)
+    reach_m = pings.range_m[:, None] * np.exp2(-pings.falloff[:, None] * angle_rad * angle_rad)
+    loud_m = reach_m
+    face_m, round_m = faces.hits_m(rays[faces.ping]), rounds.hits_m(rays[rounds.ping])
+    points = _in_beam(pings, _points(faces, rounds, shaped, voices))
+    if shaped:
+        free_m = np.full(reach_m.shape, np.inf)
+        np.minimum.at(free_m, faces.ping, face_m)
+        np.minimum.at(free_m, rounds.ping, round_m)
+        reach_m = np.minimum(reach_m, free_m + _BEFORE_M)
+        points = points.where(~_hidden(points, faces, rounds))
+    if hushed is not None:
+        face_m[face_m > loud_m[faces.ping] * faces.share[:, None]] = np.inf
+        round_m[round_m > loud_m[rounds.ping] * rounds.share[:, None]] = np.inf
+    glancing_m = faces.away_m / np.maximum(np.cos(pings.critical_rad[faces.ping]), 1e-12)
+    face_m[face_m > np.minimum(reach_m[faces.ping], glancing_m[:, None])] = np.inf
+    round_m[round_m > reach_m[rounds.ping]] = np.inf
+    found_m = np.full(len(pings), np.inf)
+    np.minimum.at(found_m, faces.ping, face_m.min(axis=1))
+    np.minimum.at(found_m, rounds.ping, round_m.min(axis=1))
+    np.minimum.at(found_m, points.ping, points.told_m)
+    found_m[pierced] = 0.0
+    found_m[covered] = 0.0
+    return found_m
+
+
+# -- what lies in the beams ------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class _Faces:
+    """Sides of things that may lie in a beam, seen from its transducer; by rising ping."""
+
+    ping: IndexArray
+    start: ComplexArray
+    along: ComplexArray
+    away_m: FloatArray
+    share: FloatArray
+
+    def hits_m(self, rays: ComplexArray, which: IndexArray | slice = slice(None)) -> FloatArray:
+        """Gives how far along rays of length 1 the faces are, infinite for those that miss."""
+        start, along = self.start[which][..., None], self.along[which][..., None]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            across = _cross(rays, along)
+            distance_m = _cross(start, along) / across
+            share = _cross(start, rays) / across
+        hit = (distance_m > 0.0) & (share >= 0.0) & (share <= 1.0)
+        return np.where(hit, distance_m, np.inf)
+
+
+@dataclass(frozen=True, slots=True)
+class _Rounds:
+    """Circles that may lie in a beam, seen from its transducer; by rising ping."""
+
+    ping: IndexArray
+    middle: ComplexArray
+    radius_m: FloatArray
+    share: FloatArray
+
+    def hits_m(self, rays: ComplexArray, which: IndexArray | slice = slice(None)) -> FloatArray:
+        """Gives how far along rays of length 1 the circles are, infinite for those that miss."""
+        radius_m, turned = self.radius_m[which], self.middle[which][..., None] * rays.conj()
+        square = radius_m[..., None] ** 2 - turned.imag * turned.imag
+        hit = (square >= 0.0) & (turned.real > 0.0)
+        return np.where(hit, turned.real - np.sqrt(np.maximum(square, 0.0)), np.inf)
+
+
+def _faces(
+    pings: Pings, obstacles: Prospect, hushed: FloatArray | None
+) -> tuple[_Faces, IndexArray]:
+    """Gives the faces that may lie in beams, and the pings whose transducers lie in or on one."""
+    ping, a, b, length_m = obstacles.segments_near(pings.place)
+    a, b = pings.local(ping, a), pings.local(ping, b)
+    behind_m = _cross(a, b) / length_m  # how far the transducer lies in the solid
+    inside = np.flatnonzero(behind_m >= -_ON_M)
+    middle = pings.local(ping[inside], pings.place[ping[inside]])
+    a_in, b_in = a[inside], b[inside]
+    before = _cross(a_in - middle, b_in - middle) < 0.0
+    between = _cross(middle, a_in) * _cross(middle, b_in) <= 0.0
+    pierced = ping[inside[before & between]]
+    cos, sin = np.cos(pings.half_rad).take(ping), np.sin(pings.half_rad).take(ping)
+    left_a, left_b = cos * a.imag - sin * a.real, cos * b.imag - sin * b.real
+    right_a, right_b = -cos * a.imag - sin * a.real, -cos * b.imag - sin * b.real
+    keep = (behind_m < -_ON_M) & (-behind_m <= pings.range_m.take(ping))
+    keep &= (np.minimum(left_a, left_b) <= 0.0) & (np.minimum(right_a, right_b) <= 0.0)
+    kept = np.flatnonzero(keep)
+    kept = kept[np.argsort(ping[kept], kind="stable")]
+    share = np.ones(len(kept))
+    if hushed is not None:
+        share = hushed[obstacles.segment_things(pings.place)[kept]]
+    return _Faces(ping[kept], a[kept], b[kept] - a[kept], -behind_m[kept], share), pierced
+
+
+def _rounds(
+    pings: Pings, obstacles: Prospect, hushed: FloatArray | None
+) -> tuple[_Rounds, IndexArray]:
+    """Gives the circles that may lie in beams, and the pings whose transducers lie in one."""
+    ping, middle, radius_m = obstacles.circles_near(pings.place, pings.own)
+    middle = pings.local(ping, middle)
+    away_m = np.abs(middle)
+    inside = away_m <= radius_m + _ON_M
+    cos, sin = np.cos(pings.half_rad).take(ping), np.sin(pings.half_rad).take(ping)
+    aside_m = cos * np.abs(middle.imag) - sin * middle.real
+    keep = ~inside & (aside_m <= radius_m) & (middle.real > -radius_m)
+    keep &= away_m - radius_m <= pings.range_m.take(ping)
+    kept = np.flatnonzero(keep)
+    kept = kept[np.argsort(ping[kept], kind="stable")]
+    share = np.ones(len(kept))
+    if hushed is not None:
+        share = hushed[obstacles.circle_things(pings.place, pings.own)[kept]]
+    return _Rounds(ping[kept], middle[kept], radius_m[kept], share), ping[inside]
+
+
+def _points(faces: _Faces, rounds: _Rounds, shaped: bool, voices: Points | None) -> Points:
+    """Gives the feet and ends of faces, the fronts of circles, and where faces meet."""
+    square = faces.along.real**2 + faces.along.imag**2
+    share = -(faces.start * faces.along.conj()).real / square
+    foot = np.flatnonzero((share > 0.0) & (share < 1.0))
+    front = rounds.middle * (1.0 - rounds.radius_m / np.abs(rounds.middle))
+    points = Points.at(
+        _ends(faces, faces.start, shaped),
+        _ends(faces, faces.start + faces.along, shaped),
+        (
+            faces.ping[foot],
+            faces.start[foot] + share[foot] * faces.along[foot],
+            faces.share[foot],
+        ),
+        (rounds.ping, front, rounds.share),
+        *([_corners(faces)] if shaped else []),
+    )
+    if voices is None:
+        return points
+    return Points(
+        np.concatenate([points.ping, voices.ping]),
+        np.concatenate([points.place, voices.place]),
+        np.concatenate([points.told_m, voices.told_m]),
+        np.concatenate([points.share, voices.share]),
+    )
+
+
+def _ends(
+    faces: _Faces, end: ComplexArray, shaped: bool
+) -> tuple[IndexArray, ComplexArray, FloatArray]:
+    """Gives the ends of faces, without those at which another face goes on, if that matters."""
+    if not shaped:
+        return faces.ping, end, faces.share
+    one, other = _pairs(faces.ping, faces.ping)
+    along, length_m = faces.along, np.abs(faces.along)[other]
+    apart = end[one] - faces.start[other]
+    over_m = (apart * along[other].conj()).real / length_m
+    goes_on = (one != other) & (np.abs(_cross(apart, along[other])) <= _SEAM_M * length_m)
+    goes_on &= (over_m >= -_SEAM_M) & (over_m <= length_m + _SEAM_M)
+    goes_on &= _parallel(along[one], along[other])
+    corner = np.ones(len(end), dtype=np.bool_)
+    corner[one[goes_on]] = False
+    return faces.ping[corner], end[corner], faces.share[corner]
+
+
+def _corners(faces: _Faces) -> tuple[IndexArray, ComplexArray, FloatArray]:
+    """Gives where faces in the same beam cut each other, as those of walls in a room do.
+
+    Sound goes by way of both, so the softer one decides.
+    """
+    one, other = _pairs(faces.ping, faces.ping)
+    once = (one < other) & ~_parallel(faces.along[one], faces.along[other])
+    one, other = one[once], other[once]
+    apart = faces.start[other] - faces.start[one]
+    across = _cross(faces.along[one], faces.along[other])
+    share = _cross(apart, faces.along[other]) / across
+    others = _cross(apart, faces.along[one]) / across
+    meet = (share >= 0.0) & (share <= 1.0) & (others >= 0.0) & (others <= 1.0)
+    one, other, share = one[meet], other[meet], share[meet]
+    heard = np.minimum(faces.share[one], faces.share[other])
+    return faces.ping[one], faces.start[one] + share * faces.along[one], heard
+
+
+def _in_beam(pings: Pings, points: Points) -> Points:
+    """Gives those of some points that lie in the beams and within reach."""
+    tan = np.tan(pings.half_rad).take(points.ping)
+    points = points.where(np.abs(points.place.imag) <= tan * points.place.real)
+    reach_m = pings.reach_m(points.ping, np.angle(points.place)) * points.share
+    return points.where(np.abs(points.place) <= reach_m)
+
+
+def _hidden(points: Points, faces: _Faces, rounds: _Rounds) -> BoolArray:
+    """Tells which points have something before them."""
+    away_m = np.abs(points.place)
+    rays = (points.place / np.maximum(away_m, _ON_M))[:, None]
+    free_m = np.full((len(points.ping), 1), np.inf)
+    for shapes in (faces, rounds):
+        point, shape = _pairs(points.ping, shapes.ping)
+        np.minimum.at(free_m, point, shapes.hits_m(rays[point], shape))
+    return np.asarray(free_m[:, 0] < away_m - _BEFORE_M)
+
+
+def _pairs(ping: IndexArray, sorted_pings: IndexArray) -> tuple[IndexArray, IndexArray]:
+    """Gives pairs of things of the same ping; the second ones must be sorted by ping."""
+    starts = np.searchsorted(sorted_pings, ping, side="left")
+    return expand(starts, np.searchsorted(sorted_pings, ping, side="right") - starts)
+
+
+def _parallel(a: ComplexArray, b: ComplexArray) -> BoolArray:
+    return np.asarray(np.abs(_cross(a, b)) <= _STRAIGHT * np.abs(a) * np.abs(b))
+
+
+def _cross(a: ComplexArray, b: ComplexArray) -> FloatArray:
+    return np.asarray(a.real * b.imag - a.imag * b.real)

@@ -1,0 +1,255 @@
+"""Which outlines lie within reach of a robot, without looking at all of them.
+
+What does not move lies in a uniform grid: each cell lists every shape within reach of any point of
+the cell, so that one look-up finds all that a robot there can measure. What moves is sorted anew
+each timestep (`neighbours.CellList`).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Final, Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.geometry.neighbours import CellList, expand
+from crs_cc.sim.geometry.scene import Outlines
+
+FloatArray = npt.NDArray[np.float64]
+ComplexArray = npt.NDArray[np.complex128]
+IndexArray = npt.NDArray[np.intp]
+
+_FEW_PAIRS: Final = 1_000  # robots times shapes; so few are not worth choosing from
+_MOST_CELLS: Final = 128  # along each side of the grid
+_CELLS_PER_REACH: Final = 8
+_SHAPES_AT_ONCE: Final = 64  # while the grid is made
+_SLACK_M: Final = 1e-6
+
+
+class Obstacles:
+    """Everything that a beam can hit at one instant.
+
+    Places are complex numbers, x + i y [m].
+    """
+
+    def __init__(self, fixed: Outlines, moving: Outlines, reach_m: float, start_m: float) -> None:
+        """Sorts what does not move.
+
+        Args:
+            fixed: what does not move.
+            moving: what moves, where it is now.
+            reach_m: how far from its place any robot measures.
+            start_m: how far from its place any beam of a robot starts.
+        """
+        circles = fixed.circles
+        self._reach_m = reach_m
+        self._fixed = _Places.of(fixed)
+        self._fixed_owners = fixed.owners, fixed.segment_owners
+        flat = np.zeros(len(fixed.segments))
+        self._segment_grid = Grid(fixed.segments, flat, reach_m, behind_m=start_m)
+        self._circle_grid = Grid(circles[:, [0, 1, 0, 1]], circles[:, 2], reach_m)
+        self.place(moving)
+
+    def place(self, moving: Outlines) -> None:
+        """Says where the bodies that move are now."""
+        self._moving = _Places.of(moving)
+        self._owners, self._segment_owners = moving.owners, moving.segment_owners
+        self._segment_cells: CellList | None = None
+        self._circle_cells: CellList | None = None
+
+    def segments_near(
+        self, place: ComplexArray
+    ) -> tuple[IndexArray, ComplexArray, ComplexArray, FloatArray]:
+        """Gives pairs of robot and segment; among them all within reach.
+
+        Args:
+            place: where the robots are.
+
+        Returns:
+            the robots, and both ends and the length [m] of the segments.
+        """
+        robots, shapes = self._segment_grid.near(place)
+        found = self._fixed.segments(shapes)
+        if len(self._moving.length_m) == 0:
+            return robots, *found
+        others, movers = self._moving_segments(place)
+        more = self._moving.segments(movers)
+        start, end, length_m = (np.concatenate(pair) for pair in zip(found, more, strict=True))
+        return np.concatenate([robots, others]), start, end, length_m
+
+    def circles_near(
+        self, place: ComplexArray, own: IndexArray
+    ) -> tuple[IndexArray, ComplexArray, FloatArray]:
+        """Gives pairs of robot and circle, without its own; among them all within reach.
+
+        Args:
+            place: where the robots are.
+            own: the body of each robot.
+
+        Returns:
+            the robots, and middle and radius [m] of the circles.
+        """
+        robots, shapes = self._circle_grid.near(place)
+        others, movers = self._moving_circles(place, own)
+        fixed, moving = self._fixed.circles(shapes), self._moving.circles(movers)
+        middle, radius_m = (np.concatenate(pair) for pair in zip(fixed, moving, strict=True))
+        return np.concatenate([robots, others]), middle, radius_m
+
+    def segment_things(self, place: ComplexArray) -> IndexArray:
+        """Gives the thing, as in `Scene.names`, of each pair that `segments_near` gives."""
+        _, shapes = self._segment_grid.near(place)
+        _, movers = self._moving_segments(place)
+        fixed, moving = self._fixed_owners[1].take(shapes), self._segment_owners.take(movers)
+        return np.concatenate([fixed, moving])
+
+    def circle_things(self, place: ComplexArray, own: IndexArray) -> IndexArray:
+        """Gives the thing, as in `Scene.names`, of each pair that `circles_near` gives."""
+        _, shapes = self._circle_grid.near(place)
+        _, movers = self._moving_circles(place, own)
+        return np.concatenate([self._fixed_owners[0].take(shapes), self._owners.take(movers)])
+
+    def _moving_segments(self, place: ComplexArray) -> tuple[IndexArray, IndexArray]:
+        moving = self._moving
+        if len(place) * len(moving.length_m) <= _FEW_PAIRS:
+            return _all_pairs(len(place), len(moving.length_m))
+        if self._segment_cells is None:
+            middle = (moving.start + moving.end) / 2
+            reach_m = self._reach_m + float(moving.length_m.max()) / 2
+            self._segment_cells = CellList(middle.real, middle.imag, reach_m)
+        return self._segment_cells.near(place.real, place.imag)
+
+    def _moving_circles(
+        self, place: ComplexArray, own: IndexArray
+    ) -> tuple[IndexArray, IndexArray]:
+        moving = self._moving
+        if len(place) * len(moving.radius_m) <= _FEW_PAIRS:
+            others, movers = _all_pairs(len(place), len(moving.radius_m))
+        else:
+            if self._circle_cells is None:
+                reach_m = self._reach_m + float(moving.radius_m.max())
+                self._circle_cells = CellList(moving.middle.real, moving.middle.imag, reach_m)
+            others, movers = self._circle_cells.near(place.real, place.imag)
+        middle, radius_m = moving.circles(movers)
+        away = middle - place.take(others)
+        within = away.real**2 + away.imag**2 <= (radius_m + self._reach_m) ** 2
+        within &= self._owners.take(movers) != own.take(others)
+        near = np.flatnonzero(within)
+        return others.take(near), movers.take(near)
+
+
+@dataclass(frozen=True, slots=True)
+class _Places:
+    """Outlines with places as complex numbers."""
+
+    start: ComplexArray
+    end: ComplexArray
+    length_m: FloatArray
+    middle: ComplexArray
+    radius_m: FloatArray
+
+    @classmethod
+    def of(cls, outlines: Outlines) -> Self:
+        segments, circles = outlines.segments, outlines.circles
+        return cls(
+            segments[:, 0] + 1j * segments[:, 1],
+            segments[:, 2] + 1j * segments[:, 3],
+            segments[:, 4].copy(),
+            circles[:, 0] + 1j * circles[:, 1],
+            circles[:, 2].copy(),
+        )
+
+    def segments(self, which: IndexArray) -> tuple[ComplexArray, ComplexArray, FloatArray]:
+        return self.start.take(which), self.end.take(which), self.length_m.take(which)
+
+    def circles(self, which: IndexArray) -> tuple[ComplexArray, FloatArray]:
+        return self.middle.take(which), self.radius_m.take(which)
+
+
+class Grid:
+    """Shapes that do not move, listed by the cells from which they are within reach.
+
+    A shape is everything within a radius of a line segment. Where `behind_m` is given, a place
+    further than that to the left of a segment does not see it.
+    """
+
+    def __init__(
+        self,
+        ends_m: FloatArray,
+        radius_m: FloatArray,
+        reach_m: float,
+        behind_m: float = math.inf,
+    ) -> None:
+        self._count = len(ends_m)
+        self._behind_m = behind_m
+        around_m = (radius_m + reach_m + _SLACK_M)[:, None]
+        low = np.minimum(ends_m[:, 0:2], ends_m[:, 2:4]) - around_m
+        high = np.maximum(ends_m[:, 0:2], ends_m[:, 2:4]) + around_m
+        self._corner_m = low.min(axis=0, initial=np.inf) if self._count else np.zeros(2)
+        extent_m = high.max(axis=0) - self._corner_m if self._count else np.zeros(2)
+        self._cell_m = max(reach_m / _CELLS_PER_REACH, float(extent_m.max()) / _MOST_CELLS, 1e-3)
+        self._size = np.floor(extent_m / self._cell_m).astype(np.intp) + 1
+        found = [
+            self._cells_of(np.arange(first, min(first + _SHAPES_AT_ONCE, self._count)), ends_m,
+                           around_m, low, high)
+            for first in range(0, self._count, _SHAPES_AT_ONCE)
+        ]  # fmt: skip
+        nothing = np.zeros(0, dtype=np.intp)
+        cells = np.concatenate([nothing, *(cells for cells, _ in found)])
+        shapes = np.concatenate([nothing, *(shapes for _, shapes in found)])
+        self._shapes = shapes[np.argsort(cells, kind="stable")]
+        # One cell more than there are stands for all places outside of the grid.
+        self._counts = np.bincount(cells, minlength=int(self._size.prod()) + 1)
+        self._starts = np.cumsum(self._counts) - self._counts
+
+    def near(self, place: ComplexArray) -> tuple[IndexArray, IndexArray]:
+        """Gives pairs of place and shape; among them all within reach."""
+        if len(place) * self._count <= _FEW_PAIRS:
+            return _all_pairs(len(place), self._count)
+        column = np.floor((place.real - self._corner_m[0]) / self._cell_m)
+        row = np.floor((place.imag - self._corner_m[1]) / self._cell_m)
+        columns, rows = self._size
+        inside = (column >= 0) & (column < columns) & (row >= 0) & (row < rows)
+        cell = np.where(inside, row * columns + column, columns * rows).astype(np.intp)
+        points, members = expand(self._starts.take(cell), self._counts.take(cell))
+        return points, self._shapes.take(members)
+
+    def _cells_of(
+        self,
+        shapes: IndexArray,
+        ends_m: FloatArray,
+        around_m: FloatArray,
+        low: FloatArray,
+        high: FloatArray,
+    ) -> tuple[IndexArray, IndexArray]:
+        """Gives the cells from which some shapes are within reach, in pairs with the shapes."""
+        first = ((low[shapes] - self._corner_m) / self._cell_m).astype(np.intp)
+        last = np.minimum(((high[shapes] - self._corner_m) / self._cell_m), self._size - 1)
+        span = last.astype(np.intp) - first + 1
+        owner, number = expand(np.zeros(len(shapes), dtype=np.intp), span.prod(axis=1))
+        column = first[owner, 0] + number % span[owner, 0]
+        row = first[owner, 1] + number // span[owner, 0]
+        x = self._corner_m[0] + (column + 0.5) * self._cell_m
+        y = self._corner_m[1] + (row + 0.5) * self._cell_m
+        corner_m = self._cell_m * math.sqrt(0.5)
+        distance_m, left_m = _to_segments(x, y, ends_m[shapes[owner]])
+        near = distance_m <= around_m[shapes[owner], 0] + corner_m
+        near &= left_m <= self._behind_m + corner_m
+        return (row * self._size[0] + column)[near], shapes[owner[near]]
+
+
+def _to_segments(x: FloatArray, y: FloatArray, ends: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Gives how far points are from segments, and how far to the left of their lines."""
+    ax, ay, bx, by = ends[:, 0], ends[:, 1], ends[:, 2], ends[:, 3]
+    along_x, along_y = bx - ax, by - ay
+    length = np.hypot(along_x, along_y)
+    length[length == 0.0] = 1.0
+    along_x, along_y, x, y = along_x / length, along_y / length, x - ax, y - ay
+    share = np.clip(x * along_x + y * along_y, 0.0, length)
+    distance = np.hypot(x - share * along_x, y - share * along_y)
+    return distance, along_x * y - along_y * x
+
+
+def _all_pairs(queries: int, shapes: int) -> tuple[IndexArray, IndexArray]:
+    return np.divmod(np.arange(queries * shapes), max(shapes, 1))

@@ -1,0 +1,175 @@
+"""Who stands where nobody can stand: robots and things to be pushed inside of something else.
+
+Touching is allowed; an overlap of more than `TOLERANCE_M` is not. A robot that joins later may be
+in the way of other robots and of what can be pushed: until then these may have moved.
+
+>>> from crs_cc.sim.model import Area, Pose, Robot, Wall, WorldModel
+>>> from crs_cc.sim.robot_model import Drive, RobotModel
+>>> scout = RobotModel("scout", 0.2, Drive(0.345))
+>>> misplaced(WorldModel("w", Area(0, 0, 4, 4), (Wall("screen", 1, 0, 1, 4),), robots=(
+...     Robot("r1", scout, Pose(2.0, 2.0)), Robot("r2", scout, Pose(1.1, 2.0)))))
+[(1, "robot 'r2' stands inside wall 'screen'")]
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from itertools import chain, islice
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.geometry.neighbours import Discs, overlapping
+from crs_cc.sim.geometry.overlap import overlap_m
+from crs_cc.sim.geometry.polygon import distances_m
+from crs_cc.sim.geometry.scene import corners_m
+from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Wall, WorldModel, is_pushable
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+
+TOLERANCE_M: Final = 1e-6
+
+
+def misplaced(world: WorldModel, most: int | None = None) -> list[tuple[int, str]]:
+    """Gives the index of each robot that stands where it cannot, and what is wrong.
+
+    Args:
+        world: the world.
+        most: how many complaints are enough; by default all are told.
+    """
+    robots = world.robots
+    if not robots:
+        return []
+    x_m = np.array([robot.start.x_m for robot in robots])
+    y_m = np.array([robot.start.y_m for robot in robots])
+    places = Discs(x_m, y_m, np.array([robot.model.radius_m for robot in robots]))
+    ids = [robot.id for robot in robots]
+    there = np.array([robot.join_s <= 0.0 for robot in robots])
+    complaints = chain(
+        _outside(world, ids, places),
+        _inside(world, ids, places, there),
+        _overlapping(ids, places, there),
+    )
+    return list(islice(complaints, most))
+
+
+def overlapping_things(world: WorldModel) -> Iterator[tuple[str, str]]:
+    """Gives the id of each thing that can be pushed and overlaps something, and what is wrong."""
+    solids = world.solids()
+    pushable = [number for number, solid in enumerate(solids) if is_pushable(solid)]
+    if not pushable:
+        return
+    around = Discs(*np.array([_disc_around(solid) for solid in solids]).T)
+    things = around.take(np.array(pushable))
+    for solid_of, thing_of in overlapping(around, things):
+        for number in np.unique(solid_of).tolist():
+            near, solid = np.sort(thing_of[solid_of == number]), solids[number]
+            room_m = clearance_m(solid, things.x_m[near], things.y_m[near])
+            for thing in near[room_m < things.radius_m[near]].tolist():
+                other = pushable[thing]
+                first = number < other or not is_pushable(solid)
+                first &= not _together(solid, solids[other])
+                if first and overlap_m(solids[other], solid) > TOLERANCE_M:
+                    yield solids[other].id, f"{_named(solids[other])} overlaps {_named(solid)}"
+
+
+def clearance_m(solid: Solid, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
+    """Gives how far points lie from a solid [m]; 0 or less inside."""
+    if isinstance(solid, Wall):
+        return _from_wall_m(solid, x_m, y_m)
+    if isinstance(solid, Polygon):
+        return _from_polygon_m(solid, x_m, y_m)
+    across_x, across_y = x_m - solid.pose.x_m, y_m - solid.pose.y_m
+    if isinstance(solid, Box):
+        return _from_box_m(solid, across_x, across_y)
+    return np.asarray(np.hypot(across_x, across_y) - solid.radius_m)
+
+
+def _from_wall_m(wall: Wall, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
+    along_x, along_y = wall.x2_m - wall.x1_m, wall.y2_m - wall.y1_m
+    length2 = along_x * along_x + along_y * along_y
+    share = ((x_m - wall.x1_m) * along_x + (y_m - wall.y1_m) * along_y) / (length2 or 1.0)
+    share = np.clip(share, 0.0, 1.0)
+    across_x = x_m - wall.x1_m - share * along_x
+    across_y = y_m - wall.y1_m - share * along_y
+    return np.asarray(np.hypot(across_x, across_y) - wall.thickness_m / 2)
+
+
+def _from_box_m(box: Box, across_x: FloatArray, across_y: FloatArray) -> FloatArray:
+    cos, sin = math.cos(box.pose.heading_rad), math.sin(box.pose.heading_rad)
+    beyond_x = np.abs(cos * across_x + sin * across_y) - box.length_m / 2
+    beyond_y = np.abs(cos * across_y - sin * across_x) - box.width_m / 2
+    outside = np.hypot(np.maximum(beyond_x, 0.0), np.maximum(beyond_y, 0.0))
+    return np.asarray(outside + np.minimum(np.maximum(beyond_x, beyond_y), 0.0))
+
+
+def _from_polygon_m(polygon: Polygon, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
+    corners, count = corners_m(polygon), np.size(x_m)
+    points = np.column_stack([np.ravel(x_m), np.ravel(y_m)])
+    counts = np.full(count, len(corners))
+    return distances_m(points, np.tile(corners, (count, 1)), counts).reshape(np.shape(x_m))
+
+
+def _outside(world: WorldModel, ids: list[str], robots: Discs) -> Iterator[tuple[int, str]]:
+    area, reach_m = world.area, robots.radius_m - TOLERANCE_M
+    x_m, y_m = robots.x_m, robots.y_m
+    inside = (x_m - reach_m >= area.x_min_m) & (x_m + reach_m <= area.x_max_m)
+    inside &= (y_m - reach_m >= area.y_min_m) & (y_m + reach_m <= area.y_max_m)
+    for robot in np.flatnonzero(~inside):
+        yield int(robot), f"robot {ids[robot]!r} stands outside the world or in its edge"
+
+
+def _inside(
+    world: WorldModel, ids: list[str], robots: Discs, there: BoolArray
+) -> Iterator[tuple[int, str]]:
+    solids = world.solids()[len(world.edge_walls()) :]
+    if not solids:
+        return
+    around = Discs(*np.array([_disc_around(solid) for solid in solids]).T)
+    for solid_of, robot_of in overlapping(around, robots):
+        for number in np.unique(solid_of).tolist():
+            near, solid = np.sort(robot_of[solid_of == number]), solids[number]
+            room_m = clearance_m(solid, robots.x_m[near], robots.y_m[near])
+            inside = room_m < robots.radius_m[near] - TOLERANCE_M
+            for robot in near[inside & there[near] if is_pushable(solid) else inside]:
+                yield int(robot), f"robot {ids[robot]!r} stands inside {_named(solid)}"
+
+
+def _together(one: Solid, other: Solid) -> bool:
+    """Tells whether things are parts of the same object."""
+    if isinstance(one, Wall) or isinstance(other, Wall):
+        return False
+    return bool(one.part_of) and one.part_of == other.part_of
+
+
+def _named(solid: Solid) -> str:
+    return f"{type(solid).__name__.lower()} {solid.id!r}"
+
+
+def _disc_around(solid: Solid) -> tuple[float, float, float]:
+    """Gives x, y and radius [m] of a disc that covers a solid."""
+    if isinstance(solid, Wall):
+        x_m, y_m = (solid.x1_m + solid.x2_m) / 2, (solid.y1_m + solid.y2_m) / 2
+        length_m = math.hypot(solid.x2_m - solid.x1_m, solid.y2_m - solid.y1_m)
+        return x_m, y_m, (length_m + solid.thickness_m) / 2
+    x_m, y_m = solid.pose.x_m, solid.pose.y_m
+    if isinstance(solid, Cylinder):
+        return x_m, y_m, solid.radius_m
+    if isinstance(solid, Box):
+        return x_m, y_m, math.hypot(solid.length_m, solid.width_m) / 2
+    return x_m, y_m, max(math.hypot(*corner) for corner in solid.corners_m)
+
+
+def _overlapping(ids: list[str], robots: Discs, there: BoolArray) -> Iterator[tuple[int, str]]:
+    for first, second in overlapping(robots, robots):
+        before = (first < second) & there[first] & there[second]
+        one, other = first[before], second[before]
+        distance_m = np.hypot(
+            robots.x_m[one] - robots.x_m[other], robots.y_m[one] - robots.y_m[other]
+        )
+        overlap = distance_m < robots.radius_m[one] + robots.radius_m[other] - TOLERANCE_M
+        for inner, outer in zip(other[overlap], one[overlap], strict=True):
+            yield int(inner), f"robot {ids[inner]!r} stands inside robot {ids[outer]!r}"

@@ -1,0 +1,365 @@
+"""What beams hit first: one vectorised function for all robots and all beams of a kind.
+
+A beam is a cone with a half angle; a ray is a cone that has none. What it measures is the distance
+from its start to the nearest point of anything inside the cone: exact, where a handful of rays
+would look past a thin pillar. The nearest point of a segment is found by clipping the segment to
+the cone (Liang and Barsky, "A new concept and method for line clipping", 1984) and dropping the
+perpendicular on what is left; a circle's lies towards its centre, or on the nearer side of the
+cone.
+
+Most shapes are never looked at: `obstacles` gives those within reach of a robot, and of a robot's
+beams, sorted by direction, only those are tried that can point at the shape.
+
+Places in the plane are complex numbers, x + i y [m]: to turn is to multiply.
+
+>>> from crs_cc.sim.model import Area, Cylinder, Pose, WorldModel
+>>> from crs_cc.sim.geometry.obstacles import Obstacles
+>>> from crs_cc.sim.geometry.scene import NOTHING, Scene
+>>> world = WorldModel("w", Area(0, 0, 9, 9, 0), cylinders=(Cylinder("c", Pose(3, 1), 0.5),))
+>>> fan = Fan.of([(0.2, 0.0, 0.0, 0.0, 5.0), (0.2, 0.0, math.pi, 0.0, 5.0)])
+>>> nearest(fan, np.array([[1.0, 1.0, 0.0]]), Obstacles(Scene(world).fixed, NOTHING, 6, 1))
+array([[1.3, inf]])
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Final, Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.geometry.neighbours import expand
+from crs_cc.sim.geometry.prospect import Prospect
+
+FloatArray = npt.NDArray[np.float64]
+ComplexArray = npt.NDArray[np.complex128]
+IndexArray = npt.NDArray[np.intp]
+
+NO_THING: Final = -1
+"""What a beam hits that hits nothing."""
+
+_TURN: Final = 2 * math.pi
+_THIN_RAD: Final = 1e-9  # a cone must have an inside
+_BINS: Final = 360
+_NEAR_M: Final = 1e-9
+_CHUNK: Final = 512  # robots at a time: their pairs stay in the processor's cache
+_FEW: Final = 2_000  # so few pairs are all tried: choosing would cost more
+
+
+@dataclass(frozen=True, slots=True)
+class Fan:
+    """The beams of one kind of robot, in the robot frame, by rising direction.
+
+    Attributes:
+        start: where each beam starts.
+        axis: where it points, of length 1.
+        side_cos: cosine of the angle between its axis and its side.
+        side_sin: sine of that angle.
+        range_m: how far it measures.
+        behind: how many beams point before each of `_BINS` directions in a turn, for three turns.
+        order: the place of each beam in the list that the fan was made of.
+        widest_rad: the largest angle between an axis and a side.
+        start_m: the largest distance of a beam's start from the robot's origin.
+        reach_m: how far from the robot's origin anything can be measured.
+        aside_m: the largest distance at which a line inside a beam passes the origin.
+        z_m: how high above the ground the beams run.
+    """
+
+    start: ComplexArray
+    axis: ComplexArray
+    side_cos: FloatArray
+    side_sin: FloatArray
+    range_m: FloatArray
+    behind: IndexArray
+    order: IndexArray
+    widest_rad: float
+    start_m: float
+    reach_m: float
+    aside_m: float
+    z_m: float = 0.0
+
+    @classmethod
+    def of(
+        cls, beams: Iterable[tuple[float, float, float, float, float]], z_m: float = 0.0
+    ) -> Self:
+        """Makes a fan of beams: x [m], y [m], direction, half angle [rad], range [m]."""
+        table = np.array(list(beams), dtype=np.float64).reshape(-1, 5)
+        table[:, 2] %= _TURN
+        order = np.argsort(table[:, 2], kind="stable")
+        x_m, y_m, direction, half, range_m = np.ascontiguousarray(table[order].T)
+        half = np.maximum(half, _THIN_RAD)
+        away_m = np.hypot(x_m, y_m)
+        tilt = (np.arctan2(y_m, x_m) - direction) % math.pi  # of the axis against the origin
+        tilt = np.minimum(tilt, math.pi - tilt) + half
+        aside_m = away_m * np.sin(np.minimum(tilt, math.pi / 2))
+        return cls(
+            x_m + 1j * y_m,
+            np.cos(direction) + 1j * np.sin(direction),
+            np.cos(half),
+            np.sin(half),
+            range_m,
+            _beams_behind(direction),
+            order,
+            widest_rad=float(half.max(initial=0.0)),
+            start_m=float(away_m.max(initial=0.0)),
+            reach_m=float((range_m + away_m).max(initial=0.0)),
+            aside_m=float(aside_m.max(initial=0.0)),
+            z_m=z_m,
+        )
+
+    def __len__(self) -> int:
+        return len(self.order)
+
+
+def nearest(
+    fan: Fan,
+    poses: FloatArray,
+    obstacles: Prospect,
+    own: IndexArray | None = None,
+    things: IndexArray | None = None,
+) -> FloatArray:
+    """Gives what each beam of each robot measures.
+
+    A beam that starts inside a circle measures 0. One that starts behind a segment, in its solid,
+    measures what is not there: see `covered`.
+
+    Args:
+        fan: the robots' beams.
+        poses: x, y [m] and heading [rad] of each robot, shape (k, 3).
+        obstacles: what there is to hit.
+        own: the number of each robot's own body, which its beams pass through.
+        things: takes which thing each beam hits, as in `Scene.names`, -1 where nothing is within
+            range; shape (k, beams). None when nobody wants to know.
+
+    Returns:
+        distances from the beams' starts [m], infinite where nothing is within range, shape
+        (k, beams), in the order of the list that the fan was made of.
+    """
+    found = np.full((len(poses), len(fan)), np.inf)
+    hit = None if things is None else np.full(found.shape, NO_THING, dtype=np.intp)
+    if own is None:
+        own = np.full(len(poses), -1, dtype=np.intp)
+    for first in range(0, len(poses), _CHUNK):
+        part = slice(first, first + _CHUNK)
+        robots = _Robots.at(fan, poses[part])
+        hits = _Hits(found[part].reshape(-1), None if hit is None else hit[part].reshape(-1))
+        _try_segments(fan, robots, obstacles, hits)
+        _try_circles(fan, robots, obstacles, own[part], hits)
+    beyond = found > fan.range_m
+    found[beyond] = np.inf
+    given = np.empty_like(found)
+    given[:, fan.order] = found
+    if things is not None and hit is not None:
+        hit[beyond] = NO_THING
+        things[:, fan.order] = hit
+    return given
+
+
+@dataclass(frozen=True, slots=True)
+class _Hits:
+    """What the beams of all robots hit, in one row: how far away, and which thing, if wanted."""
+
+    distance_m: FloatArray
+    thing: IndexArray | None
+
+    def take(self, beam: IndexArray, distance_m: FloatArray, thing: IndexArray | None) -> None:
+        """Takes over what is nearer than all before."""
+        np.minimum.at(self.distance_m, beam, distance_m)
+        if self.thing is not None and thing is not None:
+            nearer = np.flatnonzero(distance_m == self.distance_m.take(beam))
+            self.thing[beam.take(nearer)] = thing.take(nearer)
+
+
+@dataclass(frozen=True, slots=True)
+class _Robots:
+    """Robots, and their beams seen from the robots' places; the beams of all robots in one row."""
+
+    place: ComplexArray
+    heading_rad: FloatArray
+    start: ComplexArray
+    backturn: ComplexArray
+
+    @classmethod
+    def at(cls, fan: Fan, poses: FloatArray) -> Self:
+        heading_rad = poses[:, 2].copy()
+        facing = (np.cos(heading_rad) + 1j * np.sin(heading_rad))[:, None]
+        start, backturn = facing * fan.start, np.conjugate(facing * fan.axis)
+        return cls(poses[:, 0] + 1j * poses[:, 1], heading_rad, start.ravel(), backturn.ravel())
+
+
+def _try_segments(fan: Fan, robots: _Robots, obstacles: Prospect, hits: _Hits) -> None:
+    """Looks at the segments that beams hit."""
+    viewers, a, b, length = obstacles.segments_near(robots.place)
+    things = None if hits.thing is None else obstacles.segment_things(robots.place)
+    place = robots.place.take(viewers)
+    a, b = a - place, b - place
+    if len(viewers) * len(fan) > _FEW:
+        keep, sectors = _sectors_of_segments(fan, a, b, length)
+        viewers, a, b = viewers.take(keep), a.take(keep), b.take(keep)
+        things = None if things is None else things.take(keep)
+        starts, counts = _beams_between(fan, robots.heading_rad.take(viewers), sectors)
+    else:
+        starts, counts = _all_beams(fan, len(viewers))
+    pairs, beams = expand(starts, counts)
+    beams %= len(fan)
+    numbers = viewers.take(pairs) * len(fan) + beams
+    start, backturn = robots.start.take(numbers), robots.backturn.take(numbers)
+    a, b = (a.take(pairs) - start) * backturn, (b.take(pairs) - start) * backturn
+    things = None if things is None else things.take(pairs)
+    hits.take(numbers, _to_segment(fan, beams, a, b), things)
+
+
+def _try_circles(
+    fan: Fan, robots: _Robots, obstacles: Prospect, own: IndexArray, hits: _Hits
+) -> None:
+    """Looks at the circles that beams hit."""
+    viewers, middle, radius = obstacles.circles_near(robots.place, own)
+    things = None if hits.thing is None else obstacles.circle_things(robots.place, own)
+    middle = middle - robots.place.take(viewers)
+    if len(viewers) * len(fan) > _FEW:
+        keep, sectors = _sectors_of_circles(fan, middle, radius)
+        viewers, middle, radius = viewers.take(keep), middle.take(keep), radius.take(keep)
+        things = None if things is None else things.take(keep)
+        starts, counts = _beams_between(fan, robots.heading_rad.take(viewers), sectors)
+    else:
+        starts, counts = _all_beams(fan, len(viewers))
+    pairs, beams = expand(starts, counts)
+    beams %= len(fan)
+    numbers = viewers.take(pairs) * len(fan) + beams
+    middle = (middle.take(pairs) - robots.start.take(numbers)) * robots.backturn.take(numbers)
+    things = None if things is None else things.take(pairs)
+    hits.take(numbers, _to_circle(fan, beams, middle, radius.take(pairs)), things)
+
+
+# -- which beams can hit what ----------------------------------------------------------------------
+
+
+def _all_beams(fan: Fan, shapes: int) -> tuple[IndexArray, IndexArray]:
+    counts = np.full(shapes, len(fan), dtype=np.intp)
+    return np.zeros(shapes, dtype=np.intp), counts
+
+
+@dataclass(frozen=True, slots=True)
+class _Sectors:
+    """What shapes look like from robots.
+
+    Attributes:
+        begin: direction of the clockwise end [rad], in the world frame.
+        spread: the angle that the shape covers [rad].
+        distance: how far away its nearest point is [m].
+    """
+
+    begin: FloatArray
+    spread: FloatArray
+    distance: FloatArray
+
+
+def _sectors_of_segments(
+    fan: Fan, a: ComplexArray, b: ComplexArray, length: FloatArray
+) -> tuple[IndexArray, _Sectors]:
+    """Gives which segments can be hit, and what these look like, from robots that stand at 0.
+
+    A segment that has all beams' starts to its left is the back of its solid.
+    """
+    product = np.conjugate(a) * b
+    dot, cross = product.real, product.imag
+    share = (a.real**2 + a.imag**2 - dot) / (length * length)
+    foot = a + np.minimum(np.maximum(share, 0.0), 1.0) * (b - a)
+    distance2 = foot.real**2 + foot.imag**2
+    near = (distance2 <= fan.reach_m * fan.reach_m) & (cross <= fan.start_m * length)
+    keep = np.flatnonzero(near)
+    turn = np.arctan2(cross.take(keep), dot.take(keep))
+    a = a.take(keep)
+    begin = np.arctan2(a.imag, a.real) + np.minimum(turn, 0.0)
+    return keep, _Sectors(begin, np.abs(turn), np.sqrt(distance2.take(keep)))
+
+
+def _sectors_of_circles(
+    fan: Fan, middle: ComplexArray, radius: FloatArray
+) -> tuple[IndexArray, _Sectors]:
+    """Gives which circles can be hit, and what these look like, from robots that stand at 0."""
+    away = np.sqrt(middle.real**2 + middle.imag**2)
+    keep = np.flatnonzero(away - radius <= fan.reach_m)
+    away, radius, middle = away.take(keep), radius.take(keep), middle.take(keep)
+    # Half of what the circle covers, asin(radius / away), is less than its tangent.
+    tangent_m = np.sqrt(np.maximum((away - radius) * (away + radius), _NEAR_M))
+    half = np.minimum(radius / tangent_m, math.pi)
+    begin = np.arctan2(middle.imag, middle.real) - half
+    return keep, _Sectors(begin, 2 * half, away - radius)
+
+
+def _beams_between(
+    fan: Fan, heading_rad: FloatArray, sectors: _Sectors
+) -> tuple[IndexArray, IndexArray]:
+    """Gives the range of beams that may meet the shape in each sector.
+
+    Returns:
+        number of the first beam and how many; numbers go on beyond the last beam to the first.
+    """
+    # A point at a distance d on a line that passes the origin at p is seen from the origin at an
+    # angle asin(p / d) from the line's direction, which is at most pi / 2 times p / d.
+    aside = math.pi / 2 * fan.aside_m / np.maximum(sectors.distance, _NEAR_M)
+    margin = np.minimum(aside + (fan.widest_rad + _THIN_RAD), math.pi)
+    lower = (sectors.begin - heading_rad - margin) % _TURN
+    upper = lower + np.minimum(sectors.spread + 2 * margin, _TURN)
+    starts = fan.behind.take((lower * (_BINS / _TURN)).astype(np.intp))
+    ends = fan.behind.take((upper * (_BINS / _TURN)).astype(np.intp) + 1)
+    return starts, np.minimum(ends - starts, len(fan))
+
+
+def _beams_behind(direction: FloatArray) -> IndexArray:
+    directions = np.concatenate([direction + turn * _TURN for turn in range(3)])
+    bins = np.arange(3 * _BINS) * (_TURN / _BINS)
+    return np.searchsorted(directions, bins, side="left")
+
+
+# -- where they hit --------------------------------------------------------------------------------
+
+
+def _to_segment(fan: Fan, beam: IndexArray, a: ComplexArray, b: ComplexArray) -> FloatArray:
+    """Gives the distance from each beam's start to the part of a segment inside the beam.
+
+    Args:
+        fan: the beams.
+        beam: which beam of the fan.
+        a: one end of the segment in the frame of the beam, whose axis is x.
+        b: the other end.
+    """
+    ax, ay, bx, by = a.real.copy(), a.imag.copy(), b.real.copy(), b.imag.copy()
+    side_cos, side_sin = fan.side_cos.take(beam), fan.side_sin.take(beam)
+    first, last = np.zeros_like(ax), np.ones_like(ax)
+    for side in (side_cos, -side_cos):  # the cone: where the distances outside of both sides
+        outside_a = side * ay - side_sin * ax  # are negative
+        outside_b = side * by - side_sin * bx
+        with np.errstate(divide="ignore", invalid="ignore"):
+            crossing = outside_a / (outside_a - outside_b)
+        first = np.maximum(first, np.where(outside_a > 0.0, crossing, 0.0))
+        last = np.minimum(last, np.where(outside_b > 0.0, crossing, 1.0))
+    along_x, along_y = bx - ax, by - ay
+    foot = -(ax * along_x + ay * along_y) / (along_x * along_x + along_y * along_y)
+    share = np.minimum(np.maximum(foot, first), last)
+    x, y = ax + share * along_x, ay + share * along_y
+    return np.where(first > last, np.inf, np.sqrt(x * x + y * y))
+
+
+def _to_circle(fan: Fan, beam: IndexArray, middle: ComplexArray, radius: FloatArray) -> FloatArray:
+    """Gives the distance from each beam's start to the part of a circle inside the beam.
+
+    Args:
+        fan: the beams.
+        beam: which beam of the fan.
+        middle: the middle of the circle in the frame of the beam, whose axis is x.
+        radius: its radius.
+    """
+    side_cos, side_sin = fan.side_cos.take(beam), fan.side_sin.take(beam)
+    x, y = middle.real.copy(), np.abs(middle.imag)  # the nearer side is the upper one
+    along, aside = side_cos * x + side_sin * y, side_cos * y - side_sin * x
+    away = np.sqrt(x * x + y * y)
+    squared = radius * radius - aside * aside
+    on_side = along - np.sqrt(np.maximum(squared, 0.0))
+    missed = (squared < 0.0) | (along < 0.0)
+    distance = np.where(aside <= 0.0, away - radius, np.where(missed, np.inf, on_side))
+    return np.where(away <= radius, 0.0, distance)

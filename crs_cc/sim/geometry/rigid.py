@@ -1,0 +1,129 @@
+"""Things that move as one body: the parts of an object that can be pushed.
+
+Each part is a body of its own for all that looks at it, but in the physics the first part's body
+has the shapes, the mass and the friction of them all, and lies in their centre of mass. The others'
+have no shapes. After a cycle every part is put where that body took it. No gripper takes a part.
+
+A part's share of the mass presses on the floor where the part stands. So an object's friction
+against turning is that of its parts, each with the lever of its distance from the centre of mass.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.bodies import Bodies
+from crs_cc.sim.friction import friction_n, friction_nm, moment_kgm2
+from crs_cc.sim.geometry.frames import compose, relative
+from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.model import Thing
+
+FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.intp]
+
+
+@dataclass(frozen=True, slots=True)
+class Whole:
+    """What the body of an object is made of.
+
+    Attributes:
+        parts: the parts, and where each lies in its frame: x, y [m], direction [rad].
+        mass_kg: its mass.
+        moment_kgm2: its moment of inertia about the centre of mass.
+        friction_n: the force below which it does not move.
+        friction_nm: the torque below which it does not turn.
+    """
+
+    parts: tuple[tuple[Thing, FloatArray], ...]
+    mass_kg: float
+    moment_kgm2: float
+    friction_n: float
+    friction_nm: float
+
+    @classmethod
+    def of(cls, parts: list[tuple[Thing, FloatArray]]) -> Self:
+        """Adds up parts, which are where they are in the frame of the centre of mass."""
+        off_m = [math.hypot(place[0], place[1]) for _, place in parts]
+        pairs = [(thing, away_m) for (thing, _), away_m in zip(parts, off_m, strict=True)]
+        return cls(
+            tuple(parts),
+            sum(thing.mass_kg for thing, _ in pairs),
+            sum(moment_kgm2(thing) + thing.mass_kg * away_m**2 for thing, away_m in pairs),
+            sum(friction_n(thing) for thing, _ in pairs),
+            sum(
+                math.hypot(friction_nm(thing), friction_n(thing) * away_m)
+                for thing, away_m in pairs
+            ),
+        )
+
+
+class Rigid:
+    """The objects of a scene that can be pushed.
+
+    Attributes:
+        wholes: what the body of each pushable is made of: all parts of its object at the first
+            part, itself at what is no part, nothing more than a mass at other parts.
+        others: the numbers of the other parts.
+    """
+
+    def __init__(self, scene: Scene) -> None:
+        groups: dict[str, list[int]] = {}
+        for number, thing in enumerate(scene.pushables):
+            if thing.part_of:
+                groups.setdefault(thing.part_of, []).append(number)
+        self.wholes = [Whole.of([(thing, np.zeros(3))]) for thing in scene.pushables]
+        rows: list[int] = []
+        first: list[int] = []
+        places = [np.zeros((0, 3))]
+        for numbers in groups.values():
+            things = [scene.pushables[number] for number in numbers]
+            start = scene.start[scene.robots + np.array(numbers)]
+            mass_kg = np.array([thing.mass_kg for thing in things])
+            middle = np.zeros((len(things), 3))
+            middle[:, :2] = (mass_kg[:, None] * start[:, :2]).sum(axis=0) / mass_kg.sum()
+            place = relative(middle, start)
+            self.wholes[numbers[0]] = Whole.of(list(zip(things, place, strict=True)))
+            first += [len(rows)] * len(numbers)
+            rows += numbers
+            places.append(place)
+        self.others = frozenset(rows) - {numbers[0] for numbers in groups.values()}
+        self._rows = np.array(rows, dtype=np.intp) + scene.robots
+        self._first = np.array(first, dtype=np.intp)
+        self._place = np.concatenate(places)
+        self._loaded = np.zeros((0, 3))
+        self._poses = np.zeros((0, 3))
+
+    def load(self, motion: FloatArray) -> None:
+        """Puts the bodies of objects into their centres of mass.
+
+        Args:
+            motion: x, y [m], angle [rad], velocity [m/s] and spin [rad/s] of all bodies, (n, 6);
+                changed in place.
+        """
+        if not len(self._rows):
+            return
+        own = self._place[self._first]
+        self._poses = motion[self._rows, :3].copy()
+        frames = compose(self._poses[self._first], relative(own, np.zeros_like(own)))
+        motion[self._rows, :3] = self._loaded = frames
+
+    def place(self, bodies: Bodies) -> None:
+        """Puts all parts where the bodies of their objects are; what did not move stays as it was.
+
+        Args:
+            bodies: as the physics left them; changed in place.
+        """
+        if not len(self._rows):
+            return
+        rows, first = self._rows, self._rows[self._first]
+        frames = np.column_stack([bodies.position_m[first], bodies.angle_rad[first]])
+        still = (frames == self._loaded).all(axis=1)
+        poses = np.where(still[:, None], self._poses, compose(frames, self._place))
+        bodies.position_m[rows], bodies.angle_rad[rows] = poses[:, :2], poses[:, 2]
+        bodies.velocity_mps[rows] = bodies.velocity_mps[first]
+        bodies.spin_radps[rows] = bodies.spin_radps[first]

@@ -1,0 +1,217 @@
+"""Everything that blocks a beam, as line segments and circles: the world's outlines.
+
+A wall is two parallel segments with a circle at each end, a box or polygon its sides, a cylinder
+or a robot a circle. Segments run so that their solid lies to the left of them: seen from outside,
+only those that have the viewer to their right are in front.
+
+Bodies that move are numbered in one order everywhere: the robots, then what can be pushed.
+
+>>> from crs_cc.sim.model import Area, Box, Pose, WorldModel
+>>> world = WorldModel("w", Area(0, 0, 4, 4, edge_m=0), boxes=(Box("b", Pose(1, 1), 2, 1),))
+>>> Scene(world).fixed.segments[:, :4].tolist()[0]
+[0.0, 0.5, 2.0, 0.5]
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.geometry.polygon import is_convex, triangles
+from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Thing, Wall, WorldModel, is_pushable
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+
+
+@dataclass(frozen=True, slots=True)
+class Outlines:
+    """Segments and circles.
+
+    Attributes:
+        segments: x1, y1, x2, y2, length [m], shape (s, 5).
+        circles: x, y, radius [m], shape (c, 3).
+        owners: which thing each circle belongs to, as in `Scene.names`, shape (c,).
+        segment_owners: the same for segments, shape (s,).
+    """
+
+    segments: FloatArray
+    circles: FloatArray
+    owners: IndexArray
+    segment_owners: IndexArray
+
+
+GROUND: Final = "(ground)"
+"""What bodies run into where the ground is too high for them."""
+
+_NONE: Final = np.zeros(0, dtype=np.intp)
+_NO_SEGMENTS: Final = np.zeros((0, 5))
+NOTHING: Final = Outlines(_NO_SEGMENTS, np.zeros((0, 3)), _NONE, _NONE)
+"""No outlines at all."""
+
+
+class Scene:
+    """The outlines of a world: those that never move, and those that do, at each pose.
+
+    Attributes:
+        world: the world.
+        robots: how many robots there are: the first bodies.
+        fixed: the outlines of what does not move.
+        pushables: what can be pushed, in the order of the bodies.
+        fixed_solids: what cannot.
+        present: the robots that are in the world; the others are seen by nobody, (robots,).
+        names: the id of each body, then of each fixed solid, then `GROUND` where it is not flat.
+        start: the poses of all bodies at the start, shape (bodies, 3): x, y [m], heading [rad].
+    """
+
+    def __init__(self, world: WorldModel, present: BoolArray | None = None) -> None:
+        """Takes the outlines of a world.
+
+        Args:
+            world: the world.
+            present: which of its robots are there; by default all.
+        """
+        solids = world.solids()
+        self.world = world
+        self.robots = len(world.robots)
+        self.present = np.ones(self.robots, dtype=np.bool_) if present is None else present
+        self.pushables: tuple[Thing, ...] = tuple(
+            solid for solid in solids if not isinstance(solid, Wall) and is_pushable(solid)
+        )
+        self.fixed_solids = tuple(solid for solid in solids if not is_pushable(solid))
+        self.fixed = _fixed_outlines(self.fixed_solids, len(world.robots) + len(self.pushables))
+        ids = [thing.id for thing in (*world.robots, *self.pushables, *self.fixed_solids)]
+        self.names = (*ids,) if world.surface.is_flat else (*ids, GROUND)
+        poses = [robot.start for robot in world.robots] + [thing.pose for thing in self.pushables]
+        rows = [(pose.x_m, pose.y_m, pose.heading_rad) for pose in poses]
+        self.start = np.array(rows, dtype=np.float64).reshape(-1, 3)
+        self._sides = _Sides(enumerate(self.pushables, len(world.robots)))
+        round_bodies = np.flatnonzero(self.present).tolist()
+        radii = [world.robots[robot].model.radius_m for robot in round_bodies]
+        for body, thing in enumerate(self.pushables, self.robots):
+            if isinstance(thing, Cylinder):
+                radii.append(thing.radius_m)
+                round_bodies.append(body)
+        self._radii_m = np.array(radii, dtype=np.float64)
+        self._round_bodies = np.array(round_bodies, dtype=np.intp)
+
+    def moving(self, position_m: FloatArray, angle_rad: FloatArray) -> Outlines:
+        """Gives the outlines of the bodies.
+
+        Args:
+            position_m: where they are, shape (bodies, 2).
+            angle_rad: how they are turned, shape (bodies,).
+        """
+        circles = np.column_stack([position_m[self._round_bodies], self._radii_m])
+        segments = self._sides.segments(position_m, angle_rad)
+        return Outlines(segments, circles, self._round_bodies, self._sides.bodies)
+
+
+class _Sides:
+    """The sides of boxes and polygons, in the frames of their bodies.
+
+    Attributes:
+        bodies: the body of each side.
+    """
+
+    def __init__(self, bodies: Iterable[tuple[int, Thing]]) -> None:
+        pairs = [(body, thing) for body, thing in bodies if not isinstance(thing, Cylinder)]
+        corners = [own_corners_m(thing) for _, thing in pairs]
+        numbers = [np.full(len(rows), body) for (body, _), rows in zip(pairs, corners, strict=True)]
+        none = np.zeros((0, 2))
+        self.bodies = np.concatenate([_NONE, *numbers])
+        self._starts_m = np.concatenate([none, *corners])
+        self._ends_m = np.concatenate([none, *(np.roll(rows, -1, axis=0) for rows in corners)])
+
+    def segments(self, position_m: FloatArray, angle_rad: FloatArray) -> FloatArray:
+        if not len(self.bodies):
+            return _NO_SEGMENTS
+        cos, sin = np.cos(angle_rad[self.bodies]), np.sin(angle_rad[self.bodies])
+        columns = []
+        for ends_m in (self._starts_m, self._ends_m):
+            x, y = ends_m.T
+            turned = np.column_stack([cos * x - sin * y, sin * x + cos * y])
+            columns.append(turned + position_m[self.bodies])
+        return _with_length(np.concatenate(columns, axis=1))
+
+
+def own_corners_m(thing: Box | Polygon) -> FloatArray:
+    """Gives the corners of a thing in its own frame, counter-clockwise, shape (corners, 2)."""
+    if isinstance(thing, Polygon):
+        return np.array(thing.corners_m)
+    x, y = thing.length_m / 2, thing.width_m / 2
+    return np.array([(-x, -y), (x, -y), (x, y), (-x, y)])
+
+
+@lru_cache(maxsize=4096)  # a scene is made anew with each obstacle that comes or goes
+def corners_m(thing: Box | Polygon) -> FloatArray:
+    """Gives the corners of a thing in the world frame, counter-clockwise, shape (corners, 2)."""
+    corners = _thing_segments([thing])[:, :2]
+    corners.flags.writeable = False
+    return corners
+
+
+@lru_cache(maxsize=4096)
+def triangles_of(polygon: Polygon) -> IndexArray:
+    """Gives the triangles that a polygon is made of: numbers of three corners each, (n, 3)."""
+    return triangles(own_corners_m(polygon))
+
+
+@lru_cache(maxsize=4096)
+def convex_parts_of(polygon: Polygon) -> IndexArray:
+    """Gives the convex parts of a polygon: itself, or its triangles; numbers of corners, (n, m)."""
+    corners = own_corners_m(polygon)
+    return np.arange(len(corners))[None] if is_convex(corners) else triangles_of(polygon)
+
+
+def _fixed_outlines(solids: Sequence[Solid], first: int) -> Outlines:
+    """Gives the outlines of what does not move; the first of them is thing number `first`."""
+    segments: list[FloatArray] = [np.zeros((0, 5))]
+    circles: list[tuple[float, float, float]] = []
+    owners: list[int] = []
+    segment_owners: list[int] = []
+    things: list[tuple[int, Box | Polygon]] = []
+    for number, solid in enumerate(solids, first):
+        if isinstance(solid, Wall):
+            segments.append(_wall_segments(solid))
+            segment_owners += [number, number]
+            circles.append((solid.x1_m, solid.y1_m, solid.thickness_m / 2))
+            circles.append((solid.x2_m, solid.y2_m, solid.thickness_m / 2))
+            owners += [number, number]
+        elif isinstance(solid, Cylinder):
+            circles.append((solid.pose.x_m, solid.pose.y_m, solid.radius_m))
+            owners.append(number)
+        else:
+            things.append((number, solid))
+    sides = [np.full(len(own_corners_m(thing)), number) for number, thing in things]
+    return Outlines(
+        np.concatenate([*segments, _thing_segments([thing for _, thing in things])]),
+        np.array(circles).reshape(-1, 3),
+        np.array(owners, dtype=np.intp),
+        np.concatenate([np.array(segment_owners, dtype=np.intp), *sides]),
+    )
+
+
+def _wall_segments(wall: Wall) -> FloatArray:
+    start, end = np.array([wall.x1_m, wall.y1_m]), np.array([wall.x2_m, wall.y2_m])
+    along = (end - start) / np.hypot(*(end - start))
+    left = np.array([-along[1], along[0]]) * wall.thickness_m / 2
+    sides = [np.concatenate([start - left, end - left]), np.concatenate([end + left, start + left])]
+    return _with_length(np.array(sides))
+
+
+def _thing_segments(things: Sequence[Box | Polygon]) -> FloatArray:
+    rows = [(thing.pose.x_m, thing.pose.y_m, thing.pose.heading_rad) for thing in things]
+    poses = np.array(rows).reshape(-1, 3)
+    return _Sides(enumerate(things)).segments(poses[:, :2], poses[:, 2])
+
+
+def _with_length(ends_m: FloatArray) -> FloatArray:
+    length_m = np.hypot(ends_m[:, 2] - ends_m[:, 0], ends_m[:, 3] - ends_m[:, 1])
+    return np.column_stack([ends_m, length_m])

@@ -1,0 +1,64 @@
+"""What the surfaces of all things do to light and sound.
+
+A surface that sends back a share R of the sound is heard up to R ** (1/4) times as far as one that
+sends back all: the power of an echo falls with the fourth power of the distance, as sound spreads
+on both ways, and the least power that is heard stays the same. That is the radar equation, solved
+for the range (M. I. Skolnik, "Introduction to Radar Systems", 1980, 1.2), with the share in place
+of the cross section.
+
+>>> from crs_cc.sim.model import Area, Cylinder, Material, Pose, WorldModel
+>>> red = Cylinder("red", Pose(1, 1), 0.1, material=Material((255, 0, 0)))
+>>> surfaces = Surfaces.of(Scene(WorldModel("w", Area(0, 0, 9, 9, 0), cylinders=(red,))))
+>>> hex(surfaces.colour[0])
+'0xff0000'
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.model import PLAIN
+
+FloatArray = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Surfaces:
+    """The surfaces of all things, in the order of `Scene.names`; arrays have shape (things,).
+
+    Attributes:
+        colour: what cameras see, 0xRRGGBB.
+        infrared: the share of infrared light that comes back, not a number where the sensor's
+            definition says what it takes surfaces for; None where it does for all.
+        hushed: how far each is heard, as a share of how far a hard one is; None when all are hard.
+    """
+
+    colour: npt.NDArray[np.int32]
+    infrared: FloatArray | None
+    hushed: FloatArray | None
+
+    @classmethod
+    def of(cls, scene: Scene) -> Self:
+        """Gives the surfaces of all things in a scene."""
+        things = (*scene.world.robots, *scene.pushables, *scene.fixed_solids)
+        materials = [thing.material for thing in things]
+        materials += [PLAIN] * (len(scene.names) - len(things))  # of the ground
+        sonar = np.array([material.sonar for material in materials], dtype=np.float64)
+        shares = [np.nan if each.infrared is None else each.infrared for each in materials]
+        infrared = np.array(shares, dtype=np.float64)
+        return cls(
+            np.array([packed(material.colour) for material in materials], dtype=np.int32),
+            None if np.isnan(infrared).all() else infrared,
+            np.sqrt(np.sqrt(sonar)) if (sonar < 1.0).any() else None,
+        )
+
+
+def packed(colour: tuple[int, int, int]) -> int:
+    """Gives a colour as 0xRRGGBB."""
+    red, green, blue = colour
+    return red << 16 | green << 8 | blue

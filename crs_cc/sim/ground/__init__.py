@@ -1,0 +1,1 @@
+"""The ground where it is not flat: how high it is, what slopes do, what blocks, what is seen."""

@@ -1,0 +1,1 @@
+"""Taking hold of things: grippers and arms, what they hold, and how that moves."""

@@ -1,0 +1,24 @@
+"""Names are compared with what the schemas declare, however they declare it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from lxml import etree
+
+from crs_cc.sim.files.schema_names import unknown_names
+
+ROOT = Path(__file__).parents[3]
+SIM = ROOT / "crs_cc" / "sim"
+FILES = [
+    *((path, "world.xsd") for path in sorted((ROOT / "worlds").glob("*.xml"))),
+    *((path, "robot.xsd") for path in sorted((SIM / "robots").glob("*.xml"))),
+]
+
+
+@pytest.mark.parametrize(("path", "schema"), FILES, ids=lambda each: Path(each).stem)
+def test_what_is_right_has_known_names_only(path: Path, schema: str) -> None:
+    parser = etree.XMLParser(remove_comments=True)
+    document, known = etree.parse(path, parser), etree.parse(SIM / "files" / schema)
+    assert list(unknown_names(document.getroot(), known.getroot())) == []

@@ -1,0 +1,703 @@
+"""World files: what is read, and what is refused with which words and where."""
+
+import math
+import pickle
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from lxml import etree
+
+from crs_cc.errors import WorldError
+from crs_cc.sim.files.world_xml import (
+    empty_world,
+    known_robots,
+    load_robot,
+    load_world,
+    parse_world,
+)
+from crs_cc.sim.files.xml_document import MAX_BYTES
+from crs_cc.sim.geometry.scene import corners_m
+from crs_cc.sim.model import Area, Box, Cylinder, Pose, Wall
+
+WORLDS = sorted((Path(__file__).parents[3] / "worlds").glob("*.xml"))
+SIM = Path(__file__).parents[3] / "crs_cc" / "sim"
+
+AREA = '<area length="6m" width="5m"/>'
+ROBOT = '<robot x="3m" y="2m"/>'
+SCHEMA = etree.parse(SIM / "files" / "world.xsd")
+THINGS = SCHEMA.xpath(
+    "//x:element[@name='world']//x:choice/x:element/@name",
+    namespaces={"x": "http://www.w3.org/2001/XMLSchema"},
+)
+
+
+def lines(*rows: str, version: str = 'version="1"') -> bytes:
+    """Gives a world whose rows stand in lines 2, 3, ..."""
+    return "\n".join([f"<world {version}>", *rows, "</world>"]).encode()
+
+
+def messages_of(text: bytes) -> list[str]:
+    with pytest.raises(WorldError) as caught:
+        parse_world(text, "w.xml")
+    return [message.render().splitlines()[0] for message in caught.value.diagnostics]
+
+
+# -- what is read ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("path", WORLDS, ids=lambda path: path.stem)
+def test_the_worlds_that_come_with_crs_are_right(path):
+    world = load_world(path)
+    assert world.name == path.stem
+    for robot in world.robots:
+        name = robot.model.name
+        assert name in known_robots() or [*path.parent.rglob(f"{name}.xml")]
+    assert pickle.loads(pickle.dumps(world)) == world
+    assert hash(load_world(path)) == hash(world)
+
+
+def test_all_parts_of_a_world_are_read_with_their_units():
+    world = parse_world(
+        lines(
+            '<area length="10ft" width="200cm" origin="centre" edge="50mm"/>',
+            '<wall id="screen" x1="-10in" y1="0" x2="10in" y2="0.5m" thickness="5cm"/>',
+            '<box id="crate" x="1m" y="0" heading="90" length="30cm" width="0.2" mass="2000g"/>',
+            '<cylinder x="-1m" y="0m" radius="1e-1"/>',
+            '<polygon points="1m,-50cm  1ft,-0.8 1m,-80cm" mass="1"/>',
+            '<robot id="r" x="0" y="-0.5" heading="1.57rad">',
+            "<argument> one two </argument><argument/></robot>",
+            version='version="1" name="full" timestep="20ms"',
+        ),
+        "w.xml",
+    )
+    ten_feet_m = 10 * (12 * 0.0254)
+    assert world.name == "full"
+    assert world.timestep_s == 0.02
+    assert world.area == Area(-0.5 * ten_feet_m, -1.0, ten_feet_m, 2.0, 0.05)
+    assert world.walls == (Wall("screen", -0.254, 0.0, 0.254, 0.5, 0.05),)
+    assert world.boxes == (Box("crate", Pose(1.0, 0.0, math.pi / 2), 0.3, 0.2, 2.0),)
+    assert world.cylinders == (Cylinder("cylinder0", Pose(-1.0, 0.0), 0.1),)
+    assert [polygon.id for polygon in world.polygons] == ["polygon0"]
+    assert world.polygons[0].mass_kg == 1.0
+    foot_m = 12 * 0.0254
+    assert corners_m(world.polygons[0]) == pytest.approx(
+        np.array([(1.0, -0.8), (1.0, -0.5), (foot_m, -0.8)])[[1, 2, 0]]
+    )
+    robot = world.robots[0]
+    assert (robot.id, robot.start) == ("r", Pose(0.0, -0.5, 1.57))
+    assert robot.arguments == ("one two", "")
+
+
+def test_a_program_is_found_beside_the_world(tmp_path):
+    (tmp_path / "wander.c").write_text("main() {}")
+    path = tmp_path / "w.xml"
+    path.write_bytes(lines(AREA, '<robot x="1" y="1" program="wander.c"/>'))
+    assert load_world(path).robots[0].program == str(tmp_path / "wander.c")
+
+
+def test_the_built_in_world_has_one_scout_at_the_origin():
+    world = empty_world()
+    assert [robot.start for robot in world.robots] == [Pose()]
+    assert world.solids() == ()
+
+
+def test_the_scout_is_as_the_vendor_describes_it():
+    scout = empty_world().robots[0].model
+    assert [sonar.id for sonar in scout.sonars] == list(range(16))
+    for sonar in scout.sonars:
+        assert sonar.direction_rad == pytest.approx(math.radians(22.5) * sonar.id)
+        assert math.hypot(sonar.x_m, sonar.y_m) == pytest.approx(scout.radius_m, abs=1e-6)
+        bearing = math.atan2(sonar.y_m, sonar.x_m) % math.tau
+        assert math.cos(bearing - sonar.direction_rad) == pytest.approx(1.0)
+        assert math.degrees(sonar.half_angle_rad) == pytest.approx(10, abs=0.05)
+    # RIGHT(trans, steer) of the vendor header: 0.118597 in for each degree, at each wheel.
+    assert pytest.approx(math.pi * scout.drive.wheel_base_m, rel=1e-4) == 0.118597 * 0.0254 * 360
+
+
+def test_a_robot_definition_beside_the_world_is_found(tmp_path):
+    text = (SIM / "robots" / "scout.xml").read_text().replace('name="scout"', 'name="own"')
+    (tmp_path / "own.xml").write_text(text)
+    path = tmp_path / "w.xml"
+    path.write_bytes(lines(AREA, '<robot definition="own.xml" x="1" y="1"/>'))
+    assert load_world(path).robots[0].model.name == "own"
+
+
+def test_a_sensor_in_the_words_of_the_report_is_read(tmp_path):
+    """The report's example: directions are in radians when they have no unit."""
+    sensor = """<sensor><id>2</id><type>sonar</type><position>
+      <x-relative>3.2</x-relative><y-relative>0</y-relative><z-relative>0</z-relative>
+      <range>6</range><radius>0.1</radius><dir-relative>4.712388980</dir-relative>
+    </position></sensor>"""
+    path = tmp_path / "robot.xml"
+    path.write_text(
+        f"""<robot-definition version="1" name="r"><body radius="3.2" mass="1"/>
+        <drive wheel-base="1" speed-limit="1" acceleration-limit="1" speed="1" acceleration="1"/>
+        {sensor}</robot-definition>"""
+    )
+    (sonar,) = load_robot(path).sonars
+    assert (sonar.id, sonar.x_m, sonar.y_m, sonar.range_m, sonar.radius_m) == (2, 3.2, 0, 6, 0.1)
+    assert math.degrees(sonar.direction_rad) == pytest.approx(270)
+
+
+def test_every_name_of_a_robot_can_be_loaded():
+    assert "scout" in known_robots()
+    for name in known_robots():
+        assert load_robot(SIM / "robots" / f"{name}.xml").name == name
+
+
+# -- what is refused ---------------------------------------------------------------------------
+
+EXPECTED = "expected " + " or ".join(f"<{name}>" for name in ["surface", *THINGS])
+CRATE = 'id="crate" y="2" length="50cm" width="50cm" mass="2kg"'
+BROKEN = {
+    "wrong element": (
+        (AREA, "<wal/>", ROBOT),
+        (f"w.xml:3: error: <wal> is not expected here; {EXPECTED}"),
+    ),
+    "polygon of too few corners": (
+        (AREA, ROBOT, '<polygon points="1,1 2,1"/>'),
+        "w.xml:4: error: polygon 'polygon0': fewer than 3 corners",
+    ),
+    "polygon whose sides cross": (
+        (AREA, ROBOT, '<polygon id="bow" points="1,1 2,2 1,2 2,1"/>'),
+        (
+            "w.xml:4: error: polygon 'bow': "
+            "the side from corner 1 to 2 meets the side from corner 3 to 4"
+        ),
+    ),
+    "flat polygon": (
+        (AREA, ROBOT, '<polygon points="1,1 2,1 3,1"/>'),
+        (
+            "w.xml:4: error: polygon 'polygon0': "
+            "the side from corner 2 to 3 meets the side from corner 3 to 1"
+        ),
+    ),
+    "polygon with a corner twice": (
+        (AREA, ROBOT, '<polygon points="1,1 2,1 2,1 2,2"/>'),
+        "w.xml:4: error: polygon 'polygon0': corners 2 and 3 are less than 1mm apart",
+    ),
+    "points in another form": (
+        (AREA, ROBOT, '<polygon points="1, 1 2, 1"/>'),
+        (
+            "w.xml:4: error: polygon, points: "
+            "write x,y of each corner, spaces between corners only: 1m,0 2m,0 2m,50cm"
+        ),
+    ),
+    "points that are no lengths": (
+        (AREA, ROBOT, '<polygon points="1,1 2,1 2,far"/>'),
+        (
+            "w.xml:4: error: polygon, points: 'far' is not a length: "
+            "write a number and one of m, cm, mm, in, ft, as in 1.5m"
+        ),
+    ),
+    "too many corners": (
+        (AREA, ROBOT, f'<polygon points="{"1,1 " * 251}"/>'),
+        "w.xml:4: error: polygon, points: more than 250 corners",
+    ),
+    "robot inside a polygon": (
+        (AREA, ROBOT, '<polygon points="2.5,1.5 3.5,1.5 3.5,2.5 2.5,2.5"/>'),
+        "w.xml:3: error: robot 'robot0' stands inside polygon 'polygon0'",
+    ),
+    "missing attribute": (
+        (AREA, ROBOT, '<wall x1="1" y1="1" x2="2"/>'),
+        "w.xml:4: error: <wall> lacks the attribute 'y2'",
+    ),
+    "unknown attribute": (
+        (AREA, '<robot x="1" y="1" weight="red"/>'),
+        "w.xml:3: error: <robot> has no attribute 'weight'",
+    ),
+    "wrong element behind a robot": (
+        (AREA, ROBOT, "<robto/>"),
+        (f"w.xml:4: error: <robto> is not expected here; {EXPECTED}"),
+    ),
+    "no area": ((ROBOT,), "w.xml:2: error: <robot> is not expected here; expected <area>"),
+    "nothing at all": ((), "w.xml:1: error: <world> ends too early; expected <area> in it"),
+    "text between elements": (
+        (AREA, "hello", ROBOT),
+        "w.xml:1: error: <world> holds text where only elements may stand",
+    ),
+    "wrong word": (
+        ('<area length="6m" width="5m" origin="middle"/>', ROBOT),
+        "w.xml:2: error: <area>: 'middle' is not expected; expected corner or centre",
+    ),
+    "no robot": ((AREA,), "w.xml:1: error: no robot in the world"),
+    "unknown unit": (
+        (AREA, '<robot x="3 furlongs" y="1"/>'),
+        (
+            "w.xml:3: error: robot, x: '3 furlongs' is not a length: "
+            "write a number and one of m, cm, mm, in, ft, as in 1.5m"
+        ),
+    ),
+    "unit of another kind": (
+        (AREA, '<robot x="1" y="1" heading="1m"/>'),
+        (
+            "w.xml:3: error: robot, heading: '1m' is not an angle: "
+            "write a number and one of deg, rad, as in 90deg"
+        ),
+    ),
+    "not a number": (
+        (AREA, '<robot x="nan" y="1"/>'),
+        (
+            "w.xml:3: error: robot, x: 'nan' is not a length: "
+            "write a number and one of m, cm, mm, in, ft, as in 1.5m"
+        ),
+    ),
+    "infinite": (
+        (AREA, '<robot x="1e999" y="1"/>'),
+        "w.xml:3: error: robot, x: '1e999' is too large for a length here",
+    ),
+    "huge": (
+        ('<area length="1e6m" width="5m"/>', ROBOT),
+        "w.xml:2: error: area, length: '1e6m' is too large for a length here",
+    ),
+    "negative size": (
+        (AREA, ROBOT, '<box x="1" y="1" length="-1m" width="1m"/>'),
+        "w.xml:4: error: box, length: '-1m' must be greater than 0",
+    ),
+    "zero size": (
+        (AREA, ROBOT, '<cylinder x="1" y="1" radius="0"/>'),
+        "w.xml:4: error: cylinder, radius: '0' must be greater than 0",
+    ),
+    "tiny size": (
+        (AREA, ROBOT, '<cylinder x="1" y="1" radius="1e-9"/>'),
+        "w.xml:4: error: cylinder, radius: must be 1mm or more",
+    ),
+    "no mass": (
+        (AREA, ROBOT, '<cylinder x="1" y="1" radius="0.1" mass="0kg"/>'),
+        "w.xml:4: error: cylinder, mass: '0kg' must be greater than 0",
+    ),
+    "wall without length": (
+        (AREA, ROBOT, '<wall x1="1" y1="1" x2="1" y2="1"/>'),
+        "w.xml:4: error: wall 'wall0' has no length: both its ends are the same point",
+    ),
+    "duplicate id": (
+        (AREA, '<robot id="r" x="1" y="1"/>', '<box id="r" x="3" y="3" length="1" width="1"/>'),
+        "w.xml:4: error: a second thing with the id 'r'; the first is in line 3",
+    ),
+    "id that is no name": (
+        (AREA, '<robot id="r 1" x="1" y="1"/>'),
+        "w.xml:3: error: the id 'r 1': letters, digits, _ . - only, no digit first, at most 64",
+    ),
+    "id of an edge": (
+        (AREA, '<robot id="edge-north" x="1" y="1"/>'),
+        "w.xml:3: error: the id 'edge-north': names that begin with edge- are the world's",
+    ),
+    "unknown definition": (
+        (AREA, '<robot x="1" y="1" definition="scoot"/>'),
+        "w.xml:3: error: unknown robot definition 'scoot'",
+    ),
+    "definition outside the folder": (
+        (AREA, '<robot x="1" y="1" definition="../scout.xml"/>'),
+        "w.xml:3: error: unknown robot definition '../scout.xml'",
+    ),
+    "program by an absolute path": (
+        (AREA, '<robot x="1" y="1" program="/etc/x.c"/>'),
+        (
+            "w.xml:3: error: program '/etc/x.c': must be a C file (.c), "
+            "by a path relative to this file"
+        ),
+    ),
+    "program that is no C file": (
+        (AREA, '<robot x="1" y="1" program="passwd"/>'),
+        "w.xml:3: error: program 'passwd': must be a C file (.c), by a path relative to this file",
+    ),
+    "robot outside": (
+        (AREA, '<robot x="7" y="1"/>'),
+        "w.xml:3: error: robot 'robot0' stands outside the world or in its edge",
+    ),
+    "robot in the edge": (
+        (AREA, '<robot x="0.1" y="1"/>'),
+        "w.xml:3: error: robot 'robot0' stands outside the world or in its edge",
+    ),
+    "robot in a wall": (
+        (AREA, '<wall id="w" x1="2" y1="0" x2="2" y2="3"/>', '<robot x="2.2" y="1"/>'),
+        "w.xml:4: error: robot 'robot0' stands inside wall 'w'",
+    ),
+    "robot in a turned box": (
+        (
+            AREA,
+            '<robot x="2" y="1"/>',
+            '<box id="b" x="3" y="1" heading="45" length="1.2" width="1.2"/>',
+        ),
+        "w.xml:3: error: robot 'robot0' stands inside box 'b'",
+    ),
+    "robot in the middle of a box": (
+        (AREA, '<robot x="3" y="2"/>', '<box x="3" y="2" length="2" width="2"/>'),
+        "w.xml:3: error: robot 'robot0' stands inside box 'box0'",
+    ),
+    "robot in a cylinder": (
+        (AREA, '<robot x="3" y="2"/>', '<cylinder x="3" y="2.3" radius="0.1"/>'),
+        "w.xml:3: error: robot 'robot0' stands inside cylinder 'cylinder0'",
+    ),
+    "robot in a robot": (
+        (AREA, '<robot id="a" x="3" y="2"/>', '<robot id="b" x="3.4" y="2"/>'),
+        "w.xml:4: error: robot 'b' stands inside robot 'a'",
+    ),
+}
+
+
+BROKEN |= {
+    "crate in a wall": (
+        (AREA, ROBOT, '<wall id="w" x1="1" y1="1" x2="1" y2="4"/>', f'<box x="1.2" {CRATE}/>'),
+        "w.xml:5: error: box 'crate' overlaps wall 'w'",
+    ),
+    "crate in the edge": (
+        (AREA, ROBOT, f'<box x="0.2" {CRATE}/>'),
+        "w.xml:4: error: box 'crate' overlaps wall 'edge-west'",
+    ),
+    "crate in a crate": (
+        (
+            AREA,
+            ROBOT,
+            f'<box x="1" {CRATE}/>',
+            '<cylinder id="barrel" x="1.4" y="2" radius="20cm" mass="1kg"/>',
+        ),
+        "w.xml:5: error: cylinder 'barrel' overlaps box 'crate'",
+    ),
+    "crate in the middle of a polygon": (
+        (
+            AREA,
+            ROBOT,
+            '<polygon id="p" points="0.1,0.1 2,0.1 2,4 0.1,4"/>',
+            f'<box x="1" {CRATE}/>',
+        ),
+        "w.xml:5: error: box 'crate' overlaps polygon 'p'",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", BROKEN)
+def test_a_broken_world_is_refused_with_its_line(name):
+    rows, expected = BROKEN[name]
+    assert expected in messages_of(lines(*rows))
+
+
+def test_a_broken_world_shows_the_line_and_a_hint():
+    with pytest.raises(WorldError) as caught:
+        parse_world(lines(AREA, '  <robt x="1"/>'), "w.xml")
+    assert str(caught.value).splitlines()[1:] == [
+        '      <robt x="1"/>',
+        "    hint: did you mean <robot>?",
+    ]
+
+
+def test_all_mistakes_are_told_at_once():
+    found = messages_of(
+        lines(
+            AREA,
+            '<wall id="w" x1="2" y1="0" x2="2" y2="3" thickness="wide"/>',
+            '<box id="b" x="4" y="2" length="0" width="1"/>',
+            '<robot id="r" x="9" y="1"/>',
+            '<robot id="r" x="1" y="1" definition="tank"/>',
+            '<robot id="s" x="3" y="1" program="x.h"/>',
+            '<robot id="t" x="3.1" y="1"/>',
+        )
+    )
+    assert [(message.split(":")[1], message.split(": ")[2][:24]) for message in found] == [
+        ("3", "wall, thickness"),
+        ("4", "box, length"),
+        ("5", "robot 'r' stands outside"),
+        ("6", "a second thing with the "),
+        ("6", "unknown robot definition"),
+        ("7", "program 'x.h'"),
+        ("8", "robot 't' stands inside "),
+    ]
+
+
+def test_things_that_only_touch_are_let_be():
+    """Two crates and a barrel side by side at a wall, and another crate in the dent of an L."""
+    world = parse_world(
+        lines(
+            AREA,
+            ROBOT,
+            '<box x="0.25" y="0.25" length="50cm" width="50cm" mass="2kg"/>',
+            '<box x="0.75" y="0.25" length="50cm" width="50cm" mass="2kg"/>',
+            '<cylinder x="1.2" y="0.2" radius="20cm" mass="2kg"/>',
+            '<polygon points="4,4 6,4 6,5 5,5 5,4.5 4,4.5"/>',
+            '<box x="4.75" y="4.75" length="50cm" width="50cm" mass="2kg"/>',
+        ),
+        "w",
+    )
+    assert len(world.boxes) == 3
+
+
+def test_a_sensor_outside_of_the_body_is_told(tmp_path):
+    scout = (SIM / "robots" / "scout.xml").read_text()
+    (tmp_path / "r.xml").write_text(scout.replace('radius="', 'radius="0.0', 1))
+    with pytest.raises(WorldError) as caught:
+        load_robot(tmp_path / "r.xml")
+    assert "sensor 0 lies outside of the body" in str(caught.value)
+
+
+def test_robots_that_only_touch_are_let_be():
+    scout_m = 0.2032
+    world = parse_world(
+        lines(AREA, f'<robot x="{scout_m}" y="1"/>', f'<robot x="{3 * scout_m}" y="1"/>'), "w"
+    )
+    assert len(world.robots) == 2
+
+
+def test_thousands_of_mistakes_are_cut_short():
+    found = messages_of(lines(AREA, *['<robot x="far" y="1"/>'] * 5000))
+    assert len(found) == 101
+    assert found[-1] == "w.xml: error: more mistakes than are shown here"
+
+
+@pytest.mark.slow
+def test_thousands_of_robots_on_one_spot_are_cut_short():
+    found = messages_of(lines(AREA, *['<robot x="1" y="1"/>'] * 5000))
+    assert len(found) == 101
+    assert found[-1] == "w.xml: error: more mistakes than are shown here"
+
+
+BOMB = b"""<!DOCTYPE world [<!ENTITY a "aaaaaaaaaa">%s]>
+<world version="1"><area length="&i;" width="5"/></world>""" % b"".join(
+    b'<!ENTITY %c "%s">' % (name, b"&%c;" % (name - 1) * 10) for name in range(ord("b"), ord("z"))
+)
+
+HOSTILE = {
+    "entity bomb": (BOMB, "a document type declaration is not allowed"),
+    "entity bomb in text": (
+        BOMB.replace(b"&i;", b"5").replace(b"</world>", b"&x;</world>"),
+        "a document type declaration is not allowed",
+    ),
+    "external entity": (
+        b'<!DOCTYPE world [<!ENTITY x SYSTEM "file:///etc/passwd">]>\n<world>&x;</world>',
+        "a document type declaration is not allowed",
+    ),
+    "external document type": (
+        b'<!DOCTYPE world SYSTEM "http://example.org/world.dtd"><world/>',
+        "a document type declaration is not allowed",
+    ),
+    "harmless document type": (
+        b"<!DOCTYPE world>" + lines(AREA, ROBOT), "a document type declaration is not allowed"
+    ),
+    "document type in UTF-16": (
+        ("<!DOCTYPE world>" + lines(AREA, ROBOT).decode()).encode("utf-16"),
+        "a document type declaration is not allowed",
+    ),
+    "deep nesting": (b"<a>" * 100_000, "not well-formed XML: Excessive depth"),
+    "no XML": (b"#include <stdio.h>", "not well-formed XML"),
+    "nothing": (b"", "not well-formed XML"),
+    "null bytes": (b"\0" * 100, "not well-formed XML"),
+    "unclosed": (b'<world version="1">', "not well-formed XML"),
+    "another document": (b"<html/>", "the outermost element is <html>"),
+    "too large": (b" " * (MAX_BYTES + 1), f"larger than {MAX_BYTES} bytes"),
+    "long number": (
+        lines(AREA, f'<robot x="{"9" * 100_000}" y="1"/>'), "is not a length"
+    ),
+    "long exponent": (lines(AREA, '<robot x="1e99999999" y="1"/>'), "is not a length"),
+    "included file": (
+        (b'<world version="1" xmlns:xi="http://www.w3.org/2001/XInclude">'
+        b'<xi:include href="/etc/passwd" parse="text"/></world>'),
+        "include> is not expected here",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_a_hostile_file_is_refused_in_one_clear_message(name):
+    text, expected = HOSTILE[name]
+    (message,) = messages_of(text)
+    assert expected in message
+    assert len(message) < 400
+
+
+def test_what_is_no_readable_file_is_refused(tmp_path):
+    large = tmp_path / "large.xml"
+    with large.open("wb") as file:
+        file.truncate(MAX_BYTES + 1)
+    for path, expected in (
+        (tmp_path / "missing.xml", "cannot be read: No such file or directory"),
+        (tmp_path, "not a regular file"),
+        (Path("/dev/zero"), "not a regular file"),
+        (large, f"larger than {MAX_BYTES} bytes"),
+        (Path("a\0b.xml"), "cannot be read: not a file name"),
+        (tmp_path / ("x" * 5000), "cannot be read: File name too long"),
+    ):
+        with pytest.raises(WorldError, match=expected):
+            load_world(path)
+
+
+def test_a_missing_program_is_told(tmp_path):
+    path = tmp_path / "w.xml"
+    path.write_bytes(lines(AREA, f'<robot x="1" y="1" program="{"x" * 5000}.c"/>'))
+    with pytest.raises(WorldError, match="there is no such file"):
+        load_world(path)
+
+
+def test_a_robot_definition_behind_a_link_is_refused(tmp_path):
+    (tmp_path / "own.xml").symlink_to(SIM / "robots" / "scout.xml")
+    path = tmp_path / "w.xml"
+    path.write_bytes(lines(AREA, '<robot definition="own.xml" x="1" y="1"/>'))
+    with pytest.raises(WorldError, match="is, or lies behind, a link"):
+        load_world(path)
+
+
+def test_mistakes_in_a_robot_definition_are_told_with_their_own_place(tmp_path):
+    text = (SIM / "robots" / "scout.xml").read_text()
+    bad = text.replace('radius="8in"', 'radius="8"').replace('radius="8"', 'radius="-8in"')
+    bad = bad.replace("<id>3</id>", "<id>2</id>").replace('name="VM"', 'name="FLY"')
+    bad = bad.replace('switches="8"', 'switches="99"')
+    (tmp_path / "own.xml").write_text(bad)
+    path = tmp_path / "w.xml"
+    path.write_bytes(lines(AREA, '<robot definition="own.xml" x="1" y="1"/>'))
+    with pytest.raises(WorldError) as caught:
+        load_world(path)
+    own = tmp_path / "own.xml"
+    found = [message.render().splitlines()[0] for message in caught.value.diagnostics]
+    assert found[0] == f"{path}:3: error: robot definition 'own.xml' cannot be used"
+    assert all(message.startswith(f"{own}:") for message in found[1:])
+    told = "\n".join(found)
+    for expected in ("a second sensor with the id 2", "body, radius", "'FLY' is no command",
+                     "ring, switches: '99' is not a whole number, 1 to 24",
+                     "order names sonar 3"):  # fmt: skip
+        assert expected in told
+
+
+@pytest.mark.parametrize("kind", ["length", "angle", "mass", "time"])
+def test_the_schema_and_the_reader_know_the_same_units(kind):
+    from crs_cc.sim import quantity
+
+    table = {"length": quantity.LENGTH, "angle": quantity.ANGLE, "mass": quantity.MASS,
+             "time": quantity.TIME}  # fmt: skip
+    schema = etree.parse(SIM / "files" / "world.xsd")
+    space = {"xs": "http://www.w3.org/2001/XMLSchema"}
+    (pattern,) = schema.xpath(
+        f"//xs:simpleType[@name='{kind}']//xs:pattern/@value", namespaces=space
+    )
+    units = pattern.rsplit("(", 1)[1].split(")")[0].split("|")
+    assert units == [name for name, _ in table[kind].units]
+
+
+def test_a_program_outside_the_worlds_folder_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "outside.c").write_text("int main(void) { return 0; }")
+    folder = tmp_path / "worlds"
+    folder.mkdir()
+    (folder / "link.c").symlink_to(tmp_path / "outside.c")
+    (folder / "round.c").symlink_to(folder / "round.c")
+    for program in ("../outside.c", "link.c", "round.c"):
+        text = f'''<world version="1"><area length="2m" width="2m"/>
+        <robot x="1m" y="1m" program="{program}"/></world>'''
+        (folder / "world.xml").write_text(text)
+        with pytest.raises(WorldError, match="must lie in the folder of this file"):
+            load_world(folder / "world.xml")
+
+
+# -- setups ------------------------------------------------------------------------------------
+
+
+def test_a_setup_changes_what_its_elements_name_and_nothing_else():
+    ideal, noisy = empty_world().robots[0].model, empty_world("noisy").robots[0].model
+    assert ideal.sonar_board.noise_m == 0
+    assert noisy.sonar_board.noise_m > 0
+    assert noisy.drive.wheel_base_m == ideal.drive.wheel_base_m
+    assert empty_world("ideal") == empty_world()
+
+
+def test_each_robot_of_a_world_can_have_its_setup():
+    text = b"""<world version="1"><area length="9" width="9"/>
+      <robot x="1" y="1"/><robot x="3" y="3" setup="noisy"/></world>"""
+    quiet, noisy = (robot.model.sonar_board.noise_m for robot in parse_world(text, "w").robots)
+    assert quiet == 0 < noisy
+    quiet, noisy = (
+        robot.model.sonar_board.noise_m for robot in parse_world(text, "w", "ideal").robots
+    )
+    assert quiet == noisy == 0
+
+
+@pytest.mark.parametrize("robot", known_robots())
+def test_every_setup_that_comes_with_crs_can_be_used(robot):
+    path = SIM / "robots" / f"{robot}.xml"
+    for setup in re.findall(r'<setup name="([^"]*)"', path.read_text()):
+        assert load_robot(path, setup).name == robot
+
+
+@pytest.mark.parametrize(
+    ("attribute", "complaint"),
+    [
+        ('least-interval="1us"', "'1us' is not a time"),
+        ('least-interval="0.1ms"', "at least 1 ms"),
+        ('least-interval="0s"', "greater than 0"),
+        ('rate="256"', "0 to 255"),
+        ('lobe="1e-200deg"', "at least 0.01 degrees"),
+        ('lobe="-1deg"', "must not be negative"),
+        ('critical-angle="wide"', "not an angle"),
+        ('dropouts="1.5"', "dropouts"),
+        ('crosstalk="-1"', "crosstalk"),
+        ('blind="much"', "not a length"),
+    ],
+)
+def test_a_sonar_board_that_makes_no_sense_is_refused(tmp_path, attribute, complaint):
+    setup = f'<setup name="odd"><sonars {attribute}/></setup>'
+    with pytest.raises(WorldError, match=complaint):
+        load_robot(definition(tmp_path, setup), "odd")
+
+
+def definition(tmp_path, setup):
+    text = (SIM / "robots" / "scout.xml").read_text()
+    path = tmp_path / "own.xml"
+    path.write_text(text.replace("</robot-definition>", setup + "</robot-definition>"))
+    return path
+
+
+def test_every_misspelt_name_is_told_with_the_one_that_was_meant():
+    rows = [
+        AREA,
+        '<robot x="1" y="1" haeding="90"/>',
+        '<wal x1="0" y1="1m" x2="2m" y2="1m"/>',
+        '<box x="4" y="4" lenght="1m" width="1m" taste="red"/>',
+    ]
+    with pytest.raises(WorldError) as caught:
+        parse_world(lines(*rows), "w.xml")
+    *meant, last = [(each.location.line, each.hint) for each in caught.value.diagnostics]
+    assert meant == [
+        (3, "did you mean 'heading'?"),
+        (4, "did you mean <wall>?"),
+        (5, "did you mean 'length'?"),
+    ]
+    assert last[0] == 5
+    assert last[1].startswith("its attributes are: id, x, y, heading, length, width, mass, ")
+
+
+TURRET = '<turret speed-limit="1deg/s" acceleration-limit="1" speed="1" acceleration="1"/>'
+STEERING = TURRET.replace("turret", "steering")
+
+
+@pytest.mark.parametrize(
+    ("drive", "complaint"),
+    [
+        (f'type="synchro">{TURRET}', "synchro drive, and no other, has <steering>"),
+        (f'wheel-base="1ft">{STEERING}', "synchro drive, and no other, has <steering>"),
+        (f'wheel-base="1ft">{TURRET}', "differential drive has no <turret>"),
+        (">", "has the attribute 'wheel-base'"),
+        ('type="hovering">', "hovering"),
+        (f'type="synchro">{STEERING.replace("1deg/s", "1m/s")}', "is not a speed of turning"),
+        ('wheel-base="1ft" ws-timeout-zero="later">', "later"),
+    ],
+)
+def test_a_drive_that_makes_no_sense_is_refused(tmp_path, drive, complaint):
+    limits = 'speed-limit="1m/s" acceleration-limit="1m/s2" speed="1m/s" acceleration="1m/s2" '
+    (tmp_path / "own.xml").write_text(
+        '<robot-definition version="1" name="own"><body radius="8in" mass="1kg"/>'
+        f"<drive {limits}{drive}</drive></robot-definition>"
+    )
+    with pytest.raises(WorldError, match=complaint):
+        load_robot(tmp_path / "own.xml")
+
+
+@pytest.mark.parametrize(
+    ("setup", "name", "complaint"),
+    [
+        ("", "loud", "no setup 'loud'"),
+        ('<setup name="odd"><wings span="1m"/></setup>', "odd", "changes <wings>"),
+        ('<setup name="odd"><drive wings="1m"/></setup>', "odd", "no attribute 'wings'"),
+        ('<setup name="odd"><drive force="much"/></setup>', "odd", "'much' is not a force"),
+        ('<setup name="odd"><setup name="noisy"/></setup>', "odd", "changes <setup>"),
+    ],
+)
+def test_a_setup_that_makes_no_sense_is_refused(tmp_path, setup, name, complaint):
+    with pytest.raises(WorldError, match=complaint):
+        load_robot(definition(tmp_path, setup), name)

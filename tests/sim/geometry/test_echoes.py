@@ -1,0 +1,284 @@
+"""What a single ping comes back from: by hand, and the same as beams of a whole ring measure."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from crs_cc.sim.geometry.echoes import ANY_ANGLE, Pings, Points, first_echo
+from crs_cc.sim.geometry.obstacles import Obstacles
+from crs_cc.sim.geometry.rays import Fan
+from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.model import Area, Box, Cylinder, Pose, Robot, Wall, WorldModel
+from crs_cc.sim.robot_model import Drive, RobotModel
+from tests.sim.geometry.test_rays import RING, TEN_DEG, crowd, look_around
+
+RANGE_M = 8.0
+CRITICAL = math.radians(30)
+LOBE = math.radians(7.5)
+
+
+def obstacles_of(*things) -> Obstacles:
+    world = WorldModel(
+        "w",
+        Area(-50, -50, 100, 100, 0),
+        walls=tuple(thing for thing in things if isinstance(thing, Wall)),
+        boxes=tuple(thing for thing in things if isinstance(thing, Box)),
+        cylinders=tuple(thing for thing in things if isinstance(thing, Cylinder)),
+        robots=tuple(thing for thing in things if isinstance(thing, Robot)),
+    )
+    scene = Scene(world)
+    start = scene.start.reshape(-1, 3)
+    return Obstacles(scene.fixed, scene.moving(start[:, :2], start[:, 2]), RANGE_M, 0.5)
+
+
+def hear(*things, half=TEN_DEG, lobe=0.0, critical=ANY_ANGLE, toward=0.0, voices=None) -> float:
+    """Gives the distance that a transducer at the origin measures among things."""
+    ping = Pings.of([(0j, 0j, toward)], half, RANGE_M, lobe, critical)
+    return float(first_echo(ping, obstacles_of(*things), voices)[0])
+
+
+def wall_at(distance, turned_deg, length=60.0):
+    """Gives a thin wall whose foot is at a distance, its normal turned off the axis."""
+    turn = math.radians(turned_deg)
+    x, y = distance * math.cos(turn), distance * math.sin(turn)
+    along_x, along_y = -math.sin(turn) * length / 2, math.cos(turn) * length / 2
+    thick = 0.02
+    x, y = x + thick / 2 * math.cos(turn), y + thick / 2 * math.sin(turn)
+    return Wall("wall", x - along_x, y - along_y, x + along_x, y + along_y, thick)
+
+
+# -- faces -------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("turned", [0, 4, -9, 9.99])
+def test_a_wall_whose_foot_lies_in_the_beam_is_heard_there(turned):
+    for critical in (ANY_ANGLE, CRITICAL, 0.0):
+        assert hear(wall_at(2, turned), critical=critical) == pytest.approx(2)
+
+
+@pytest.mark.parametrize(("turned", "heard"), [(20, True), (39, True), (41, False), (60, False)])
+def test_a_wall_answers_up_to_the_critical_angle(turned, heard):
+    # Its nearest point in the beam lies on the side, where sound comes in at turned - 10 degrees.
+    at_side = 2 / math.cos(math.radians(turned - 10))
+    expected = at_side if heard else math.inf
+    assert hear(wall_at(2, turned), critical=CRITICAL) == pytest.approx(expected)
+    assert hear(wall_at(2, turned)) == pytest.approx(at_side)
+
+
+def test_a_smooth_wall_answers_from_its_foot_alone():
+    assert hear(wall_at(2, 11), critical=0.0) == math.inf
+    assert hear(wall_at(2, 9), critical=0.0) == pytest.approx(2)
+
+
+def test_behind_a_wall_that_does_not_answer_nothing_is_heard():
+    mirror = wall_at(2, 60)
+    assert hear(mirror, Cylinder("c", Pose(6, 0), 0.5), critical=CRITICAL) == math.inf
+    assert hear(mirror, Box("b", Pose(7, 0), 1, 1), critical=CRITICAL) == math.inf
+    assert hear(mirror, wall_at(7.5, 0), critical=CRITICAL) == math.inf
+
+
+def test_beside_a_wall_that_does_not_answer_the_next_thing_is_heard():
+    # The wall covers the left half of the beam, from 0.5 degrees on.
+    end = 3 * np.exp(1j * math.radians(0.5))
+    mirror = Wall("w", end.real, end.imag + 0.01, end.real - 5, end.imag + 5, 0.02)
+    pillar = Cylinder("c", Pose(5, -0.5), 0.3)
+    heard = hear(mirror, pillar, critical=CRITICAL)
+    assert heard == pytest.approx(abs(end), abs=0.02)  # the wall's end
+    pillar_alone = hear(wall_at(2.5, 70, 1.0), pillar, critical=CRITICAL)
+    assert pillar_alone == pytest.approx(abs(5 - 0.5j) - 0.3)
+
+
+# -- corners and cylinders ---------------------------------------------------------------------
+
+
+def test_the_corner_of_a_box_answers_whatever_its_faces_do():
+    box = Box("b", Pose(3, 0, math.pi / 4), 1, 1)
+    for critical in (ANY_ANGLE, CRITICAL, 0.0):
+        assert hear(box, critical=critical) == pytest.approx(3 - math.sqrt(0.5))
+
+
+def test_the_corner_of_a_room_answers_where_its_walls_do_not():
+    # Two walls that cross at (4, 0), each turned by 45 degrees; their faces meet a bit before.
+    thick = 0.1
+    walls = (
+        Wall("a", 1, -3, 5, 1, thick),
+        Wall("b", 1, 3, 5, -1, thick),
+    )
+    corner = 4 - thick / 2 * math.sqrt(2)
+    assert hear(*walls, critical=CRITICAL) == pytest.approx(corner)
+    beside = math.tan(TEN_DEG)
+    assert hear(*walls) == pytest.approx(corner / (1 + beside) / math.cos(TEN_DEG))
+
+
+@pytest.mark.parametrize("length", [0.1, 0.31, 0.5])
+def test_a_wall_of_many_pieces_is_as_smooth_as_one(length):
+    turn = math.radians(60)
+    along = np.array([-math.sin(turn), math.cos(turn)])
+    foot = 2.1 * np.array([math.cos(turn), math.sin(turn)])
+    ends = [foot + along * length * piece for piece in range(-100, 101)]
+    pieces = [
+        Wall(f"w{n}", *ends[n].tolist(), *ends[n + 1].tolist(), 0.2) for n in range(len(ends) - 1)
+    ]
+    assert hear(*pieces, critical=CRITICAL) == math.inf
+    ahead = 100 - round(2 * math.tan(turn) / length)
+    assert hear(*pieces[:ahead], critical=CRITICAL) == pytest.approx(4, abs=0.6)
+
+
+@pytest.mark.parametrize("y", [0.0, 0.3, -0.5])
+def test_a_cylinder_always_answers(y):
+    pillar = Cylinder("c", Pose(3, y), 0.25)
+    for critical in (ANY_ANGLE, CRITICAL, 0.0):
+        assert hear(pillar, critical=critical) == pytest.approx(math.hypot(3, y) - 0.25)
+
+
+def test_the_flank_of_a_cylinder_answers_where_its_front_is_outside():
+    middle = 4 * np.exp(1j * TEN_DEG) + 0.3j * np.exp(1j * TEN_DEG)
+    pillar = Cylinder("c", Pose(middle.real, middle.imag), 0.5)
+    for critical in (ANY_ANGLE, 0.0):
+        assert hear(pillar, critical=critical) == pytest.approx(4 - 0.4)
+
+
+def test_a_robot_answers_and_does_not_hear_itself():
+    model = RobotModel("m", 0.25, Drive(0.3))
+    robots = Robot("a", model, Pose(0, 0)), Robot("b", model, Pose(2, 0))
+    ping = Pings.of([(0j, 0.25 + 0j, 0.0)], TEN_DEG, RANGE_M)
+    own = Pings(*(getattr(ping, name) for name in Pings.__slots__[:-1]), own=np.array([0]))
+    assert first_echo(own, obstacles_of(*robots))[0] == pytest.approx(1.5)
+
+
+# -- the lobe ----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("angle_deg", [0, 3, 7.5, 9.9])
+def test_a_thing_off_the_axis_is_heard_as_far_as_the_lobe_reaches(angle_deg):
+    reach = RANGE_M * 2 ** -((angle_deg / 7.5) ** 2)
+    angle, radius = math.radians(angle_deg), 0.01
+
+    def pillar(front):
+        away = front + radius
+        return Cylinder("c", Pose(away * math.cos(angle), -away * math.sin(angle)), radius)
+
+    assert hear(pillar(reach - 0.01), lobe=LOBE) == pytest.approx(reach - 0.01)
+    # A little of it lies nearer to the axis, where the lobe reaches farther.
+    assert hear(pillar(reach + 0.4), lobe=LOBE) == math.inf
+    assert hear(pillar(min(reach + 0.4, RANGE_M - 0.01))) < math.inf
+
+
+def test_a_turned_wall_is_heard_where_the_lobe_reaches_it():
+    # Its foot lies outside of the beam; on the side the lobe reaches 8 * 2^-(10/7.5)^2 = 2.33 m.
+    heard = hear(wall_at(4, 25), lobe=LOBE)
+    nearest = 4 / math.cos(math.radians(15))
+    assert heard > nearest
+    angles = np.radians(np.linspace(-10, 10, 4001))
+    away = 4 / np.cos(np.radians(25) - angles)
+    reached = away <= RANGE_M * np.exp2(-((angles / LOBE) ** 2))
+    assert heard == pytest.approx(away[reached].min(), rel=0.02)
+    assert heard >= away[reached].min() - 1e-9
+
+
+# -- voices ------------------------------------------------------------------------------------
+
+
+def voice(place: complex, told: float) -> Points:
+    return Points(np.array([0]), np.array([place]), np.array([told]), np.ones(1))
+
+
+def test_a_voice_is_heard_in_the_beam_when_it_comes_first_and_nothing_hides_it():
+    assert hear(voices=voice(3 + 0.1j, 1.0)) == 1.0
+    assert hear(wall_at(5, 0), voices=voice(3 + 0.1j, 1.0)) == 1.0
+    assert hear(wall_at(5, 0), voices=voice(3 + 0.1j, 6.0)) == pytest.approx(5)
+    assert hear(voices=voice(3 + 1j, 1.0)) == math.inf
+    assert hear(wall_at(2, 0), voices=voice(3 + 0.1j, 1.0)) == pytest.approx(2)
+
+
+# -- inside of things --------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("deep", [0.0, 1e-12, 0.004, 0.05])
+def test_a_transducer_in_or_behind_a_thin_wall_hears_at_once(deep):
+    wall = obstacles_of(Wall("w", 2.005, -3, 2.005, 3, 0.01))
+    ping = Pings.of([(1.8 + deep + 0j, 2.0 + deep + 0j, 0.0)], TEN_DEG, RANGE_M)
+    assert first_echo(ping, wall)[0] == 0.0
+
+
+# -- all together ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("robots", [40, 300])
+def test_single_pings_hear_what_whole_rings_hear(robots):
+    world, fan = crowd(robots, seed=robots), Fan.of(RING)
+    rings = look_around(world, fan)
+    scene = Scene(world)
+    moving = scene.moving(scene.start[:, :2], scene.start[:, 2])
+    obstacles = Obstacles(scene.fixed, moving, fan.reach_m, fan.start_m)
+    pings = pings_of(scene.start[: len(world.robots)])
+    assert first_echo(pings, obstacles).reshape(-1, 16) == pytest.approx(rings, abs=1e-9)
+    some = np.random.default_rng(1).permutation(len(pings))[:100]
+    picked = Pings(*(getattr(pings, name)[some] for name in Pings.__slots__))
+    alone = first_echo(picked, obstacles)
+    assert np.array_equal(alone, first_echo(pings, obstacles)[some])
+
+
+def pings_of(poses, lobe=0.0, critical=ANY_ANGLE) -> Pings:
+    """Gives a ring of pings of each robot."""
+    turn = np.repeat(np.exp(1j * poses[:, 2]), len(RING))
+    place = np.repeat(poses[:, 0] + 1j * poses[:, 1], len(RING))
+    offset = np.tile([x + 1j * y for x, y, _, _, _ in RING], len(poses))
+    axis = np.tile([np.exp(1j * way) for _, _, way, _, _ in RING], len(poses))
+    count = len(place)
+    return Pings(
+        place,
+        place + offset * turn,
+        axis * turn,
+        np.full(count, TEN_DEG),
+        np.full(count, 6.5),
+        np.full(count, 1 / lobe**2 if lobe else 0.0),
+        np.full(count, critical),
+        np.repeat(np.arange(len(poses)), len(RING)),
+    )
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.integers(0, 10_000), st.floats(0.05, 0.5), st.floats(0.0, ANY_ANGLE), st.floats(0.0, 1.0))
+def test_a_stricter_beam_never_hears_anything_nearer(seed, lobe, critical, less):
+    world = crowd(12, seed=seed)
+    scene = Scene(world)
+    obstacles = Obstacles(
+        scene.fixed, scene.moving(scene.start[:, :2], scene.start[:, 2]), 6.7, 0.3
+    )
+    poses = scene.start[: len(world.robots)]
+    ideal = first_echo(pings_of(poses), obstacles)
+    real = first_echo(pings_of(poses, lobe, critical), obstacles)
+    stricter = first_echo(pings_of(poses, lobe, critical * less), obstacles)
+    assert (real >= ideal - 1e-9).all()
+    assert (stricter >= real - 1e-9).all()
+
+
+def test_the_same_is_heard_however_the_world_is_turned():
+    world = crowd(20, seed=5)
+    scene = Scene(world)
+    poses = scene.start[: len(world.robots)]
+    fixed = scene.fixed
+    moving = scene.moving(scene.start[:, :2], scene.start[:, 2])
+    straight = first_echo(pings_of(poses, LOBE, CRITICAL), Obstacles(fixed, moving, 6.7, 0.3))
+    turn = np.exp(0.7j)
+
+    def turned(outlines):
+        ends = outlines.segments[:, [0, 2]] + 1j * outlines.segments[:, [1, 3]]
+        ends = ends * turn
+        middle = (outlines.circles[:, 0] + 1j * outlines.circles[:, 1]) * turn
+        segments = np.column_stack(
+            [ends[:, 0].real, ends[:, 0].imag, ends[:, 1].real, ends[:, 1].imag,
+             outlines.segments[:, 4]]
+        )  # fmt: skip
+        circles = np.column_stack([middle.real, middle.imag, outlines.circles[:, 2]])
+        return type(outlines)(segments, circles, outlines.owners, outlines.segment_owners)
+
+    place = (poses[:, 0] + 1j * poses[:, 1]) * turn
+    others = np.column_stack([place.real, place.imag, poses[:, 2] + 0.7])
+    obstacles = Obstacles(turned(fixed), turned(moving), 6.7, 0.3)
+    crooked = first_echo(pings_of(others, LOBE, CRITICAL), obstacles)
+    assert crooked == pytest.approx(straight, abs=1e-6)

@@ -1,0 +1,101 @@
+"""Which thing a beam hits: by hand, and by where the place that it hits lies."""
+
+import math
+
+import numpy as np
+import pytest
+
+from crs_cc.sim.geometry.rays import NO_THING, Fan
+from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.geometry.surroundings import Surroundings
+from crs_cc.sim.geometry.things import Things
+from crs_cc.sim.model import Wall
+from crs_cc.sim.state import EnvState
+from tests.sim.driver import open_world
+from tests.sim.geometry.test_rays import crowd
+
+
+def looked(world, fan):
+    """Gives the distances that all robots see along their beams, and the names of what they see."""
+    scene, state = Scene(world), EnvState.at_start(world)
+    count = len(world.robots)
+    around = Surroundings(scene, [fan])
+    distance_m, thing = around.seen(state, fan, scene.start[:count], np.arange(count))
+    assert np.array_equal(
+        distance_m, around.distances_m(state, fan, scene.start[:count], np.arange(count))
+    )
+    return distance_m, thing, scene
+
+
+def test_beams_name_the_nearest_thing_of_each_kind():
+    """The robot is R, which looks ahead, to the left, back, to the right, and past the pole.
+
+                 crate
+                   |
+    other -------- R ------ pole ------ | wall
+                   |
+                nothing
+    """
+    world = open_world(
+        '<robot x="0" y="0"/><robot id="other" x="-3m" y="0"/>'
+        '<wall id="wall" x1="4m" y1="-1m" x2="4m" y2="1m"/>'
+        '<cylinder id="pole" x="2m" y="0" radius="0.1m"/>'
+        '<box id="crate" x="0" y="2m" length="0.5m" width="0.5m" mass="5kg"/>'
+    )
+    beams = [(0.0, 0.0, turn * math.pi / 2, 0.0, 5.0) for turn in range(4)]
+    past_pole = (0.0, 0.0, math.atan2(0.5, 4), 0.0, 5.0)
+    distance_m, thing, scene = looked(world, Fan.of([*beams, past_pole]))
+    names = [scene.names[number] if number >= 0 else "" for number in thing[0]]
+    assert names == ["pole", "crate", "other", "", "wall"]
+    assert thing[0, 3] == NO_THING
+    assert distance_m[0, :3] == pytest.approx([1.9, 1.75, 3 - 8 * 0.0254])
+
+
+def test_a_beam_that_starts_in_a_thing_hits_that():
+    """The sensor is 21 cm ahead of the robot's middle, and half a cm deep in the box."""
+    world = open_world(
+        '<robot x="0" y="0"/><cylinder x="-1m" y="0" radius="0.1m"/>'
+        '<box id="box" x="0.705m" y="0" length="1m" width="1m"/>'
+    )
+    distance_m, thing, scene = looked(world, Fan.of([(0.21, 0.0, 0.0, 0.0, 5.0)]))
+    assert (distance_m[0, 0], scene.names[thing[0, 0]]) == (0.0, "box")
+
+
+@pytest.mark.parametrize("robots", [3, 150])
+def test_the_place_that_a_beam_hits_lies_on_the_thing_that_it_names(robots):
+    """A few robots, of which all shapes are tried; and many, for which they are chosen first."""
+    world = crowd(robots, seed=robots)
+    beams = [(0.1, 0.0, math.tau / 40 * number, 0.0, 4.0) for number in range(40)]
+    distance_m, thing, scene = looked(world, Fan.of(beams))
+    assert np.array_equal(np.isfinite(distance_m), thing != NO_THING)
+    x_m, y_m, heading = scene.start[: len(world.robots)].T[:, :, None]
+    way = heading + np.array([beam[2] for beam in beams])
+    x_m = x_m + 0.1 * np.cos(heading) + distance_m * np.cos(way)
+    y_m = y_m + 0.1 * np.sin(heading) + distance_m * np.sin(way)
+    solids = (*world.robots, *scene.pushables, *scene.fixed_solids)
+    is_wall = np.array([isinstance(solid, Wall) for solid in solids])
+    seen = (thing != NO_THING) & (distance_m > 0.0)
+    seen &= ~is_wall[np.where(seen, thing, 0)]
+    assert seen.sum() > 20 * len(world.robots) / 3
+    things = Things.of(scene)
+    poses = np.concatenate([scene.start, things.fixed])
+    off_m = things.distance_m(poses, thing[seen], x_m[seen], y_m[seen])
+    assert np.abs(off_m).max() < 1e-7
+
+
+def test_beams_see_where_things_are_however_long_they_stood_there():
+    """A robot looks at a crate, which is there for two cycles, then farther off, back, turned."""
+    world = open_world(
+        '<robot x="0" y="0"/><box x="2m" y="0" length="1m" width="1m" mass="5kg"/>'
+        '<cylinder x="0" y="9m" radius="0.1m" mass="5kg"/>'
+    )
+    scene, state = Scene(world), EnvState.at_start(world)
+    fan, own = Fan.of([(0.0, 0.0, 0.0, 0.0, 5.0)]), np.array([0])
+    around, seen = Surroundings(scene, [fan]), []
+    for x_m in (2.0, 2.0, 3.0, 2.0):
+        state.bodies.position_m[1, 0] = x_m
+        seen.append(float(around.distances_m(state, fan, scene.start[:1], own)[0, 0]))
+        state.cycle += 1
+    state.bodies.angle_rad[1] = math.pi / 4
+    seen.append(float(around.distances_m(state, fan, scene.start[:1], own)[0, 0]))
+    assert seen == pytest.approx([1.5, 1.5, 2.5, 1.5, 2 - math.sqrt(0.5)])
