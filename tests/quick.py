@@ -18,12 +18,21 @@ FIRST_OF_EACH_FILE: Final = {
     HERE / "nclient": 1,  # each of these compiles and runs a C program
     HERE / "report": 1,
     HERE / "runtime": 4,
-    HERE / "session": ALL,
-    HERE / "sim": 6,
-    HERE / "sim" / "degradation": 6,
+    HERE / "runtime" / "codegen": ALL,
+    HERE / "session": 5,
+    HERE / "sim": 5,
     HERE / "sim" / "server": 2,  # each of these makes worlds anew
 }
-"""How many tests of each file in a folder quick runs take, and of each of them one case."""
+"""How many tests of each file in a folder quick runs take, and of each of them one case.
+
+Folders within one are as it is, if they are not named themselves.
+"""
+
+
+def most_of(path: Path) -> int | None:
+    """Gives how many tests of a file quick runs take, or None for all of them and all cases."""
+    named = (FIRST_OF_EACH_FILE[each] for each in path.parents if each in FIRST_OF_EACH_FILE)
+    return next(named, None)
 
 
 def mark_others_slow(items: list[pytest.Item]) -> None:
@@ -31,7 +40,7 @@ def mark_others_slow(items: list[pytest.Item]) -> None:
     quick: Counter[Path] = Counter()
     seen: set[str] = set()
     for item in items:
-        most = FIRST_OF_EACH_FILE.get(item.path.parent)
+        most = most_of(item.path)
         if most is None:
             continue
         name = item.nodeid.split("[")[0]

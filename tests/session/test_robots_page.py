@@ -20,9 +20,10 @@ from tests.sim.files.test_world_xml import SIM
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "robots.md"
 TABLE = re.compile(r"(?<=<!-- table -->\n).*?(?=<!-- end -->)", re.DOTALL)
-PROGRAM = (
-    '#include "Nclient.h"\nint main(void) { connect_robot(1); vm(50, 50, 0); for (;;) gs(); }\n'
-)
+PROGRAM = """#include <unistd.h>
+#include "Nclient.h"
+int main(void) { connect_robot(1); vm(50, 50, 0); for (;;) { gs(); usleep(100000); } }
+"""
 
 
 def drive_of(model: RobotModel) -> str:
