@@ -15,6 +15,9 @@ that b lies in. Where robots are is seen at that end too. Of a channel with corr
 is replaced by another with probability c.
 
 All random numbers belong to one message, and one receiver (`chances`).
+
+Robots to which as many messages are on their way as can be (`inbox`) do not hear those to all: else
+a few that send without end would have all pairs of robots looked at for each message.
 """
 
 from __future__ import annotations
@@ -70,12 +73,14 @@ class Air:
         place = state.x_m + 1j * state.y_m
         for first in range(0, len(packets), _AT_ONCE):
             self._carry_few(state, place, packets[first : first + _AT_ONCE], end_s)
+        inbox.in_order(state.messages)
 
     def _carry_few(
         self, state: EnvState, place: npt.NDArray[np.complex128], packets: Table, end_s: float
     ) -> None:
         channels, messages = self._channels, state.messages
-        packet, receiver = self._pairs(state, place, packets)
+        full = inbox.full(messages)
+        packet, receiver = self._pairs(state, place, packets, ~full)
         fate = np.full(len(packet), int(Fate.DELIVERED), dtype=np.int8)
         fate[is_shut(messages, packets, packet, receiver)] = Fate.SHUT
         fate[~state.presence.present[receiver]] = Fate.ABSENT
@@ -97,31 +102,55 @@ class Air:
         note(messages, fate[lost], packets[packet[lost]], packets["begins_s"][packet[lost]],
              receiver[lost])  # fmt: skip
         unheard = np.bincount(packet, minlength=len(packets)) == 0
+        if full.any():
+            missed = self._reach(state, place, packets, full)
+            note(messages, Fate.INBOX, packets[missed], packets["begins_s"][missed])
+            unheard &= ~missed
         note(messages, Fate.RANGE, packets[unheard], packets["begins_s"][unheard])
         self._send_on(state, packets, packet[~lost], receiver[~lost], end_s)
 
     def _pairs(
-        self, state: EnvState, place: npt.NDArray[np.complex128], packets: Table
+        self,
+        state: EnvState,
+        place: npt.NDArray[np.complex128],
+        packets: Table,
+        hears: BoolArray,
     ) -> tuple[IndexArray, IndexArray]:
-        """Gives pairs of message and receiver, by message and then by receiver."""
+        """Gives pairs of message and receiver, by message and then by receiver.
+
+        Messages to all and to groups go to robots that hear, (robots,).
+        """
+        robots = np.flatnonzero(hears & state.presence.present)
         one = np.flatnonzero(packets["to"] != EVERYBODY)
         found = [(one, packets["to"][one].astype(np.intp))]
         for channel in np.unique(packets["channel"][packets["to"] == EVERYBODY]).tolist():
             many = np.flatnonzero((packets["to"] == EVERYBODY) & (packets["channel"] == channel))
             from_ = place[packets["sender"][many]]
             reach_m = float(self._channels.range_m[channel])
-            sender, receiver = CellList(place.real, place.imag, reach_m).near(
-                from_.real, from_.imag
-            )
-            packet, group = many[sender], packets["group"][many][sender]
+            cells = CellList(place[robots].real, place[robots].imag, reach_m)
+            sender, hearer = cells.near(from_.real, from_.imag)
+            packet, receiver = many[sender], robots[hearer]
             near = np.abs(place[receiver] - from_[sender]) <= reach_m
-            near &= (receiver != packets["sender"][packet]) & state.presence.present[receiver]
-            bit = np.uint32(1) << np.maximum(group, 0).astype(np.uint32)
-            near &= (group == NO_GROUP) | (state.messages.groups[receiver] & bit != 0)
+            near &= _is_meant(state, packets[packet], receiver)
             found.append((packet[near], receiver[near]))
         packet, receiver = (np.concatenate(part) for part in zip(*found, strict=True))
         order = np.lexsort([receiver, packet])
         return packet[order], receiver[order]
+
+    def _reach(
+        self,
+        state: EnvState,
+        place: npt.NDArray[np.complex128],
+        packets: Table,
+        which: BoolArray,
+    ) -> BoolArray:
+        """Tells which messages to all or to a group have any of some robots in their range."""
+        robots = np.flatnonzero(which & state.presence.present)
+        range_m = self._channels.range_m[packets["channel"]]
+        away = place[robots] - place[packets["sender"]][:, None]
+        near = np.abs(away) <= range_m[:, None]
+        near &= _is_meant(state, packets[:, None], robots)
+        return np.asarray((packets["to"] == EVERYBODY) & near.any(axis=1))
 
     def _lose(
         self,
@@ -197,3 +226,11 @@ class Air:
         coming["packet"][noisy[changed]] = len(packets) + np.arange(len(changed))
         coming["corrupted"][noisy[changed]] = True
         return np.concatenate([packets, copies])
+
+
+def _is_meant(state: EnvState, packets: Table, receiver: IndexArray) -> BoolArray:
+    """Tells whether messages to all are meant for robots: not one's own, and of one's groups."""
+    group = packets["group"]
+    bit = np.uint32(1) << np.maximum(group, 0).astype(np.uint32)
+    meant = (group == NO_GROUP) | (state.messages.groups[receiver] & bit != 0)
+    return np.asarray(meant & (receiver != packets["sender"]))

@@ -16,6 +16,7 @@ from crs_cc.sim.geometry.neighbours import expand
 from crs_cc.sim.messages.traffic import Fate, note
 from crs_cc.sim.states.messages import ARRIVED, COMING, GONE, MessageState
 
+BoolArray = npt.NDArray[np.bool_]
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]
 Table = npt.NDArray[np.void]
@@ -25,7 +26,7 @@ COMING_MOST: Final = 256
 
 
 def expect(messages: MessageState, packets: Table, coming: Table) -> None:
-    """Takes over what is on its way from now on.
+    """Takes over what is on its way from now on; when that is all, `in_order` must follow.
 
     Args:
         messages: changed in place.
@@ -35,17 +36,27 @@ def expect(messages: MessageState, packets: Table, coming: Table) -> None:
     """
     if not len(coming):
         return
-    old = messages.receptions
-    held = np.bincount(old["receiver"][old["status"] != GONE], minlength=len(messages.sent))
-    full = held[coming["receiver"]] + _rank(coming["receiver"]) >= COMING_MOST
-    if full.any():
-        late = coming[full]
+    many = _held(messages)[coming["receiver"]] + _rank(coming["receiver"]) >= COMING_MOST
+    if many.any():
+        late = coming[many]
         note(messages, Fate.INBOX, packets[late["packet"]], late["arrives_s"], late["receiver"])
-        coming = coming[~full]
+        coming = coming[~many]
+        if not len(coming):
+            return
     coming["packet"] += len(messages.packets)
     messages.packets = np.concatenate([messages.packets, packets])
-    both = np.concatenate([old, coming])
-    messages.receptions = both[np.lexsort([both["arrives_s"], both["receiver"]])]
+    messages.receptions = np.concatenate([messages.receptions, coming])
+
+
+def in_order(messages: MessageState) -> None:
+    """Puts what is on its way in the order of receivers and arrivals."""
+    table = messages.receptions
+    messages.receptions = table[np.lexsort([table["arrives_s"], table["receiver"]])]
+
+
+def full(messages: MessageState) -> BoolArray:
+    """Tells which robots have as many messages on their way and in their inbox as can be."""
+    return np.asarray(_held(messages) >= COMING_MOST)
 
 
 def let_in(messages: MessageState, rows: IndexArray, by_s: FloatArray) -> None:
@@ -124,6 +135,12 @@ def tidy(messages: MessageState) -> None:
         return
     table["packet"] = number
     messages.receptions, messages.packets = table, messages.packets[kept]
+
+
+def _held(messages: MessageState) -> IndexArray:
+    """Gives how many messages are on their way to each robot, or in its inbox, (robots,)."""
+    table = messages.receptions
+    return np.bincount(table["receiver"][table["status"] != GONE], minlength=len(messages.sent))
 
 
 def _of(table: Table, rows: IndexArray) -> tuple[IndexArray, IndexArray]:

@@ -234,6 +234,41 @@ def test_no_more_than_256_messages_are_on_their_way_to_a_robot():
     assert len(talk.fates(Fate.INBOX)) == 44
 
 
+def test_what_is_sent_to_all_is_not_looked_at_for_each_robot_that_has_no_room():
+    """12 robots flood each other: it was a record, and a line of sight, for every pair of them.
+
+    The first 256 of the 600 messages fill the inboxes of those that sent none of these; after that
+    one record tells for all who have no room. There were 600 * 11 - 12 * 256 = 3,528 records.
+    """
+    talk = talking("".join(f'<robot x="{2 * x}m" y="0"/>' for x in range(12)), 'delay="10s"')
+    for _ in range(50):
+        for robot in range(12):
+            talk.send(robot)
+    talk.run()
+    assert len(talk.state.receptions) == 12 * 256
+    lost = talk.fates(Fate.INBOX)
+    assert len(lost[lost["receiver"] == -1]) == 600 - 256
+    assert len(lost) < 1600
+    assert len(talk.fates(Fate.RANGE)) == 0
+
+
+def test_who_is_far_from_those_without_room_is_out_of_range_as_ever():
+    """Number 3 is 1 km away from the others, whose inboxes are full."""
+    things = "".join(f'<robot x="{x}m" y="0"/>' for x in (0, 2, 4, 900))
+    talk = talking(things, 'delay="10s" range="10m"')
+    for _ in range(6):
+        for sender in range(3):
+            for _ in range(50):
+                talk.send(sender)
+        talk.run()
+    before = len(talk.fates(Fate.RANGE))
+    talk.send(3)
+    talk.send(0)
+    talk.run()
+    assert len(talk.fates(Fate.RANGE)) == before + 1
+    assert talk.fates(Fate.INBOX)[-1]["receiver"] == -1
+
+
 # -- who hears what --------------------------------------------------------------------------------
 
 
