@@ -9,7 +9,7 @@ import numpy as np
 
 from crs_cc.cli.svg import Page, View
 from crs_cc.cli.tracks import FloatArray
-from crs_cc.sim.ground.surface import HeightMap, Patch, Surface
+from crs_cc.sim.ground.model import Ground, HeightMap, Patch
 from crs_cc.sim.ground.terrain import Terrain
 
 PAPER = "#fbfaf7"
@@ -23,14 +23,14 @@ _SEAM_PX = 0.3  # rows must not leave a gap between them
 _LIGHTEST, _DARKEST = 0.06, 0.5
 
 
-def draw_relief(page: Page, view: View, surface: Surface) -> None:
+def draw_relief(page: Page, view: View, ground: Ground) -> None:
     """Draws the ramps and plateaus of a ground, the lowest first."""
-    patches = sorted(surface.patches, key=lambda patch: max(patch.from_m, patch.to_m))
+    patches = sorted(ground.patches, key=lambda patch: max(patch.from_m, patch.to_m))
     tops_m = [max(patch.from_m, patch.to_m) for patch in patches]
-    tops_m += surface.heightmap.heights_m if surface.heightmap else ()
+    tops_m += ground.heightmap.heights_m if ground.heightmap else ()
     highest_m = max(tops_m, default=0.0)
-    if surface.heightmap is not None and highest_m:
-        _draw_pixels(page, view, surface.heightmap, highest_m)
+    if ground.heightmap is not None and highest_m:
+        _draw_pixels(page, view, ground.heightmap, highest_m)
     for patch in patches:
         for stripe, height_m in _stripes(patch):
             share = height_m / highest_m if highest_m else 0.0
@@ -45,10 +45,10 @@ def draw_relief(page: Page, view: View, surface: Surface) -> None:
             page.text(place, text, fill=_EDGE, font_size=10.0, text_anchor="middle")
 
 
-def ground_m(surface: Surface) -> list[FloatArray]:
+def ground_m(ground: Ground) -> list[FloatArray]:
     """Gives the corners of all patches, and of the picture below them [m], (n, 2) each."""
-    found = [_corners_m(patch) for patch in surface.patches]
-    if (heightmap := surface.heightmap) is not None:
+    found = [_corners_m(patch) for patch in ground.patches]
+    if (heightmap := ground.heightmap) is not None:
         rows = len(heightmap.heights_m) // heightmap.columns
         size_m = np.array([heightmap.columns, rows]) * heightmap.pixel_m
         corner = np.array([heightmap.x_m, heightmap.y_m])
@@ -108,7 +108,7 @@ def _arrow(page: Page, view: View, patch: Patch) -> None:
 
 
 def _corners_m(patch: Patch) -> FloatArray:
-    return np.asarray(Terrain(Surface((patch,))).corners_m()[0])
+    return np.asarray(Terrain(Ground((patch,))).corners_m()[0])
 
 
 def _points(view: View, corners_m: FloatArray) -> list[tuple[float, float]]:

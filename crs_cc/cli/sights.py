@@ -43,7 +43,7 @@ def sights(state: EnvState, world: WorldModel) -> list[Beam]:
     camera_row = 0
     for number, robot in enumerate(world.robots):
         place = np.array([state.x_m[number], state.y_m[number]])
-        angle_rad = float(state.turret_rad[number])
+        angle_rad = float(state.mount_rad[number])
         mode = robot.model.sonar_modes[int(state.sonar.mode[number])]
         for sonar in mode.sonars:
             echo_m = float(state.sonar.echo_m[number, sonar.id])

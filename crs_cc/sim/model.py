@@ -38,7 +38,7 @@ from crs_cc.sim.beacon_model import Light, Sound
 from crs_cc.sim.communication import PLAIN_COMMUNICATION, Communication
 from crs_cc.sim.degradation.model import Degradation
 from crs_cc.sim.geometry.polygon import area_m2, centroid_m
-from crs_cc.sim.ground.surface import FLAT, Surface
+from crs_cc.sim.ground.model import FLAT, Ground
 from crs_cc.sim.robot_model import IDEAL_LINK, RobotModel
 
 FIXED_KG: Final = math.inf
@@ -278,7 +278,7 @@ class WorldModel:
     timestep_s: float = 0.05
     duration_s: float | None = None
     seed: int | None = None
-    surface: Surface = FLAT
+    surface: Ground = FLAT
     lights: tuple[Light, ...] = ()
     sounds: tuple[Sound, ...] = ()
     degradations: tuple[Degradation, ...] = ()

@@ -69,7 +69,7 @@ class EnvState:
         presence: which robots are in the world.
         bodies: what moves, the robots first.
         heading_rad: the robots' true headings at the start of the cycle: where their wheels roll.
-        turret_rad: where the mount of their sonars, infrared sensors and laser points: the heading,
+        mount_rad: where the mount of their sonars, infrared sensors and laser points: the heading,
             or the turret, or the base of a synchro drive without a turret.
         base_rad: where the mount of their bumpers points: the heading, or the base of a synchro
             drive, which never turns.
@@ -110,7 +110,7 @@ class EnvState:
     presence: PresenceState
     bodies: Bodies
     heading_rad: FloatArray
-    turret_rad: FloatArray
+    mount_rad: FloatArray
     base_rad: FloatArray
     drive: DriveState
     odometry: OdometryState
@@ -155,7 +155,7 @@ class EnvState:
             presence=PresenceState.at_start(world),
             bodies=bodies,
             heading_rad=heading_rad,
-            turret_rad=heading_rad.copy(),
+            mount_rad=heading_rad.copy(),
             base_rad=heading_rad.copy(),
             drive=DriveState.at_start(world),
             odometry=OdometryState.at_start(world),

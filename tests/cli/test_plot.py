@@ -13,7 +13,7 @@ from lxml import etree
 from crs_cc.cli.plot import Picture, Trip, colour
 from crs_cc.cli.tracks import Tracks, simplified
 from crs_cc.sim.drawings import LINE, ROBOT, Drawing
-from crs_cc.sim.ground.surface import HeightMap, Patch, Surface
+from crs_cc.sim.ground.model import Ground, HeightMap, Patch
 from crs_cc.sim.model import Area, Box, Cylinder, Material, Polygon, Pose, Robot, Wall, WorldModel
 from crs_cc.sim.robot_model import Drive, RobotModel
 from tests.sim.gripping import GRIPPER, gripping
@@ -179,7 +179,7 @@ def test_the_ground_is_darker_the_higher_and_arrows_point_up() -> None:
         Patch(2.0, 2.0, 0.0, 2.0, 1.0, 0.0, 0.5),
         Patch(4.0, 2.0, 0.0, 1.0, 1.0, 1.0, 1.0),
     )
-    world = replace(OPEN, surface=Surface((ramp, plateau)))
+    world = replace(OPEN, surface=Ground((ramp, plateau)))
     root = draw(Picture("", "", world, []))
     assert {"14.0°", "1.00 m"} <= set(texts(root))
     fills = [row.get("fill") for row in root.iter(f"{SVG}polygon") if row.get("fill") != "none"]
@@ -192,7 +192,7 @@ def test_the_ground_is_darker_the_higher_and_arrows_point_up() -> None:
 
 
 def test_all_of_the_ground_is_in_the_picture() -> None:
-    far = replace(OPEN, surface=Surface((Patch(30.0, 0.0, 0.5, 4.0, 2.0, 0.1, 0.1),)))
+    far = replace(OPEN, surface=Ground((Patch(30.0, 0.0, 0.5, 4.0, 2.0, 0.1, 0.1),)))
     root = draw(Picture("", "", far, [trip((0, 0), (1, 0))]))
     width = float(root.get("width"))
     assert all(0 <= x <= width for x, _ in all_points(root))
@@ -201,7 +201,7 @@ def test_all_of_the_ground_is_in_the_picture() -> None:
 def test_pixels_of_a_picture_of_heights_are_drawn_in_runs() -> None:
     """Two rows of three pixels: 0 1 1 above 0 0 0.5."""
     ground = HeightMap(0.0, 0.0, 1.0, 3, (0.0, 0.0, 0.5, 0.0, 1.0, 1.0))
-    root = draw(Picture("", "", replace(OPEN, surface=Surface((), ground)), [trip((0, 0), (3, 2))]))
+    root = draw(Picture("", "", replace(OPEN, surface=Ground((), ground)), [trip((0, 0), (3, 2))]))
     boxes = list(root.iter(f"{SVG}rect"))[2:]
     widths = [float(row.get("width")) for row in boxes]
     assert len(boxes) == 2

@@ -339,7 +339,7 @@ def test_a_nomad_200_drives_steers_and_turns_its_turret():
     assert told[15:] == [0, 0, 0, 0, 0, 0, 0, 450]
     state = done.session.environment.state
     assert [done.x_in[-1], done.y_in[-1]] == pytest.approx([0, 20], abs=0.01)
-    for angle_rad in (state.heading_rad[0], state.turret_rad[0], state.base_rad[0]):
+    for angle_rad in (state.heading_rad[0], state.mount_rad[0], state.base_rad[0]):
         assert math.remainder(float(angle_rad), math.tau) == pytest.approx(0, abs=1e-6)
 
 

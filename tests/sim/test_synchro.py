@@ -49,7 +49,7 @@ def test_the_turret_turns_by_itself_and_the_base_never():
     driver.run_s(5)
     state = driver.state
     assert math.degrees(state.heading_rad[0]) == pytest.approx(90)
-    assert math.degrees(state.turret_rad[0]) == pytest.approx(315)
+    assert math.degrees(state.mount_rad[0]) == pytest.approx(315)
     assert state.base_rad[0] == 0
     assert driver.ask("GET_RC")[[CONF_STEER, CONF_TURRET]].tolist() == [900, 3150]
 
@@ -140,7 +140,7 @@ def test_robots_of_all_kinds_share_a_world():
         driver.ask("PR", 100, 100, 100, robot=robot)
     driver.run_s(10)
     assert np.degrees(driver.state.heading_rad) == pytest.approx([0, 10, 10])
-    assert np.degrees(driver.state.turret_rad) == pytest.approx([0, 10, 0])
+    assert np.degrees(driver.state.mount_rad) == pytest.approx([0, 10, 0])
     assert np.degrees(driver.state.base_rad) == pytest.approx([0, 0, 0])
 
 
@@ -155,7 +155,7 @@ def test_zr_turns_steering_and_turret_back_the_shorter_way_and_then_zeroes():
     # 90 degrees at 30 deg/s and 50 deg/s2 take 3 s and 30/50 s: they go on though no command comes.
     assert [float(step.at_s[0]) for step in steps if len(step.at_s)] == [pytest.approx(15.6)]
     assert driver.state.heading_rad[0] % math.tau == pytest.approx(0, abs=1e-9)
-    assert driver.state.turret_rad[0] % math.tau == pytest.approx(0, abs=1e-9)
+    assert driver.state.mount_rad[0] % math.tau == pytest.approx(0, abs=1e-9)
     told = driver.ask("GS")
     assert told[[CONF_X, CONF_Y, CONF_STEER, CONF_TURRET, MOTOR_STATUS]].tolist() == [0] * 5
     driver.ask("VM", 0, 300, 0)

@@ -192,7 +192,7 @@ class Arms:
     def _in_world(self, state: EnvState, at_s: float) -> FloatArray:
         """Gives where the hands of all arms are in the world, at the end of a cycle, (n, 3)."""
         rows = self._rows
-        mounts = np.column_stack([state.bodies.position_m[rows], state.turret_rad[rows]])
+        mounts = np.column_stack([state.bodies.position_m[rows], state.mount_rad[rows]])
         return compose(mounts, self.poses(state, at_s)[rows])
 
 

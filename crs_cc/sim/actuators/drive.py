@@ -144,9 +144,9 @@ def face(state: EnvState, equipment: Equipment) -> None:
     if equipment.drives.synchro.any():
         state.base_rad = np.where(equipment.drives.synchro, state.base_rad, state.heading_rad)
         turret_rad = state.drive.turret_rad % _TURN
-        state.turret_rad = np.where(equipment.drives.turret, turret_rad, state.base_rad)
+        state.mount_rad = np.where(equipment.drives.turret, turret_rad, state.base_rad)
     else:
-        state.turret_rad = state.base_rad = state.heading_rad
+        state.mount_rad = state.base_rad = state.heading_rad
 
 
 # -- commands --------------------------------------------------------------------------------------

@@ -151,7 +151,7 @@ class Grippers:
         bodies, scene, robots = state.bodies, equipment.scene, len(state.heading_rad)
         moving = scene.moving(bodies.position_m, bodies.angle_rad)
         rows = self._rows[closing]
-        mounts = np.column_stack([bodies.position_m[rows], state.turret_rad[rows]])
+        mounts = np.column_stack([bodies.position_m[rows], state.mount_rad[rows]])
         found = between(moving, robots, mounts, self._strip_m[closing])
         which, thing = closing[found.gripper], found.thing - robots
         half_m = self._opening_m[which] / 2 + _SAME_M

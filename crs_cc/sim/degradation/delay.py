@@ -47,19 +47,19 @@ class _Rings:
     apart_s: FloatArray
 
     @classmethod
-    def of(cls, step: Pass, some: IndexArray, depth: int) -> Self:
+    def of(cls, passing: Pass, some: IndexArray, depth: int) -> Self:
         """Gives the rings of some rows."""
-        width = width_of(step.row["device"][some], step.row["element"][some])[:, None]
-        begin, slot = step.of("begin")[some], step.slot[some]
+        width = width_of(passing.row["device"][some], passing.row["element"][some])[:, None]
+        begin, slot = passing.of("begin")[some], passing.slot[some]
         times_at = (begin + 3 * width + slot * depth)[..., None] + np.arange(depth)
         return cls(
-            step.kept.memory,
+            passing.kept.memory,
             begin + width + slot,
             begin + 2 * width + slot,
             times_at,
             times_at + (width * depth)[..., None],
-            step.touched[some],
-            step.of("delay_s")[some] / (depth - _SPARE),
+            passing.touched[some],
+            passing.of("delay_s")[some] / (depth - _SPARE),
         )
 
     @property
@@ -104,32 +104,32 @@ class _Rings:
         )
 
 
-def delayed(step: Pass, values: FloatArray) -> FloatArray:
+def delayed(passing: Pass, values: FloatArray) -> FloatArray:
     """Gives readings of as long ago as the delay says, and remembers these."""
     told = values.copy()
-    for some, depth in _by_depth(step):
-        rings = _Rings.of(step, some, depth)
-        rings.keep(values[some], step.at_s[some], rings.touched)
-        wanted_s = step.at_s[some] - step.of("delay_s")[some] + _ROUNDING_S
+    for some, depth in _by_depth(passing):
+        rings = _Rings.of(passing, some, depth)
+        rings.keep(values[some], passing.at_s[some], rings.touched)
+        wanted_s = passing.at_s[some] - passing.of("delay_s")[some] + _ROUNDING_S
         lower_s, lower, upper_s, upper = rings.find(wanted_s)
         first = np.where(np.isfinite(upper_s), upper, values[some])
         told[some] = np.where(np.isfinite(lower_s), lower, first)
     return told
 
 
-def delayed_speeds(step: Pass, speeds: FloatArray, from_s: FloatArray) -> FloatArray:
+def delayed_speeds(passing: Pass, speeds: FloatArray, from_s: FloatArray) -> FloatArray:
     """Gives the speeds of as long ago as the delay says, and remembers these.
 
     Args:
-        step: the speeds' way; its instant is the end of the time for which they count.
+        passing: the speeds' way; its instant is the end of the time for which they count.
         speeds: the speeds, (m, w).
         from_s: the beginning of that time, (m,).
     """
     told = speeds.copy()
-    for some, depth in _by_depth(step):
-        to_s, since_s = step.at_s[some], from_s[some, None]
-        rings = _Rings.of(step, some, depth)
-        if step.writes:
+    for some, depth in _by_depth(passing):
+        to_s, since_s = passing.at_s[some], from_s[some, None]
+        rings = _Rings.of(passing, some, depth)
+        if passing.writes:
             begin = rings.begin
             if begin.any():
                 rings.keep(np.zeros_like(speeds[some]), since_s, begin)
@@ -137,7 +137,7 @@ def delayed_speeds(step: Pass, speeds: FloatArray, from_s: FloatArray) -> FloatA
             rings.memory[rings.sum_at[rings.touched]] += ways[rings.touched]
             rings.keep(rings.memory[rings.sum_at], to_s, rings.touched)
         for_s = np.maximum(to_s - since_s, _LEAST_S)
-        ago_s = to_s - step.of("delay_s")[some]
+        ago_s = to_s - passing.of("delay_s")[some]
         told[some] = (_sum(rings, ago_s) - _sum(rings, ago_s - for_s)) / for_s
     return told
 
@@ -151,8 +151,8 @@ def _sum(rings: _Rings, at_s: FloatArray) -> FloatArray:
     return np.where(np.isfinite(lower_s), lower + part * (upper - lower), upper)
 
 
-def _by_depth(step: Pass) -> list[tuple[IndexArray, int]]:
-    depths = step.row["depth"]
+def _by_depth(passing: Pass) -> list[tuple[IndexArray, int]]:
+    depths = passing.row["depth"]
     return [
         (np.flatnonzero(depths == depth), int(depth)) for depth in np.unique(depths[depths > 0])
     ]

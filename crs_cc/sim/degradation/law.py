@@ -131,15 +131,16 @@ class Degradations:
             numbers = row["count"].copy()
             kept.table["count"][place] += 1
             s = severity(row, at_s[mine])
-            step = pass_of(kept, row, columns[mine], s, at_s[mine])
+            passing = pass_of(kept, row, columns[mine], s, at_s[mine])
             normal, uniform = layer.draws.rows(layer.stream[rows[mine]], numbers)
-            new = distorted(step, values[mine], _pick(normal, columns[mine]))
-            new = stuck_at(step, new, step.at_s < step.of("onset_s") - _ROUNDING_S, number)
+            new = distorted(passing, values[mine], _pick(normal, columns[mine]))
+            before = passing.at_s < passing.of("onset_s") - _ROUNDING_S
+            new = stuck_at(passing, new, before, number)
             if row["depth"].any():
-                new = mix(step.s, new, delayed(step, new), number)
-            lost = np.where(step.of("dead"), step.s, step.s * step.of("dropouts"))
+                new = mix(passing.s, new, delayed(passing, new), number)
+            lost = np.where(passing.of("dead"), passing.s, passing.s * passing.of("dropouts"))
             new = np.where(_pick(uniform, columns[mine]) < lost, np.nan, new)
-            values[mine] = np.where(step.touched, new, values[mine])
+            values[mine] = np.where(passing.touched, new, values[mine])
         return values
 
     def move(
@@ -217,16 +218,18 @@ class Degradations:
             row = kept.table[layer.place[rows[mine]]]
             from_s, to_s = instants[0][mine], instants[1][mine]
             s = mean_severity(row, from_s, to_s)
-            step = pass_of(kept, row, columns[mine], s, to_s, writes=writes)
+            passing = pass_of(kept, row, columns[mine], s, to_s, writes=writes)
             cycles = np.full(len(mine), state.cycle)
             normal, uniform = layer.draws.rows(layer.stream[rows[mine]], cycles)
-            new = distorted(step, speeds[mine], normal)
-            new = stuck_at(step, new, step.at_s <= step.of("onset_s") + _ROUNDING_S, number)
+            new = distorted(passing, speeds[mine], normal)
+            new = stuck_at(
+                passing, new, passing.at_s <= passing.of("onset_s") + _ROUNDING_S, number
+            )
             if row["depth"].any():
-                new = mix(step.s, new, delayed_speeds(step, new, from_s), number)
-            lost = step.of("dead") | (uniform < step.of("dropouts"))
-            new = np.where(lost, (1.0 - step.s) * new, new)
-            speeds[mine] = np.where(step.touched, new, speeds[mine])
+                new = mix(passing.s, new, delayed_speeds(passing, new, from_s), number)
+            lost = passing.of("dead") | (uniform < passing.of("dropouts"))
+            new = np.where(lost, (1.0 - passing.s) * new, new)
+            speeds[mine] = np.where(passing.touched, new, speeds[mine])
         return speeds
 
     def _of_device(self, kept: DegradationState, number: int) -> list[_Layer]:

@@ -74,33 +74,33 @@ def pass_of(
     return Pass(kept, row, slot, touched, s[:, None], at_s[:, None], writes)
 
 
-def distorted(step: Pass, values: FloatArray, normal: FloatArray) -> FloatArray:
+def distorted(passing: Pass, values: FloatArray, normal: FloatArray) -> FloatArray:
     """Gives values with gain, bias, noise and rounding; what is not finite stays."""
     with np.errstate(invalid="ignore"):
-        new = values * (1.0 + step.s * (step.of("gain") - 1.0))
-        new += step.s * step.of("bias") + step.s * step.of("noise") * normal
-        size = step.s * step.of("step")
+        new = values * (1.0 + passing.s * (passing.of("gain") - 1.0))
+        new += passing.s * passing.of("bias") + passing.s * passing.of("noise") * normal
+        size = passing.s * passing.of("step")
         rounds = size > _FINEST
         size = np.where(rounds, size, 1.0)
         new = np.where(rounds, np.rint(new / size) * size, new)
-    changes = np.isfinite(values) & (step.s > 0.0)
+    changes = np.isfinite(values) & (passing.s > 0.0)
     return np.where(changes, np.clip(new, -_LARGEST, _LARGEST), values)
 
 
-def stuck_at(step: Pass, values: FloatArray, before: BoolArray, number: int) -> FloatArray:
+def stuck_at(passing: Pass, values: FloatArray, before: BoolArray, number: int) -> FloatArray:
     """Lets values be stuck; `before` tells which are from before the onset, (m, 1)."""
-    stuck = step.of("stuck")
+    stuck = passing.of("stuck")
     if not stuck.any():
         return values
-    memory, place = step.kept.memory, step.of("begin") + step.slot
+    memory, place = passing.kept.memory, passing.of("begin") + passing.slot
     held = memory[place]
     none_yet = np.isnan(held)
-    if step.writes:
-        fresh = step.touched & (stuck == HOLDS) & ~np.isnan(values) & (before | none_yet)
+    if passing.writes:
+        fresh = passing.touched & (stuck == HOLDS) & ~np.isnan(values) & (before | none_yet)
         memory[place[fresh]] = values[fresh]
     held = np.where(none_yet, values, held)
-    held = np.where(stuck == FIXED, step.of("stuck_at"), held)
-    return np.where(stuck == FREE, values, mix(step.s, values, held, number))
+    held = np.where(stuck == FIXED, passing.of("stuck_at"), held)
+    return np.where(stuck == FREE, values, mix(passing.s, values, held, number))
 
 
 def mix(s: FloatArray, values: FloatArray, others: FloatArray, number: int) -> FloatArray:

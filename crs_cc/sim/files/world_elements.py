@@ -14,11 +14,11 @@ from crs_cc.sim.files.communication_elements import communication
 from crs_cc.sim.files.composite_elements import CompositeElements
 from crs_cc.sim.files.degradation_elements import degradations
 from crs_cc.sim.files.document import MAX_MESSAGES, Element, Reader
+from crs_cc.sim.files.ground_elements import ground
 from crs_cc.sim.files.include import Included
 from crs_cc.sim.files.map_elements import map_boxes
 from crs_cc.sim.files.material_elements import Materials
 from crs_cc.sim.files.solid_elements import SHORTEST_M, SolidElements, pose, spread
-from crs_cc.sim.files.surface_elements import surface
 from crs_cc.sim.geometry.placement import misplaced, overlapping_things
 from crs_cc.sim.model import Area, Box, Cylinder, Polygon, Robot, Solid, Wall, WorldModel
 from crs_cc.sim.naming import check_parts, name_things
@@ -81,7 +81,7 @@ def world_model(
         timestep_s=_timestep(root, reader),
         duration_s=_duration(root, reader),
         seed=_seed(root, reader),
-        surface=surface(root.first("surface"), area, included.folder, reader),
+        surface=ground(root.first("surface"), area, included.folder, reader),
         lights=lights(root, reader),
         sounds=sounds(root, reader),
         degradations=degradations(

@@ -6,7 +6,7 @@
 for a place that lies s and t pixels beyond the middle of a pixel. Beyond the middles of the
 outermost pixels it goes on level, and outside of the picture is the floor.
 
->>> from crs_cc.sim.ground.surface import HeightMap
+>>> from crs_cc.sim.ground.model import HeightMap
 >>> heights = Heights(HeightMap(0.0, 0.0, 1.0, 3, (0.0, 0.0, 0.0, 0.0, 1.0, 2.0)))
 >>> x_m, y_m = np.array([1.5, 1.5, 2.0, 9.0]), np.array([1.5, 1.0, 1.5, 1.0])
 >>> height_m, gradient = heights.at(x_m, y_m)
@@ -23,7 +23,7 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.ground.surface import HeightMap
+from crs_cc.sim.ground.model import HeightMap
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]

@@ -39,7 +39,7 @@ import numpy.typing as npt
 from crs_cc.sim.geometry.obstacles import Obstacles
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.things import Things
-from crs_cc.sim.ground.surface import Patch, Surface
+from crs_cc.sim.ground.model import Ground, Patch
 from crs_cc.sim.ground.terrain import Terrain
 from crs_cc.sim.model import TALL_M
 
@@ -62,7 +62,7 @@ class Outlook:
         terrain: the ground.
         patches: its patches, and behind them the floor.
         corners: their corners, x + i y [m], counter-clockwise, (patches, 4).
-        corners_m: how high these are.
+        corner_heights_m: how high these are.
         grid: the patches without the floor, by where they are within reach.
         reach_m: how far from its place any robot measures.
         ground: the number of the ground in `Scene.names`.
@@ -83,12 +83,14 @@ class Outlook:
         floor = Patch(*middle, 0.0, length_m, width_m, 0.0, 0.0)
         self.obstacles = obstacles
         self.terrain = Terrain(scene.world.surface)
-        self.patches = Terrain(Surface((*scene.world.surface.patches, floor)))
+        self.patches = Terrain(Ground((*scene.world.surface.patches, floor)))
         corners_m = self.patches.corners_m()
         self.corners = corners_m[:, :, 0] + 1j * corners_m[:, :, 1]
         away = self.corners - self.patches.middle[:, None]
         ahead_m = (away * self.patches.along[:, None].conj()).real
-        self.corners_m = self.patches.middle_m[:, None] + self.patches.slope[:, None] * ahead_m
+        self.corner_heights_m = (
+            self.patches.middle_m[:, None] + self.patches.slope[:, None] * ahead_m
+        )
         self.grid = self.terrain.grid(reach_m)
         self.reach_m = reach_m
         self.ground = len(scene.names) - 1
@@ -238,7 +240,7 @@ class Level:
         away = ends - place.take(viewers)[:, None]
         beam_m = (plane[0].take(viewers) + above_m)[:, None]
         beam_m = beam_m + (plane[1].conj().take(viewers)[:, None] * away).real
-        sides = _cut(viewers, ends, self.outlook.corners_m[patch] - beam_m)
+        sides = _cut(viewers, ends, self.outlook.corner_heights_m[patch] - beam_m)
         heights = self.outlook.terrain.heights
         if heights is None:
             return sides

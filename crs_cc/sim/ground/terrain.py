@@ -8,9 +8,9 @@ below where there is one (`heightmap`). The gradient is in the world frame and p
 uphill; on the floor, and on plateaus, it is 0. Where patches are equally high, the first one of the
 world file counts. The edge of a patch belongs to it.
 
->>> from crs_cc.sim.ground.surface import Patch, Surface
+>>> from crs_cc.sim.ground.model import Patch, Ground
 >>> ramp = Patch(2.0, 1.0, 0.0, length_m=2.0, width_m=1.0, from_m=0.0, to_m=0.5)
->>> terrain = Terrain(Surface((ramp, Patch(3.5, 1.0, 0.0, 1.0, 1.0, 0.5, 0.5))))
+>>> terrain = Terrain(Ground((ramp, Patch(3.5, 1.0, 0.0, 1.0, 1.0, 0.5, 0.5))))
 >>> x_m, y_m = np.array([0.5, 1.0, 2.0, 3.5, 2.0]), np.array([1.0, 1.0, 1.2, 1.0, 1.6])
 >>> terrain.height_m(x_m, y_m)
 array([0.  , 0.  , 0.25, 0.5 , 0.  ])
@@ -27,7 +27,7 @@ import numpy.typing as npt
 
 from crs_cc.sim.geometry.obstacles import Grid
 from crs_cc.sim.ground.heightmap import Heights
-from crs_cc.sim.ground.surface import Surface
+from crs_cc.sim.ground.model import Ground
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
@@ -38,7 +38,7 @@ _ON_M: Final = 1e-9  # rounding must not leave a gap between patches that touch
 
 
 class Terrain:
-    """The heights of a surface.
+    """The heights of the ground of a world.
 
     Attributes:
         flat: whether there is nothing but the floor.
@@ -51,10 +51,10 @@ class Terrain:
         heights: what lies below the patches, None for the floor.
     """
 
-    def __init__(self, surface: Surface) -> None:
-        patches = surface.patches
+    def __init__(self, ground: Ground) -> None:
+        patches = ground.patches
         headings_rad = [patch.heading_rad for patch in patches]
-        self.flat = surface.is_flat
+        self.flat = ground.is_flat
         self.middle = np.array([complex(patch.x_m, patch.y_m) for patch in patches], np.complex128)
         self.along = np.exp(1j * np.array(headings_rad, dtype=np.float64))
         self.half_length_m = np.array([patch.length_m / 2 for patch in patches])
@@ -62,7 +62,7 @@ class Terrain:
         self.middle_m = np.array([(patch.from_m + patch.to_m) / 2 for patch in patches])
         self.slope = np.array([patch.slope for patch in patches])
         self._patches = self.grid(_ON_M)
-        self.heights = None if surface.heightmap is None else Heights(surface.heightmap)
+        self.heights = None if ground.heightmap is None else Heights(ground.heightmap)
 
     def grid(self, reach_m: float) -> Grid:
         """Gives the patches, sorted by where they are within reach."""

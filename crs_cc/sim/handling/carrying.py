@@ -195,6 +195,6 @@ def grasp_anew(state: EnvState, things: IndexArray) -> None:
     bodies, holds = state.bodies, state.bodies.holds
     rows, held = holds.in_grippers()
     rows, held = rows[np.isin(held, things)], held[np.isin(held, things)]
-    bodies.angle_rad[rows] = state.turret_rad[rows]
+    bodies.angle_rad[rows] = state.mount_rad[rows]
     poses = np.column_stack([bodies.position_m, bodies.angle_rad])
     holds.grasp[rows, GRIPPER] = relative(poses[rows], poses[len(state.heading_rad) + held])

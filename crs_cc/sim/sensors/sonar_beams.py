@@ -141,7 +141,7 @@ def overheard(
     turn = np.maximum(np.ceil(since_s / round_s), 0).astype(np.int64)
     number = sonar.order[other, turn % sonar.length[other]]
     place = state.x_m[other] + 1j * state.y_m[other]
-    turn_there = np.exp(1j * state.turret_rad[other])
+    turn_there = np.exp(1j * state.mount_rad[other])
     theirs = beams.pings(other, number, place, turn_there, sonar.mode[other])
     seen = theirs.local(np.arange(len(other)), start[listener])
     way_m = np.abs(seen)

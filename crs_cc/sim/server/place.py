@@ -63,7 +63,7 @@ def _put(state: EnvState, equipment: Equipment, robot: int, place: Pose, turret_
     if not drives.synchro[robot]:
         state.base_rad[robot] = heading_rad
     own_rad = turret_rad if drives.turret[robot] else float(state.base_rad[robot])
-    state.turret_rad[robot] = own_rad
+    state.mount_rad[robot] = own_rad
     odometry.x_m[robot], odometry.y_m[robot] = place.x_m, place.y_m
     odometry.heading_rad[robot] = heading_rad
     odometry.turret_rad[robot] = turret_rad if drives.turret[robot] else 0.0

@@ -210,7 +210,7 @@ def test_steering_and_turret_of_a_synchro_drive():
     driver.ask("PR", 0, 900, 900)
     driver.run_s(10)
     assert truth(driver)[2] == near(45)
-    assert math.degrees(driver.state.turret_rad[0]) == near(0)
+    assert math.degrees(driver.state.mount_rad[0]) == near(0)
     told = driver.ask("GET_RC")
     assert told[CONF_STEER : CONF_STEER + 2].tolist() == [450, 900]
 

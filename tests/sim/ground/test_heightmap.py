@@ -16,7 +16,7 @@ from crs_cc.sim.friction import GRAVITY_MPS2
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.surroundings import Surroundings
-from crs_cc.sim.ground.surface import HeightMap, Surface
+from crs_cc.sim.ground.model import Ground, HeightMap
 from crs_cc.sim.ground.terrain import Terrain
 from tests.sim.driver import SCOUT_RADIUS_M, Driver
 
@@ -55,7 +55,7 @@ def test_heights_and_slopes_are_bilinear_between_pixels(tmp_path):
 def test_slopes_are_the_derivatives_of_heights():
     rng = np.random.default_rng(3)
     ground = HeightMap(1.0, -2.0, 0.5, 7, tuple(rng.uniform(0, 1, 35).tolist()))
-    terrain, step = Terrain(Surface((), ground)), 1e-6
+    terrain, step = Terrain(Ground((), ground)), 1e-6
     x, y = rng.uniform(1.3, 4.2, 200), rng.uniform(-1.7, 0.2, 200)
     along_x = (terrain.height_m(x + step, y) - terrain.height_m(x - step, y)) / (2 * step)
     along_y = (terrain.height_m(x, y + step) - terrain.height_m(x, y - step)) / (2 * step)

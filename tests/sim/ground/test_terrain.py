@@ -7,7 +7,7 @@ import pytest
 
 from crs_cc.errors import WorldError
 from crs_cc.sim.files.world_xml import parse_world
-from crs_cc.sim.ground.surface import Patch, Surface
+from crs_cc.sim.ground.model import Ground, Patch
 from crs_cc.sim.ground.terrain import Terrain
 
 
@@ -38,7 +38,7 @@ def test_ramps_and_plateaus_are_read_with_units():
         Patch(2.0, 1.0, math.pi / 2, 2.0, 0.5, 0.0, 0.4),
         Patch(1.0, 2.0, 0.0, 1.0, 2.0, 0.1, 0.1),
     )
-    assert hash(read) == hash(Surface(read.patches))
+    assert hash(read) == hash(Ground(read.patches))
 
 
 @pytest.mark.parametrize(
@@ -66,7 +66,7 @@ def test_a_surface_that_cannot_be_is_refused(surface, wrong):
 
 def test_a_ramp_rises_along_its_heading_and_ends_at_its_sides():
     """A ramp that goes up along y, 2 m long, 1 m wide, to 0.5 m: x 3.5 to 4.5, y 1 to 3."""
-    terrain = Terrain(Surface((Patch(4.0, 2.0, math.pi / 2, 2.0, 1.0, 0.0, 0.5),)))
+    terrain = Terrain(Ground((Patch(4.0, 2.0, math.pi / 2, 2.0, 1.0, 0.0, 0.5),)))
     assert at(terrain, 4.0, 1.0)[0] == pytest.approx(0.0)
     assert at(terrain, 4.4, 2.5)[0] == pytest.approx(0.375)
     assert at(terrain, 4.4, 2.5)[1] == pytest.approx([0.0, 0.25])
@@ -78,7 +78,7 @@ def test_a_ramp_rises_along_its_heading_and_ends_at_its_sides():
 def test_the_highest_of_patches_that_overlap_counts():
     """A ramp from 0 to 1 m, x 0 to 4, and a plateau of 0.5 m over its middle, x 1 to 3."""
     terrain = Terrain(
-        Surface((Patch(2, 0, 0, 4, 1, 0.0, 1.0), Patch(2.0, 0.0, 0.0, 2.0, 1.0, 0.5, 0.5)))
+        Ground((Patch(2, 0, 0, 4, 1, 0.0, 1.0), Patch(2.0, 0.0, 0.0, 2.0, 1.0, 0.5, 0.5)))
     )
     assert at(terrain, 0.8, 0.0) == (pytest.approx(0.2), [pytest.approx(0.25), 0.0])
     assert at(terrain, 1.2, 0.0) == (0.5, [0.0, 0.0])
@@ -91,9 +91,9 @@ def test_many_places_and_patches_are_told_as_one_by_one():
         Patch(*rng.uniform(0, 20, 2), rng.uniform(0, 7), *rng.uniform(0.5, 4, 2), 0.1, float(top))
         for top in rng.uniform(0, 1, 60)
     )
-    terrain, (x, y) = Terrain(Surface(patches)), rng.uniform(-1, 21, (2, 400))
+    terrain, (x, y) = Terrain(Ground(patches)), rng.uniform(-1, 21, (2, 400))
     heights, gradients = terrain.height_m(x, y), terrain.gradient(x, y)
-    alone = [Terrain(Surface((patch,))) for patch in patches]
+    alone = [Terrain(Ground((patch,))) for patch in patches]
     for number in range(0, 400, 13):
         seen = [at(each, x[number], y[number]) for each in alone]
         best = max(seen, key=lambda pair: pair[0])

@@ -103,7 +103,7 @@ def test_a_nomad_is_put_with_its_turret_and_keeps_its_base():
     assert put(driver, 1000, 1000, 900, 1800)[0] == 1
     driver.run(1)
     state = driver.state
-    angles = [state.heading_rad[0], state.turret_rad[0], state.base_rad[0]]
+    angles = [state.heading_rad[0], state.mount_rad[0], state.base_rad[0]]
     assert [math.degrees(angle) for angle in angles] == pytest.approx([90, 180, 0])
     assert driver.ask("GET_RC")[[CONF_STEER, CONF_TURRET]].tolist() == [900, 1800]
 

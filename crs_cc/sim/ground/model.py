@@ -2,12 +2,12 @@
 
 Rectangular blocks lie on a floor at height 0: the top of each is a plane that rises along its
 heading, or is level. Where several lie on each other, the highest one counts. `terrain` tells
-heights and slopes of it, `surface_elements` reads it from a world file.
+heights and slopes of it, `ground_elements` reads it from a world file.
 
 Units: metres, radians, in the world frame; z upwards from the floor.
 
 >>> ramp = Patch(2.0, 1.0, 0.0, length_m=2.0, width_m=1.0, from_m=0.0, to_m=0.5)
->>> ramp.slope, Surface((ramp,)).is_flat, FLAT.is_flat
+>>> ramp.slope, Ground((ramp,)).is_flat, FLAT.is_flat
 (0.25, False, True)
 """
 
@@ -65,7 +65,7 @@ class HeightMap:
 
 
 @dataclass(frozen=True, slots=True)
-class Surface:
+class Ground:
     """The ground of a world.
 
     Attributes:
@@ -82,5 +82,5 @@ class Surface:
         return not self.patches and self.heightmap is None
 
 
-FLAT: Final = Surface()
+FLAT: Final = Ground()
 """A floor with nothing on it."""

@@ -1,4 +1,4 @@
-"""From the element `<surface>` of a world file to a `Surface`."""
+"""From the element `<surface>` of a world file to a `Ground`."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy.typing as npt
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.files.image import MAX_BYTES, grey_values
 from crs_cc.sim.files.nearby import read_below
-from crs_cc.sim.ground.surface import HeightMap, Patch, Surface
+from crs_cc.sim.ground.model import Ground, HeightMap, Patch
 from crs_cc.sim.model import Area
 from crs_cc.sim.quantity import ANGLE, LENGTH
 
@@ -24,7 +24,7 @@ _LEAST_M: Final = 0.01
 _SHOWN: Final = 80
 
 
-def surface(element: Element, area: Area, folder: Path | None, reader: Reader) -> Surface:
+def ground(element: Element, area: Area, folder: Path | None, reader: Reader) -> Ground:
     """Gives the ground that an element describes; mistakes go to the reader.
 
     Args:
@@ -35,7 +35,7 @@ def surface(element: Element, area: Area, folder: Path | None, reader: Reader) -
     """
     patches = [_patch(each, reader) for each in element.children if each.tag != "heightmap"]
     maps = [_heightmap(child, area, folder, reader) for child in element.all("heightmap")]
-    return Surface(tuple(patches), maps[0] if maps else None)
+    return Ground(tuple(patches), maps[0] if maps else None)
 
 
 def _patch(element: Element, reader: Reader) -> Patch:
