@@ -101,7 +101,7 @@ class Setting:
     @property
     def communication(self) -> CommunicationControl:
         """Gives the ways of messages, to be shut and opened between two steps, and counts."""
-        return CommunicationControl(self.world, self.state.messages, self.time_s)
+        return CommunicationControl(self)
 
     @property
     def timestep_s(self) -> float:

@@ -24,7 +24,7 @@ What goes in and comes out is plain data (`Degradation`). Every change is an eve
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, Final, Protocol
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
@@ -44,9 +44,8 @@ from crs_cc.sim.states.degradation import (
 
 if TYPE_CHECKING:
     from crs_cc.sim.events import EventLog
-    from crs_cc.sim.model import WorldModel
     from crs_cc.sim.robot_model import RobotModel
-    from crs_cc.sim.state import EnvState
+    from crs_cc.sim.running import Running
 
 KIND: Final = "degradation"
 """The kind of the events."""
@@ -56,20 +55,6 @@ PHASES: Final = {WAITS: "waits", ACTS: "acts", FADES: "fades", OVER: "over"}
 
 _TURNS: Final = {ACTS: "begins", FADES: "fades", OVER: "is over"}
 _LONGEST_ID: Final = 64
-
-
-class Running(Protocol):
-    """A world that runs, as far as it matters here."""
-
-    state: EnvState
-
-    @property
-    def world(self) -> WorldModel:
-        """Gives the world with all its robots."""
-
-    @property
-    def time_s(self) -> float:
-        """Gives the start of the current cycle [s]."""
 
 
 class DegradationControl:

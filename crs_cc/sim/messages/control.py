@@ -22,24 +22,36 @@ from crs_cc.sim.messages.shutting import reopen, shut
 from crs_cc.sim.messages.traffic import Fate
 
 if TYPE_CHECKING:
-    from crs_cc.sim.model import WorldModel
+    from crs_cc.sim.running import Running
     from crs_cc.sim.states.messages import MessageState
 
 
 class CommunicationControl:
     """The ways of messages in a world that runs, between two of its steps."""
 
-    def __init__(self, world: WorldModel, state: MessageState, time_s: float) -> None:
-        """Makes one for an instant.
+    def __init__(self, running: Running) -> None:
+        """Makes one.
 
         Args:
-            world: the world.
-            state: its messages, changed in place.
-            time_s: the start of the current cycle.
+            running: the world; its state is changed.
         """
-        self._state, self._time_s = state, time_s
-        self._channels = tuple(channel.name for channel in world.communication.channels)
-        self._robots = tuple(robot.id for robot in world.robots)
+        self._running = running
+
+    @property
+    def _state(self) -> MessageState:
+        return self._running.state.messages
+
+    @property
+    def _time_s(self) -> float:
+        return self._running.time_s
+
+    @property
+    def _channels(self) -> tuple[str, ...]:
+        return tuple(channel.name for channel in self._running.world.communication.channels)
+
+    @property
+    def _robots(self) -> tuple[str, ...]:
+        return tuple(robot.id for robot in self._running.world.robots)
 
     def shut(self, *, channel: str = "", sender: str = "", receiver: str = "") -> None:
         """Shuts a channel, a sender, a receiver, or what those named have in common.

@@ -1,8 +1,11 @@
 """Channels, senders and pairs that are shut: from the world file, and by hand."""
 
+from dataclasses import replace
+
 import pytest
 
 from crs_cc.sim.messages.traffic import Fate, Monitor, events
+from crs_cc.sim.model import Pose
 from tests.sim.messages.radio import PAIR, talking
 
 THREE = f'{PAIR}<robot id="c" x="0" y="2m"/>'
@@ -70,6 +73,25 @@ def test_it_is_shut_and_opened_by_hand():
         "test opened",
     ]
     assert talk.environment.communication.counts("test")[Fate.SHUT] == 1
+
+
+def test_a_control_that_was_kept_goes_with_the_world():
+    talk = talking()
+    control = talk.environment.communication
+    talk.run()
+    control.shut(channel="test")
+    snapshot = talk.environment.snapshot()
+    (event,) = talk.environment.step().events
+    assert (event.time_s, event.text) == (0.05, "test shut")
+    talk.environment.restore(snapshot)
+    control.open(channel="test")
+    control.shut(sender="a")
+    assert [event.text for event in talk.environment.step().events] == ["all channels from a shut"]
+    talk.environment.add_robot(replace(talk.environment.world.robots[0], id="z", start=Pose(0, 3)))
+    control.shut(receiver="z")
+    assert [event.text for event in talk.environment.step().events][-1:] == [
+        "all channels to z shut"
+    ]
 
 
 def test_what_is_unknown_cannot_be_shut_nor_what_is_open_opened():
