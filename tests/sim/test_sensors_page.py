@@ -153,7 +153,7 @@ def section(row: Row, schema: Schema) -> Iterator[str]:
 
 def paragraphs(text: str) -> str:
     """Gives the text of a docstring as Markdown, each paragraph in one line."""
-    parts = [part for part in text.strip().split("\n\n") if part.strip()]
+    parts = [part for part in text.strip("\n").split("\n\n") if part.strip()]
     return "\n\n".join(
         part if re.search(r"^(- | )", part, re.MULTILINE) else " ".join(part.split())
         for part in parts
