@@ -41,7 +41,6 @@ class Terrain:
     """The heights of the ground of a world.
 
     Attributes:
-        flat: whether there is nothing but the floor.
         middle: the middle of each patch, x + i y [m], shape (patches,).
         along: where each rises or falls, of length 1.
         half_length_m: half its size along that.
@@ -54,7 +53,6 @@ class Terrain:
     def __init__(self, ground: Ground) -> None:
         patches = ground.patches
         headings_rad = [patch.heading_rad for patch in patches]
-        self.flat = ground.is_flat
         self.middle = np.array([complex(patch.x_m, patch.y_m) for patch in patches], np.complex128)
         self.along = np.exp(1j * np.array(headings_rad, dtype=np.float64))
         self.half_length_m = np.array([patch.length_m / 2 for patch in patches])
