@@ -12,6 +12,19 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Final
+
+KINDS: Final = {
+    "message": "one was sent, arrived or got lost; a way of messages was shut or opened",
+    "degradation": "one was added, changed or removed; it began, began to fade or ended",
+    "join": "a robot joined, or had to wait because its place was taken",
+    "leave": "a robot left",
+    "fall": "the ground under a robot dropped away",
+    "grip": "a gripper or a hand took hold of a thing",
+    "release": "a gripper or a hand let go of a thing",
+    "lost": "a thing was torn from a gripper",
+}
+"""The kinds of events, and what they tell."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,8 +33,8 @@ class Event:
 
     Attributes:
         time_s: when.
-        kind: which part of the world tells it, one word.
-        text: what happened, for people.
+        kind: one of `KINDS`.
+        text: what happened, for people, in the past tense.
         robot: whom it happened to, -1 for none.
     """
 
@@ -39,6 +52,7 @@ class EventLog:
 
     def say(self, time_s: float, kind: str, text: str, robot: int = -1) -> None:
         """Adds an event, see `Event`."""
+        assert kind in KINDS, kind
         self._events.append(Event(float(time_s), kind, text, int(robot)))
 
     def take(self, until_s: float = math.inf) -> tuple[Event, ...]:

@@ -78,7 +78,7 @@ class Timetable:
                 join(state, equipment, robot, now_s, log)
                 joined.append(robot)
             elif now_s - self._join_s[robot] < self._timestep_s - _ROUNDING_S:
-                log.say(now_s, "join", f"waits: {thing} is in its place", robot)
+                log.say(now_s, "join", f"had to wait: {thing} was in its place", robot)
         return np.array(joined, dtype=np.intp)
 
 

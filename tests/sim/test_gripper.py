@@ -108,7 +108,7 @@ def test_of_two_things_the_nearer_is_taken_also_if_it_is_the_second(tmp_path):
     driver = gripping(tmp_path, ROBOT + cans, WIDE)
     driver.post("GRIPPER", CLOSE)
     (event,) = [event for step in driver.run_s(2) for event in step.events]
-    assert (event.kind, event.text, event.robot) == ("grip", "holds near", 0)
+    assert (event.kind, event.text, event.robot) == ("grip", "took near", 0)
 
 
 def test_what_comes_between_fingers_that_are_closed_is_not_taken(tmp_path):

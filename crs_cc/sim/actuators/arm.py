@@ -175,7 +175,7 @@ class Arms:
                 taken.append(thing)
                 grasp = relative(hands[[hand[pair]]], poses[[robots + thing]])
                 bodies.holds.take(np.array([robot]), HAND, np.array([thing]), grasp)
-                self._log.say(end_s, "grip", f"holds {scene.pushables[thing].id}", robot)
+                self._log.say(end_s, "grip", f"took {scene.pushables[thing].id}", robot)
         return bool(taken)
 
     def _open(self, state: EnvState, equipment: Equipment, which: int, end_s: float) -> bool:

@@ -172,7 +172,7 @@ class Grippers:
         grasp_anew(state, things)
         for gripper, number in zip(takers.tolist(), things.tolist(), strict=True):
             name = scene.pushables[number].id
-            self._log.say(end_s, "grip", f"holds {name}", int(self._rows[gripper]))
+            self._log.say(end_s, "grip", f"took {name}", int(self._rows[gripper]))
         return True
 
     def _let_go(

@@ -1,7 +1,7 @@
 """Who changes degradations while a world runs, and tells of them: for programs that run worlds.
 
 What goes in and comes out is plain data (`Degradation`). Every change is an event of the kind
-`degradation`: one is added, changed or removed, begins, fades, is over.
+`degradation`: one is added, changed or removed, it began, faded, ended.
 
 >>> from crs_cc.sim.environment import Environment
 >>> from crs_cc.sim.files.world_xml import empty_world
@@ -14,8 +14,8 @@ What goes in and comes out is plain data (`Degradation`). Every change is an eve
 ...     print(f"{event.time_s:.2f} {event.text}")
 0.00 degradation0 added: sonar 3, gain 0.5
 0.00 degradation0 changed: sonar 3, gain 0.25
-0.00 degradation0 begins: sonar 3, gain 0.25
-0.02 degradation0 is over: sonar 3, gain 0.25
+0.00 degradation0 began: sonar 3, gain 0.25
+0.02 degradation0 ended: sonar 3, gain 0.25
 >>> environment.degradations.remove("degradation0")
 >>> environment.degradations.all()
 ()
@@ -41,19 +41,17 @@ from crs_cc.sim.states.degradation import (
     record,
     turns_s,
 )
+from crs_cc.sim.unknown import unknown
 
 if TYPE_CHECKING:
     from crs_cc.sim.events import EventLog
     from crs_cc.sim.robot_model import RobotModel
     from crs_cc.sim.running import Running
 
-KIND: Final = "degradation"
-"""The kind of the events."""
-
 PHASES: Final = {WAITS: "waits", ACTS: "acts", FADES: "fades", OVER: "over"}
 """What the phases are called."""
 
-_TURNS: Final = {ACTS: "begins", FADES: "fades", OVER: "is over"}
+_TURNS: Final = {ACTS: "began", FADES: "began to fade", OVER: "ended"}
 _LONGEST_ID: Final = 64
 
 
@@ -89,7 +87,7 @@ class DegradationControl:
         """Gives how far a degradation has come: one of `PHASES`.
 
         Raises:
-            KeyError: there is none of that name.
+            ValueError: there is none of that name.
         """
         return PHASES[int(self._state.table["phase"][self._place(name)])]
 
@@ -131,8 +129,7 @@ class DegradationControl:
             what it is now.
 
         Raises:
-            KeyError: there is none of that name.
-            ValueError: it cannot be so, and why.
+            ValueError: there is none of that name, or it cannot be so, and why.
         """
         place = self._place(name)
         fixed = {"id", "robot", "device"} & changes.keys()
@@ -159,7 +156,7 @@ class DegradationControl:
         """Removes a degradation, and with it at once what it does.
 
         Raises:
-            KeyError: there is none of that name.
+            ValueError: there is none of that name.
         """
         place = self._place(name)
         row = self._state.table[place].copy()
@@ -187,7 +184,7 @@ class DegradationControl:
     def _place(self, name: str) -> int:
         places = np.flatnonzero(self._state.table["id"] == name)
         if not len(places):
-            raise KeyError(f"there is no degradation {name!r}")
+            raise ValueError(unknown("degradation", name, self._state.table["id"].tolist()))
         return int(places[0])
 
     def _degradation(self, row: Any) -> Degradation:
@@ -198,7 +195,7 @@ class DegradationControl:
 
     def _check(self, degradation: Degradation) -> None:
         if degradation.robot not in self._robots:
-            raise ValueError(f"there is no robot {degradation.robot!r}")
+            raise ValueError(unknown("robot", str(degradation.robot), self._robots))
         if len(degradation.id) > _LONGEST_ID:
             raise ValueError(f"an id has at most {_LONGEST_ID} characters")
         wrong = complaint(degradation, self._model(degradation.robot))
@@ -213,7 +210,7 @@ class DegradationControl:
         degradation = self._degradation(row)
         model = self._running.world.robots[int(row["robot"])].model
         text = f"{degradation.id} {what}: {described(degradation, model)}"
-        self._log.say(time_s, KIND, text, int(row["robot"]))
+        self._log.say(time_s, "degradation", text, int(row["robot"]))
 
 
 def _phase(row: Any, at_s: float) -> int:

@@ -37,6 +37,7 @@ from crs_cc.sim.quantity import (
 )
 from crs_cc.sim.sensor_model import MAX_COLUMNS, MAX_INFRARED, NUM_LASER
 from crs_cc.sim.sonar_model import MAX_SONARS
+from crs_cc.sim.unknown import unknown
 
 if TYPE_CHECKING:
     from crs_cc.sim.robot_model import RobotModel
@@ -267,7 +268,7 @@ def complaint(degradation: Degradation, model: RobotModel) -> str:
         return "robot, device and id must be texts"
     device = DEVICES.get(degradation.device)
     if device is None:
-        return f"there is no device {degradation.device!r}; there are {', '.join(DEVICES)}"
+        return unknown("device", degradation.device, tuple(DEVICES))
     names = device.elements(model)
     if not names:
         return f"the robot has no {device.name}"

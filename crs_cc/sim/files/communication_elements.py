@@ -18,6 +18,7 @@ from crs_cc.sim.communication import (
 )
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.quantity import DATA_RATE, LENGTH, RATIO, TIME
+from crs_cc.sim.unknown import unknown
 
 MAX_SHUTS: Final = 1000
 LONGEST_DELAY_S: Final = 60.0
@@ -115,6 +116,6 @@ def _number(element: Element, name: str, known: Sequence[str], kind: str, reader
     if wanted is None:
         return ANY
     if wanted not in known:
-        reader.refuse(element, f"{name}: there is no {kind} {wanted!r}")
+        reader.refuse(element, f"{name}: {unknown(kind, wanted, known)}")
         return ANY
     return known.index(wanted)

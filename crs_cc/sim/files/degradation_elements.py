@@ -28,6 +28,7 @@ from crs_cc.sim.degradation.model import (
 )
 from crs_cc.sim.quantity import RATIO, TIME
 from crs_cc.sim.states.degradation import MAX_MEMORY, memory_size
+from crs_cc.sim.unknown import unknown
 
 if TYPE_CHECKING:
     from crs_cc.sim.files.document import Element, Reader
@@ -71,8 +72,8 @@ def degradations(
 def _degradation(element: Element, model: RobotModel, reader: Reader) -> Degradation | None:
     device = DEVICES.get(element.attributes["device"])
     if device is None:
-        name = element.attributes["device"][:40]
-        reader.refuse(element, f"device: there is no {name!r}; there are {', '.join(DEVICES)}")
+        name = element.attributes["device"]
+        reader.refuse(element, f"device: {unknown('device', name, tuple(DEVICES))}")
         return None
     number = _element(element, device, model, reader)
     if number == _UNKNOWN:

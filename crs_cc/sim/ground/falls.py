@@ -38,4 +38,4 @@ def tell_falls(
     step_m = [robot.model.drive.step_m for robot in equipment.world.robots]
     fell = drop_m > np.array(step_m) + slope * np.hypot(*went_m.T) * 1.001
     for robot in np.flatnonzero(fell).tolist():
-        log.say(time_s, "fall", f"falls {drop_m[robot]:.2f} m", robot)
+        log.say(time_s, "fall", f"fell {drop_m[robot]:.2f} m", robot)

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING
 from crs_cc.sim.communication import ANY
 from crs_cc.sim.messages.shutting import reopen, shut
 from crs_cc.sim.messages.traffic import Fate
+from crs_cc.sim.unknown import unknown
 
 if TYPE_CHECKING:
     from crs_cc.sim.running import Running
@@ -101,5 +102,5 @@ def _number(name: str, names: tuple[str, ...], kind: str) -> int:
     if not name:
         return ANY
     if name not in names:
-        raise ValueError(f"there is no {kind} {name!r}: known are {', '.join(names)}")
+        raise ValueError(unknown(kind, name, names))
     return names.index(name)

@@ -38,9 +38,9 @@ def test_it_begins_fades_and_is_over_at_its_instants():
     assert events(driver, 2) == []
     assert control.phase("worn") == "waits"
     assert events(driver, 4) == [
-        (0.12, "worn begins: sonar 3, gain 0.5"),
-        (0.22, "worn fades: sonar 3, gain 0.5"),
-        (0.27, "worn is over: sonar 3, gain 0.5"),
+        (0.12, "worn began: sonar 3, gain 0.5"),
+        (0.22, "worn began to fade: sonar 3, gain 0.5"),
+        (0.27, "worn ended: sonar 3, gain 0.5"),
     ]
     assert control.phase("worn") == "over"
     assert not driver.state.degradation.present.any()
@@ -57,7 +57,7 @@ def test_what_is_added_begins_now_and_what_is_removed_ends_now():
     said = events(driver, 40)
     assert said == [
         (2.0, "degradation0 added: sonar 0, stuck at 1"),
-        (2.0, "degradation0 begins: sonar 0, stuck at 1"),
+        (2.0, "degradation0 began: sonar 0, stuck at 1"),
     ]
     assert told(driver) == round(1 / 0.0254)
     driver.environment.degradations.remove("degradation0")
@@ -159,7 +159,7 @@ def test_changes_of_what_cannot_change_are_refused():
     with pytest.raises(ValueError, match="nothing is wrong"):
         control.change("degradation0", stuck=None)
     for missing in (control.remove, control.change, control.phase):
-        with pytest.raises(KeyError, match="there is no degradation 'x'"):
+        with pytest.raises(ValueError, match="no degradation 'x': there are degradation0"):
             missing("x")
 
 

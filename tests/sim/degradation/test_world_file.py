@@ -49,7 +49,7 @@ def test_an_element_decides_the_unit_of_its_values(element, number, bias):
     ("attributes", "said"),
     [
         ('robot="r" device="sonar" dead="yes"', "the robot 'r': there is none with that id"),
-        ('robot="robot0" device="radar" dead="yes"', "there is no 'radar'; there are sonar"),
+        ('robot="robot0" device="radar" dead="yes"', "there is no device 'radar': there are sonar"),
         ('robot="robot0" device="compass" dead="yes"', "the robot has no compass"),
         ('robot="robot0" device="compass" element="1" dead="yes"', "the robot has no compass"),
         ('robot="robot0" device="sonar" element="16" dead="yes"', "has no '16'; it has 0 to 15"),

@@ -51,9 +51,7 @@ def test_a_robot_falls_off_a_plateau_and_goes_on_as_fast_as_before():
     assert driver.state.x_m[0] == pytest.approx(3 + (30 * 4 - 22.5) * INCH, abs=0.02)
     assert driver.state.collisions[0] == 0
     said = [event for step in driver.steps for event in step.events]
-    assert [(event.kind, event.text, event.robot) for event in said] == [
-        ("fall", "falls 0.30 m", 0)
-    ]
+    assert [(event.kind, event.text, event.robot) for event in said] == [("fall", "fell 0.30 m", 0)]
     assert said[0].time_s == pytest.approx((1 / INCH + 22.5) / 30, abs=0.06)
 
 

@@ -96,7 +96,7 @@ def test_a_control_that_was_kept_goes_with_the_world():
 
 def test_what_is_unknown_cannot_be_shut_nor_what_is_open_opened():
     control = talking().environment.communication
-    with pytest.raises(ValueError, match="there is no channel 'telepathy': known are radio, inf"):
+    with pytest.raises(ValueError, match="there is no channel 'telepathy': there are radio, inf"):
         control.shut(channel="telepathy")
     with pytest.raises(ValueError, match="there is no robot 'z'"):
         control.shut(receiver="z")
