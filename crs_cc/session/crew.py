@@ -28,6 +28,7 @@ from crs_cc.session.result import (
     robot_state,
 )
 from crs_cc.sim.environment import Environment
+from crs_cc.sim.unknown import unknown
 
 if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
@@ -147,7 +148,7 @@ class Crew:
         if isinstance(robot, str):
             ids = [each.id for each in self.environment.world.robots]
             if robot not in ids:
-                raise ValueError(f"there is no robot {robot!r}")
+                raise ValueError(unknown("robot", robot, ids))
             robot = ids.index(robot)
         self.environment.remove_robot(robot)
         self._meet()
@@ -217,6 +218,7 @@ class Crew:
                 digest.update(piece)
         for array in self._arrays():
             digest.update(array.tobytes())
+        digest.update(repr(self._host.exit_status).encode())
         return digest.hexdigest()
 
     def _robot_result(self, robot: int) -> RobotResult:

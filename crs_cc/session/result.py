@@ -74,8 +74,8 @@ class RunResult:
         simulated_s: simulated time [s].
         state_hash: SHA-256 over the arrays of the environment (`sim.state`), and of each robot
             over its slot, its memory with the states of the bytes, the names of its files and
-            what it has written into them, its clock, its fuel, when its request is due and
-            when it last called its robot.
+            what it has written into them, its clock, its fuel, when its request is due,
+            when it last called its robot and what it returned.
             What a program has printed is no part of it, nor is what it has been given to read.
     """
 

@@ -54,6 +54,13 @@ def test_the_state_hash_sees_which_bytes_may_be_touched(tmp_path: Path) -> None:
     assert session.state_hash() != before
 
 
+def test_the_state_hash_sees_what_a_program_returned(tmp_path: Path) -> None:
+    session = run(HALL, [build(tmp_path, "int main(void) { return 3; }\n")] * 2, 1).session
+    before, snapshot = session.state_hash(), session.snapshot()
+    session.restore(replace(snapshot, exit_status=(3, 4)))
+    assert session.state_hash() != before
+
+
 def test_an_endless_loop_leaves_the_other_robot_unchanged(tmp_path: Path) -> None:
     roam = build(tmp_path, ROAM)
     quiet = build(tmp_path, "int main(void) { return 0; }\n", "quiet.c")
