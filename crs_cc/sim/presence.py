@@ -23,6 +23,7 @@ import numpy.typing as npt
 from crs_cc.sim import naming
 from crs_cc.sim.geometry.placement import TOLERANCE_M
 from crs_cc.sim.handling.carrying import release
+from crs_cc.sim.instants import ROUNDING_S
 
 if TYPE_CHECKING:
     from crs_cc.sim.equipment import Equipment
@@ -36,8 +37,6 @@ BoolArray = npt.NDArray[np.bool_]
 IndexArray = npt.NDArray[np.intp]
 
 EDGE: Final = "the edge of the world"
-
-_ROUNDING_S: Final = 1e-9
 
 
 class Timetable:
@@ -56,11 +55,11 @@ class Timetable:
 
     def is_anybody_due(self, presence: PresenceState, after_s: float) -> bool:
         """Tells whether anybody's time to join comes after an instant."""
-        return bool((self._join_s[_expected(presence)] > after_s + _ROUNDING_S).any())
+        return bool((self._join_s[_expected(presence)] > after_s + ROUNDING_S).any())
 
     def leave(self, state: EnvState, now_s: float, log: EventLog) -> IndexArray:
         """Lets those leave whose time it is; gives which."""
-        over = (self._leave_s <= now_s + _ROUNDING_S) & np.isinf(state.presence.left_s)
+        over = (self._leave_s <= now_s + ROUNDING_S) & np.isinf(state.presence.left_s)
         rows = np.flatnonzero(over)
         leave(state, rows, now_s, log)
         return rows
@@ -69,7 +68,7 @@ class Timetable:
         self, state: EnvState, equipment: Equipment, now_s: float, log: EventLog
     ) -> IndexArray:
         """Lets those join whose time it is and whose place is free; gives which."""
-        due = (self._join_s <= now_s + _ROUNDING_S) & _expected(state.presence)
+        due = (self._join_s <= now_s + ROUNDING_S) & _expected(state.presence)
         joined = []
         for robot in np.flatnonzero(due).tolist():
             wanted = self._robots[robot]
@@ -77,7 +76,7 @@ class Timetable:
             if not thing:
                 join(state, equipment, robot, now_s, log)
                 joined.append(robot)
-            elif now_s - self._join_s[robot] < self._timestep_s - _ROUNDING_S:
+            elif now_s - self._join_s[robot] < self._timestep_s - ROUNDING_S:
                 log.say(now_s, "join", f"had to wait: {thing} was in its place", robot)
         return np.array(joined, dtype=np.intp)
 

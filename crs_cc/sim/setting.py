@@ -21,7 +21,6 @@ ValueError: robot 'later' cannot join: 'late' is in its place
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Final
 
 import numpy as np
 import numpy.typing as npt
@@ -36,6 +35,7 @@ from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.surroundings import Surroundings
 from crs_cc.sim.geometry.things import Things
 from crs_cc.sim.growth import grown
+from crs_cc.sim.instants import ROUNDING_S
 from crs_cc.sim.link import SerialLine
 from crs_cc.sim.messages.control import CommunicationControl
 from crs_cc.sim.model import Robot, WorldModel
@@ -46,8 +46,6 @@ from crs_cc.sim.state import EnvState
 from crs_cc.sim.step import Served
 
 IndexArray = npt.NDArray[np.intp]
-
-_ROUNDING_S: Final = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -224,7 +222,7 @@ class Setting:
 
     def _is_anybody_due(self) -> bool:
         """Tells whether it is time for a robot to join or to leave."""
-        return self.time_s >= self._due_s - _ROUNDING_S
+        return self.time_s >= self._due_s - ROUNDING_S
 
     def _come_and_go(self) -> None:
         """Lets robots leave and join whose time it is."""

@@ -13,13 +13,13 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.degradation.one_pass import Pass
+from crs_cc.sim.instants import ROUNDING_S
 from crs_cc.sim.states.degradation import width_of
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
 IndexArray = npt.NDArray[np.intp]
 
-_ROUNDING_S: Final = 1e-9
 _SPARE: Final = 2  # so many more values are kept than a delay needs
 _LEAST_S: Final = 1e-3  # the shortest time over which a speed of long ago is taken
 
@@ -74,7 +74,7 @@ class _Rings:
         last = ((count - 1) % depth)[..., None]
         last_s = self.memory[np.take_along_axis(self.times_at, last, axis=2)[..., 0]]
         since_s = at_s - np.where(count > 0, last_s, -np.inf)
-        keeps = which & (since_s >= self.apart_s - _ROUNDING_S) & (since_s > 0.0)
+        keeps = which & (since_s >= self.apart_s - ROUNDING_S) & (since_s > 0.0)
         turn = (count % depth)[..., None]
         for places, what in ((self.times_at, at_s), (self.values_at, values)):
             place = np.take_along_axis(places, turn, axis=2)[..., 0]
@@ -110,7 +110,7 @@ def delayed(passing: Pass, values: FloatArray) -> FloatArray:
     for some, depth in _by_depth(passing):
         rings = _Rings.of(passing, some, depth)
         rings.keep(values[some], passing.at_s[some], rings.touched)
-        wanted_s = passing.at_s[some] - passing.of("delay_s")[some] + _ROUNDING_S
+        wanted_s = passing.at_s[some] - passing.of("delay_s")[some] + ROUNDING_S
         lower_s, lower, upper_s, upper = rings.find(wanted_s)
         first = np.where(np.isfinite(upper_s), upper, values[some])
         told[some] = np.where(np.isfinite(lower_s), lower, first)

@@ -49,6 +49,7 @@ import numpy.typing as npt
 from crs_cc.sim.degradation.delay import delayed, delayed_speeds
 from crs_cc.sim.degradation.model import DEVICES
 from crs_cc.sim.degradation.one_pass import distorted, mix, pass_of, stuck_at
+from crs_cc.sim.instants import ROUNDING_S
 from crs_cc.sim.noise import DEGRADATION, Draws
 from crs_cc.sim.states.degradation import NUMBER, OVER, DegradationState
 
@@ -58,7 +59,6 @@ if TYPE_CHECKING:
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]
 
-_ROUNDING_S: Final = 1e-9
 _FINEST: Final = 1e-9
 
 
@@ -134,7 +134,7 @@ class Degradations:
             passing = pass_of(kept, row, columns[mine], s, at_s[mine])
             normal, uniform = layer.draws.rows(layer.stream[rows[mine]], numbers)
             new = distorted(passing, values[mine], _pick(normal, columns[mine]))
-            before = passing.at_s < passing.of("onset_s") - _ROUNDING_S
+            before = passing.at_s < passing.of("onset_s") - ROUNDING_S
             new = stuck_at(passing, new, before, number)
             if row["depth"].any():
                 new = mix(passing.s, new, delayed(passing, new), number)
@@ -222,9 +222,7 @@ class Degradations:
             cycles = np.full(len(mine), state.cycle)
             normal, uniform = layer.draws.rows(layer.stream[rows[mine]], cycles)
             new = distorted(passing, speeds[mine], normal)
-            new = stuck_at(
-                passing, new, passing.at_s <= passing.of("onset_s") + _ROUNDING_S, number
-            )
+            new = stuck_at(passing, new, passing.at_s <= passing.of("onset_s") + ROUNDING_S, number)
             if row["depth"].any():
                 new = mix(passing.s, new, delayed_speeds(passing, new, from_s), number)
             lost = passing.of("dead") | (uniform < passing.of("dropouts"))
@@ -271,10 +269,10 @@ class Degradations:
 
 def severity(row: Any, at_s: FloatArray) -> FloatArray:
     """Gives how much of their effect degradations have at instants, 0 to 1, shape (m,)."""
-    since_s = at_s - row["onset_s"] + _ROUNDING_S
+    since_s = at_s - row["onset_s"] + ROUNDING_S
     beyond_s = since_s - row["duration_s"]
     fades = row["recovery_s"] > 0.0
-    left = 1.0 - (beyond_s - _ROUNDING_S) / np.where(fades, row["recovery_s"], 1.0)
+    left = 1.0 - (beyond_s - ROUNDING_S) / np.where(fades, row["recovery_s"], 1.0)
     faded = np.where(fades, np.clip(left, 0.0, 1.0), 0.0)
     return np.where(since_s < 0.0, 0.0, np.where(beyond_s < 0.0, 1.0, faded))
 
@@ -283,7 +281,7 @@ def mean_severity(row: Any, from_s: FloatArray, to_s: FloatArray) -> FloatArray:
     """Gives the mean of it between two instants, at the second one where they are the same."""
     for_s = to_s - from_s
     total_s = _so_far_s(row, to_s) - _so_far_s(row, from_s)
-    mean = np.divide(total_s, for_s, out=severity(row, to_s), where=for_s > _ROUNDING_S)
+    mean = np.divide(total_s, for_s, out=severity(row, to_s), where=for_s > ROUNDING_S)
     # What rounding makes of 0 and 1 must not leave a trace of what is over.
     return np.asarray(np.where(mean < _FINEST, 0.0, np.where(mean > 1.0 - _FINEST, 1.0, mean)))
 

@@ -65,8 +65,9 @@ class Scene:
         fixed: the outlines of what does not move.
         pushables: what can be pushed, in the order of the bodies.
         fixed_solids: what cannot.
+        things: all of them: the robots, what can be pushed, what cannot.
         present: the robots that are in the world; the others are seen by nobody, (robots,).
-        names: the id of each body, then of each fixed solid, then `GROUND` where it is not flat.
+        names: the id of each thing, then `GROUND` where it is not flat.
         start: the poses of all bodies at the start, shape (bodies, 3): x, y [m], heading [rad].
     """
 
@@ -86,7 +87,8 @@ class Scene:
         )
         self.fixed_solids = tuple(solid for solid in solids if not is_pushable(solid))
         self.fixed = _fixed_outlines(self.fixed_solids, len(world.robots) + len(self.pushables))
-        ids = [thing.id for thing in (*world.robots, *self.pushables, *self.fixed_solids)]
+        self.things = (*world.robots, *self.pushables, *self.fixed_solids)
+        ids = [thing.id for thing in self.things]
         self.names = (*ids,) if world.surface.is_flat else (*ids, GROUND)
         poses = [robot.start for robot in world.robots] + [thing.pose for thing in self.pushables]
         rows = [(pose.x_m, pose.y_m, pose.heading_rad) for pose in poses]

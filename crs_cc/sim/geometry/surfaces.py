@@ -45,9 +45,8 @@ class Surfaces:
     @classmethod
     def of(cls, scene: Scene) -> Self:
         """Gives the surfaces of all things in a scene."""
-        things = (*scene.world.robots, *scene.pushables, *scene.fixed_solids)
-        materials = [thing.material for thing in things]
-        materials += [PLAIN] * (len(scene.names) - len(things))  # of the ground
+        materials = [thing.material for thing in scene.things]
+        materials += [PLAIN] * (len(scene.names) - len(scene.things))  # of the ground
         sonar = np.array([material.sonar for material in materials], dtype=np.float64)
         shares = [np.nan if each.infrared is None else each.infrared for each in materials]
         infrared = np.array(shares, dtype=np.float64)

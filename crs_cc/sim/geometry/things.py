@@ -56,7 +56,7 @@ class Things:
     @classmethod
     def of(cls, scene: Scene) -> Self:
         """Gives the things in a scene."""
-        things = (*scene.world.robots, *scene.pushables, *scene.fixed_solids)
+        things = scene.things
         shapes = np.array([_shape(thing) for thing in things], dtype=np.float64).reshape(-1, 3)
         fixed = [_pose(thing) for thing in scene.fixed_solids]
         own = [thing.corners_m if isinstance(thing, Polygon) else () for thing in things]

@@ -95,8 +95,7 @@ class Outlook:
         self.reach_m = reach_m
         self.ground = len(scene.names) - 1
         self._moving = len(scene.start)
-        things = (*scene.world.robots, *scene.pushables, *scene.fixed_solids)
-        self._heights_m = np.array([thing.height_m for thing in things])
+        self._heights_m = np.array([thing.height_m for thing in scene.things])
         self.tops_m = np.append(self._heights_m, np.inf)
         x_m, y_m = Things.of(scene).fixed[:, :2].T
         self.tops_m[self._moving : -1] += self.terrain.height_m(x_m, y_m)
@@ -283,5 +282,4 @@ def _cut(viewers: IndexArray, corners: ComplexArray, over_m: FloatArray) -> Segm
 
 def is_needed(scene: Scene) -> bool:
     """Tells whether anything in a scene is so low, or the ground so high, that heights matter."""
-    things = (*scene.world.robots, *scene.pushables, *scene.fixed_solids)
-    return not scene.world.surface.is_flat or any(thing.height_m < TALL_M for thing in things)
+    return not scene.world.surface.is_flat or any(thing.height_m < TALL_M for thing in scene.things)

@@ -31,6 +31,7 @@ from crs_cc.sim import noise
 from crs_cc.sim.blobs import blobs
 from crs_cc.sim.geometry.rays import NO_THING, Fan
 from crs_cc.sim.geometry.surfaces import packed
+from crs_cc.sim.instants import is_due
 from crs_cc.sim.mount import mount_poses
 from crs_cc.sim.sensor_model import MAX_COLUMNS
 from crs_cc.sim.states.timers import CAMERA
@@ -51,7 +52,6 @@ WholeArray = npt.NDArray[np.int32]
 
 _PIXEL: Final = 2
 _BLOB: Final = 4
-_ROUNDING_S: Final = 1e-9
 
 
 class Cameras:
@@ -90,7 +90,7 @@ class Cameras:
             at_s: when, for each, shape (k,).
         """
         camera, mine = state.camera, equipment.camera[rows]
-        due = at_s - camera.at_s[mine] >= self.interval_s[mine] - _ROUNDING_S
+        due = is_due(camera.at_s[mine], at_s, self.interval_s[mine])
         rows, mine, at_s = rows[due], mine[due], at_s[due]
         kinds = self._kind[mine]
         for kind in np.unique(kinds).tolist():

@@ -10,12 +10,13 @@ of it was chosen by us: the CRS report (6.2) wishes for such a device, and has n
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim import noise
+from crs_cc.sim.instants import is_due
 from crs_cc.sim.mount import mount_poses
 from crs_cc.sim.states.timers import GPS
 from crs_cc.units import m_to_tenths_inch
@@ -29,8 +30,6 @@ if TYPE_CHECKING:
 
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]
-
-_ROUNDING_S: Final = 1e-9
 
 
 class GpsReceivers:
@@ -63,7 +62,7 @@ class GpsReceivers:
             at_s: when, for each, shape (k,).
         """
         gps, mine = state.gps, equipment.gps[rows]
-        due = at_s - gps.at_s[mine] >= self.interval_s[mine] - _ROUNDING_S
+        due = is_due(gps.at_s[mine], at_s, self.interval_s[mine])
         rows, mine, at_s = rows[due], mine[due], at_s[due]
         fix_m = mount_poses(state, equipment, rows)[:, :2]
         if self._noise_m.any():

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.sim.instants import is_due
 from crs_cc.sim.mount import mount_poses
 from crs_cc.sim.noise import TILT, Noise
 from crs_cc.units import rad_to_tenths_deg
@@ -27,7 +28,6 @@ if TYPE_CHECKING:
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]
 
-_ROUNDING_S: Final = 1e-9
 _MOST: Final = 3600.0  # a degraded one may tell anything
 
 
@@ -46,7 +46,7 @@ class Inclinometers:
         has = asked.equipment.inclinometer[asked.rows] >= 0
         rows, at_s = asked.rows[has], asked.at_s[has]
         tilt, mine = asked.state.tilt, asked.equipment.inclinometer[rows]
-        due = at_s - tilt.at_s[mine] >= self._interval_s[mine] - _ROUNDING_S
+        due = is_due(tilt.at_s[mine], at_s, self._interval_s[mine])
         self._measure(asked, rows[due], at_s[due])
         told = np.isfinite(tilt.tilt_rad[mine]).all(axis=1)
         has[has] = told

@@ -17,10 +17,11 @@ from typing import Final, Self
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.sim.instants import is_due
+
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]
 
-_ROUNDING_S: Final = 1e-9
 _CONFIGURATION: Final = 7  # x, y, heading, turret, and the speeds of three axes
 
 
@@ -51,8 +52,7 @@ class Moments:
             at_s: when each would measure, (k,).
             interval_s: the least time between two measurements, (n,).
         """
-        due = at_s - self.at_s[rows] >= interval_s[rows] - _ROUNDING_S
-        return np.asarray((rows >= 0) & due)
+        return np.asarray((rows >= 0) & is_due(self.at_s[rows], at_s, interval_s[rows]))
 
     def note(
         self, rows: IndexArray, at_s: FloatArray | float, configuration: npt.NDArray[np.integer]
