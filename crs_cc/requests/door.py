@@ -26,6 +26,9 @@ MESSAGE: Final = np.dtype(
 
 DATA_SIZE: Final = MESSAGE["data"].shape[0]
 
+LARGEST: Final = 2**31 - 1
+"""The largest number in a message; more is told as this."""
+
 SLOT: Final = np.dtype(
     [
         ("run", "<i4"),  # 1: resume the robot in the next round

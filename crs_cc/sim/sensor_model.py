@@ -47,7 +47,7 @@ class Infrared:
         noise_m: standard deviation of a distance's error.
         share: how much of a reading stays in the next, until the program sets another.
         order: the sensors that measure, until the program sets others.
-        height_m: how high above the ground its beams run.
+        z_m: how high above the ground its beams run.
         period_s: how often they measure by their timer; 0 for when they are asked.
     """
 
@@ -58,7 +58,7 @@ class Infrared:
     noise_m: float
     share: float
     order: tuple[int, ...]
-    height_m: float = 0.2
+    z_m: float = 0.2
     period_s: float = 0.0
 
 
@@ -97,7 +97,7 @@ class Laser:
         rate_hz: how often it looks at most.
         noise_m: standard deviation of a distance's error at a distance of 1 m.
         mode: the vendor's mode at the start; 0 for off.
-        height_m: how high above the ground its beams run.
+        z_m: how high above the ground its beams run.
         period_s: how often it measures by its timer; 0 for when it is asked.
     """
 
@@ -108,7 +108,7 @@ class Laser:
     rate_hz: float
     noise_m: float
     mode: int
-    height_m: float = 0.3
+    z_m: float = 0.3
     period_s: float = 0.0
 
 
@@ -154,7 +154,7 @@ class Camera:
         rate_hz: how often it looks at most.
         noise_m: standard deviation of a range's error at a distance of 1 m.
         background: red, green and blue of a column in which there is nothing, 0 to 255.
-        height_m: how high above the ground its beams run.
+        z_m: how high above the ground its beams run.
         period_s: how often it measures by its timer; 0 for when it is asked.
     """
 
@@ -167,7 +167,7 @@ class Camera:
     rate_hz: float = 30.0
     noise_m: float = 0.0
     background: tuple[int, int, int] = (0, 0, 0)
-    height_m: float = 0.3
+    z_m: float = 0.3
     period_s: float = 0.0
 
 

@@ -18,7 +18,7 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.requests import NUM_STATE
+from crs_cc.requests import LARGEST, NUM_STATE
 from crs_cc.sim.actuators import traction
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.rows import take
@@ -48,7 +48,6 @@ COMPASS: Final = 43  # [0.1 deg], 0 to 3599
 _BITS: Final = np.array([1, 2, 4])
 _REAL_TIME: Final = 10
 _FULL_TURN: Final = 3600
-_LARGEST: Final = 2**31 - 1
 
 
 def state_vector(state: EnvState, equipment: Equipment, rows: IndexArray) -> npt.NDArray[np.int32]:
@@ -85,6 +84,6 @@ def configuration(state: EnvState, equipment: Equipment, rows: IndexArray) -> np
     told[:, 2] = rad_to_tenths_deg(odometry.heading_rad[rows])
     told[:, 3] = rad_to_tenths_deg(odometry.turret_rad[rows])
     np.divide(speed, unit, out=told[:, 4:], where=unit > 0.0)
-    whole = np.maximum(np.minimum(np.rint(told), _LARGEST), -_LARGEST).astype(np.int32)
+    whole = np.maximum(np.minimum(np.rint(told), LARGEST), -LARGEST).astype(np.int32)
     whole[:, 2:4] %= _FULL_TURN
     return whole

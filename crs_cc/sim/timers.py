@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Final, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.requests import LARGEST
 from crs_cc.sim.states.timers import SENSORS
 
 if TYPE_CHECKING:
@@ -35,7 +36,6 @@ IndexArray = npt.NDArray[np.intp]
 _MS: Final = 0.001
 _LONGEST_MS: Final = 3_600_000
 _NEVER: Final = -1
-_OLDEST_MS: Final = 2**31 - 1
 
 
 Read: TypeAlias = "Callable[[EnvState, Equipment, Surroundings, IndexArray, FloatArray], None]"
@@ -115,7 +115,7 @@ class Timers:
             number = timed.numbers(asked.equipment)[asked.rows[place]]
             measured_s = float(timed.measured_s(asked.state)[number])
             age_s = float(asked.at_s[place]) - measured_s  # infinite for never
-            age_ms = round(min(age_s / _MS, _OLDEST_MS))
+            age_ms = round(min(age_s / _MS, LARGEST))
             asked.messages["i"][place, 0] = _NEVER if measured_s < 0.0 else age_ms
         return good
 

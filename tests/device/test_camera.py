@@ -177,7 +177,7 @@ def test_the_report_s_element_for_sensors_places_a_camera(tmp_path):
     assert camera.field_of_view_rad == pytest.approx(math.pi / 2)
     assert camera.direction_rad == pytest.approx(math.pi / 2, abs=1e-6)
     assert (camera.range_m, camera.x_m, camera.y_m) == pytest.approx((4.0, 0.127, 0.0762))
-    assert (camera.columns, camera.height_m) == (3, pytest.approx(0.254))
+    assert (camera.columns, camera.z_m) == (3, pytest.approx(0.254))
     wall = '<robot x="0" y="0"/><wall x1="-2m" y1="51in" x2="2m" y2="51in" thickness="2in"/>'
     row = np.array(drive(ROW, robot=str(tmp_path / "scout-with.xml"), things=wall).numbers)
     slanted = 470 / math.cos(math.radians(30))

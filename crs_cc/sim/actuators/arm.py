@@ -23,6 +23,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.requests import LARGEST
 from crs_cc.sim.geometry.frames import compose, relative
 from crs_cc.sim.geometry.neighbours import CellList
 from crs_cc.sim.geometry.room import has_room
@@ -41,7 +42,6 @@ BoolArray = npt.NDArray[np.bool_]
 IndexArray = npt.NDArray[np.intp]
 
 _GRAMS: Final = 1000.0
-_LARGEST: Final = 2**31 - 1
 
 
 class Arms:
@@ -90,7 +90,7 @@ class Arms:
         pushables = asked.equipment.scene.pushables
         mass_kg = np.array([*(each.mass_kg for each in pushables), 0.0])
         weight_g = mass_kg[asked.state.bodies.holds.thing[self._rows[which], HAND]] * _GRAMS
-        told[:, 4] = np.minimum(np.rint(weight_g), _LARGEST)
+        told[:, 4] = np.minimum(np.rint(weight_g), LARGEST)
         asked.messages["i"][has] = told
         return np.asarray(has)
 

@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.requests import LARGEST
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.handling.carrying import grasp_anew
 from crs_cc.sim.handling.fingers import between
@@ -45,7 +46,6 @@ IndexArray = npt.NDArray[np.intp]
 _CLOSE: Final = 0.5
 _SAME_M: Final = 1e-9
 _GRAMS: Final = 1000.0
-_LARGEST: Final = 2**31 - 1
 
 
 class Grippers:
@@ -93,7 +93,7 @@ class Grippers:
         told[:, 0] = np.rint(m_to_tenths_inch(apart_m))
         told[:, 1] = self._broken(asked, which, rows)
         weight_g = np.rint(_weight_kg(asked.state, asked.equipment, rows) * _GRAMS)
-        told[:, 2] = np.minimum(weight_g, _LARGEST)
+        told[:, 2] = np.minimum(weight_g, LARGEST)
         asked.messages["i"][has] = told
         return np.asarray(has)
 

@@ -79,7 +79,7 @@ def infrared(root: Element, reader: Reader) -> Infrared | None:
         noise_m=reader.not_negative(element, "noise", LENGTH),
         share=reader.whole(element, "history", 0, 10) / 10,
         order=order,
-        height_m=reader.not_negative(element, "height", LENGTH),
+        z_m=reader.not_negative(element, "height", LENGTH),
         period_s=period_s(element, reader),
     )
 
@@ -126,7 +126,7 @@ def laser(root: Element, reader: Reader) -> Laser | None:
         rate_hz=reader.positive(element, "rate", FREQUENCY),
         noise_m=reader.not_negative(element, "noise", LENGTH),
         mode=int(element.attributes["mode"]),
-        height_m=reader.not_negative(element, "height", LENGTH),
+        z_m=reader.not_negative(element, "height", LENGTH),
         period_s=period_s(element, reader),
     )
 
@@ -181,7 +181,7 @@ def _placed(camera: Camera, place: Element, reader: Reader) -> Camera:
         x_m=reader.quantity(place, "x-relative", LENGTH),
         y_m=reader.quantity(place, "y-relative", LENGTH),
         direction_rad=reader.quantity(place, "dir-relative", ANGLE, unit="rad"),
-        height_m=reader.not_negative(place, "z-relative", LENGTH),
+        z_m=reader.not_negative(place, "z-relative", LENGTH),
     )
 
 
@@ -199,7 +199,7 @@ def _camera(element: Element, reader: Reader) -> Camera:
         rate_hz=reader.positive(element, "rate", FREQUENCY),
         noise_m=reader.not_negative(element, "noise", LENGTH),
         background=_colour(element, "background", reader),
-        height_m=reader.not_negative(element, "height", LENGTH),
+        z_m=reader.not_negative(element, "height", LENGTH),
         period_s=period_s(element, reader),
     )
 

@@ -163,4 +163,4 @@ def _fan(camera: Camera) -> Fan:
         (camera.x_m, camera.y_m, (left_rad - column * step_rad) % math.tau, 0.0, camera.range_m)
         for column in range(camera.columns)
     )
-    return Fan.of(beams, camera.height_m)
+    return Fan.of(beams, camera.z_m)

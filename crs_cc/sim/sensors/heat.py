@@ -14,11 +14,12 @@ than nothing, reads 0.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.requests import LARGEST
 from crs_cc.sim.geometry.neighbours import CellList
 from crs_cc.sim.states.timers import HEAT
 
@@ -31,8 +32,6 @@ if TYPE_CHECKING:
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
 IndexArray = npt.NDArray[np.intp]
-
-_LARGEST: Final = 2**31 - 1
 
 
 def read(
@@ -65,7 +64,7 @@ def tell(asked: Asked) -> BoolArray:
     read(state, equipment, asked.around, rows[measures], asked.at_s[measures])
     reading = state.heat_sensor.reading[equipment.heat[rows[has]]]
     messages["size"] = 0
-    messages["i"][has, 0] = np.clip(np.rint(reading), 0.0, _LARGEST).astype(np.int32)
+    messages["i"][has, 0] = np.clip(np.rint(reading), 0.0, LARGEST).astype(np.int32)
     return has
 
 

@@ -213,4 +213,4 @@ def _fan(ring: Infrared, radius_m: float, brightest: float) -> Fan:
         )
         for direction in directions
     )
-    return Fan.of(beams, ring.height_m)
+    return Fan.of(beams, ring.z_m)

@@ -30,6 +30,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.requests import LARGEST
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.segments import segments
 from crs_cc.sim.mount import mount_poses
@@ -179,7 +180,7 @@ class Lasers:
         if (laser, points) not in self._cut:
             directions = _directions(laser, points).tolist()
             beams = ((laser.forward_m, 0.0, each, 0.0, laser.range_m) for each in directions)
-            self._cut[laser, points] = Fan.of(beams, laser.height_m)
+            self._cut[laser, points] = Fan.of(beams, laser.z_m)
         return self._cut[laser, points]
 
     def _errors_m(self, state: EnvState, mine: IndexArray, distance_m: FloatArray) -> FloatArray:
@@ -269,7 +270,7 @@ def conf_sg(
     mine = equipment.laser[rows]
     good = np.asarray(mine >= 0)
     unsigned = messages["i"][good, :3].view(np.uint32)
-    state.laser.segments[mine[good]] = np.minimum(unsigned, 2**31 - 1)
+    state.laser.segments[mine[good]] = np.minimum(unsigned, LARGEST)
     return good
 
 

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.requests import LARGEST
 from crs_cc.sim.beacon_model import MAX_LIGHT_SENSORS
 from crs_cc.sim.noise import LIGHT, Noise
 from crs_cc.sim.sources import Sources, line_of_sight, sense
@@ -32,7 +33,6 @@ FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
 IndexArray = npt.NDArray[np.intp]
 
-_LARGEST: Final = 2**31 - 1
 _TURN: Final = 2 * math.pi
 
 
@@ -69,7 +69,7 @@ class LightRings:
             altered = asked.equipment.degradations.alter(
                 asked.state, "light", rows, readings, asked.at_s[has]
             )
-            whole = np.clip(np.rint(np.nan_to_num(altered, nan=0.0)), 0, _LARGEST).astype("<i4")
+            whole = np.clip(np.rint(np.nan_to_num(altered, nan=0.0)), 0, LARGEST).astype("<i4")
             replies["data"][:, : 4 * MAX_LIGHT_SENSORS] = whole.view(np.uint8)
             replies["size"] = 4 * MAX_LIGHT_SENSORS
             replies["i"][:, 0] = count[has]

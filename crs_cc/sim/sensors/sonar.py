@@ -284,7 +284,7 @@ class SonarRing:
         self, state: EnvState, around: Surroundings, pings: Pings, number: IndexArray
     ) -> Prospect:
         """Gives what pings can meet, sent by the sonars with these numbers."""
-        z_m = self._beams.height_m(pings.own, number)
+        z_m = self._beams.z_m(pings.own, number)
         return around.prospect(state, z_m, np.tan(pings.half_rad))
 
 

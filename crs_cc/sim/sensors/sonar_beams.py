@@ -72,7 +72,7 @@ class Beams:
         self._falloff = np.array([1 / lobe**2 if lobe else 0.0 for lobe in lobes])
         self._critical_rad = np.array([min(board.critical_rad, ANY_ANGLE) for board in boards])
 
-    def height_m(self, rows: IndexArray, number: IndexArray) -> FloatArray:
+    def z_m(self, rows: IndexArray, number: IndexArray) -> FloatArray:
         """Gives how high above the ground a sonar of each of some robots sits."""
         return np.asarray(self._z_m[self._first[rows], number])
 

@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.requests import LARGEST
 from crs_cc.sim.beacon_model import TONES
 from crs_cc.sim.geometry.frames import wrapped
 from crs_cc.sim.noise import SOUND, Noise
@@ -38,8 +39,6 @@ IndexArray = npt.NDArray[np.intp]
 
 AROUND: Final = 0.25
 """The share of a sound's pressure that is left behind something."""
-
-_LARGEST: Final = 2**31 - 1
 
 
 class Microphones:
@@ -76,7 +75,7 @@ class Microphones:
             levels = np.nan_to_num(altered, nan=0.0)
             loudest = bearing_rad[np.arange(len(rows)), levels.argmax(axis=1)]
             replies["i"][:, 0] = np.rint(rad_to_tenths_deg(loudest))
-            whole = np.clip(np.rint(levels), 0, _LARGEST).astype("<i4")
+            whole = np.clip(np.rint(levels), 0, LARGEST).astype("<i4")
             replies["data"][:, : 4 * TONES] = whole.view(np.uint8)
             replies["size"] = 4 * TONES
             asked.messages[has] = replies
