@@ -17,7 +17,6 @@ room below: the thing rests where it is. All of this was chosen by us.
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -27,6 +26,7 @@ from crs_cc.requests import LARGEST
 from crs_cc.sim.geometry.frames import compose, relative
 from crs_cc.sim.geometry.neighbours import CellList
 from crs_cc.sim.geometry.room import has_room
+from crs_cc.sim.handling.choice import can_be_taken, nearest
 from crs_cc.sim.handling.holds import HAND
 from crs_cc.units import m_to_tenths_inch, rad_to_tenths_deg, tenths_deg_to_rad
 
@@ -161,15 +161,11 @@ class Arms:
         cells = CellList(poses[pushables, 0], poses[pushables, 1], reach_m)
         hand, found = cells.near(hands[:, 0], hands[:, 1])
         away_m = things.distance_m(poses, pushables[found], hands[hand, 0], hands[hand, 1])
-        mass_kg = np.array([math.inf if each.part_of else each.mass_kg for each in scene.pushables])
-        good = (away_m <= self._hand_m[closing[hand]]) & (
-            mass_kg[found] <= self._most_kg[closing[hand]]
-        )
+        good = can_be_taken(scene, found, self._most_kg[closing[hand]])
+        good &= away_m <= self._hand_m[closing[hand]]
         good &= ~np.isin(found, bodies.holds.thing)
-        order = np.flatnonzero(good)
-        order = order[np.lexsort((away_m[order], hand[order]))]
         taken: list[int] = []
-        for pair in order[np.unique(hand[order], return_index=True)[1]].tolist():
+        for pair in nearest(hand, away_m, good).tolist():
             thing, robot = int(found[pair]), int(self._rows[closing[hand[pair]]])
             if thing not in taken:
                 taken.append(thing)

@@ -25,6 +25,7 @@ import numpy.typing as npt
 from crs_cc.requests import LARGEST
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.handling.carrying import grasp_anew
+from crs_cc.sim.handling.choice import can_be_taken, nearest
 from crs_cc.sim.handling.fingers import between
 from crs_cc.sim.handling.holds import GRIPPER
 from crs_cc.sim.mount import mount_poses
@@ -158,12 +159,9 @@ class Grippers:
         fits = (found.right_m >= -half_m) & (found.left_m <= half_m)
         fits &= found.width_m >= apart_m[which] - _SAME_M
         fits &= found.width_m <= state.gripper.before_m[which] + _SAME_M
-        mass_kg = np.array([math.inf if each.part_of else each.mass_kg for each in scene.pushables])
-        fits &= mass_kg[thing] <= self._most_kg[which]
+        fits &= can_be_taken(scene, thing, self._most_kg[which])
         fits &= ~np.isin(thing, bodies.holds.in_hands()[1])
-        order = np.flatnonzero(fits)
-        order = order[np.lexsort((found.near_m[order], which[order]))]
-        first = order[np.unique(which[order], return_index=True)[1]]
+        first = nearest(which, found.near_m, fits)
         if not len(first):
             return False
         takers, things = which[first], thing[first]
