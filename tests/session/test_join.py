@@ -84,16 +84,16 @@ def test_a_robot_leaves_and_keeps_its_result(roam: Executable):
 
 @pytest.mark.parametrize("join_s", [0.0, 0.05, 1.0, 2.35])
 def test_by_file_and_by_call_is_the_same(roam: Executable, join_s: float):
-    by_file = begun(yard(f'join="{join_s}s" leave="4s"'), roam)
+    by_file = begun(yard(f'join="{join_s}s" leave="3s"'), roam)
     by_call = run_to(begun(yard(), roam), join_s)
     assert by_call.add_robot(GUEST, roam) == 1
     run_to(by_file, join_s)
     for session in (by_file, by_call):
-        run_to(session, 4.0)
+        run_to(session, 3.0)
     by_call.remove_robot("guest")
     assert by_file.state_hash() == by_call.state_hash()
     for session in (by_file, by_call):
-        run_to(session, 5.0)
+        run_to(session, 3.5)
     assert by_file.result().robots == by_call.result().robots
     assert by_file.state_hash() == by_call.state_hash()
 
@@ -187,27 +187,27 @@ def test_events_say_who_comes_and_goes(roam: Executable):
 
 def test_snapshots_lead_across_joining_and_leaving(roam: Executable):
     """Back before the guest, forward again, and into a session that never knew of it."""
-    session = run_to(begun(yard(), roam), 1.0)
+    session = run_to(begun(yard(), roam), 0.5)
     before = session.snapshot()
     session.add_robot(GUEST, roam, ["guest", "now"])
     hashes = {}
     snapshots = {}
-    for time_s in (1.0, 2.0, 3.0):
+    for time_s in (0.5, 1.0, 1.5):
         run_to(session, time_s)
-        if time_s == 3.0:
+        if time_s == 1.5:
             session.remove_robot("guest")
         snapshots[time_s], hashes[time_s] = session.snapshot(), session.state_hash()
-    end = run_to(session, 4.0).state_hash()
+    end = run_to(session, 2.0).state_hash()
     session.restore(before)
     assert len(session.result().robots) == 1
     assert session.add_robot(GUEST, roam, ["guest", "now"]) == 1
-    assert session.state_hash() == hashes[1.0]
+    assert session.state_hash() == hashes[0.5]
     for other in (session, begun(yard(), roam)):
-        for time_s in (2.0, 3.0, 1.0):
+        for time_s in (1.0, 1.5, 0.5):
             other.restore(pickle.loads(pickle.dumps(snapshots[time_s])))
             assert other.state_hash() == hashes[time_s]
-        run_to(other, 3.0).remove_robot("guest")
-        assert run_to(other, 4.0).state_hash() == end
+        run_to(other, 1.5).remove_robot("guest")
+        assert run_to(other, 2.0).state_hash() == end
 
 
 def test_many_come_and_go(roam: Executable):

@@ -110,16 +110,16 @@ def test_robots_hear_others_from_where_they_are(tmp_path):
 
 
 def test_noise_has_the_share_of_the_definition(tmp_path):
-    """2,000 readings of 1000: the deviation is 50, and 1.6 % of it the error of that."""
+    """500 readings of 1000: the deviation is 50, and 3.2 % of it the error of that."""
     things = ROBOT + '<light x="1m" y="0" brightness="1000"/><sound x="1m" y="0" level="1000"/>'
     devices = EYES.replace("/>", ' noise="0.05"/>'), '<microphones noise="0.05"/>'
     driver = gripping(tmp_path, things, WIDE, *devices)
-    lights = np.array([eyes(driver)[0] for _ in range(2000)])
-    sounds = np.array([ears(driver)[0][0] for _ in range(2000)])
+    lights = np.array([eyes(driver)[0] for _ in range(500)])
+    sounds = np.array([ears(driver)[0][0] for _ in range(500)])
     for readings in (lights, sounds):
-        assert readings.std() == pytest.approx(50, rel=0.06)
-        assert readings.mean() == pytest.approx(1000, abs=4)
-    assert abs(np.corrcoef(lights, sounds)[0, 1]) < 0.08
+        assert readings.std() == pytest.approx(50, rel=0.12)
+        assert readings.mean() == pytest.approx(1000, abs=8)
+    assert abs(np.corrcoef(lights, sounds)[0, 1]) < 0.16
 
 
 def test_many_robots_that_ask_together_get_what_each_gets_alone(tmp_path):
