@@ -36,7 +36,7 @@ from crs_cc.sim.files.world_xml import load_world
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.surroundings import Surroundings
-from crs_cc.sim.physics import REBUILD
+from crs_cc.sim.physics.simulation import REBUILD
 from crs_cc.source import Diagnostics
 
 PROGRAM = """

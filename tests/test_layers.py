@@ -36,7 +36,7 @@ MEET = ROWS[0]  # their files may use each other
 CONFINED = {
     "pycparser": ("frontend/",),
     "wasmtime": ("runtime/",),
-    "pymunk": ("sim/physics.py", "sim/shapes.py"),
+    "pymunk": ("sim/physics/",),
     "PIL": ("sim/files/image.py",),
     "lxml": ("sim/files/xml_document.py", "cli/svg.py"),
     "rich": ("cli/", "debug/"),

@@ -7,7 +7,8 @@
 - What happens: `environment.Environment` serves requests and ends cycles; `setting` has all that
   follows from the state, `presence` who comes and goes. `commands` has the handler of each request;
   those of the vendor's simulator window and world are in `server/`.
-- Motion: `hardware` (profiles of axes), `actuators/` (what commands mean), `physics` (contacts).
+- Motion: `hardware` (profiles of axes), `actuators/` (what commands mean), `physics/` (contacts):
+  `simulation` moves `bodies`, in a `space` made of `shapes`, by `drive_force` and `friction`.
 - Seeing: `scene` (outlines of all things), `obstacles` (those within reach), `rays` and `echoes`
   (what beams hit), `surfaces` (what that looks and sounds like), `surroundings` (all of that in the
   current cycle), `sensors/`, and `timers` for those that measure by themselves.

@@ -31,10 +31,10 @@ import numpy.typing as npt
 from crs_cc.requests import CODES, MESSAGE, NUM_STATE, STATE_REPLIES
 from crs_cc.sim.actuators import drive, traction
 from crs_cc.sim.asked import Asked
-from crs_cc.sim.bodies import Contacts
 from crs_cc.sim.commands import CHANGES_WORLD, HANDLERS, MOVES, UNCONNECTED, WAITS
 from crs_cc.sim.ground.falls import tell_falls
 from crs_cc.sim.messages.traffic import take
+from crs_cc.sim.physics.bodies import Contacts
 from crs_cc.sim.setting import Setting
 from crs_cc.sim.state_vector import configuration, state_vector
 from crs_cc.sim.step import TELLS, Served, Step, slices_of

@@ -26,7 +26,6 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.actuators.rolling import RollingNoise
-from crs_cc.sim.bodies import PhysicsSnapshot
 from crs_cc.sim.degradation.control import DegradationControl
 from crs_cc.sim.devices import Devices
 from crs_cc.sim.equipment import Equipment
@@ -39,7 +38,8 @@ from crs_cc.sim.instants import ROUNDING_S
 from crs_cc.sim.link import SerialLine
 from crs_cc.sim.messages.control import CommunicationControl
 from crs_cc.sim.model import Robot, WorldModel
-from crs_cc.sim.physics import Physics
+from crs_cc.sim.physics.bodies import PhysicsSnapshot
+from crs_cc.sim.physics.simulation import Physics
 from crs_cc.sim.presence import Timetable, complaint, in_the_way, leave
 from crs_cc.sim.sensors.bumper import Bumpers
 from crs_cc.sim.state import EnvState

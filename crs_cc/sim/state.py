@@ -22,9 +22,9 @@ from typing import Any, Self
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.bodies import Bodies
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model import WorldModel
+from crs_cc.sim.physics.bodies import Bodies
 from crs_cc.sim.states.arm import ArmState
 from crs_cc.sim.states.battery import BatteryState
 from crs_cc.sim.states.beacons import BeaconState

@@ -14,9 +14,9 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.requests import CODES, REQUESTS
-from crs_cc.sim.bodies import Contacts
 from crs_cc.sim.drawings import Drawing
 from crs_cc.sim.events import Event
+from crs_cc.sim.physics.bodies import Contacts
 from crs_cc.sim.state import EnvState
 from crs_cc.sim.state_vector import (
     BUMPER,

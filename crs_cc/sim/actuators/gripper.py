@@ -33,11 +33,11 @@ from crs_cc.units import m_to_tenths_inch
 
 if TYPE_CHECKING:
     from crs_cc.sim.asked import Asked
-    from crs_cc.sim.bodies import Contacts
     from crs_cc.sim.equipment import Equipment
     from crs_cc.sim.events import EventLog
     from crs_cc.sim.handling.model import Gripper
     from crs_cc.sim.model import WorldModel
+    from crs_cc.sim.physics.bodies import Contacts
     from crs_cc.sim.state import EnvState
 
 FloatArray = npt.NDArray[np.float64]

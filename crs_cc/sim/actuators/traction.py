@@ -25,8 +25,8 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim import hardware
-from crs_cc.sim.bodies import Pull
 from crs_cc.sim.drives import weighted
+from crs_cc.sim.physics.bodies import Pull
 from crs_cc.sim.rows import take
 from crs_cc.sim.sensors import odometry
 

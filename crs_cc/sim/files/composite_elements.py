@@ -18,9 +18,9 @@ from typing import Final
 
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.files.solid_elements import SolidElements, pose
-from crs_cc.sim.friction import floor_m2
 from crs_cc.sim.model import Pose, Solid, Wall
 from crs_cc.sim.naming import name_things
+from crs_cc.sim.physics.friction import floor_m2
 from crs_cc.sim.quantity import MASS
 
 MAX_DEFINITIONS: Final = 400

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from crs_cc.sim.shapes import overlap
+from crs_cc.sim.physics.shapes import overlap
 
 if TYPE_CHECKING:
-    from crs_cc.sim.bodies import Bodies
     from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.physics.bodies import Bodies
 
 
 def has_room(equipment: Equipment, bodies: Bodies, thing: int) -> bool:

@@ -29,8 +29,8 @@ from crs_cc.sim.geometry.surfaces import Surfaces
 from crs_cc.sim.ground.outlook import Outlook, is_needed
 
 if TYPE_CHECKING:
-    from crs_cc.sim.bodies import Bodies
     from crs_cc.sim.geometry.prospect import Prospect
+    from crs_cc.sim.physics.bodies import Bodies
     from crs_cc.sim.state import EnvState
 
 FloatArray = npt.NDArray[np.float64]

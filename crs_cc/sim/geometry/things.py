@@ -25,7 +25,7 @@ from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model import Box, Cylinder, Polygon, Robot, Solid, Wall
 
 if TYPE_CHECKING:
-    from crs_cc.sim.bodies import Bodies
+    from crs_cc.sim.physics.bodies import Bodies
 
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]

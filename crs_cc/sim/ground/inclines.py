@@ -36,10 +36,10 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.friction import FLOOR_FRICTION, GRAVITY_MPS2
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.ground.terrain import Terrain
 from crs_cc.sim.model import WorldModel
+from crs_cc.sim.physics.friction import FLOOR_FRICTION, GRAVITY_MPS2
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]

@@ -16,12 +16,12 @@ from typing import TYPE_CHECKING, Final, Self
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.bodies import Bodies, Pull
 from crs_cc.sim.geometry.frames import compose, relative, wrapped
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.things import Things
 from crs_cc.sim.handling.holds import GRIPPER, HAND, Holds
 from crs_cc.sim.model import WorldModel
+from crs_cc.sim.physics.bodies import Bodies, Pull
 
 if TYPE_CHECKING:
     from crs_cc.sim.state import EnvState

@@ -13,10 +13,10 @@ from crs_cc.sim.actuators.gripper import Grippers
 from crs_cc.sim.mount import mount_rad
 
 if TYPE_CHECKING:
-    from crs_cc.sim.bodies import Contacts, Pull
     from crs_cc.sim.equipment import Equipment
     from crs_cc.sim.events import EventLog
     from crs_cc.sim.model import WorldModel
+    from crs_cc.sim.physics.bodies import Contacts, Pull
     from crs_cc.sim.state import EnvState
 
 FloatArray = npt.NDArray[np.float64]

@@ -13,7 +13,7 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.sim.friction import FLOOR_FRICTION, GRAVITY_MPS2
+from crs_cc.sim.physics.friction import FLOOR_FRICTION, GRAVITY_MPS2
 from crs_cc.sim.state_vector import CONF_X
 from tests.sim.driver import INCH, Driver, open_world
 

@@ -205,7 +205,7 @@ def change(driver: Driver, first: int, last: int) -> None:
 
 @pytest.mark.parametrize("at", [1, 2, 3, 4])
 def test_a_changed_world_goes_on_from_a_snapshot_to_the_same_bits(at, monkeypatch):
-    monkeypatch.setattr("crs_cc.sim.physics.REBUILD", 7)
+    monkeypatch.setattr("crs_cc.sim.physics.simulation.REBUILD", 7)
     straight = crowd()
     change(straight, 0, len(CHANGES))
     driver, fresh = crowd(), crowd()

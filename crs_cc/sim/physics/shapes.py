@@ -1,7 +1,4 @@
-"""What pymunk is told of a world: the shapes of bodies, the friction of the floor, the ground.
-
-With `physics`, alone knows pymunk.
-"""
+"""What pymunk is told of a world: the shapes of bodies, the friction of the floor, the ground."""
 
 from __future__ import annotations
 
@@ -11,12 +8,12 @@ import numpy as np
 import numpy.typing as npt
 import pymunk
 
-from crs_cc.sim.bodies import Bodies
 from crs_cc.sim.geometry.frames import compose
-from crs_cc.sim.geometry.rigid import Whole
 from crs_cc.sim.geometry.scene import Scene, convex_parts_of, corners_m, own_corners_m
 from crs_cc.sim.ground.ledges import Ledges
 from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Thing, Wall
+from crs_cc.sim.physics.bodies import Bodies
+from crs_cc.sim.physics.rigid import Whole
 
 FloatArray = npt.NDArray[np.float64]
 

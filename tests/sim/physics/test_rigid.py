@@ -9,9 +9,9 @@ import pytest
 
 from crs_cc.errors import WorldError
 from crs_cc.sim.files.world_xml import parse_world
-from crs_cc.sim.friction import FLOOR_FRICTION, GRAVITY_MPS2
-from crs_cc.sim.geometry.rigid import Rigid
 from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.physics.friction import FLOOR_FRICTION, GRAVITY_MPS2
+from crs_cc.sim.physics.rigid import Rigid
 from tests.sim.driver import Driver, open_world, world_of
 
 # A dumb-bell across the way: two drums of 40 cm, 1 m apart, with a bar between them.

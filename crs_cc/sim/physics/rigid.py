@@ -17,11 +17,11 @@ from typing import Self
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.bodies import Bodies
-from crs_cc.sim.friction import friction_n, friction_nm, moment_kgm2
 from crs_cc.sim.geometry.frames import compose, relative
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model import Thing
+from crs_cc.sim.physics.bodies import Bodies
+from crs_cc.sim.physics.friction import friction_n, friction_nm, moment_kgm2
 
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]

@@ -6,10 +6,10 @@ import pickle
 import numpy as np
 import pytest
 
-from crs_cc.sim.bodies import Bodies, Pull
 from crs_cc.sim.geometry.placement import clearance_m
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.physics import Physics
+from crs_cc.sim.physics.bodies import Bodies, Pull
+from crs_cc.sim.physics.simulation import Physics
 from tests.sim.driver import SCOUT_RADIUS_M, Driver, world_of
 
 DT = 0.05
@@ -232,7 +232,7 @@ def scrum(count: int, seed: int):
 
 @pytest.mark.slow
 def test_a_snapshot_in_a_scrum_goes_on_to_the_same_bits(monkeypatch):
-    monkeypatch.setattr("crs_cc.sim.physics.REBUILD", 30)
+    monkeypatch.setattr("crs_cc.sim.physics.simulation.REBUILD", 30)
     bench = Bench(world_of(SCRUM, 'length="4m" width="5.5m"'))
     ways = list(scrum(90, seed=2))
     touched = sum(len(bench.pull(way).robot) for way in ways[:30])

@@ -1,0 +1,76 @@
+"""What the contacts of a cycle mean: who touched what, and what robots lose by it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.handling.carrying import Load
+from crs_cc.sim.physics.bodies import NO_CONTACTS, Bodies, Contacts
+from crs_cc.sim.physics.space import SLOP_M
+
+FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.intp]
+
+TORN_M: Final = 0.02
+"""How deep a load gets into something before it is torn out of the fingers; chosen by us."""
+
+STRETCH_M: Final = 0.05
+"""How far a load that several hold slips out of one's fingers before it is lost; chosen by us."""
+
+
+def first_contacts(scene: Scene, found: list[tuple[IndexArray, FloatArray]]) -> Contacts:
+    """Gives the first place at which each robot touched each thing.
+
+    Args:
+        scene: its names number what touches.
+        found: for each substep the pairs in contact, and x, y, distance [m] of each.
+    """
+    pairs = np.concatenate([pairs for pairs, _ in found])
+    if not len(pairs):
+        return NO_CONTACTS
+    places = np.concatenate([places for _, places in found])
+    pairs = np.concatenate([pairs, pairs[:, ::-1]])
+    places = np.concatenate([places, places])
+    names = len(scene.names)
+    keys, first = np.unique(pairs[:, 0] * names + pairs[:, 1], return_index=True)
+    mine = first[keys // names < scene.robots]
+    x_m, y_m = places[mine, 0], places[mine, 1]
+    return Contacts(pairs[mine, 0], pairs[mine, 1], x_m, y_m, NO_CONTACTS.torn)
+
+
+def told_apart(
+    load: Load, pairs: IndexArray, places: FloatArray, position_m: FloatArray
+) -> tuple[IndexArray, IndexArray]:
+    """Tells contacts of loads from their carriers'.
+
+    Args:
+        load: what robots carry.
+        pairs: the bodies in contact, (k, 2).
+        places: x, y, distance [m] of each contact, (k, 3).
+        position_m: where the bodies are, (bodies, 2).
+
+    Returns:
+        the pairs, with loads in their carriers' stead; and the carriers of loads that are so deep
+        in something that they are torn out.
+    """
+    owned, rows = load.owned(pairs, places, position_m)
+    rows = rows[places[rows, 2] < -TORN_M]
+    deep = pairs[rows][pairs[rows] != owned[rows]]
+    return owned, np.unique(deep)
+
+
+def with_slipped(contacts: Contacts, load: Load, bodies: Bodies) -> Contacts:
+    """Adds the robots out of whose fingers slipped what they hold with others."""
+    slipped = load.sharers[load.stretch_m(bodies) > STRETCH_M]
+    return replace(contacts, torn=np.union1d(contacts.torn, slipped))
+
+
+def is_settled(scene: Scene, pairs: IndexArray, places: FloatArray) -> bool:
+    """Tells whether no thing presses into anything; arguments as in `told_apart`."""
+    things = ((pairs >= scene.robots) & (pairs < len(scene.start))).any(axis=1)
+    return bool((places[things, 2] >= -2 * SLOP_M).all())

@@ -1,0 +1,171 @@
+"""What draws robots to the velocity of their wheels, and what holds them.
+
+What draws a robot is the smaller of its motors' force and its wheels' grip; the whole grip holds
+one that stands. Limp wheels hold the robot across, and hardly along. A robot that stands and
+touches something hangs on a joint with the force of its grip: a force alone would let it creep.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+import pymunk
+
+from crs_cc.sim.ground.inclines import Incline
+from crs_cc.sim.handling.carrying import Load
+from crs_cc.sim.model import WorldModel
+from crs_cc.sim.physics.bodies import Bodies, Pull
+from crs_cc.sim.physics.space import Space
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+
+_SAME_N: Final = 1e-9  # a smaller force needs no limit
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """What draws the robots in a cycle.
+
+    Attributes:
+        pull: what their drives do.
+        wanted_mps: the velocity that they are drawn to, (robots, 2).
+        limit_n: the force that there is for it, (robots,).
+        jointed: the robots that hang on joints.
+        incline: the slope under them, None in a flat world.
+    """
+
+    pull: Pull
+    wanted_mps: FloatArray
+    limit_n: FloatArray
+    jointed: IndexArray
+    incline: Incline | None
+
+
+class DriveForce:
+    """The force of all robots' drives.
+
+    Attributes:
+        borne_kg: the mass that presses on each robot's wheels, (robots,).
+        mass_kg: the mass that its drive moves, (robots,).
+    """
+
+    def __init__(self, world: WorldModel) -> None:
+        drives = [robot.model.drive for robot in world.robots]
+        self._own_kg = np.array([robot.model.mass_kg for robot in world.robots])
+        self._own_grip_n = np.array([drive.grip_n for drive in drives])
+        self._force_n = np.array([drive.force_n for drive in drives])
+        self._roll_out_mps2 = np.array([drive.roll_out_mps2 for drive in drives])
+        self.bear(None)
+
+    def bear(self, load: Load | None) -> None:
+        """Takes over what robots carry: what they weigh then, and what their wheels hold."""
+        self.borne_kg = self._own_kg + (load.weight_kg if load else 0.0)
+        self.mass_kg = self._own_kg + (load.mass_kg if load else 0.0)
+        self._grip_n = self._own_grip_n * (self.borne_kg / self._own_kg)
+        self._drive_n = np.minimum(self._force_n, self._grip_n)
+        self._roll_n = self.borne_kg * self._roll_out_mps2
+
+    def begin(
+        self,
+        space: Space,
+        bodies: Bodies,
+        pull: Pull,
+        wanted_mps: FloatArray,
+        incline: Incline | None,
+    ) -> Drawn:
+        """Gives what draws the robots in a cycle, and hangs those on joints that stand.
+
+        Args:
+            space: takes the joints.
+            bodies: where they are.
+            pull: what the drives do.
+            wanted_mps: the velocities of the wheels, (robots, 2).
+            incline: the slope under the bodies.
+        """
+        stands = (wanted_mps[:, 0] == 0.0) & (wanted_mps[:, 1] == 0.0)
+        limit_n = np.where(stands | pull.limp, self._grip_n, self._drive_n)
+        jointed = np.flatnonzero(bodies.touching & (stands | pull.limp))
+        limit_n[jointed] = np.where(pull.limp[jointed], self._roll_n[jointed], 0.0)
+        # Made anew in each cycle: where a robot stands, and what of its grip a slope leaves,
+        # changes, and a joint that stays would go on with the impulse of the cycle before.
+        space.hold([self._joint(space, bodies, pull, robot) for robot in jointed.tolist()])
+        if incline is not None:
+            for robot, joint in zip(jointed.tolist(), space.joints, strict=True):
+                joint.max_force *= float(incline.hold[robot])
+            space.rub(incline.grip[space.robots :])
+            roll_n = self._roll_n * np.sqrt(incline.grip[: space.robots])
+            limit_n = np.where(pull.limp, roll_n, limit_n)
+            rolls = pull.limp & (incline.sloping | bodies.slipping)
+            wanted_mps = np.where(rolls[:, None], 0.0, wanted_mps)
+        return Drawn(pull, wanted_mps, limit_n, jointed, incline)
+
+    def write(
+        self, force_n: FloatArray, drawn: Drawn, velocity_mps: FloatArray, substep_s: float
+    ) -> None:
+        """Writes the forces of the next substep.
+
+        Args:
+            force_n: takes them, (bodies, 2).
+            drawn: what draws the robots.
+            velocity_mps: the velocities that they have, (robots, 2).
+            substep_s: how long the forces act.
+        """
+        lag_mps = drawn.wanted_mps - velocity_mps
+        if drawn.incline is not None:
+            self._write_sloping(force_n, drawn, drawn.incline, lag_mps, substep_s)
+            return
+        robots, pull = len(self.mass_kg), drawn.pull
+        lagging = np.flatnonzero((lag_mps[:, 0] != 0.0) | (lag_mps[:, 1] != 0.0))
+        mass_kg = self.mass_kg.take(lagging)
+        needs_n = lag_mps.take(lagging, axis=0) * (mass_kg / substep_s)[:, None]
+        if pull.limp.any():
+            needs_n -= self._limp_n(pull, lagging, needs_n)
+        size_n = np.hypot(needs_n[:, 0], needs_n[:, 1])
+        share = np.minimum(1.0, drawn.limit_n.take(lagging) / np.maximum(size_n, _SAME_N))
+        force_n[:robots] = 0.0
+        force_n[lagging] = needs_n * share[:, None]
+
+    def _write_sloping(
+        self,
+        force_n: FloatArray,
+        drawn: Drawn,
+        incline: Incline,
+        lag_mps: FloatArray,
+        substep_s: float,
+    ) -> None:
+        """Does what `write` does where the ground may slope, and lets it pull everything down."""
+        robots = len(self.mass_kg)
+        needs_n = lag_mps * (self.mass_kg / substep_s)[:, None]
+        across = np.zeros(robots, dtype=np.bool_)
+        across[drawn.jointed] = True
+        force_n[: len(incline.pull_n)] = incline.pull_n
+        force_n[:robots] += incline.drawn_n(needs_n, drawn.limit_n, self._grip_n, across)
+
+    def _joint(self, space: Space, bodies: Bodies, pull: Pull, robot: int) -> pymunk.Constraint:
+        """Gives the joint that holds a robot as its grip does, a limp one across only."""
+        joint: pymunk.Constraint
+        body = space.bodies[robot]
+        if not pull.limp[robot]:
+            joint = pymunk.PivotJoint(space.floor, body, (0.0, 0.0), (0.0, 0.0))
+        else:
+            x, y = bodies.position_m[robot].tolist()
+            cos, sin = math.cos(pull.facing_rad[robot]), math.sin(pull.facing_rad[robot])
+            ends = (x - cos, y - sin), (x + cos, y + sin)
+            joint = pymunk.GrooveJoint(space.floor, body, *ends, (0.0, 0.0))
+        joint.max_force, joint.max_bias = float(self._grip_n[robot]), 0.0
+        return joint
+
+    def _limp_n(self, pull: Pull, lagging: IndexArray, needs_n: FloatArray) -> FloatArray:
+        """Gives the force that limp wheels, because they roll, do not have along them."""
+        facing_rad, roll_n = pull.facing_rad.take(lagging), self._roll_n.take(lagging)
+        ahead = np.column_stack([np.cos(facing_rad), np.sin(facing_rad)])
+        along_n = (needs_n * ahead).sum(axis=1)
+        lacks_n = along_n - np.clip(along_n, -roll_n, roll_n)
+        lacks_n = np.where(pull.limp.take(lagging), lacks_n, 0.0)
+        return np.asarray(lacks_n[:, None] * ahead)

@@ -1,0 +1,235 @@
+"""Moves bodies through the cycles of a world.
+
+Seen from above, bodies do not fall. A robot is drawn to the velocity of its wheels (`drive_force`),
+a thing rests with at most the friction of the floor (`friction`), and contacts push back. Contacts
+never turn a robot. The cycle is cut into substeps so short that nothing gets deep into anything.
+
+The arrays of `Bodies` are the only truth about positions and velocities; pymunk's space is loaded
+with them at the start of each cycle. A robot that nothing hindered is put exactly where its wheels
+took it, so robots that never meet never change each other's results, not even in the last bit.
+
+What a robot carries is a part of it (`carrying`): where that touches something, the robot is held
+up or pushed aside, and still not turned. So a load that is turned into a wall slides along it with
+its robot; one that cannot, and gets deeper into something than `TORN_M`, is torn out of the
+fingers.
+
+What is left inside pymunk, and cannot be read, is the history of its search tree and of its
+contacts. It matters where several bodies touch at once. So the space is made anew from the arrays
+every `REBUILD` cycles, and a snapshot is the arrays of that moment and the ways of the cycles
+since: to restore is to make the space anew and to run these cycles again, to the same bits.
+"""
+
+from __future__ import annotations
+
+import math
+import weakref
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.garbage import without_collector
+from crs_cc.sim.geometry.clearance import clearance_m
+from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.ground.inclines import Incline, Inclines
+from crs_cc.sim.ground.ledges import Ledges
+from crs_cc.sim.handling.carrying import Load
+from crs_cc.sim.model import WorldModel
+from crs_cc.sim.physics.batches import Batches
+from crs_cc.sim.physics.bodies import NO_CONTACTS, Bodies, Contacts, PhysicsSnapshot, Pull
+from crs_cc.sim.physics.contacts import first_contacts, is_settled, told_apart, with_slipped
+from crs_cc.sim.physics.drive_force import DriveForce
+from crs_cc.sim.physics.rigid import Rigid
+from crs_cc.sim.physics.space import SLOP_M, Space, SpaceBuilder
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+
+REBUILD: Final = 100
+"""Cycles after which the space is made anew."""
+
+SUBSTEP_M: Final = 0.008
+"""The furthest that a robot gets in a substep, and so into a wall."""
+
+MOST_SUBSTEPS: Final = 256
+"""How many substeps a cycle has for loads that are swung around."""
+
+_SAME: Final = 1e-9  # [m], [m/s]: smaller differences are rounding errors
+_FEW_BODIES: Final = 64  # for so few it pays to look first whether anything is near
+
+
+class Physics:
+    """Moves the bodies of a world through its cycles."""
+
+    def __init__(self, world: WorldModel, scene: Scene, bodies: Bodies) -> None:
+        self._world = world
+        self._scene, self._robots, self._rigid = scene, scene.robots, Rigid(scene)
+        limits_mps = np.array([robot.model.drive.wheels.speed_limit for robot in world.robots])
+        fastest_mps = float(limits_mps[scene.present].max(initial=0.0))
+        self._fewest_substeps = max(1, math.ceil(world.timestep_s * fastest_mps / SUBSTEP_M))
+        self._inclines, self._ledges = None, None
+        if not world.surface.is_flat:
+            self._inclines = Inclines(world, scene)
+            self._ledges = Ledges(self._inclines.terrain, scene)
+        self._absent = np.flatnonzero(~scene.present)  # slopes move what touches nothing, too
+        self._start = bodies.copy()
+        self._pulls: list[Pull] = []
+        self._room_m = 0.0
+        self._batches, self._drive_force = Batches(len(scene.names)), DriveForce(world)
+        self._builder = SpaceBuilder(world, scene, self._rigid, self._ledges)
+        # pymunk cannot free a space while Python shuts down: it must be gone before.
+        self._spaces: list[Space] = []
+        weakref.finalize(self, self._spaces.clear)
+        self._make_space()
+
+    @property
+    def _space(self) -> Space:
+        return self._spaces[0]
+
+    def step(self, bodies: Bodies, pull: Pull) -> Contacts:
+        """Moves bodies through one cycle.
+
+        Args:
+            bodies: moved in place.
+            pull: what the drives do; kept.
+
+        Returns:
+            what the robots touched.
+        """
+        if len(self._pulls) == REBUILD:
+            self.start_from(bodies)
+        self._pulls.append(pull)
+        return self._step(bodies, pull)
+
+    def start_from(self, bodies: Bodies) -> None:
+        """Makes the space anew from bodies, which may be elsewhere than they were."""
+        self._start, self._pulls = bodies.copy(), []
+        self._make_space()
+
+    def snapshot(self) -> PhysicsSnapshot:
+        """Gives all that is needed to come back to here; it is never changed."""
+        return PhysicsSnapshot(self._start, tuple(self._pulls))
+
+    def restore(self, snapshot: PhysicsSnapshot) -> Bodies:
+        """Goes back to a snapshot, and gives the bodies as they were then."""
+        self._start, self._pulls = snapshot.start, list(snapshot.pulls)
+        self._make_space()
+        bodies = snapshot.start.copy()
+        for pull in snapshot.pulls:
+            self._step(bodies, pull)
+        return bodies
+
+    def _step(self, bodies: Bodies, pull: Pull) -> Contacts:
+        robots, way_m = slice(self._robots), pull.way_m
+        free_m = bodies.position_m[robots] + way_m
+        wanted_mps = way_m / self._world.timestep_s
+        incline = self._incline(bodies, pull)
+        if (incline is None or incline.quiet) and self._nothing_near(bodies, way_m):
+            bodies.position_m[robots] = free_m
+            bodies.velocity_mps[robots] = wanted_mps
+            bodies.touching[:] = False
+            return NO_CONTACTS
+        free = ~bodies.slipping
+        bodies.velocity_mps[robots][free] = wanted_mps[free]
+        contacts, touched = self._run_space(bodies, pull, wanted_mps, incline)
+        bodies.position_m[self._absent] = free_m[self._absent]
+        bodies.velocity_mps[self._absent] = 0.0
+        lag_mps = np.abs(bodies.velocity_mps[robots] - wanted_mps)
+        bodies.slipping[:] = (lag_mps > _SAME).any(axis=1)
+        bodies.touching[:] = touched
+        off_m = np.abs(bodies.position_m[robots] - free_m)
+        unhindered = (off_m <= _SAME).all(axis=1)
+        bodies.position_m[robots][unhindered] = free_m[unhindered]
+        if self._load is None:
+            return contacts
+        self._load.place(bodies, pull)
+        return with_slipped(contacts, self._load, bodies)
+
+    def _incline(self, bodies: Bodies, pull: Pull) -> Incline | None:
+        """Gives the slope under the bodies, None in a flat world."""
+        if self._inclines is None or self._ledges is None:
+            return None
+        self._ledges.place(bodies.position_m, bodies.angle_rad)
+        return self._inclines.under(bodies.position_m, pull.facing_rad, self._pulled_kg)
+
+    def _nothing_near(self, bodies: Bodies, way_m: FloatArray) -> bool:
+        """Tells whether nothing can touch in this cycle, so that the space need not run.
+
+        `_room_m` is a distance that no robot can have used up since it was measured.
+        """
+        if len(bodies.position_m) > _FEW_BODIES or bodies.slipping.any():
+            return False
+        if self._load is not None:
+            return False
+        if not bodies.settled[0] or bodies.velocity_mps[self._robots :].any():
+            return False
+        # Two robots may come towards each other, each by the longest way.
+        need_m = 2 * float(np.abs(way_m).sum(axis=1).max(initial=0.0)) + SLOP_M
+        if self._room_m < need_m:
+            self._room_m = clearance_m(self._scene, bodies.position_m, bodies.angle_rad)
+        self._room_m -= need_m
+        return self._room_m > 0.0
+
+    @without_collector()
+    def _make_space(self) -> None:
+        holds = self._start.holds
+        self._load = Load.of(self._world, self._scene, holds) if holds.any() else None
+        self._drive_force.bear(self._load)
+        mass_kg, position_m = self._drive_force.mass_kg, self._start.position_m
+        self._spaces[:] = [self._builder.build(position_m, mass_kg, self._load)]
+        self._pulled_kg = np.concatenate([self._drive_force.borne_kg, self._space.thing_kg])
+        self._room_m = 0.0
+        self._batches.learn(self._space)
+
+    def _run_space(
+        self, bodies: Bodies, pull: Pull, wanted_mps: FloatArray, incline: Incline | None
+    ) -> tuple[Contacts, BoolArray]:
+        """Lets pymunk move the bodies; gives the contacts, and which robots' bodies had any."""
+        space, batches, load = self._space, self._batches, self._load
+        substeps = self._swing(bodies, pull)
+        substep_s = self._world.timestep_s / substeps
+        batches.write(space, bodies, self._rigid)
+        drawn = self._drive_force.begin(space, bodies, pull, wanted_mps, incline)
+        velocity_mps = bodies.velocity_mps
+        found, torn = [], NO_CONTACTS.torn
+        touched = np.zeros(len(self._scene.names), dtype=np.bool_)
+        for _ in range(substeps):
+            had_mps = velocity_mps[: self._robots]
+            self._drive_force.write(batches.force_n, drawn, had_mps, substep_s)
+            batches.push(space)
+            space.inner.step(substep_s)
+            pairs, places = batches.touching(space)
+            touched[pairs] = True
+            if load is not None:
+                pairs, torn = told_apart(load, pairs, places, batches.position_m(space))
+            found.append((pairs, places))
+            velocity_mps = batches.velocity_mps(space)
+        batches.read(space, bodies, self._rigid)
+        self._bring_to_rest(bodies)
+        bodies.settled[0] = is_settled(self._scene, *found[-1])
+        self._room_m = 0.0
+        contacts = replace(first_contacts(self._scene, found), torn=torn)
+        if load is not None:
+            touched[load.sharers] = True  # what they hold pulls at them as contacts do
+        return contacts, touched[: self._robots]
+
+    def _swing(self, bodies: Bodies, pull: Pull) -> int:
+        """Turns robots that carry something; gives how many substeps that takes."""
+        substeps = self._fewest_substeps
+        if self._load is not None:
+            timestep_s = self._world.timestep_s
+            spin_radps = self._load.spin_radps(bodies, pull, timestep_s)
+            bodies.spin_radps[: self._robots] = spin_radps
+            swing_m = float(np.abs(spin_radps).max()) * self._load.reach_m * timestep_s
+            way_m = float(np.abs(pull.way_m).max())
+            most = max(MOST_SUBSTEPS, substeps)
+            substeps = min(max(substeps, math.ceil((swing_m + way_m) / SUBSTEP_M)), most)
+        return substeps
+
+    def _bring_to_rest(self, bodies: Bodies) -> None:
+        """Takes away what rounding left of the velocity of things that stand."""
+        velocity_mps = bodies.velocity_mps[self._robots :]
+        spin_radps = bodies.spin_radps[self._robots :]
+        rest = (np.abs(velocity_mps) < _SAME).all(axis=1) & (np.abs(spin_radps) < _SAME)
+        velocity_mps[rest], spin_radps[rest] = 0.0, 0.0

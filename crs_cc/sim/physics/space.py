@@ -1,0 +1,186 @@
+"""The space of a world's bodies, as pymunk has it: how it is made.
+
+What a robot carries is a part of its body; what several hold hangs on joints between them. Objects
+of several parts are one body (`rigid`). All things that nobody bears rub on the floor. The order in
+which bodies are added is part of the world.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+import pymunk
+
+from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.ground.ledges import Ledges
+from crs_cc.sim.handling.carrying import Load
+from crs_cc.sim.model import Thing, WorldModel
+from crs_cc.sim.physics.rigid import Rigid
+from crs_cc.sim.physics.shapes import (
+    add,
+    add_ground,
+    fixed_shapes,
+    floor_friction,
+    shapes_of,
+    thing_shapes,
+)
+
+FloatArray = npt.NDArray[np.float64]
+
+SLOP_M: Final = 0.0005
+"""Overlap that is left alone, so that things at rest stay in contact."""
+
+_BIAS: Final = 1e-6  # share of a deeper overlap that is left after a second
+
+
+@dataclass(slots=True)
+class Space:
+    """A space and what it is made of.
+
+    Attributes:
+        inner: pymunk's space.
+        bodies: the bodies in it: the robots, what can be pushed, what stands, the ground where it
+            is not flat, the floor.
+        robots: how many robots there are.
+        rubs: the joints by which the floor rubs on things, with their force [N] or torque [N m] on
+            level ground, by the number of the thing.
+        joints: those that hold robots, in this cycle.
+        grip: the share of the friction that a slope leaves to each thing, (things,).
+        thing_kg: the mass of each thing that nobody bears and that is no part, else 0, (things,).
+    """
+
+    inner: pymunk.Space
+    bodies: list[pymunk.Body]
+    robots: int
+    rubs: dict[int, list[tuple[pymunk.Constraint, float]]]
+    thing_kg: FloatArray
+    grip: FloatArray
+    joints: list[pymunk.Constraint] = field(default_factory=list)
+
+    @property
+    def floor(self) -> pymunk.Body:
+        """The body of the floor."""
+        return self.bodies[-1]
+
+    def hold(self, joints: list[pymunk.Constraint]) -> None:
+        """Holds robots by joints, instead of those of the cycle before."""
+        self.inner.remove(*self.joints)
+        self.joints = joints
+        self.inner.add(*joints)
+
+    def rub(self, grip: FloatArray) -> None:
+        """Takes from each thing's friction all but a share, (things,)."""
+        for number in np.flatnonzero(grip != self.grip).tolist():
+            for joint, most in self.rubs.get(number, ()):
+                joint.max_force = most * float(grip[number])
+        self.grip = grip
+
+
+class SpaceBuilder:
+    """Makes the spaces of a world."""
+
+    def __init__(
+        self, world: WorldModel, scene: Scene, rigid: Rigid, ledges: Ledges | None
+    ) -> None:
+        self._world, self._scene, self._rigid, self._ledges = world, scene, rigid, ledges
+
+    def build(self, position_m: FloatArray, mass_kg: FloatArray, load: Load | None) -> Space:
+        """Makes the space.
+
+        Args:
+            position_m: where about the bodies are, (bodies, 2); poses are loaded in each cycle.
+            mass_kg: what each robot weighs with what it carries, (robots,).
+            load: what robots carry.
+        """
+        inner = pymunk.Space()
+        inner.collision_slop = SLOP_M
+        inner.collision_bias = _BIAS
+        inner.collision_persistence = 1  # with 0 contacts are forgotten before they can be read
+        places = iter(position_m.tolist())  # all in one place would be O(n^2)
+        parts, borne, apart = self._parts(load)
+        bodies = self._add_robots(inner, places, mass_kg, parts)
+        for number, whole in enumerate(self._rigid.wholes):
+            body = pymunk.Body(whole.mass_kg, whole.moment_kgm2)
+            body.position = next(places)
+            bodies.append(body)
+            add(inner, body, *(() if number in apart else shapes_of(body, whole)))
+        for solid in self._scene.fixed_solids:
+            body = pymunk.Body(body_type=pymunk.Body.STATIC)
+            bodies.append(body)
+            add(inner, body, *fixed_shapes(body, solid))
+        if self._ledges is not None:
+            bodies.append(add_ground(inner, bodies, self._ledges))
+        space = self._on_floor(inner, bodies, borne)
+        if load is not None:
+            inner.add(*self._shared_grips(bodies, load))
+        return space
+
+    def _add_robots(
+        self,
+        inner: pymunk.Space,
+        places: Iterator[list[float]],
+        mass_kg: FloatArray,
+        parts: dict[int, tuple[Thing, FloatArray]],
+    ) -> list[pymunk.Body]:
+        """Adds the robots, with what they carry; those that are not there have no shape."""
+        bodies = []
+        for number, robot in enumerate(self._world.robots):
+            body = pymunk.Body(float(mass_kg[number]), math.inf)  # only its wheels turn it
+            x_m, y_m = next(places)
+            body.position = x_m, y_m
+            bodies.append(body)
+            carried = parts.get(number)
+            load = () if carried is None else thing_shapes(body, *carried)
+            own = [pymunk.Circle(body, robot.model.radius_m)] * bool(self._scene.present[number])
+            add(inner, body, *own, *load)
+        return bodies
+
+    def _on_floor(self, inner: pymunk.Space, bodies: list[pymunk.Body], borne: set[int]) -> Space:
+        """Adds the floor, which rubs on all things that nobody bears."""
+        floor, robots = pymunk.Body(body_type=pymunk.Body.STATIC), self._scene.robots
+        bodies.append(floor)
+        inner.add(floor)
+        rubs: dict[int, list[tuple[pymunk.Constraint, float]]] = {}
+        thing_kg = np.zeros(len(self._scene.pushables))
+        for number, whole in enumerate(self._rigid.wholes):
+            if number not in borne:
+                joints = floor_friction(floor, bodies[robots + number], whole)
+                rubs[number] = [(joint, joint.max_force) for joint in joints]
+                inner.add(*joints)
+                thing_kg[number] = whole.mass_kg
+        return Space(inner, bodies, robots, rubs, thing_kg, np.ones(len(thing_kg)))
+
+    def _parts(
+        self, load: Load | None
+    ) -> tuple[dict[int, tuple[Thing, FloatArray]], set[int], set[int]]:
+        """Gives how things are attached to robots.
+
+        Returns:
+            what each robot carries as a part of itself, and where; the things that no floor rubs
+            on; and those of them that are not there for themselves.
+        """
+        others = self._rigid.others
+        if load is None:
+            return {}, set(others), set(others)
+        things = [self._scene.pushables[thing] for thing in load.carried.tolist()]
+        parts = dict(zip(load.carriers.tolist(), zip(things, load.grasp, strict=True), strict=True))
+        apart = {*load.carried.tolist(), *load.lifted.tolist(), *others}
+        return parts, apart | set(load.shared.tolist()), apart
+
+    def _shared_grips(self, bodies: list[pymunk.Body], load: Load) -> list[pymunk.Constraint]:
+        """Gives the joints between robots and what several of them hold."""
+        joints: list[pymunk.Constraint] = []
+        rows = zip(load.sharers, load.shared, load.grip_m, load.point_m.tolist(), strict=True)
+        for robot, thing, grip_m, point_m in rows:
+            gripper = self._world.robots[robot].model.gripper
+            body, held = bodies[robot], bodies[self._scene.robots + thing]
+            joint = pymunk.PivotJoint(body, held, (float(grip_m), 0.0), tuple(point_m))
+            joint.max_force = gripper.force_n if gripper else 0.0
+            joint.collide_bodies = False
+            joints.append(joint)
+        return joints
