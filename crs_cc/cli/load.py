@@ -73,7 +73,7 @@ def _world(options: RunOptions) -> WorldModel:
     path, robot = options.inputs.world, options.robot
     if robot not in known_robots() and not robot.endswith(".xml"):
         names = ", ".join(known_robots())
-        raise click.UsageError(f"unknown robot '{robot}': known are {names}, and files (.xml).")
+        raise click.UsageError(f"there is no robot '{robot}': there are {names}, and files (.xml).")
     if path is None:
         world = empty_world(options.setup, robot)
     else:

@@ -68,7 +68,7 @@ def test_check_tells_what_is_wrong_with_robots_and_included_files(
     Path("x.xml").write_text("<something/>")
     for name, expected in (
         ("r.xml", "r.xml:1: error: <robot-definition> ends too early; expected <body> in it"),
-        ("d.xml", "d.xml:1: error: material, sonar: '2' must be between 0 and 1"),
+        ("d.xml", "d.xml:1: error: material, sonar: '2' must be 0 or more and 1 or less"),
         ("x.xml", "x.xml:1: error: the outermost element is <something>, not <world>"),
     ):
         assert main(["check", name]) == 122

@@ -145,7 +145,7 @@ def test_noise_grows_with_the_square_of_the_distance(tmp_path):
     [
         ('columns="321"', "camera, columns: '321' is not a whole number, 1 to 320"),
         ('columns="0"', "camera, columns: '0' is not a whole number, 1 to 320"),
-        ('field-of-view="361deg"', "camera, field-of-view: there are only 360 degrees"),
+        ('field-of-view="361deg"', "camera, field-of-view: must be 360deg or less"),
         ('background="reddish"', "camera, background: 'reddish' is no colour"),
         ('range="0m"', "camera, range: '0m' must be greater than 0"),
     ],

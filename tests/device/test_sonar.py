@@ -135,7 +135,7 @@ def _driver(things: str) -> Driver:
     ("mode", "wrong"),
     [
         ('<mode name="LF" range="0m"/>', "mode, range: '0m' must be greater than 0"),
-        ('<mode name="LF" half-angle="90deg"/>', "mode, half-angle: a beam must have less"),
+        ('<mode name="LF" half-angle="90deg"/>', "mode, half-angle: must be less than 90deg"),
         ('<mode name="LF"/><mode name="LF"/>', "a second mode with the name 'LF'"),
     ],
 )

@@ -122,7 +122,7 @@ def test_a_sensor_that_is_not_there_and_a_time_below_0_are_refused(tmp_path, arg
     ("attributes", "wrong"),
     [
         ('rate="10Hz" period="99ms"', "gps, period: must not be shorter than its rate allows"),
-        ('rate="1MHz" period="0.1ms"', "gps, period: must be 0, or at least 1 ms"),
+        ('rate="1MHz" period="0.1ms"', "gps, period: must be 0, or 1ms or more"),
         ('period="-1s"', "gps, period: '-1s' must not be negative"),
     ],
 )

@@ -170,7 +170,7 @@ def test_noise_has_the_spread_of_the_definition(tmp_path):
     ("bad", "message"),
     [
         ('step="0in"', "step: '0in' must be greater than 0"),
-        ('step="1in" half-angle="90deg"', "less than 90 degrees"),
+        ('step="1in" half-angle="90deg"', "less than 90deg"),
         ('step="1in" reflectance="2"', "reflectance"),
         ('step="1in" order="16"', "order names sensor 16"),
         ('step="1in" history="11"', "history: '11' is not a whole number, 0 to 10"),

@@ -280,7 +280,7 @@ def test_482_points_in_a_cloud_take_bounded_work():
 @pytest.mark.parametrize(
     ("bad", "message"),
     [
-        ('field-of-view="361deg" range="3m"', "there are only 360 degrees"),
+        ('field-of-view="361deg" range="3m"', "must be 360deg or less"),
         ('field-of-view="60deg" range="0m"', "range: '0m' must be greater than 0"),
         ('field-of-view="60deg" range="3m" mode="3"', "mode"),
         ('field-of-view="60deg"', "range"),

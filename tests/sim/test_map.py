@@ -92,7 +92,7 @@ def test_rectangles_cover_what_is_dark_once():
         ('resolution="0"', "map, resolution: '0' must be greater than 0"),
         ('resolution="5"', "map, resolution: the picture would be too large"),
         ('resolution="1cm"', "map, image 'plan.png': its dark parts are "),
-        ('resolution="1cm" threshold="0"', "map, threshold: must be greater than 0, and 1 or less"),
+        ('resolution="1cm" threshold="0"', "map, threshold: must be greater than 0 and 1 or less"),
     ],
 )
 def test_what_cannot_be_walls_is_refused(tmp_path: Path, attributes: str, expected: str):

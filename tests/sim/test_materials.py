@@ -58,7 +58,10 @@ def test_a_material_may_build_on_one_before_it():
     oak = '<material name="oak" material="wood" colour="#8b5a2b"/>'
     (door,) = world(WOOD, oak, '<box x="5" y="5" length="1" width="1" material="oak"/>').boxes
     assert door.material == Material((139, 90, 43), 0.9, 0.25)
-    assert complaint(oak, WOOD) == "w.xml:3: error: unknown material 'wood'"
+    assert (
+        complaint(oak, WOOD)
+        == "w.xml:3: error: material, material: there is no material 'wood': there are none"
+    )
 
 
 def test_edges_and_robots_have_a_material():
@@ -72,7 +75,10 @@ def test_edges_and_robots_have_a_material():
 @pytest.mark.parametrize(
     ("row", "expected"),
     [
-        ('<material name="m" sonar="1.5"/>', "material, sonar: '1.5' must be between 0 and 1"),
+        (
+            '<material name="m" sonar="1.5"/>',
+            "material, sonar: '1.5' must be 0 or more and 1 or less",
+        ),
         (
             '<material name="m" infrared="bright"/>',
             "material, infrared: 'bright' is not a ratio: write a number, as in 1.002",
@@ -84,7 +90,7 @@ def test_edges_and_robots_have_a_material():
         (f"{WOOD}{WOOD}", "a second material 'wood'; the first is in line 3"),
         (
             '<wall x1="5" y1="5" x2="6" y2="5" material="wool"/>',
-            "unknown material 'wool'",
+            "wall, material: there is no material 'wool': there are none",
         ),
         (
             '<wall x1="5" y1="5" x2="6" y2="5" height="0"/>',

@@ -43,38 +43,34 @@ def sounds(root: Element, reader: Reader) -> tuple[Sound, ...]:
 
 def light_sensors(root: Element, reader: Reader) -> LightSensors | None:
     """Gives the light sensors of a robot, None where there are none."""
-    for element in root.all("light-sensors"):
-        return LightSensors(
-            reader.whole(element, "number", 1, MAX_LIGHT_SENSORS, absent=1),
-            reader.quantity(element, "first", ANGLE),
-            reader.positive(element, "range", LENGTH),
-            float(element.attributes.get("noise", "0")),
-        )
-    return None
+    element = root.maybe("light-sensors")
+    if element is None:
+        return None
+    return LightSensors(
+        reader.whole(element, "number", 1, MAX_LIGHT_SENSORS, absent=1),
+        reader.quantity(element, "first", ANGLE),
+        reader.positive(element, "range", LENGTH),
+        float(element.attributes.get("noise", "0")),
+    )
 
 
 def microphones(root: Element, reader: Reader) -> Microphones | None:
     """Gives the microphones of a robot, None where there are none."""
-    for element in root.all("microphones"):
-        return Microphones(
-            reader.positive(element, "range", LENGTH), float(element.attributes.get("noise", "0"))
-        )
-    return None
+    element = root.maybe("microphones")
+    if element is None:
+        return None
+    return Microphones(
+        reader.positive(element, "range", LENGTH), float(element.attributes.get("noise", "0"))
+    )
 
 
 def brightest(root: Element, reader: Reader) -> float:
     """Gives how bright the lamp of a robot can shine, 0 where there is none."""
-    return (
-        reader.positive(root.first("lamp"), "brightest", BRIGHTNESS, 0.0)
-        if any(root.all("lamp"))
-        else 0.0
-    )
+    lamp = root.maybe("lamp")
+    return 0.0 if lamp is None else reader.positive(lamp, "brightest", BRIGHTNESS, 0.0)
 
 
 def loudest(root: Element, reader: Reader) -> float:
     """Gives how loud the speaker of a robot can sound, 0 where there is none."""
-    return (
-        reader.positive(root.first("speaker"), "loudest", LOUDNESS, 0.0)
-        if any(root.all("speaker"))
-        else 0.0
-    )
+    speaker = root.maybe("speaker")
+    return 0.0 if speaker is None else reader.positive(speaker, "loudest", LOUDNESS, 0.0)

@@ -17,7 +17,7 @@ from crs_cc.sim.communication import (
     Shut,
 )
 from crs_cc.sim.files.document import Element, Reader
-from crs_cc.sim.quantity import DATA_RATE, LENGTH, RATIO, TIME
+from crs_cc.sim.quantity import DATA_RATE, LENGTH, TIME
 from crs_cc.sim.unknown import unknown
 
 MAX_SHUTS: Final = 1000
@@ -59,26 +59,18 @@ def _channel(element: Element, before: Channel, reader: Reader) -> Channel:
     return replace(
         before,
         range_m=reader.positive(element, "range", LENGTH, before.range_m),
-        walls=_share(element, "walls", before.walls, reader),
+        walls=reader.share(element, "walls", before.walls),
         delay_s=_delay(element, "delay", before.delay_s, reader),
         jitter_s=_delay(element, "jitter", before.jitter_s, reader),
         bandwidth_bps=_bandwidth(element, before.bandwidth_bps, reader),
         queue=reader.whole(element, "queue", 1, LONGEST_QUEUE, before.queue),
         drops_oldest=before.drops_oldest if drop is None else drop == "oldest",
-        loss=_share(element, "loss", before.loss, reader),
-        burst_begin=_share(element, "burst-begin", before.burst_begin, reader),
-        burst_end=_share(element, "burst-end", before.burst_end, reader),
-        burst_loss=_share(element, "burst-loss", before.burst_loss, reader),
-        corruption=_share(element, "corruption", before.corruption, reader),
+        loss=reader.share(element, "loss", before.loss),
+        burst_begin=reader.share(element, "burst-begin", before.burst_begin),
+        burst_end=reader.share(element, "burst-end", before.burst_end),
+        burst_loss=reader.share(element, "burst-loss", before.burst_loss),
+        corruption=reader.share(element, "corruption", before.corruption),
     )
-
-
-def _share(element: Element, name: str, absent: float, reader: Reader) -> float:
-    value = reader.not_negative(element, name, RATIO, absent)
-    if value > 1.0:
-        reader.refuse(element, f"{name}: must be 0 or more and 1 or less")
-        return absent
-    return value
 
 
 def _delay(element: Element, name: str, absent: float, reader: Reader) -> float:

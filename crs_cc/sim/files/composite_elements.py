@@ -22,6 +22,7 @@ from crs_cc.sim.model import Pose, Solid, Wall
 from crs_cc.sim.naming import name_things
 from crs_cc.sim.physics.friction import floor_m2
 from crs_cc.sim.quantity import MASS
+from crs_cc.sim.unknown import unknown
 
 MAX_DEFINITIONS: Final = 400
 MAX_PARTS: Final = 250
@@ -54,9 +55,8 @@ class CompositeElements:
         """Gives the parts of an `<object>` where it puts them; nothing after a mistake."""
         name, place = element.attributes["ref"], pose(element, self._reader)
         if name not in self._elements:
-            known = ", ".join(list(self._elements)[:20]) or "none: add <define name='...'>"
-            self._reader.error(element, f"unknown definition {name!r}", f"known are {known}")
-            element.broken = True
+            wrong = unknown("definition", name, tuple(self._elements))
+            self._reader.refuse(element, f"ref: {wrong}")
             return ()
         if name in self._open:
             circle = [*self._open[self._open.index(name) :], name]

@@ -53,7 +53,7 @@ def degradations(
     for element in elements:
         name = element.attributes["robot"]
         if name not in known:
-            reader.error(element, f"degradation of the robot {name!r}: there is none with that id")
+            reader.refuse(element, f"robot: {unknown('robot', name, tuple(known))}")
             continue
         place, model = known[name]
         if place.broken:  # and so, perhaps, without its devices

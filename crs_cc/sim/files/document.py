@@ -23,7 +23,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Final
 
-from crs_cc.sim.quantity import LENGTH, Kind
+from crs_cc.sim.quantity import LENGTH, RATIO, Kind
 from crs_cc.source import Diagnostics, Location
 
 __all__ = ["LENGTH", "Element", "Reader"]
@@ -71,6 +71,10 @@ class Element:
     def first(self, tag: str) -> Element:
         """Gives the first child with a name; an empty one when there is none."""
         return next(self.all(tag), Element(tag, self.line))
+
+    def maybe(self, tag: str) -> Element | None:
+        """Gives the first child with a name, if there is one."""
+        return next(self.all(tag), None)
 
 
 @dataclass(slots=True)
@@ -133,6 +137,15 @@ class Reader:
         self.refuse(element, f"{name}: {_find(element, name)!r} must not be negative")
         return absent
 
+    def share(self, element: Element, name: str, absent: float = 0.0) -> float:
+        """Gives a value from 0 to 1."""
+        value = self.quantity(element, name, RATIO, absent)
+        if 0.0 <= value <= 1.0:
+            return value
+        shown = _find(element, name)
+        self.refuse(element, f"{name}: {shown!r} must be 0 or more and 1 or less")
+        return absent
+
     def whole(self, element: Element, name: str, least: int, most: int, absent: int = 0) -> int:
         """Gives a whole number within bounds."""
         text = _find(element, name)
@@ -148,5 +161,5 @@ class Reader:
 
 def _find(element: Element, name: str) -> str | None:
     """Gives the text of an attribute, or of a child element, with that name."""
-    child = next(element.all(name), None)
+    child = element.maybe(name)
     return element.attributes.get(name, None if child is None else child.text)

@@ -9,8 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.files.document import Element, Reader
-from crs_cc.sim.files.image import MAX_BYTES, grey_values
-from crs_cc.sim.files.nearby import read_below
+from crs_cc.sim.files.image import picture
 from crs_cc.sim.ground.model import Ground, HeightMap, Patch
 from crs_cc.sim.model import Area
 from crs_cc.sim.quantity import ANGLE, LENGTH
@@ -71,9 +70,7 @@ def _heightmap(
 
 
 def _grey(image: str, folder: Path | None) -> npt.NDArray[np.float64]:
-    if folder is None:
-        raise ValueError("a world that is no file has no pictures")
-    grey = grey_values(read_below(folder, image, ".png", MAX_BYTES))
+    grey = picture(folder, image)
     if min(grey.shape) < _LEAST_PIXELS or max(grey.shape) > MOST_PIXELS:
         size = f"{grey.shape[1]} x {grey.shape[0]}"
         raise ValueError(f"has {size} pixels; {_LEAST_PIXELS} to {MOST_PIXELS} a side are allowed")

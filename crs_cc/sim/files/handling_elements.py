@@ -15,32 +15,34 @@ def gripper(root: Element, radius_m: float, reader: Reader) -> Gripper | None:
         radius_m: the robot's, where the palm is if nothing else is said.
         reader: reads the values.
     """
-    for element in root.all("gripper"):
-        return Gripper(
-            place_m=reader.not_negative(element, "place", LENGTH, radius_m),
-            reach_m=reader.positive(element, "reach", LENGTH),
-            opening_m=reader.positive(element, "opening", LENGTH),
-            closing_s=reader.positive(element, "closing", TIME),
-            most_kg=reader.positive(element, "max-mass", MASS),
-            force_n=reader.positive(element, "force", FORCE),
-        )
-    return None
+    element = root.maybe("gripper")
+    if element is None:
+        return None
+    return Gripper(
+        place_m=reader.not_negative(element, "place", LENGTH, radius_m),
+        reach_m=reader.positive(element, "reach", LENGTH),
+        opening_m=reader.positive(element, "opening", LENGTH),
+        closing_s=reader.positive(element, "closing", TIME),
+        most_kg=reader.positive(element, "max-mass", MASS),
+        force_n=reader.positive(element, "force", FORCE),
+    )
 
 
 def arm(root: Element, reader: Reader) -> Arm | None:
     """Gives the arm, None for a robot without one; mistakes go to the reader."""
-    for element in root.all("arm"):
-        return Arm(
-            x_m=reader.quantity(element, "x", LENGTH),
-            y_m=reader.quantity(element, "y", LENGTH),
-            upper_m=reader.positive(element, "upper", LENGTH),
-            fore_m=reader.positive(element, "fore", LENGTH),
-            shoulder=_joint(element, "shoulder", reader),
-            elbow=_joint(element, "elbow", reader),
-            hand_m=reader.positive(element, "hand", LENGTH),
-            most_kg=reader.positive(element, "max-mass", MASS),
-        )
-    return None
+    element = root.maybe("arm")
+    if element is None:
+        return None
+    return Arm(
+        x_m=reader.quantity(element, "x", LENGTH),
+        y_m=reader.quantity(element, "y", LENGTH),
+        upper_m=reader.positive(element, "upper", LENGTH),
+        fore_m=reader.positive(element, "fore", LENGTH),
+        shoulder=_joint(element, "shoulder", reader),
+        elbow=_joint(element, "elbow", reader),
+        hand_m=reader.positive(element, "hand", LENGTH),
+        most_kg=reader.positive(element, "max-mass", MASS),
+    )
 
 
 def _joint(element: Element, name: str, reader: Reader) -> Joint:

@@ -8,10 +8,13 @@ from __future__ import annotations
 
 import io
 import struct
+from pathlib import Path
 from typing import Final
 
 import numpy as np
 import numpy.typing as npt
+
+from crs_cc.sim.files.nearby import read_below
 
 MAX_BYTES: Final = 16 * 1024 * 1024
 """How large a file may be."""
@@ -21,6 +24,21 @@ MAX_PIXELS: Final = 4_000_000
 
 _SIGNATURE: Final = b"\x89PNG\r\n\x1a\n"
 _HEAD: Final = struct.Struct(">I4sII")  # length and kind of the first chunk, width, height
+
+
+def picture(folder: Path | None, name: str) -> npt.NDArray[np.float64]:
+    """Gives the grey values of a picture that a world file names, see `grey_values`.
+
+    Args:
+        folder: the folder of the world file; None when the world came from no file.
+        name: the picture, relative to it.
+
+    Raises:
+        ValueError: the picture cannot be read; says why.
+    """
+    if folder is None:
+        raise ValueError("a world that is no file has no pictures")
+    return grey_values(read_below(folder, name, ".png", MAX_BYTES))
 
 
 def grey_values(data: bytes) -> npt.NDArray[np.float64]:

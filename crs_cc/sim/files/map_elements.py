@@ -17,8 +17,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.files.document import Element
-from crs_cc.sim.files.image import MAX_BYTES, grey_values
-from crs_cc.sim.files.nearby import read_below
+from crs_cc.sim.files.image import picture
 from crs_cc.sim.files.solid_elements import SolidElements
 from crs_cc.sim.model import Area, Box, Pose
 from crs_cc.sim.quantity import ANGLE, LENGTH, RATIO
@@ -46,14 +45,14 @@ def map_boxes(
     pixel_m = solids.size(element, "resolution")
     threshold = reader.quantity(element, "threshold", RATIO)
     if not 0.0 < threshold <= 1.0:
-        reader.refuse(element, "threshold: must be greater than 0, and 1 or less")
+        reader.refuse(element, "threshold: must be greater than 0 and 1 or less")
     x_m = reader.quantity(element, "x", LENGTH, area.x_min_m)
     y_m = reader.quantity(element, "y", LENGTH, area.y_min_m)
     corner = Pose(x_m, y_m, reader.quantity(element, "heading", ANGLE))
     common = solids.common(element)
     rows, found = 0, np.zeros((0, 4), dtype=np.int64)
     try:
-        dark = _grey(element, folder) < threshold
+        dark = picture(folder, element.attributes["image"]) < threshold
         rows, found = len(dark), _few_rectangles(dark)
     except ValueError as wrong:
         reader.refuse(element, f"image {element.attributes['image'][:_SHOWN]!r}: {wrong}")
@@ -115,9 +114,3 @@ def _stacked_runs(dark: BoolArray) -> WholeArray:
     first = np.flatnonzero(~goes_on)
     last = np.append(first[1:], len(row))[: len(first)] - 1
     return np.column_stack([row[first], row[last] + 1, start[first], end[first]])
-
-
-def _grey(element: Element, folder: Path | None) -> npt.NDArray[np.float64]:
-    if folder is None:
-        raise ValueError("a world that is no file has no pictures")
-    return grey_values(read_below(folder, element.attributes["image"], ".png", MAX_BYTES))

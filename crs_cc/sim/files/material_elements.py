@@ -15,7 +15,7 @@ from dataclasses import replace
 from crs_cc.sim.colours import rgb
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.model import PLAIN, Material
-from crs_cc.sim.quantity import RATIO
+from crs_cc.sim.unknown import unknown
 
 
 class Materials:
@@ -41,21 +41,12 @@ class Materials:
         name = element.attributes.get("material", "")
         base = self._known.get(name, PLAIN)
         if name and name not in self._known:
-            names = ", ".join(self._known) or "none: add <material name='...'/>"
-            reader.error(element, f"unknown material {name!r}", f"known are {names}")
+            reader.refuse(element, f"material: {unknown('material', name, tuple(self._known))}")
         infrared = base.infrared
         if "infrared" in element.attributes:
-            infrared = _share(element, "infrared", 1.0, reader)
-        sonar = _share(element, "sonar", base.sonar, reader)
+            infrared = reader.share(element, "infrared", 1.0)
+        sonar = reader.share(element, "sonar", base.sonar)
         return replace(base, colour=_colour(element, base, reader), sonar=sonar, infrared=infrared)
-
-
-def _share(element: Element, name: str, absent: float, reader: Reader) -> float:
-    value = reader.quantity(element, name, RATIO, absent)
-    if 0.0 <= value <= 1.0:
-        return value
-    reader.refuse(element, f"{name}: {element.attributes[name]!r} must be between 0 and 1")
-    return absent
 
 
 def _colour(element: Element, base: Material, reader: Reader) -> tuple[int, int, int]:

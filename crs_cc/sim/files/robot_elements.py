@@ -24,6 +24,7 @@ from crs_cc.sim.quantity import (
 )
 from crs_cc.sim.robot_model import Axis, Drive, Heat, Link, Odometry, RobotModel
 from crs_cc.sim.sonar_model import Sonar
+from crs_cc.sim.unknown import unknown
 
 VENDOR_MODELS: Final = ("nomad200", "nomad150", "scout")
 """The vendor's models by their numbers (vendor header `Nclient.h` 1.29: MODEL_N200, ...)."""
@@ -126,7 +127,7 @@ def _climb(element: Element, reader: Reader) -> float:
     climb_rad = reader.not_negative(element, "climb", ANGLE)
     if climb_rad < math.pi / 2:
         return climb_rad
-    reader.refuse(element, "climb: must be less than 90 degrees")
+    reader.refuse(element, "climb: must be less than 90deg")
     return 0.0
 
 
@@ -145,9 +146,8 @@ def _odometry(element: Element, reader: Reader) -> Odometry:
 
 
 def _turning(drive: Element, name: str, reader: Reader) -> Axis | None:
-    for element in drive.all(name):
-        return _axis(element, reader, TURN_RATE, TURN_ACCELERATION)
-    return None
+    element = drive.maybe(name)
+    return None if element is None else _axis(element, reader, TURN_RATE, TURN_ACCELERATION)
 
 
 def _axis(element: Element, reader: Reader, speed: Kind, acceleration: Kind) -> Axis:
@@ -173,7 +173,7 @@ def _link(element: Element, reader: Reader) -> Link:
     for command in element.all("command"):
         name = command.attributes["name"]
         if name not in _ROBOT_COMMANDS:
-            reader.error(command, f"{name!r} is no command of a robot")
+            reader.refuse(command, f"name: {unknown('command', name, sorted(_ROBOT_COMMANDS))}")
         count = reader.whole(command, "sends", 0, _MOST_BYTES)
         count += reader.whole(command, "receives", 0, _MOST_BYTES)
         counts[name] = count

@@ -63,17 +63,16 @@ def _ring(ring: Element, reader: Reader) -> list[Switch]:
 
 def infrared(root: Element, reader: Reader) -> Infrared | None:
     """Gives the infrared ring, None for a robot without one."""
-    found = list(root.all("infrared"))
-    if not found:
+    element = root.maybe("infrared")
+    if element is None:
         return None
-    element = found[0]
     order = tuple(int(number) for number in element.attributes["order"].split())
     for number in order:
         if number >= MAX_INFRARED:
             reader.error(element, f"order names sensor {number}; the last is {MAX_INFRARED - 1}")
     return Infrared(
         step_m=reader.positive(element, "step", LENGTH),
-        half_angle_rad=_half_angle(element, reader),
+        half_angle_rad=half_angle_rad(element, reader),
         reflectance=float(element.attributes["reflectance"]),
         rate_hz=reader.positive(element, "rate", FREQUENCY),
         noise_m=reader.not_negative(element, "noise", LENGTH),
@@ -84,20 +83,27 @@ def infrared(root: Element, reader: Reader) -> Infrared | None:
     )
 
 
-def _half_angle(element: Element, reader: Reader) -> float:
-    half_angle_rad = reader.not_negative(element, "half-angle", ANGLE)
-    if half_angle_rad < math.pi / 2:
-        return half_angle_rad
-    reader.refuse(element, "half-angle: a beam must have less than 90 degrees to each side")
+def half_angle_rad(element: Element, reader: Reader) -> float:
+    """Gives how far a beam reaches to each side [rad]."""
+    value_rad = reader.not_negative(element, "half-angle", ANGLE)
+    if value_rad < math.pi / 2:
+        return value_rad
+    reader.refuse(element, "half-angle: must be less than 90deg")
     return 0.0
+
+
+def _field_of_view(element: Element, reader: Reader) -> float:
+    value_rad = reader.positive(element, "field-of-view", ANGLE)
+    if value_rad > _TURN:
+        reader.refuse(element, "field-of-view: must be 360deg or less")
+    return value_rad
 
 
 def compass(root: Element, reader: Reader) -> Compass | None:
     """Gives the compass, None for a robot without one."""
-    found = list(root.all("compass"))
-    if not found:
+    element = root.maybe("compass")
+    if element is None:
         return None
-    element = found[0]
     return Compass(
         offset_rad=reader.quantity(element, "offset", ANGLE),
         deviation_rad=reader.not_negative(element, "deviation", ANGLE),
@@ -111,16 +117,12 @@ def compass(root: Element, reader: Reader) -> Compass | None:
 
 def laser(root: Element, reader: Reader) -> Laser | None:
     """Gives the laser, None for a robot without one."""
-    found = list(root.all("laser"))
-    if not found:
+    element = root.maybe("laser")
+    if element is None:
         return None
-    element = found[0]
-    field_of_view_rad = reader.positive(element, "field-of-view", ANGLE)
-    if field_of_view_rad > _TURN:
-        reader.refuse(element, "field-of-view: there are only 360 degrees")
     return Laser(
         points=reader.whole(element, "points", 1, NUM_LASER),
-        field_of_view_rad=field_of_view_rad,
+        field_of_view_rad=_field_of_view(element, reader),
         range_m=reader.positive(element, "range", LENGTH),
         forward_m=reader.quantity(element, "forward", LENGTH),
         rate_hz=reader.positive(element, "rate", FREQUENCY),
@@ -133,23 +135,25 @@ def laser(root: Element, reader: Reader) -> Laser | None:
 
 def gps(root: Element, reader: Reader) -> Gps | None:
     """Gives the GPS receiver, None for a robot without one."""
-    for element in root.all("gps"):
-        return Gps(
-            reader.positive(element, "rate", FREQUENCY),
-            reader.not_negative(element, "noise", LENGTH),
-            period_s(element, reader),
-        )
-    return None
+    element = root.maybe("gps")
+    if element is None:
+        return None
+    return Gps(
+        reader.positive(element, "rate", FREQUENCY),
+        reader.not_negative(element, "noise", LENGTH),
+        period_s(element, reader),
+    )
 
 
 def inclinometer(root: Element, reader: Reader) -> Inclinometer | None:
     """Gives the inclinometer, None for a robot without one."""
-    for element in root.all("inclinometer"):
-        return Inclinometer(
-            reader.positive(element, "rate", FREQUENCY),
-            reader.not_negative(element, "noise", ANGLE),
-        )
-    return None
+    element = root.maybe("inclinometer")
+    if element is None:
+        return None
+    return Inclinometer(
+        reader.positive(element, "rate", FREQUENCY),
+        reader.not_negative(element, "noise", ANGLE),
+    )
 
 
 def camera(root: Element, reader: Reader) -> Camera | None:
@@ -186,12 +190,9 @@ def _placed(camera: Camera, place: Element, reader: Reader) -> Camera:
 
 
 def _camera(element: Element, reader: Reader) -> Camera:
-    field_of_view_rad = reader.positive(element, "field-of-view", ANGLE)
-    if field_of_view_rad > _TURN:
-        reader.refuse(element, "field-of-view: there are only 360 degrees")
     return Camera(
         columns=reader.whole(element, "columns", 1, MAX_COLUMNS, absent=1),
-        field_of_view_rad=field_of_view_rad,
+        field_of_view_rad=_field_of_view(element, reader),
         range_m=reader.positive(element, "range", LENGTH),
         x_m=reader.quantity(element, "forward", LENGTH),
         y_m=reader.quantity(element, "left", LENGTH),
@@ -208,7 +209,7 @@ def period_s(element: Element, reader: Reader) -> float:
     """Gives how often a sensor measures by its timer, 0 for one that has none [s]."""
     value_s = reader.not_negative(element, "period", TIME)
     if 0.0 < value_s < _SHORTEST_S:
-        reader.refuse(element, "period: must be 0, or at least 1 ms")
+        reader.refuse(element, "period: must be 0, or 1ms or more")
     if "rate" in element.attributes and value_s > 0.0:
         least_s = 1.0 / reader.positive(element, "rate", FREQUENCY)
         if value_s < least_s * (1.0 - _ROUNDING):
@@ -226,16 +227,15 @@ def _colour(element: Element, name: str, reader: Reader) -> tuple[int, int, int]
 
 def computer_battery(root: Element, reader: Reader) -> Battery:
     """Gives the battery of the computers; without one in the definition it lasts for ever."""
-    found = list(root.all("computer-battery"))
-    return Battery(*_battery(found[0], reader)) if found else ENDLESS
+    element = root.maybe("computer-battery")
+    return ENDLESS if element is None else Battery(*_battery(element, reader))
 
 
 def motor_battery(root: Element, reader: Reader) -> MotorBattery:
     """Gives the battery of the motors; without one in the definition it lasts for ever."""
-    found = list(root.all("motor-battery"))
-    if not found:
+    element = root.maybe("motor-battery")
+    if element is None:
         return ENDLESS_MOTORS
-    element = found[0]
     return MotorBattery(
         *_battery(element, reader),
         friction_n=reader.not_negative(element, "friction", FORCE),

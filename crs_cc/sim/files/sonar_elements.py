@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Final
 
 from crs_cc.sim.files.document import Element, Reader
+from crs_cc.sim.files.sensor_elements import half_angle_rad
 from crs_cc.sim.quantity import ANGLE, LENGTH, TIME
 from crs_cc.sim.sonar_model import MAX_SONARS, SONAR_TICK_S, Sonar, SonarBoard, SonarMode
 
@@ -15,7 +16,6 @@ _MOST_RATE: Final = 255
 _LEAST_INTERVAL_S: Final = 0.04  # an echo from 255 in takes 37.7 ms, and the clock ticks in 4 ms
 _SHORTEST_S: Final = 0.001  # one robot must not keep the simulator busy with firing
 _THINNEST_RAD: Final = math.radians(0.01)
-_RIGHT_ANGLE: Final = math.pi / 2
 
 
 def sonars(root: Element, reader: Reader) -> tuple[Sonar, ...]:
@@ -52,7 +52,7 @@ def board(element: Element, of: tuple[Sonar, ...], reader: Reader) -> SonarBoard
     """
     least_s = reader.positive(element, "least-interval", TIME, _LEAST_INTERVAL_S)
     if least_s < _SHORTEST_S:
-        reader.refuse(element, "least-interval: must be at least 1 ms")
+        reader.refuse(element, "least-interval: must be 1ms or more")
     rate = reader.whole(element, "rate", 0, _MOST_RATE, absent=_RATE)
     usual = SonarBoard(
         _order(element, of, reader),
@@ -87,11 +87,9 @@ def _beams(mode: Element, of: tuple[Sonar, ...], reader: Reader) -> tuple[Sonar,
     ranges_m = [reader.positive(mode, "range", LENGTH)] * len(of)
     if "range" not in mode.attributes:
         ranges_m = [sonar.range_m for sonar in of]
-    halves_rad = [reader.not_negative(mode, "half-angle", ANGLE)] * len(of)
+    halves_rad = [half_angle_rad(mode, reader)] * len(of)
     if "half-angle" not in mode.attributes:
         halves_rad = [sonar.half_angle_rad for sonar in of]
-    elif halves_rad and halves_rad[0] >= _RIGHT_ANGLE:
-        reader.refuse(mode, "half-angle: a beam must have less than 90 degrees to each side")
     beams = zip(of, ranges_m, halves_rad, strict=True)
     return tuple(
         replace(sonar, range_m=range_m, radius_m=range_m * math.tan(half_rad))
@@ -103,7 +101,7 @@ def _heard(element: Element, usual: SonarBoard, reader: Reader) -> SonarBoard:
     """Gives a board with what an element says of how echoes are heard, and else as usual."""
     lobe_rad = reader.not_negative(element, "lobe", ANGLE, usual.lobe_rad)
     if 0.0 < lobe_rad < _THINNEST_RAD:
-        reader.refuse(element, "lobe: must be 0, or at least 0.01 degrees")
+        reader.refuse(element, "lobe: must be 0, or 0.01deg or more")
     return replace(
         usual,
         lobe_rad=lobe_rad,
@@ -111,16 +109,11 @@ def _heard(element: Element, usual: SonarBoard, reader: Reader) -> SonarBoard:
         blind_m=reader.not_negative(element, "blind", LENGTH, usual.blind_m),
         minimum_m=reader.not_negative(element, "minimum", LENGTH, usual.minimum_m),
         noise_m=reader.not_negative(element, "noise", LENGTH, usual.noise_m),
-        noise_share=_share(element, "noise-share", usual.noise_share),
-        dropouts=_share(element, "dropouts", usual.dropouts),
-        crosstalk=_share(element, "crosstalk", usual.crosstalk),
+        noise_share=reader.share(element, "noise-share", usual.noise_share),
+        dropouts=reader.share(element, "dropouts", usual.dropouts),
+        crosstalk=reader.share(element, "crosstalk", usual.crosstalk),
         resolution_m=reader.not_negative(element, "resolution", LENGTH, usual.resolution_m),
     )
-
-
-def _share(element: Element, name: str, usual: float) -> float:
-    """Gives a number from 0 to 1, which the schema has checked."""
-    return float(element.attributes.get(name, usual))
 
 
 def _order(element: Element, sonars: tuple[Sonar, ...], reader: Reader) -> tuple[int, ...]:

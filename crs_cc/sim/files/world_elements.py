@@ -161,7 +161,7 @@ def _area(element: Element, reader: Reader, materials: Materials) -> Area:
     width_m = reader.positive(element, "width", LENGTH)
     edge_m = reader.not_negative(element, "edge", LENGTH, 0.1)
     if 0.0 < edge_m < SHORTEST_M:
-        reader.refuse(element, "edge: walls must be 1mm thick or more, or 0 for none")
+        reader.refuse(element, "edge: must be 0, or 1mm or more")
     material = materials.of(element)
     if element.attributes.get("origin") == "centre":
         return Area(-length_m / 2, -width_m / 2, length_m, width_m, edge_m, material)
@@ -171,7 +171,7 @@ def _area(element: Element, reader: Reader, materials: Materials) -> Area:
 def _timestep(root: Element, reader: Reader) -> float:
     value_s = reader.positive(root, "timestep", TIME, 0.05)
     if not SHORTEST_TIMESTEP_S <= value_s <= LONGEST_TIMESTEP_S:
-        reader.refuse(root, f"timestep: {value_s:g}s must be 1ms or more and 100ms or less")
+        reader.refuse(root, "timestep: must be 1ms or more and 100ms or less")
         return 0.05
     return value_s
 

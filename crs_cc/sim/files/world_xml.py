@@ -42,6 +42,7 @@ from crs_cc.sim.files.xml_document import (
 )
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.robot_model import Drive, RobotModel
+from crs_cc.sim.unknown import unknown
 from crs_cc.source import Diagnostic, Diagnostics, Location
 
 SCOUT: Final = "scout"
@@ -202,8 +203,8 @@ class _World:
         if path is None:
             self.reader.error(
                 element,
-                f"unknown robot definition {name!r}",
-                f"known are {', '.join(known_robots())}, and files (.xml) in the world's folder",
+                unknown("robot definition", str(name), known_robots()),
+                "take one of these, or a file (.xml) in the world's folder",
             )
             return None
         try:

@@ -48,7 +48,7 @@ def test_an_element_decides_the_unit_of_its_values(element, number, bias):
 @pytest.mark.parametrize(
     ("attributes", "said"),
     [
-        ('robot="r" device="sonar" dead="yes"', "the robot 'r': there is none with that id"),
+        ('robot="r" device="sonar" dead="yes"', "robot: there is no robot 'r': there are robot0"),
         ('robot="robot0" device="radar" dead="yes"', "there is no device 'radar': there are sonar"),
         ('robot="robot0" device="compass" dead="yes"', "the robot has no compass"),
         ('robot="robot0" device="compass" element="1" dead="yes"', "the robot has no compass"),
