@@ -111,7 +111,8 @@ HANDLING: Final = Group("Taking hold of things", (
     Function(
         "int crs_tag(void)",
         "takes the heat from all things near, as tagTarget() of the CRS report does; gives how "
-        "many things lost theirs", posts=("TAKE_HEAT",), source=(OURS,),
+        "many things lost theirs, -1 for a robot that cannot do it",
+        posts=("TAKE_HEAT",), source=(OURS,),
     ),
 ))  # fmt: skip
 

@@ -1,7 +1,11 @@
 """`crs_tag` from C: what is near is hot no more."""
 
+import re
+from pathlib import Path
+
 import pytest
 
+from crs_cc.sim.files import world_xml
 from tests.nclient.drive import drive
 
 
@@ -14,3 +18,13 @@ def test_it_takes_the_heat_from_what_is_near_and_counts_it():
     ask = 'int heat; crs_heat(&heat); printf("%d %d ", heat, crs_tag()); printf("%d ", crs_tag());'
     show = 'crs_heat(&heat); printf("%d\\n", heat);'
     assert drive(ask + show, things=things).numbers == [10, 2, 0, 0]
+
+
+@pytest.mark.function("crs_tag")
+def test_a_robot_that_cannot_is_told_so_and_takes_nothing(tmp_path):
+    scout = (Path(world_xml.__file__).parents[1] / "robots" / "scout.xml").read_text()
+    (tmp_path / "cold.xml").write_text(re.sub("<heat [^>]*/>", "", scout))
+    things = '<robot x="0" y="0"/><cylinder x="1m" y="0" radius="20cm" heat="5"/>'
+    done = drive('printf("%d\\n", crs_tag());', things=things, robot=str(tmp_path / "cold.xml"))
+    assert done.numbers == [-1]
+    assert done.session.environment.state.heat.left.tolist() == [0.0, 5.0]

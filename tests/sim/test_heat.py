@@ -133,6 +133,7 @@ def test_a_robot_without_the_sensor_refuses(tmp_path):
     for request in ("HEAT", "TAG"):
         message, _ = driver.post(request, robot=0)
         assert (message["result"], message["i"][0]) == (0, 0)
+        assert driver.state.heat.left[2:].max() == 1.0
     assert heat(driver, 1) == 1
     message, _ = driver.post("TAG", robot=1)
     assert (message["result"], message["i"][0]) == (1, 0), "as near as 1m is nothing hot"

@@ -28,7 +28,8 @@ _NOTHING_M: Final = -1.0  # nothing is so near
 
 def tag(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> BoolArray:
     """Takes the heat away, and answers with how many things lost it; refuses robots without."""
-    range_m = equipment.tag_range_m[rows]
+    has = np.asarray(equipment.tag_range_m[rows] > 0.0)
+    rows, range_m = rows[has], equipment.tag_range_m[rows[has]]
     reach_m = equipment.degradations.alter(
         state, "tag", rows, range_m[:, None], state.drive.clock_s[rows]
     )[:, 0]
@@ -36,5 +37,5 @@ def tag(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messa
     robot, thing, _ = hot_things(state, equipment, rows, reach_m)
     state.heat.left[thing] = 0.0
     messages["size"] = 0
-    messages["i"][:, 0] = np.bincount(robot, minlength=len(rows))
-    return np.asarray(range_m > 0.0)
+    messages["i"][has, 0] = np.bincount(robot, minlength=len(rows))
+    return has
