@@ -149,7 +149,8 @@ CONFIGURATION: Final = Group("Configuration", (
         "sets which sonars fire in turn, and how often one of them; 255 ends the order, and at its"
         " begin switches the sonars off; NULL does so too", units="4 ms, sonar numbers",
         refreshes=ALL, posts=("CONF_SN",), source=(HEADER, SOURCE, "CARMEN"),
-        chosen="NULL is our reading of what CARMEN passes. Rates below the definition's least"
+        chosen="NULL is our reading of what CARMEN passes. An order with a sonar that the robot "
+        "does not have is refused. Rates below the definition's least"
         " interval (40 ms on a Scout, the time of the longest echo), 0 too, mean that interval. The"
         " first sonar fires at once; what the one before has not heard yet is lost. Sonars that are"
         " not in the order read 255. Until the program calls it, sonars fire in the definition's"

@@ -1,7 +1,14 @@
 """What a robot does for each request: one small function each, for all robots that posted it.
 
 A handler changes the state and gives, for each robot, whether the request was good. Wheels have
-been turned to the instant of the request before. The table and `requests.REQUESTS` must name the
+been turned to the instant of the request before.
+
+What a robot does not have it refuses: a request that is about one device, to read it or to tell it
+something, changes nothing on a robot without it, and its result is 0. The same holds for parts that
+it does not have: a sonar in an order, a mode. `State` comes with the reply all the same. Requests
+about all of the robot, like GS, are answered by each.
+
+The table and `requests.REQUESTS` must name the
 same codes; a test holds them together.
 """
 
@@ -18,7 +25,7 @@ from crs_cc.sim import link
 from crs_cc.sim.actuators import beacons, drive, tag
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.messages import messenger
-from crs_cc.sim.sensors import compass, infrared, laser, odometry, pos_data, sonar
+from crs_cc.sim.sensors import bumper, compass, infrared, laser, odometry, pos_data, sonar
 from crs_cc.sim.server import drawing, world
 from crs_cc.sim.server.motion import motion_check
 from crs_cc.sim.server.place import place_robot
@@ -59,6 +66,12 @@ def tell(_state: EnvState, _equipment: Equipment, _rows: IndexArray, _messages: 
     """Changes nothing: readings come with the reply, or the robot is as it is asked to be."""
 
 
+def leave_to_device(
+    _state: EnvState, _equipment: Equipment, _rows: IndexArray, _messages: Messages
+) -> None:
+    """Does nothing yet: the device does and tells what is asked, see `Devices.answers`."""
+
+
 def refuse(
     _state: EnvState, _equipment: Equipment, rows: IndexArray, _messages: Messages
 ) -> BoolArray:
@@ -96,8 +109,8 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("CONF_SN", sonar.conf_sn),
         ("CONF_TM", drive.conf_tm),
         ("GS", tell),
-        ("GET_SN", tell),
-        ("GET_BP", tell),
+        ("GET_SN", sonar.get_sn),
+        ("GET_BP", bumper.get_bp),
         ("GET_RC", tell),
         ("GET_RV", tell),
         ("CT", ct),
@@ -120,7 +133,7 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("MOVE_OBSTACLE", world.move_obstacle),
         ("NEW_WORLD", world.new_world),
         ("GET_RPX", get_rpx),
-        ("PREDICT", tell),
+        ("PREDICT", leave_to_device),
         ("MOTION_CHECK", motion_check),
         ("GET_CONF", refuse),
         ("REAL_ROBOT", refuse),
@@ -130,34 +143,34 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("QUIT_SERVER", disconnect),
         ("CREATE", connect),
         ("SPECIAL", refuse),
-        ("SONAR", tell),
-        ("HEAT", tell),
+        ("SONAR", leave_to_device),
+        ("HEAT", leave_to_device),
         ("TAG", tag.tag),
-        ("GPS", tell),
-        ("TILT", tell),
-        ("CAMERA", tell),
-        ("SEND", tell),
+        ("GPS", leave_to_device),
+        ("TILT", leave_to_device),
+        ("CAMERA", leave_to_device),
+        ("SEND", leave_to_device),
         ("RECEIVE", messenger.wait),
-        ("MESSAGE_COUNT", tell),
-        ("GROUP", tell),
-        ("CHANNEL", tell),
-        ("ROBOT", tell),
-        ("READINGS", tell),
-        ("SENSE_HEAT", tell),
+        ("MESSAGE_COUNT", leave_to_device),
+        ("GROUP", leave_to_device),
+        ("CHANNEL", leave_to_device),
+        ("ROBOT", leave_to_device),
+        ("READINGS", leave_to_device),
+        ("SENSE_HEAT", leave_to_device),
         ("SONAR_MODE", sonar.set_mode),
-        ("SONAR_RANGES", tell),
-        ("LASER", tell),
-        ("PERIOD", tell),
-        ("AGE", tell),
-        ("GRIPPER", tell),
-        ("GET_GRIPPER", tell),
-        ("ARM", tell),
-        ("GET_ARM", tell),
-        ("HAND", tell),
+        ("SONAR_RANGES", leave_to_device),
+        ("LASER", leave_to_device),
+        ("PERIOD", leave_to_device),
+        ("AGE", leave_to_device),
+        ("GRIPPER", leave_to_device),
+        ("GET_GRIPPER", leave_to_device),
+        ("ARM", leave_to_device),
+        ("GET_ARM", leave_to_device),
+        ("HAND", leave_to_device),
         ("LIGHT", beacons.light),
         ("SOUND", beacons.sound),
-        ("GET_LIGHT", tell),
-        ("GET_SOUND", tell),
+        ("GET_LIGHT", leave_to_device),
+        ("GET_SOUND", leave_to_device),
         ("TAKE_HEAT", tag.tag),
     )
 }

@@ -101,7 +101,7 @@ class Devices:
             CODES["CAMERA"]: self._cameras.tell,
             CODES["READINGS"]: tell_page,
             CODES["SENSE_HEAT"]: heat.tell,
-            CODES["SONAR_RANGES"]: self.sonars.tell_ranges,
+            CODES["SONAR_RANGES"]: self.sonars.tell,
             CODES["LASER"]: self.instruments.lasers.tell,
             CODES["PERIOD"]: self._timers.set_period,
             CODES["AGE"]: self._timers.tell_age,

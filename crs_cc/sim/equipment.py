@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Self
 
@@ -14,8 +15,11 @@ from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.things import Things
 from crs_cc.sim.ground.inclines import Inclines
 from crs_cc.sim.model import WorldModel
+from crs_cc.sim.robot_model import RobotModel
+from crs_cc.sim.sonar_model import MAX_SONARS
 
 FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
 IndexArray = npt.NDArray[np.intp]
 
 
@@ -28,7 +32,9 @@ class Equipment:
         drives: the drives.
         vendor_model: the vendor's number of the model.
         least_interval_s: the shortest time from one sonar's firing to the next.
+        sonars: which sonars each robot has, (robots, 16).
         sonar_modes: in how many modes the sonars can work, 0 for a robot without sonars.
+        bumpers: whether it has bumpers.
         infrared: number of each robot among those that have an infrared ring, -1 for the others.
         compass: the same for compasses.
         laser: the same for lasers.
@@ -56,7 +62,9 @@ class Equipment:
     drives: Drives
     vendor_model: npt.NDArray[np.int64]
     least_interval_s: FloatArray
+    sonars: BoolArray
     sonar_modes: npt.NDArray[np.int64]
+    bumpers: BoolArray
     infrared: IndexArray
     compass: IndexArray
     laser: IndexArray
@@ -89,7 +97,9 @@ class Equipment:
             Drives.of(world),
             np.array([model.vendor_model for model in models], dtype=np.int64),
             np.array([model.sonar_board.least_interval_s for model in models]),
+            _sonars(models),
             np.array([len(model.sonar_modes) if model.sonars else 0 for model in models], np.int64),
+            np.array([bool(model.bumpers) for model in models], dtype=np.bool_),
             _numbers([model.infrared is not None for model in models]),
             _numbers([model.compass is not None for model in models]),
             _numbers([model.laser is not None for model in models]),
@@ -112,6 +122,14 @@ class Equipment:
             Things.of(scene),
             None if world.surface.is_flat else Inclines(world, scene),
         )
+
+
+def _sonars(models: Sequence[RobotModel]) -> BoolArray:
+    """Tells which sonars robots have."""
+    has = np.zeros((len(models), MAX_SONARS), dtype=np.bool_)
+    for row, model in zip(has, models, strict=True):
+        row[[sonar.id for sonar in model.sonars]] = True
+    return has
 
 
 def _numbers(has: list[bool]) -> IndexArray:

@@ -29,7 +29,9 @@ if TYPE_CHECKING:
     from crs_cc.sim.state import EnvState
 
 FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
 IndexArray = npt.NDArray[np.intp]
+Messages = npt.NDArray[np.void]
 
 _TURN: Final = 2 * math.pi
 _BITS: Final = 24  # of State[33]
@@ -87,6 +89,13 @@ class Bumpers:
         bits = np.where(values >= _PRESSED, 1 << places, 0).sum(axis=1)
         have = np.bitwise_or.reduce(self._bit[self._kind], axis=1)
         return np.asarray(bits & have, dtype=np.int32)
+
+
+def get_bp(
+    _state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messages
+) -> BoolArray:
+    """Refuses robots that have no bumpers; the reply has the switches."""
+    return np.asarray(equipment.bumpers[rows])
 
 
 def _switches(model: RobotModel) -> FloatArray:

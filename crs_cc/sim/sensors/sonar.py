@@ -145,11 +145,12 @@ class SonarRing:
             state.sonar.count[rows] += 1
         return told_m
 
-    def tell(self, asked: Asked) -> None:
-        """Answers SONAR as the CRS report has it: in 0.1 in, -1 for no echo."""
+    def tell(self, asked: Asked) -> BoolArray:
+        """Answers SONAR and SONAR_RANGES: in 0.1 in, -1 for no echo; refuses robots without."""
         state, rows, messages = asked.state, asked.rows, asked.messages
         echo_m = state.sonar.echo_m[rows]
-        now = messages["i"][:, 0] != 0
+        has = np.asarray(asked.equipment.sonars[rows].any(axis=1))
+        now = has & (messages["i"][:, 0] != 0)
         if now.any():
             echo_m[now] = self.hear_now(
                 state, asked.equipment, asked.around, rows[now], asked.at_s[now]
@@ -159,11 +160,7 @@ class SonarRing:
         told = np.where(heard, tenths, -1).astype("<i4")
         messages["size"] = told.itemsize * MAX_SONARS
         messages["data"][:, : told.itemsize * MAX_SONARS] = told.view(np.uint8)
-
-    def tell_ranges(self, asked: Asked) -> BoolArray:
-        """Answers SONAR_RANGES as SONAR; refuses robots without sonars."""
-        self.tell(asked)
-        return np.asarray(asked.equipment.sonar_modes[asked.rows] > 0)
+        return has
 
     def look(
         self, state: EnvState, around: Surroundings, rows: IndexArray, poses: FloatArray
@@ -288,11 +285,21 @@ class SonarRing:
         return around.prospect(state, z_m, np.tan(pings.half_rad))
 
 
+def get_sn(
+    _state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messages
+) -> BoolArray:
+    """Refuses robots that have no sonars; the reply has the readings."""
+    return np.asarray(equipment.sonars[rows].any(axis=1))
+
+
 def conf_sn(
     state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
 ) -> BoolArray:
-    """Sets which sonars fire and how often; refuses an order with a sonar there cannot be."""
+    """Sets which sonars fire and how often; refuses an order with a sonar that is not there."""
     order, given, good = orders(messages, MAX_SONARS)
+    has = equipment.sonars[rows]
+    known = np.take_along_axis(has, np.minimum(order, MAX_SONARS - 1), axis=1)
+    good &= has.any(axis=1) & (known | ~given).all(axis=1)
     rows, order, given = rows[good], order[good], given[good]
     interval_s = messages["i"][good, 0] % _RATES * SONAR_TICK_S
     state.sonar.interval_s[rows] = np.maximum(interval_s, equipment.least_interval_s[rows])

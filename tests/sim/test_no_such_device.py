@@ -1,0 +1,122 @@
+"""What a robot does not have it refuses, whatever asks: all requests, all robots."""
+
+from pathlib import Path
+
+import pytest
+
+from crs_cc.requests import CODES
+from crs_cc.sim.commands import HANDLERS
+from crs_cc.sim.environment import Environment
+from crs_cc.sim.files import world_xml
+from crs_cc.sim.files.world_xml import load_world
+from crs_cc.sim.states.timers import CAMERA, COMPASS, GPS, HEAT, INFRARED, LASER
+from tests.sim.driver import Driver
+
+ROBOTS = sorted((Path(world_xml.__file__).parents[1] / "robots").glob("*.xml"))
+DEVICES = """<gps/><inclinometer/><camera/><gripper/><arm/><light-sensors/><microphones/><lamp/>
+    <speaker/><computer-battery"""
+BARE = """<robot-definition version="1" name="bare"><body radius="10cm" mass="3kg"/>
+    <drive wheel-base="20cm" speed-limit="1m/s" acceleration-limit="1m/s2" speed="1m/s"
+           acceleration="1m/s2"/></robot-definition>"""
+
+HAS = {
+    "sonars": lambda model: bool(model.sonars),
+    "bumpers": lambda model: bool(model.bumpers),
+    "infrared": lambda model: model.infrared is not None,
+    "compass": lambda model: model.compass is not None,
+    "laser": lambda model: model.laser is not None,
+    "gps": lambda model: model.gps is not None,
+    "inclinometer": lambda model: model.inclinometer is not None,
+    "camera": lambda model: model.camera is not None,
+    "heat": lambda model: model.heat.range_m > 0.0,
+    "tag": lambda model: model.heat.tag_range_m > 0.0,
+    "gripper": lambda model: model.gripper is not None,
+    "arm": lambda model: model.arm is not None,
+    "lamp": lambda model: model.brightest > 0.0,
+    "speaker": lambda model: model.loudest > 0.0,
+    "light-sensors": lambda model: model.light_sensors is not None,
+    "microphones": lambda model: model.microphones is not None,
+}
+
+ASKED = (
+    ("sonars", "GET_SN"), ("sonars", "CONF_SN", 15), ("sonars", "SONAR", 1),
+    ("sonars", "SONAR_RANGES"), ("sonars", "SONAR_MODE"), ("bumpers", "GET_BP"),
+    ("infrared", "GET_IR"), ("infrared", "CONF_IR"), ("compass", "GET_CP"),
+    ("compass", "CONF_CP", 1), ("laser", "CONF_LS", 51), ("laser", "CONF_SG"), ("laser", "GET_LS"),
+    ("laser", "GET_SG"), ("laser", "LASER_PAGE"), ("laser", "LASER"), ("laser", "READINGS", LASER),
+    ("gps", "GPS"), ("inclinometer", "TILT"), ("camera", "CAMERA"), ("camera", "READINGS", CAMERA),
+    ("heat", "HEAT"), ("heat", "SENSE_HEAT"), ("tag", "TAG"), ("tag", "TAKE_HEAT"),
+    ("gripper", "GRIPPER"), ("gripper", "GET_GRIPPER"), ("arm", "ARM"), ("arm", "GET_ARM"),
+    ("arm", "HAND"), ("lamp", "LIGHT", 9), ("speaker", "SOUND", 9), ("light-sensors", "GET_LIGHT"),
+    ("microphones", "GET_SOUND"),
+    *((device, request, number)
+      for request in ("PERIOD", "AGE")
+      for device, number in (("gps", GPS), ("camera", CAMERA), ("heat", HEAT), ("laser", LASER),
+                             ("infrared", INFRARED), ("compass", COMPASS))),
+)  # fmt: skip
+
+COUNTS = {"READINGS", "LASER_PAGE"}
+"""Requests whose result is how many there are."""
+
+OF_ALL = {
+    "CONNECT", "DISCONNECT", "AC", "SP", "PR", "VM", "MV", "ST", "LP", "WS", "DP", "DA", "ZR",
+    "CONF_TM", "GS", "GET_RC", "GET_RV", "CT", "GET_RA", "POS_DATA", "TK", "CONF_SER",
+    "PLACE_ROBOT", "ADD_OBSTACLE", "DELETE_OBSTACLE", "MOVE_OBSTACLE", "NEW_WORLD", "GET_RPX",
+    "PREDICT", "MOTION_CHECK", "GET_CONF", "REAL_ROBOT", "SIMULATED_ROBOT", "DRAW", "REFRESH",
+    "QUIT_SERVER", "CREATE", "SPECIAL", "SEND", "RECEIVE", "MESSAGE_COUNT", "GROUP", "CHANNEL",
+    "ROBOT",
+}  # fmt: skip
+"""Requests that are about no single device."""
+
+
+@pytest.fixture(scope="module")
+def driver(tmp_path_factory) -> Driver:
+    """All known robots, a bare one, and a Nomad 200 with a device of each kind."""
+    folder = tmp_path_factory.mktemp("robots")
+    (folder / "bare.xml").write_text(BARE)
+    nomad = next(path for path in ROBOTS if path.stem == "nomad200").read_text()
+    (folder / "full.xml").write_text(nomad.replace("<computer-battery", DEVICES))
+    names = [*(path.stem for path in ROBOTS), "bare.xml", "full.xml"]
+    robots = "".join(
+        f'<robot definition="{name}" x="{2 * place}m" y="0"/>' for place, name in enumerate(names)
+    )
+    area = '<area length="99m" width="99m" origin="centre"/>'
+    (folder / "world.xml").write_text(f'<world version="1">{area}{robots}</world>')
+    return Driver.of(load_world(folder / "world.xml"))
+
+
+def test_every_request_is_about_a_device_or_about_none():
+    asked = {name for _, name, *_ in ASKED}
+    assert not asked & OF_ALL
+    assert {CODES[name] for name in asked | OF_ALL} == HANDLERS.keys()
+
+
+def test_every_device_is_there_on_one_robot_and_missing_on_another(driver):
+    models = [robot.model for robot in driver.environment.world.robots]
+    for has in HAS.values():
+        assert {has(model) for model in models} == {True, False}
+
+
+@pytest.mark.parametrize("asked", ASKED, ids=lambda asked: "-".join(map(str, asked[1:])))
+def test_what_a_robot_does_not_have_it_refuses_and_changes_nothing(driver, asked):
+    device, name, *arguments = asked
+    environment: Environment = driver.environment
+    for robot, each in enumerate(environment.world.robots):
+        if HAS[device](each.model):
+            if device == "laser":
+                driver.post("CONF_LS", 51, robot=robot)
+            result = driver.post(name, *arguments, robot=robot)[0]["result"]
+            assert result == 1 or name in COUNTS, each.model.name
+        else:
+            before = environment.hash()
+            assert driver.post(name, *arguments, robot=robot)[0]["result"] == 0, each.model.name
+            environment.state.commands[robot] -= 1
+            assert environment.hash() == before
+
+
+def test_an_order_with_a_sonar_that_is_not_there_is_refused(driver):
+    """An AmigoBot has eight."""
+    ids = [robot.model.name for robot in driver.environment.world.robots]
+    amigo = next(place for place, name in enumerate(ids) if "amigo" in name.lower())
+    for order, result in ((bytes([0, 7]), 1), (bytes([0, 8]), 0), (bytes([255, 8]), 1)):
+        assert driver.post("CONF_SN", 15, robot=amigo, data=order)[0]["result"] == result
