@@ -3,7 +3,7 @@
 A byte is ten bits on the line: a start bit, eight of data, a stop bit. How many bytes a command and
 its reply have says the robot's definition; one that is not named there takes no time. What only a
 simulator does, and what devices of `crs.h` do, goes over the network instead, which takes the same
-time for all.
+time for all; so do the commands to a robot whose definition names none.
 """
 
 from __future__ import annotations
@@ -37,8 +37,16 @@ _TO_SIMULATOR: Final = frozenset(
 _OVER_NETWORK: Final = _TO_SIMULATOR | {
     code for code, request in REQUESTS.items() if request.server == "device"
 } - {CODES["READINGS"]}  # they came with the reply
+_WITHOUT_TIME: Final = frozenset(
+    CODES[name]
+    for name in ("CONNECT", "DISCONNECT", "CREATE", "LASER_PAGE", "POS_DATA")  # chosen by us
+)
+_COMMANDS: Final = {
+    code for code, request in REQUESTS.items() if request.server == "robot"
+} - _WITHOUT_TIME
 _IS_CARRIED: Final = np.isin(np.arange(_CODES + 1), list(_CARRIED))
 _IS_OVER_NETWORK: Final = np.isin(np.arange(_CODES + 1), list(_OVER_NETWORK))
+_IS_COMMAND: Final = np.isin(np.arange(_CODES + 1), list(_COMMANDS))
 
 
 class SerialLine:
@@ -54,6 +62,7 @@ class SerialLine:
         kinds = {link: kind for kind, link in enumerate(dict.fromkeys(links))}
         self._kind = np.array([kinds[link] for link in links], dtype=np.intp)
         self._network_s = np.array([link.network_s for link in links])
+        self._has_line = np.array([bool(link.byte_counts) for link in links])
         # One row more than there are codes stands for all others.
         self._byte_count = np.zeros((len(kinds), _CODES + 1), dtype=np.int64)
         for link, kind in kinds.items():
@@ -81,7 +90,8 @@ class SerialLine:
         if carried.any():
             count = count + np.where(carried, np.clip(sizes, 0, DATA_SIZE), 0)
         line_s = count * _BITS_PER_BYTE / state.baud[robot]
-        return np.asarray(np.where(_IS_OVER_NETWORK[code], self._network_s[robot], line_s))
+        networked = _IS_OVER_NETWORK[code] | (_IS_COMMAND[code] & ~self._has_line[robot])
+        return np.asarray(np.where(networked, self._network_s[robot], line_s))
 
 
 def set_speed(state: EnvState, rows: IndexArray, baud: npt.NDArray[np.int32]) -> None:

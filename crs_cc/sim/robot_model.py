@@ -154,7 +154,8 @@ class Link:
 
     Attributes:
         baud: its speed until the program sets another [bit/s].
-        byte_counts: bytes that each command and its reply take, by name.
+        byte_counts: bytes that each command and its reply take, by name; of a robot that is on the
+            network itself none.
         network_s: time that a request to the simulator and its reply take on the network.
     """
 

@@ -7,7 +7,7 @@ import pytest
 
 from crs_cc.requests import CODES, MESSAGE, REQUESTS
 from crs_cc.sim.environment import Environment
-from crs_cc.sim.files.world_xml import known_robots, parse_world
+from crs_cc.sim.files.world_xml import empty_world, known_robots, parse_world
 
 NOWHERE = {
     *("CONNECT", "DISCONNECT", "CREATE"),
@@ -34,6 +34,24 @@ def test_every_command_to_the_robot_takes_time_and_nothing_else_does(robot):
     takes = {row.name for row in REQUESTS.values() if line.link_s(row.code) > 0}
     assert takes == {row.name for row in REQUESTS.values() if row.server != "host"} - NOWHERE
     assert {float(line.link_s(CODES[name])) for name in TO_SIMULATOR} == {0.001}
+
+
+@pytest.mark.parametrize(
+    ("link", "expected_s"),
+    [("", 0.001), ('<link baud="9600"/>', 0.001), ('<link baud="9600" network="5ms"/>', 0.005)],
+)
+def test_without_a_line_all_takes_the_time_of_the_network(tmp_path, link, expected_s):
+    (tmp_path / "cart.xml").write_text(
+        '<robot-definition version="1" name="cart"><body radius="20cm" mass="10kg"/>'
+        '<drive wheel-base="30cm" speed-limit="1m/s" acceleration-limit="1m/s2" speed="1m/s"'
+        f' acceleration="1m/s2"/><sonars order=""/>{link}<host speed="50MHz"/></robot-definition>'
+    )
+    line = Environment(empty_world(robot=str(tmp_path / "cart.xml")), 0)
+    takes = {row.name: float(line.link_s(row.code)) for row in REQUESTS.values()}
+    assert takes == {
+        row.name: 0.0 if row.server == "host" or row.name in NOWHERE else expected_s
+        for row in REQUESTS.values()
+    }
 
 
 def test_a_text_takes_time_letter_by_letter():

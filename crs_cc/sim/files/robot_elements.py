@@ -32,6 +32,7 @@ VENDOR_MODELS: Final = ("nomad200", "nomad150", "scout")
 _ROUNDING_M: Final = 1e-4  # sensors on the shell are written with so many digits
 _MOST_BYTES: Final = 65_535
 _MOST_BAUD: Final = 100_000_000
+_NETWORK_S: Final = 1e-3  # as `robot.xsd` has it for a link that does not say it
 _ROBOT_COMMANDS: Final = frozenset(
     request.name for request in REQUESTS.values() if request.server == "robot"
 )
@@ -178,5 +179,5 @@ def _link(element: Element, reader: Reader) -> Link:
         count += reader.whole(command, "receives", 0, _MOST_BYTES)
         counts[name] = count
     baud = reader.whole(element, "baud", 1, _MOST_BAUD, absent=1)
-    network_s = reader.not_negative(element, "network", TIME)
+    network_s = reader.not_negative(element, "network", TIME, absent=_NETWORK_S)
     return Link(baud, tuple(sorted(counts.items())), network_s)
