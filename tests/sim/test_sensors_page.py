@@ -116,8 +116,8 @@ READINGS = {
     "GPS": ("0.1 in", "yes", "waypoints"),
     "Compass": ("0.1 deg", "yes", "waypoints"),
     "Inclinometer": ("0.1 deg", "no", "climb"),
-    "Light sensors": ("whole numbers", "no", ""),
-    "Microphones": ("whole numbers, 0.1 deg", "no", ""),
+    "Light sensors": ("whole numbers", "no", "vehicle/vehicle"),
+    "Microphones": ("whole numbers, 0.1 deg", "no", "call/seeker"),
 }
 
 
@@ -126,7 +126,8 @@ def overview() -> Iterator[str]:
     for row in ROWS:
         reading, timer, sample = READINGS[row.title]
         functions = ", ".join(f"`{name}`" for name in row.reads)
-        link = f"[{sample}](../samples/scout_c/{sample}.c)" if sample else ""
+        name = sample.rpartition("/")[2]
+        link = f"[{name}](../samples/scout_c/{sample}.c)" if sample else ""
         cells = [
             f"[{row.title}](#{row.title.lower().replace(' ', '-')})", f"`<{row.element}>`",
             functions, reading, timer, f"`{row.degradation}`", link,
