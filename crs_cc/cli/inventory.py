@@ -85,10 +85,14 @@ def _robot(robot: Robot) -> str:
     start = robot.start
     line = f"robot '{robot.id}': {robot.model.name} at x = {start.x_m:g} m, y = {start.y_m:g} m"
     line += f", {math.degrees(start.heading_rad):g} degrees"
-    if not robot.program:
-        return line
-    arguments = "".join(f" {argument}" for argument in robot.arguments)
-    return f"{line}, runs {Path(robot.program).name}{arguments}"
+    if robot.program:
+        arguments = "".join(f" {argument}" for argument in robot.arguments)
+        line += f", runs {Path(robot.program).name}{arguments}"
+    if robot.join_s:
+        line += f", joins at {robot.join_s:g} s"
+    if math.isfinite(robot.leave_s):
+        line += f", leaves at {robot.leave_s:g} s"
+    return line
 
 
 def _degradation(degradation: Degradation, world: WorldModel) -> str:
@@ -111,4 +115,8 @@ def _parts(model: RobotModel) -> Iterator[str]:
         yield "heat"
     for field in fields(model):  # a device that a robot may lack is None there
         if field.default is None and getattr(model, field.name) is not None:
-            yield field.name
+            yield field.name.replace("_", " ")
+    if model.brightest:
+        yield "lamp"
+    if model.loudest:
+        yield "speaker"

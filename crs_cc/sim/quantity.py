@@ -66,6 +66,14 @@ class Kind:
             raise ValueError(f"{text!r} is too large for {self.name} here")
         return value
 
+    def show(self, value: float) -> str:
+        """Gives a value [SI unit] in words, in the unit of a bare number.
+
+        >>> ANGLE.show(math.pi / 2), RATIO.show(0.5)
+        ('90deg', '0.5')
+        """
+        return f"{value / dict(self.units)[self.default]:g}{self.default}"
+
 
 LENGTH: Final = Kind(
     "a length",

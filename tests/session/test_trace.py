@@ -82,7 +82,7 @@ def test_answers_of_devices_and_what_else_happens_are_told_too(tmp_path: Path) -
     session.step()
     assert re.search(r"GPS\(\) @0\.0\d\d told=1010,500  ", rows[0])
     assert rows[1:] == [
-        "0.000 scout  degradation: late began: gps x, bias 0.0254",
+        "0.000 scout  degradation: late began: gps x, bias 0.0254m",
         "0.020 scout  degradation: degradation1 began: bumper, dead",
         "0.025 scout  degradation: degradation1 ended: bumper, dead",
     ]

@@ -92,26 +92,26 @@ class Degradation:
     recovery_s: float = 0.0
     id: str = ""
 
-    @property
-    def faults(self) -> str:
-        """Gives what is wrong, in words, for people: `gain 0.5, delay 1s`."""
-        words = [f"{name} {value:g}" for name, value, usual in self._numbers() if value != usual]
-        if self.stuck is not None:
-            words.append("stuck" if self.stuck == HOLD else f"stuck at {self.stuck:g}")
+    def faults(self, kind: Kind) -> str:
+        """Gives what is wrong with values of a kind, for people: `bias 5deg, delay 1s`."""
+        words = [
+            f"{name} {unit.show(value)}"
+            for name, value, usual, unit in (
+                ("gain", self.gain, 1.0, RATIO), ("bias", self.bias, 0.0, kind),
+                ("noise", self.noise, 0.0, kind), ("step", self.step, 0.0, kind),
+                ("dropouts", self.dropouts, 0.0, RATIO),
+            )
+            if value != usual
+        ]  # fmt: skip
+        if isinstance(self.stuck, float | int):
+            words.append(f"stuck at {kind.show(self.stuck)}")
+        elif self.stuck is not None:
+            words.append("stuck")
         if self.delay_s:
             words.append(f"delay {self.delay_s:g}s")
         if self.dead:
             words.append("dead")
         return ", ".join(words)
-
-    def _numbers(self) -> tuple[tuple[str, float, float], ...]:
-        return (
-            ("gain", self.gain, 1.0),
-            ("bias", self.bias, 0.0),
-            ("noise", self.noise, 0.0),
-            ("step", self.step, 0.0),
-            ("dropouts", self.dropouts, 0.0),
-        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -285,10 +285,14 @@ def described(degradation: Degradation, model: RobotModel) -> str:
     >>> scout = empty_world().robots[0].model
     >>> described(Degradation("robot0", "drive", element=1, gain=0.5, delay_s=1.0), scout)
     'drive left, gain 0.5, delay 1s'
+    >>> described(Degradation("robot0", "sonar", bias=0.3), scout)
+    'sonar, bias 0.3m'
     """
     device, element = DEVICES[degradation.device], degradation.element
-    which = "" if element is None else f" {device.elements(model)[element]}"
-    return f"{device.name}{which}, {degradation.faults}"
+    names = device.elements(model)
+    which = "" if element is None else f" {names[element]}"
+    kind = device.kind_of(names[element or 0])
+    return f"{device.name}{which}, {degradation.faults(kind)}"
 
 
 def element_of(device: Device, model: RobotModel, text: str) -> int | None:
@@ -340,7 +344,7 @@ def _out_of_range(degradation: Degradation) -> str:
             return f"{name} must be a number from {least:g} to {most:g}, not {value!r}"
     if type(degradation.dead) is not bool:
         return f"dead must be True or False, not {degradation.dead!r}"
-    if not degradation.faults:
+    if not degradation.faults(RATIO):
         return "nothing is wrong: give gain, bias, noise, step, stuck, delay, dropouts or dead"
     return ""
 

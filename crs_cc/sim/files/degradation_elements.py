@@ -8,8 +8,8 @@ Values have the unit of the device's element; `stuck="hold"` holds the last one.
 ...   <degradation robot="robot0" device="sonar" element="3" bias="20cm" onset="10s"/>
 ...   <degradation robot="robot0" device="drive" element="left" gain="0.8"/>
 ... </world>''', "room")
->>> [(each.id, each.element, each.faults) for each in world.degradations]
-[('degradation0', 3, 'bias 0.2'), ('degradation1', 1, 'gain 0.8')]
+>>> [(each.id, each.element, each.bias, each.gain) for each in world.degradations]
+[('degradation0', 3, 0.2, 1.0), ('degradation1', 1, 0.0, 0.8)]
 """
 
 from __future__ import annotations

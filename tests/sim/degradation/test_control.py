@@ -56,12 +56,12 @@ def test_what_is_added_begins_now_and_what_is_removed_ends_now():
     assert control.all() == (dataclasses.replace(SONAR, onset_s=2.0, id="degradation0"),)
     said = events(driver, 40)
     assert said == [
-        (2.0, "degradation0 added: sonar 0, stuck at 1"),
-        (2.0, "degradation0 began: sonar 0, stuck at 1"),
+        (2.0, "degradation0 added: sonar 0, stuck at 1m"),
+        (2.0, "degradation0 began: sonar 0, stuck at 1m"),
     ]
     assert told(driver) == round(1 / 0.0254)
     driver.environment.degradations.remove("degradation0")
-    assert events(driver, 40) == [(4.0, "degradation0 removed: sonar 0, stuck at 1")]
+    assert events(driver, 40) == [(4.0, "degradation0 removed: sonar 0, stuck at 1m")]
     assert told(driver) == 255
 
 
@@ -71,7 +71,7 @@ def test_a_change_counts_from_now_on():
     changed = driver.environment.degradations.change("degradation0", stuck=2.0)
     assert changed.stuck == 2.0
     assert driver.environment.degradations.all() == (changed,)
-    assert events(driver, 40) == [(2.0, "degradation0 changed: sonar 0, stuck at 2")]
+    assert events(driver, 40) == [(2.0, "degradation0 changed: sonar 0, stuck at 2m")]
     assert told(driver) == round(2 / 0.0254)
 
 
