@@ -1,24 +1,37 @@
 """The simulated world: what it is, how it is read from files, and how a timestep changes it.
 
-- What it is: `model` (a world), `robot_model` and the devices' models (a robot). Constant.
-- From files: `world_xml`; `xml_document`, which alone knows lxml; `world_elements`, ...; robots
-  that come with crs in `robots/`.
-- What changes: `state.EnvState`, made of one part for each device, in `states/`.
-- What happens: `environment.Environment` serves requests and ends cycles; `setting` has all that
-  follows from the state, `presence` who comes and goes. `commands` has the handler of each request;
-  those of the vendor's simulator window and world are in `server/`.
-- Motion: `hardware` (profiles of axes), `actuators/` (what commands mean), `physics/` (contacts):
-  `simulation` moves `bodies`, in a `space` made of `shapes`, by `drive_force` and `friction`.
-- Seeing: `scene` (outlines of all things), `obstacles` (those within reach), `rays` and `echoes`
-  (what beams hit), `surfaces` (what that looks and sounds like), `surroundings` (all of that in the
-  current cycle), `sensors/`, and `timers` for those that measure by themselves.
-- The ground, where it is not flat: `surface` (what it is), `terrain` and `heightmap` (how high and
-  steep), `inclines` (what slopes do), `ledges` (what blocks), `outlook` (what beams meet).
-- What is wrong with devices: `degradation`, with what it is in `degradation_model`, and who changes
-  it in `degradation_control`.
-- Taking hold of things: `handling` (grippers and arms of all robots), `fingers` (what is between
-  them), `holds` (who holds what), `carrying` (how it moves with them), `room` (where it can stand).
-- Light and sound: `beacon_model`, and `sources` (which of them are near and in sight).
-- Talking: `messages/`, on the channels of `communication`; `waits` lets programs wait.
-- What it tells: `state_vector` (the vendor's `State`), `step` (a cycle, for traces and viewers).
+What it is, as constant data:
+
+- `model`: a world. `robot_model`: a kind of robot, with `sensor_model`, `sonar_model` and
+  `beacon_model`: what it senses with, what shines and sounds. `communication`: the channels.
+- `files/`: world files and robot definitions, read into these; `robots/`: the definitions that come
+  with crs. `quantity`: numbers with units, `colours`: by name, `naming`: ids of things, `unknown`:
+  how a name that nothing has is told.
+- `equipment`: what the robots are made of, as arrays; `drives`: the same of their drives.
+
+What changes:
+
+- `state`: all of it, an array or more for each device, of which each has a file in `states/`;
+  `growth`: how a robot is added to it.
+- `setting`: all that follows from it; `presence`: who comes and goes.
+
+What happens in a timestep:
+
+- `environment`: serves requests and ends cycles; `running`: what others see of that.
+- `commands`: the handler of each request; `asked`: what it is given; `rows`: the robots that it is
+  about; `waits`: requests that are answered later; `link`: the time on the serial line; `server/`:
+  requests to the vendor's simulator, and `drawings`: what programs draw there.
+- `hardware`: commands become profiles of axes; `actuators/`: what they mean to each device.
+- `physics/`: contacts. `ground/`: heights, slopes and ledges. `handling/`: what is gripped and
+  carried.
+- `geometry/`: outlines of all things, who is near, what beams meet.
+- `devices`: all that measure by themselves; `sensors/`: how each does; `instruments`: those that
+  each reply tells; `timers`: those with a timer; `mount`: where they look from; `sources`: lights
+  and sounds that reach them; `blobs`: spots in a camera's row of pixels.
+- `degradation/`: what is wrong with devices. `messages/`: from robot to robot.
+- `noise`: random numbers in streams, `chances`: by name; `instants`: when something is due.
+
+What it tells:
+
+- `state_vector`: the vendor's `State`. `step`: what happened in a cycle. `events`: besides motion.
 """
