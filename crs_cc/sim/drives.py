@@ -47,6 +47,7 @@ class Drives:
         rolls: 1 for the axes whose wheels roll when the robot is moved along them, else 0.
         yields: whether the motors are weaker than the wheels' grip, so that they stall.
         roll_out_mps2: how fast limp wheels lose their speed.
+        step_m: the highest step that the wheels take.
         give_up_s: how long the motors stall before they stop.
         waits_forever: whether `ws` with a timeout of 0 waits without end.
         synchro: whether the robot has a synchro drive, whose base never turns.
@@ -65,6 +66,7 @@ class Drives:
     rolls: FloatArray
     yields: BoolArray
     roll_out_mps2: FloatArray
+    step_m: FloatArray
     give_up_s: FloatArray
     waits_forever: BoolArray
     synchro: BoolArray
@@ -90,6 +92,7 @@ class Drives:
             rolls=_rows([[1.0, float(drive.steering is None), 0.0] for drive in drives]),
             yields=_flags([drive.force_n < drive.grip_n for drive in drives]),
             roll_out_mps2=np.array([drive.roll_out_mps2 for drive in drives]),
+            step_m=np.array([drive.step_m for drive in drives]),
             give_up_s=np.array([drive.give_up_s for drive in drives]),
             waits_forever=_flags([drive.waits_forever for drive in drives]),
             synchro=_flags([drive.steering is not None for drive in drives]),

@@ -34,9 +34,8 @@ from crs_cc.sim.asked import Asked
 from crs_cc.sim.commands import CHANGES_WORLD, HANDLERS, MOVES, UNCONNECTED, WAITS
 from crs_cc.sim.ground.falls import tell_falls
 from crs_cc.sim.messages.traffic import take
-from crs_cc.sim.physics.bodies import Contacts
 from crs_cc.sim.setting import Setting
-from crs_cc.sim.state_vector import configuration, state_vector
+from crs_cc.sim.state_vector import state_vector
 from crs_cc.sim.step import TELLS, Served, Step, slices_of
 from crs_cc.sim.waits import settle, when
 
@@ -120,31 +119,39 @@ class Environment(Setting):
         state = self.state
         robots, present = len(state.drive.clock_s), np.flatnonzero(state.presence.present)
         rows: IndexArray | slice = _ALL if len(present) == robots else present
+        # Sensors measure on the way that wheels turn, so before they are turned on.
         self._advance(present, np.full(len(present), self.end_s))
         drive.advance(state, self._equipment, rows, np.full(len(present), self.end_s))
         self._rolling.add(state, self._equipment)
+        # The slices of the cycle are complete: what they pull at moves, or is held up.
         before_m = state.bodies.position_m[:robots].copy()
         handling, pull = self._devices.handling, traction.pull(state, self._equipment)
         contacts = self._physics.step(
             state.bodies, handling.pull(state, self._equipment, pull, self.end_s)
         )
+        # Wheels that were held up have not turned; only then is known what the robots did.
         went_m = state.bodies.position_m[:robots] - before_m
         traction.feel(state, self._equipment, went_m)
         slices = slices_of(state, self._axes, self.timestep_s)
         tell_falls(self._equipment, self._log, self.end_s, before_m, went_m)
         state.distance_m += traction.ways_m(self._equipment, before_m, went_m)
         drive.face(state, self._equipment)
+        # Hands close on what is there now; what is held makes other bodies.
         if handling.end_cycle(state, self._equipment, contacts, self.end_s):
             self._physics.start_from(state.bodies)
+        # Motors that lack force are limp from the next cycle on.
         worked = self._devices.instruments.batteries.drain(state, self.timestep_s)
         self._let_go_if_empty(worked, self.end_s)
-        began = self._touch(contacts)
+        # Contacts number things as they still are: whoever comes or goes below changes that.
+        began = self._bumpers.touch(state, self._equipment, contacts, self.end_s)
+        # Degradations that begin are told before the devices that work at the end.
         cycle, time_s, served = state.cycle, self.time_s, tuple(self._served)
         if state.degradation.next_s < self.end_s:
             self.degradations.tell(self.end_s)
         self._devices.end_cycle(state, self._equipment, self.time_s, self.end_s)
         traffic = take(state.messages)
         self._begin_cycle()
+        # In the next cycle already: waits that end in it, and who comes or goes at its start.
         ended, at_s, messages = self._end_waits()
         if self._is_anybody_due():
             self._come_and_go()
@@ -232,35 +239,6 @@ class Environment(Setting):
         # What falls on the end belongs to the next cycle, when the bodies are where they got to.
         to_s = np.minimum(to_s, np.nextafter(self.end_s, 0.0))
         self._devices.advance(self.state, self._equipment, self._around, rows, to_s)
-
-    def _touch(self, contacts: Contacts) -> Contacts:
-        """Presses bumpers, counts collisions, and gives the contacts that began."""
-        state, robot = self.state, contacts.robot
-        quiet = not len(robot) and not state.bumpers.pressed.any() and not len(state.touching)
-        if quiet and not self._equipment.degradations.concern(state, "bumper"):
-            return contacts
-        keys = robot * len(self._names) + contacts.other
-        began = ~np.isin(keys, state.touching)
-        state.touching = keys.astype(np.int64)
-        np.add.at(state.collisions, robot[began], 1)
-        bearing_rad = np.arctan2(contacts.y_m - state.y_m[robot], contacts.x_m - state.x_m[robot])
-        bearing_rad -= state.base_rad[robot]
-        before = state.bumpers.pressed
-        pressed = np.zeros_like(before)
-        np.bitwise_or.at(pressed, robot, self._bumpers.pressed(robot, bearing_rad))
-        pressed = self._bumpers.told(state, self._equipment, pressed, self.end_s)
-        state.bumpers.pressed = pressed
-        hit = np.flatnonzero(pressed & ~before)
-        if len(hit):
-            where = configuration(state, self._equipment, hit)
-            state.bumpers.hit.note(hit, self.end_s, where)
-        return Contacts(
-            robot[began],
-            contacts.other[began],
-            contacts.x_m[began],
-            contacts.y_m[began],
-            contacts.torn,
-        )
 
     def _begin_cycle(self) -> None:
         state = self.state

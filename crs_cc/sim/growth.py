@@ -30,8 +30,8 @@ def grown(state: EnvState, world: WorldModel) -> EnvState:
     larger.bodies = state.bodies.with_robot(robot.start)
     things = len(state.heat.left)
     larger.heat.left = np.insert(state.heat.left, robots, 0.0)
-    toucher, touched = np.divmod(state.touching, things)
-    larger.touching = toucher * (things + 1) + touched + (touched >= robots)
+    toucher, touched = np.divmod(state.contacts_before, things)
+    larger.contacts_before = toucher * (things + 1) + touched + (touched >= robots)
     return larger
 
 

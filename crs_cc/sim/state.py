@@ -99,8 +99,8 @@ class EnvState:
         connected: whether the program has connected.
         messages: those that robots send each other.
         waits: which robots wait, and for what.
-        touching: what robots touched in the last cycle: robot times names plus thing, sorted;
-            shape (contacts,).
+        contacts_before: what robots touched in the last cycle: robot times names plus thing,
+            sorted; shape (contacts,).
         distance_m: how far each robot has really moved.
         collisions: how many contacts began.
         commands: how many requests were served.
@@ -138,7 +138,7 @@ class EnvState:
     connected: BoolArray
     messages: MessageState
     waits: WaitState
-    touching: WholeArray
+    contacts_before: WholeArray
     distance_m: FloatArray
     collisions: WholeArray
     commands: WholeArray
@@ -183,7 +183,7 @@ class EnvState:
             connected=np.zeros(count, dtype=np.bool_),
             messages=MessageState.at_start(world),
             waits=WaitState.at_start(world),
-            touching=_whole(0),
+            contacts_before=_whole(0),
             distance_m=np.zeros(count),
             collisions=_whole(count),
             commands=_whole(count),
@@ -212,9 +212,9 @@ class EnvState:
         heat[place[left]] = self.heat.left[left]
         self.heat.left = heat
         self.bodies = self.bodies.take(np.flatnonzero(left[: len(self.bodies.angle_rad)]))
-        robot, thing = np.divmod(self.touching, len(before))
+        robot, thing = np.divmod(self.contacts_before, len(before))
         robot, thing = robot[left[thing]], place[thing[left[thing]]]
-        self.touching = np.sort(robot * len(now) + thing)
+        self.contacts_before = np.sort(robot * len(now) + thing)
 
     def copy(self) -> Self:
         """Gives a copy that shares nothing."""

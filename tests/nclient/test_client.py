@@ -299,7 +299,7 @@ def test_under_ndirect_there_is_no_simulator():
         fprintf(stderr, "%ld %d", obs[0], posDataCheck());
     """, client="ndirect")  # fmt: skip
     assert done.errors[0].removeprefix(NDIRECT).split() == ["1", "0", "0", "-1", "0"]
-    assert not len(done.session.environment.state.touching)
+    assert not len(done.session.environment.state.contacts_before)
 
 
 @pytest.mark.function("dp", "sp")

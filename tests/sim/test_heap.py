@@ -79,7 +79,7 @@ def test_it_is_a_heap(driven):
     assert len(driver.environment.world.robots) == 50
     touching = {int(key) for step in driver.steps for key in step.contacts.robot}
     assert len(touching) > 45
-    assert len(driver.state.touching) > 40
+    assert len(driver.state.contacts_before) > 40
     heights_m = driver.environment._equipment.inclines.terrain.height_m(
         *driver.state.bodies.position_m.T
     )

@@ -88,8 +88,9 @@ class Arms:
         told[:, 0:2] = np.rint(rad_to_tenths_deg(angles_rad))
         told[:, 2:4] = np.rint(m_to_tenths_inch(self._hands(which, angles_rad)[:, :2]))
         pushables = asked.equipment.scene.pushables
-        mass_kg = np.array([*(each.mass_kg for each in pushables), 0.0])
-        weight_g = mass_kg[asked.state.bodies.holds.thing[self._rows[which], HAND]] * _GRAMS
+        held = asked.state.bodies.holds.thing[self._rows[which], HAND].tolist()
+        mass_kg = [pushables[thing].mass_kg if thing >= 0 else 0.0 for thing in held]
+        weight_g = np.array(mass_kg) * _GRAMS
         told[:, 4] = np.minimum(np.rint(weight_g), LARGEST)
         asked.messages["i"][has] = told
         return np.asarray(has)

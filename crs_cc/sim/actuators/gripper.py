@@ -195,9 +195,9 @@ def _weight_kg(state: EnvState, equipment: Equipment, rows: IndexArray) -> Float
     """Gives what the grippers of robots bear; what several hold weighs on each the same."""
     holds, pushables = state.bodies.holds, equipment.scene.pushables
     held = holds.thing[rows, GRIPPER]
-    together = np.bincount(holds.in_grippers()[1], minlength=len(pushables))
-    weight_kg = np.array([each.mass_kg for each in pushables]) / np.maximum(together, 1)
-    return np.where(held >= 0, np.append(weight_kg, 0.0)[held], 0.0)
+    together = np.bincount(holds.in_grippers()[1], minlength=len(pushables) + 1)[held]
+    mass_kg = [pushables[thing].mass_kg if thing >= 0 else 0.0 for thing in held.tolist()]
+    return np.asarray(np.array(mass_kg) / np.maximum(together, 1))
 
 
 def _beam(gripper: Gripper) -> Fan:

@@ -35,7 +35,6 @@ def tell_falls(
     terrain, after_m = equipment.inclines.terrain, before_m + went_m
     drop_m = terrain.height_m(*before_m.T) - terrain.height_m(*after_m.T)
     slope = np.hypot(*terrain.gradient(*before_m.T).T)
-    step_m = [robot.model.drive.step_m for robot in equipment.world.robots]
-    fell = drop_m > np.array(step_m) + slope * np.hypot(*went_m.T) * 1.001
+    fell = drop_m > equipment.drives.step_m + slope * np.hypot(*went_m.T) * 1.001
     for robot in np.flatnonzero(fell).tolist():
         log.say(time_s, "fall", f"fell {drop_m[robot]:.2f} m", robot)

@@ -20,8 +20,9 @@ IndexArray = npt.NDArray[np.intp]
 
 def can_be_taken(scene: Scene, things: IndexArray, most_kg: FloatArray) -> BoolArray:
     """Tells which things, of those that can be pushed, are no part of others and not too heavy."""
-    mass_kg = np.array([math.inf if each.part_of else each.mass_kg for each in scene.pushables])
-    return np.asarray(mass_kg[things] <= most_kg)
+    near = [scene.pushables[thing] for thing in things.tolist()]
+    mass_kg = np.array([math.inf if thing.part_of else thing.mass_kg for thing in near])
+    return np.asarray(mass_kg <= most_kg)
 
 
 def nearest(taker: IndexArray, away_m: FloatArray, good: BoolArray) -> IndexArray:

@@ -22,6 +22,9 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.sim.physics.bodies import Contacts
+from crs_cc.sim.state_vector import configuration
+
 if TYPE_CHECKING:
     from crs_cc.sim.equipment import Equipment
     from crs_cc.sim.model import WorldModel
@@ -71,6 +74,46 @@ class Bumpers:
         into_rad = bearing_rad[:, None] - self._bearing_rad[kinds] + span_rad / 2 + _ON_EDGE_RAD
         bits = np.where(into_rad % _TURN < span_rad, self._bit[kinds], 0)
         return np.asarray(np.bitwise_or.reduce(bits, axis=1))
+
+    def touch(
+        self, state: EnvState, equipment: Equipment, contacts: Contacts, end_s: float
+    ) -> Contacts:
+        """Presses switches and counts collisions at the end of a cycle.
+
+        Args:
+            state: changed in place.
+            equipment: the constants of all things.
+            contacts: all of the cycle.
+            end_s: its end.
+
+        Returns:
+            the contacts that were none in the cycle before.
+        """
+        robot = contacts.robot
+        before = state.bumpers.pressed
+        quiet = not len(robot) and not before.any() and not len(state.contacts_before)
+        if quiet and not equipment.degradations.concern(state, "bumper"):
+            return contacts
+        keys = robot * len(equipment.scene.names) + contacts.other
+        began = ~np.isin(keys, state.contacts_before)
+        state.contacts_before = keys.astype(np.int64)
+        np.add.at(state.collisions, robot[began], 1)
+        bearing_rad = np.arctan2(contacts.y_m - state.y_m[robot], contacts.x_m - state.x_m[robot])
+        bearing_rad -= state.base_rad[robot]
+        pressed = np.zeros_like(before)
+        np.bitwise_or.at(pressed, robot, self.pressed(robot, bearing_rad))
+        pressed = self.told(state, equipment, pressed, end_s)
+        state.bumpers.pressed = pressed
+        hit = np.flatnonzero(pressed & ~before)
+        if len(hit):
+            state.bumpers.hit.note(hit, end_s, configuration(state, equipment, hit))
+        return Contacts(
+            robot[began],
+            contacts.other[began],
+            contacts.x_m[began],
+            contacts.y_m[began],
+            contacts.torn,
+        )
 
     def told(
         self,
