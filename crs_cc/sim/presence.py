@@ -24,6 +24,7 @@ from crs_cc.sim import naming
 from crs_cc.sim.geometry.placement import TOLERANCE_M
 from crs_cc.sim.handling.carrying import release
 from crs_cc.sim.instants import ROUNDING_S
+from crs_cc.sim.quantity import ANGLE, HEAT
 
 if TYPE_CHECKING:
     from crs_cc.sim.equipment import Equipment
@@ -154,6 +155,10 @@ def complaint(robot: Robot, names: Sequence[str], now_s: float) -> str:
         return "there is a thing with this id"
     if not all(map(math.isfinite, (start.x_m, start.y_m, start.heading_rad, robot.join_s))):
         return "its start or its time to join is not finite"
+    if abs(start.heading_rad) > ANGLE.limit:
+        return "its heading is too large"
+    if not (0.0 <= robot.heat <= HEAT.limit and robot.spread_m > 0.0):
+        return f"its heat must be 0 to {HEAT.limit:g}, and spread farther than 0"
     if not robot.leave_s > max(robot.join_s, now_s):
         return "it leaves before it joins"
     return ""

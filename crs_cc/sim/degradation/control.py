@@ -100,6 +100,8 @@ class DegradationControl:
         Raises:
             ValueError: it cannot be, and why.
         """
+        if not isinstance(degradation.id, str):
+            raise ValueError("an id must be a text")  # noqa: TRY004 - as all that cannot be
         names = set(self._state.table["id"].tolist())
         if degradation.id in names:
             raise ValueError(f"a second degradation with the id {degradation.id!r}")

@@ -136,6 +136,8 @@ def memory(state, name: str) -> np.ndarray:
         (Degradation("robot0", "sonar", gain=True), "gain must be a number"),
         (Degradation("robot0", "sonar", dead=1), "dead must be True or False"),
         (Degradation("robot0", ["sonar"], dead=True), "must be texts"),
+        (Degradation("robot0", "sonar", dead=True, id=[1]), "must be a text"),
+        (Degradation("robot0", "sonar", dead=True, id=5), "must be a text"),
         (Degradation("robot0", "sonar"), "nothing is wrong"),
         (Degradation("robot0", "sonar", dead=True, id="x" * 65), "at most 64"),
         (Degradation("robot0", "sonar", dead=True, id="degradation0"), "a second degradation"),
