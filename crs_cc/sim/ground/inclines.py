@@ -174,7 +174,7 @@ class Inclines:
         if terrain.heights is not None and terrain.heights.holds(place, self._reach_m).any():
             return True
         point, patch = self._near.near(place)
-        local = (place.take(point) - terrain.middle.take(patch)) * terrain.along.take(patch).conj()
+        local = terrain.local(place.take(point), patch)
         beyond_x = np.abs(local.real) - terrain.half_length_m.take(patch)
         beyond_y = np.abs(local.imag) - terrain.half_width_m.take(patch)
         return bool((np.maximum(beyond_x, beyond_y) <= self._reach_m).any())

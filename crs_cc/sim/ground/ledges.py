@@ -33,7 +33,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.geometry.scene import Scene, own_corners_m
-from crs_cc.sim.ground.terrain import Terrain
+from crs_cc.sim.ground.terrain import Terrain, corners_m
 from crs_cc.sim.model import Cylinder, Thing
 
 FloatArray = npt.NDArray[np.float64]
@@ -80,10 +80,7 @@ class Ledges:
 
     def corners_m(self) -> FloatArray:
         """Gives the corners of all that can block, counter-clockwise, (n, 4, 2)."""
-        ahead, left = self._along * self._half_length_m, 1j * self._along * self._half_width_m
-        corners = [-ahead - left, ahead - left, ahead + left, left - ahead]
-        places = self._middle[:, None] + np.column_stack(corners)
-        return np.stack([places.real, places.imag], axis=2)
+        return corners_m(self._middle, self._along, self._half_length_m, self._half_width_m)
 
     def place(self, position_m: FloatArray, angle_rad: FloatArray) -> None:
         """Says where the bodies are at the start of a cycle."""

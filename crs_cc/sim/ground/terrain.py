@@ -71,10 +71,11 @@ class Terrain:
 
     def corners_m(self) -> FloatArray:
         """Gives the corners of all patches, counter-clockwise, (patches, 4, 2)."""
-        ahead, left = self.along * self.half_length_m, 1j * self.along * self.half_width_m
-        corners = [-ahead - left, ahead - left, ahead + left, left - ahead]
-        places = self.middle[:, None] + np.column_stack(corners)
-        return np.stack([places.real, places.imag], axis=2)
+        return corners_m(self.middle, self.along, self.half_length_m, self.half_width_m)
+
+    def local(self, place: ComplexArray, patch: IndexArray) -> ComplexArray:
+        """Gives places as seen from patches: the middle is 0, x runs along them; shape (n,)."""
+        return np.asarray((place - self.middle.take(patch)) * self.along.take(patch).conj())
 
     def height_m(self, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
         """Gives how high the ground is at places in the world frame [m], shape (n,)."""
@@ -99,7 +100,7 @@ class Terrain:
         if self.heights is not None:
             height_m = self.heights.at(place.real, place.imag)[0]
         point, patch = self._patches.near(place)
-        local = (place.take(point) - self.middle.take(patch)) * self.along.take(patch).conj()
+        local = self.local(place.take(point), patch)
         inside = np.abs(local.real) <= self.half_length_m.take(patch) + _ON_M
         inside &= np.abs(local.imag) <= self.half_width_m.take(patch) + _ON_M
         kept = np.flatnonzero(inside)
@@ -107,3 +108,13 @@ class Terrain:
         patch_m = self.middle_m.take(patch) + self.slope.take(patch) * local.real.take(kept)
         np.maximum.at(height_m, point, patch_m)
         return height_m, point, patch, patch_m
+
+
+def corners_m(
+    middle: ComplexArray, along: ComplexArray, half_length_m: FloatArray, half_width_m: FloatArray
+) -> FloatArray:
+    """Gives the corners of rectangles, as patches are told of, counter-clockwise, (n, 4, 2)."""
+    ahead, left = along * half_length_m, 1j * along * half_width_m
+    corners = [-ahead - left, ahead - left, ahead + left, left - ahead]
+    places = middle[:, None] + np.column_stack(corners)
+    return np.stack([places.real, places.imag], axis=2)
