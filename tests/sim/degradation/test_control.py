@@ -115,7 +115,7 @@ def memory(state, name: str) -> np.ndarray:
 @pytest.mark.parametrize(
     ("degradation", "why"),
     [
-        (Degradation(7, "sonar", dead=True), "there is no robot 7"),
+        (Degradation(7, "sonar", dead=True), "there is no robot '7'"),
         (Degradation("robot9", "sonar", dead=True), "there is no robot 'robot9'"),
         (Degradation("robot0", "radar", dead=True), "there is no device 'radar'"),
         (Degradation("robot0", "compass", dead=True), "the robot has no compass"),
