@@ -10,7 +10,7 @@ timestep, and which requests were answered, each with the instant at which the p
 Behind the robots' lines of a timestep come its events, each with its instant, what tells it, and
 the robot that it happened to, - for none:
 
-    10.000 robot0  degradation: degradation0 begins: sonar 3, bias 0.5
+    10.000 robot0  degradation: degradation0 began: sonar 3, bias 0.5m
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from crs_cc.sim.events import Event
 from crs_cc.sim.messages.traffic import events
 from crs_cc.sim.step import Answer, AxisSlice, RobotSlice, Step, describe_slice
 
+_MOST_VALUES: Final = 16  # a reply has up to 62
 _TURNING: Final = frozenset({"steering", "turret"})
 
 
@@ -132,5 +133,7 @@ def _answer(answer: Answer) -> str:
     if not answer.result:
         text += " refused"
     for name, values in answer.values.items():
-        text += f" {name}={','.join(map(str, values))}"
+        text += f" {name}={','.join(map(str, values[:_MOST_VALUES]))}"
+        if len(values) > _MOST_VALUES:
+            text += f",... ({len(values)} in all)"
     return text
