@@ -1,7 +1,8 @@
 """What sensors told last, for the picture of a run: echoes of sonars, and what cameras saw.
 
 Of each sonar that heard something the beam up to its echo; of each camera a line to what each
-column shows, in its colour. They are drawn from where the robots are at the end.
+column shows, in its colour. They are drawn from where the robots are at the end, so what a camera
+saw longer ago than `FRESH_S`, from another place, is left out.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from crs_cc.sim.state import EnvState
 from crs_cc.units import tenths_inch_to_m
 
 _SOUND: Final = "#56b4e9"
+FRESH_S: Final = 0.25  # chosen by us
 _ARC: Final = 9  # points of the end of a beam
 
 
@@ -37,8 +39,8 @@ class Beam:
     colour: str = ""
 
 
-def sights(state: EnvState, world: WorldModel) -> list[Beam]:
-    """Gives what the sensors of all robots told last."""
+def sights(state: EnvState, world: WorldModel, time_s: float) -> list[Beam]:
+    """Gives what the sensors of all robots told last, at an instant [s]."""
     found: list[Beam] = []
     camera_row = 0
     for number, robot in enumerate(world.robots):
@@ -49,12 +51,13 @@ def sights(state: EnvState, world: WorldModel) -> list[Beam]:
             echo_m = float(state.sonar.echo_m[number, sonar.id])
             if math.isfinite(echo_m):
                 found.append(Beam(_turned(_cone(sonar, echo_m), angle_rad) + place))
-        if robot.model.camera is not None:
-            camera = robot.model.camera
+        camera = robot.model.camera
+        if camera is not None:
+            is_fresh = time_s - state.camera.at_s[camera_row] <= FRESH_S
             colours = state.camera.colour[camera_row, : camera.columns].tolist()
             ranges_m = tenths_inch_to_m(state.camera.range[camera_row].astype(np.float64))
             for column, colour in enumerate(colours):
-                if ranges_m[column] >= 0.0:
+                if is_fresh and ranges_m[column] >= 0.0:
                     line = _turned(_line(camera, column, float(ranges_m[column])), angle_rad)
                     found.append(Beam(line + place, f"#{colour:06x}"))
             camera_row += 1

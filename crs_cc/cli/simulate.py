@@ -228,7 +228,7 @@ class Runner:
             self.tracks.contacts,
             self._pushed(world),
             drawings_in(state.drawings),
-            sights(state, world) if self._options.plot_sensors else [],
+            sights(state, world, self.session.time_s) if self._options.plot_sensors else [],
         )
 
     def _pushed(self, world: WorldModel) -> list[Thing]:

@@ -22,7 +22,7 @@ def test_beams_end_at_their_echoes_and_lines_at_what_the_camera_sees(tmp_path: P
     things = f'<robot x="1m" y="1m" heading="90deg"/>{pole}'
     session = drive(program, robot=robot, things=things).session
     state, world = session.environment.state, session.environment.world_now
-    beams = sights(state, world)
+    beams = sights(state, world, session.time_s)
     (echo,) = [beam for beam in beams if not beam.colour]
     assert echo.outline[0] == pytest.approx([1.0, 1.0 + SCOUT_RADIUS_M])
     assert echo.outline[5] == pytest.approx([1.0, 2.0])  # the middle of its nine points
@@ -34,6 +34,8 @@ def test_beams_end_at_their_echoes_and_lines_at_what_the_camera_sees(tmp_path: P
     assert end == pytest.approx([1.0, 2.0], abs=0.002)
     left = lines[0].outline[1] - start
     assert math.atan2(left[1], left[0]) == pytest.approx(math.radians(92))
+    later_s = session.time_s + 1.0
+    assert not any(beam.colour for beam in sights(state, world, later_s))  # it may have driven on
     drawn = Picture("", "", world, [], sights=beams).render()
     assert drawn.count(b"#ff0000") >= 3
     assert np.isfinite(echo.outline).all()
