@@ -46,12 +46,14 @@ class LightSensors:
         first_rad: where the first one looks, from ahead.
         range_m: how far away the farthest light is that they sense.
         noise: standard deviation of a reading's error, as a share of the reading.
+        period_s: how often they measure by their timer; 0 for when they are asked.
     """
 
     number: int
     first_rad: float
     range_m: float
     noise: float
+    period_s: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +63,9 @@ class Microphones:
     Attributes:
         range_m: how far away the farthest sound is that they hear.
         noise: standard deviation of a level's error, as a share of the level.
+        period_s: how often they measure by their timer; 0 for when they are asked.
     """
 
     range_m: float
     noise: float
+    period_s: float = 0.0

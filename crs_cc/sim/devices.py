@@ -25,7 +25,7 @@ from crs_cc.sim.sensors.sonar import SonarRing
 from crs_cc.sim.sensors.sound import Microphones
 from crs_cc.sim.sensors.tilt import Inclinometers
 from crs_cc.sim.server.prediction import predict
-from crs_cc.sim.states.timers import CAMERA, GPS, HEAT, LASER
+from crs_cc.sim.states.timers import CAMERA, GPS, HEAT, LASER, LIGHT, SOUND, TILT
 from crs_cc.sim.timers import Timed, Timers
 
 if TYPE_CHECKING:
@@ -69,6 +69,7 @@ class Devices:
         self._microphones = Microphones(world, seed)
         self.messenger = Messenger(world, seed)
         receivers = GpsReceivers(world, seed)
+        inclinometers = Inclinometers(world, seed)
         self._timers = Timers(
             {
                 GPS: Timed(
@@ -89,13 +90,31 @@ class Devices:
                     lambda state: state.heat_sensor.at_s,
                     np.zeros(len(world.robots)),
                 ),
+                TILT: Timed(
+                    inclinometers.read,
+                    lambda equipment: equipment.inclinometer,
+                    lambda state: state.tilt.at_s,
+                    inclinometers.interval_s,
+                ),
+                LIGHT: Timed(
+                    self._lights.read,
+                    lambda equipment: equipment.light,
+                    lambda state: state.light.at_s,
+                    np.zeros(len(world.robots)),
+                ),
+                SOUND: Timed(
+                    self._microphones.read,
+                    lambda equipment: equipment.sound,
+                    lambda state: state.sound.at_s,
+                    np.zeros(len(world.robots)),
+                ),
                 **self.instruments.timed,
             }
         )
         self.answers: dict[int, Answer] = {
             CODES["SONAR"]: self.sonars.tell,
             CODES["PREDICT"]: partial(predict, sensors=(self.sonars, self.instruments)),
-            CODES["TILT"]: Inclinometers(world, seed).tell,
+            CODES["TILT"]: inclinometers.tell,
             CODES["HEAT"]: heat.tell,
             CODES["GPS"]: receivers.tell,
             CODES["CAMERA"]: self._cameras.tell,

@@ -44,6 +44,8 @@ class Equipment:
         gripper: the same for grippers.
         arm: the same for arms.
         heat: the same for heat sensors.
+        light: the same for rings of light sensors.
+        sound: the same for microphones.
         brightest: how bright the lamp can shine, 0 where there is none.
         loudest: how loud the speaker can sound, 0 where there is none.
         laser_points: how many points a laser can tell.
@@ -74,6 +76,8 @@ class Equipment:
     gripper: IndexArray
     arm: IndexArray
     heat: IndexArray
+    light: IndexArray
+    sound: IndexArray
     brightest: FloatArray
     loudest: FloatArray
     laser_points: npt.NDArray[np.int32]
@@ -109,6 +113,8 @@ class Equipment:
             _numbers([model.gripper is not None for model in models]),
             _numbers([model.arm is not None for model in models]),
             _numbers([model.heat.range_m > 0.0 for model in models]),
+            _numbers([model.light_sensors is not None for model in models]),
+            _numbers([model.microphones is not None for model in models]),
             np.array([model.brightest for model in models]),
             np.array([model.loudest for model in models]),
             np.array([model.laser.points if model.laser else 0 for model in models], np.int32),

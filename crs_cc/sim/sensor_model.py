@@ -134,10 +134,12 @@ class Inclinometer:
     Attributes:
         rate_hz: how often it measures at most.
         noise_rad: standard deviation of the error of pitch and of roll.
+        period_s: how often it measures by its timer; 0 for when it is asked.
     """
 
     rate_hz: float
     noise_rad: float
+    period_s: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

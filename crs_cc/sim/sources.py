@@ -17,7 +17,9 @@ from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.mount import mount_poses
 
 if TYPE_CHECKING:
-    from crs_cc.sim.asked import Asked
+    from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.geometry.surroundings import Surroundings
+    from crs_cc.sim.state import EnvState
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
@@ -83,18 +85,27 @@ def line_of_sight(range_m: float) -> list[Fan]:
 
 
 def sense(
-    asked: Asked, rows: IndexArray, sources: Sources, range_m: FloatArray, fan: Fan
+    state: EnvState,
+    equipment: Equipment,
+    around: Surroundings,
+    rows: IndexArray,
+    *,
+    sources: Sources,
+    range_m: FloatArray,
+    fan: Fan,
 ) -> Sensed:
     """Gives what sources are in the range of robots, their own ones apart.
 
     Args:
-        asked: what the robots asked.
+        state: where all robots are.
+        equipment: their constants.
+        around: what there is to see.
         rows: the robots, k of them.
         sources: the sources.
         range_m: how far each robot senses, (k,).
         fan: of `line_of_sight`.
     """
-    mounts = mount_poses(asked.state, asked.equipment, rows)
+    mounts = mount_poses(state, equipment, rows)
     places = sources.place_m
     cells = CellList(places[:, 0].copy(), places[:, 1].copy(), float(range_m.max(initial=0.0)))
     robot, source = cells.near(mounts[:, 0], mounts[:, 1])
@@ -104,7 +115,7 @@ def sense(
     robot, source, way_m, distance_m = robot[keep], source[keep], way_m[keep], distance_m[keep]
     direction_rad = np.arctan2(way_m[:, 1], way_m[:, 0])
     poses = np.column_stack([mounts[robot, :2], direction_rad])
-    hit_m, thing = asked.around.seen(asked.state, fan, poses, rows[robot])
+    hit_m, thing = around.seen(state, fan, poses, rows[robot])
     in_sight = hit_m[:, 0] >= distance_m - _SLACK_M
     in_sight |= (sources.owner[source] >= 0) & (thing[:, 0] == sources.owner[source])
     return Sensed(

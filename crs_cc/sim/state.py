@@ -40,6 +40,7 @@ from crs_cc.sim.states.heat import HeatState
 from crs_cc.sim.states.heat_sensor import HeatSensorState
 from crs_cc.sim.states.infrared import InfraredState
 from crs_cc.sim.states.laser import LaserState
+from crs_cc.sim.states.light import LightState
 from crs_cc.sim.states.link import LinkState
 from crs_cc.sim.states.mask import first_mask
 from crs_cc.sim.states.messages import MessageState
@@ -48,6 +49,7 @@ from crs_cc.sim.states.odometry import OdometryState
 from crs_cc.sim.states.pos_data import PosDataState
 from crs_cc.sim.states.presence import PresenceState
 from crs_cc.sim.states.sonar import SonarState
+from crs_cc.sim.states.sound import SoundState
 from crs_cc.sim.states.tilt import TiltState
 from crs_cc.sim.states.timers import TimerState
 from crs_cc.sim.states.waits import WaitState
@@ -84,6 +86,8 @@ class EnvState:
         tilt: what inclinometers told.
         camera: what cameras saw and told.
         heat_sensor: what heat sensors told.
+        light: what light sensors read.
+        sound: what microphones heard.
         timers: when sensors measure by themselves.
         degradation: what is wrong with all of these, and with the drive.
         gripper: where the fingers of grippers are; what they hold is in `bodies`.
@@ -123,6 +127,8 @@ class EnvState:
     tilt: TiltState
     camera: CameraState
     heat_sensor: HeatSensorState
+    light: LightState
+    sound: SoundState
     timers: TimerState
     degradation: DegradationState
     gripper: GripperState
@@ -168,6 +174,8 @@ class EnvState:
             tilt=TiltState.at_start(world),
             camera=CameraState.at_start(world),
             heat_sensor=HeatSensorState.at_start(world),
+            light=LightState.at_start(world),
+            sound=SoundState.at_start(world),
             timers=TimerState.at_start(world),
             degradation=DegradationState.at_start(world),
             gripper=GripperState.at_start(world),

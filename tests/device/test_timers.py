@@ -15,12 +15,16 @@ from tests.device.robot import scout_with
 from tests.nclient.drive import drive
 from tests.sim.driver import Driver
 
-SENSORS = {"GPS": 0, "CAMERA": 1, "HEAT": 2, "LASER": 3, "INFRARED": 4, "COMPASS": 5}
+SENSORS = {
+    "GPS": 0, "CAMERA": 1, "HEAT": 2, "LASER": 3, "INFRARED": 4, "COMPASS": 5, "TILT": 6,
+    "LIGHT": 7, "SOUND": 8,
+}  # fmt: skip
 GPS_10_HZ = '<gps rate="10Hz" period="0.1s"/>'
 ALL = (
     "<infrared step='1in' order='0' rate='100Hz'/><compass rate='100Hz' on='yes'/>"
     "<laser field-of-view='90deg' range='5m' rate='100Hz' mode='51'/>"
-    "<gps rate='100Hz'/><camera columns='4' rate='100Hz'/>"
+    "<gps rate='100Hz'/><inclinometer rate='100Hz'/><camera columns='4' rate='100Hz'/>"
+    "<light-sensors/><microphones/>"
 )
 
 
@@ -165,3 +169,63 @@ def test_a_laser_that_was_switched_off_has_not_measured(tmp_path):
     assert driver.post("AGE", SENSORS["LASER"])[0]["i"][0] >= 0
     assert driver.post("CONF_LS", 0, 20, 20, 20, 4)[0]["result"] == 1
     assert driver.post("AGE", SENSORS["LASER"])[0]["i"][0] == -1
+
+
+def test_light_sensors_and_microphones_with_a_timer_tell_what_they_sensed_last(tmp_path):
+    """A neighbour 2 m ahead shines (400) and sounds (600) from 0.5 s on; they measure each second.
+
+    Asked at 0.7 s they tell what was at 0 s: nothing. From 1 s on it is 400 / 2^2, and 600 / 2.
+    """
+    devices = '<light-sensors period="1s"/><microphones period="1s"/><lamp/><speaker/>'
+    robot = scout_with(tmp_path, devices)
+    sense = """
+    int n[8], m[8], i;
+    for (i = 0; i < 2; i++) {
+        usleep(700000);
+        crs_get_light(n, 8);
+        crs_get_sound(m, 8, NULL);
+        printf("%d %d %d\\n", n[0], m[5], crs_age(CRS_SENSOR_LIGHT) / 100);
+    }
+    """
+    show = "usleep(500000); crs_light(400); crs_sound(600, 5);"
+    things = '<robot x="0" y="0"/><robot x="2m" y="0"/>'
+    done = drive(sense, show, robot=robot, things=things)
+    assert done.output[0] == "0 0 7\n100 300 4\n"
+
+
+def test_an_inclinometer_with_a_timer_tells_how_the_robot_was_tilted(tmp_path):
+    """It drives from level ground onto a ramp of 1 in 4 while the last reading is from before."""
+    robot = scout_with(tmp_path, '<inclinometer period="20s"/>')
+    program = """
+    int pitch, roll, i;
+    connect_robot(1);
+    pr(600, 600, 0); ws(1, 1, 0, 15);
+    for (i = 0; i < 2; i++) {
+        crs_tilt(&pitch, &roll);
+        printf("%d %d\\n", pitch, roll);
+        crs_period(CRS_SENSOR_TILT, 0);
+    }
+    """
+    ramp = '<surface><ramp x="2.6m" y="0" length="4m" width="4m" to="1m"/></surface>'
+    done = drive(program, robot=robot, things=f'{ramp}<robot x="0" y="0"/>')
+    assert done.numbers == [0, 0, 140, 0]
+
+
+def test_what_light_sensors_and_microphones_told_is_part_of_a_snapshot(tmp_path):
+    devices = '<light-sensors period="70ms" noise="0.1"/><microphones period="40ms" noise="0.1"/>'
+    light = '<light x="2m" y="0" brightness="400"/><sound x="0" y="2m" level="300" tone="2"/>'
+    area = '<area length="4m" width="4m"/>'
+    light = light.replace('"0"', '"1m"')
+    world = f'<world version="1">{area}{light}<robot x="1m" y="1m"/></world>'
+    robot = scout_with(tmp_path, devices)
+    driver = Driver(Environment(parse_world(world.encode(), "w", robot=robot), 1))
+    driver.run(3)
+    assert driver.state.light.count[0] == 3
+    assert driver.state.sound.count[0] == 4
+    snapshot = driver.environment.snapshot()
+    hashes = []
+    for _ in range(2):
+        driver.environment.restore(snapshot)
+        driver.run(4)
+        hashes.append(driver.environment.hash())
+    assert hashes[0] == hashes[1]

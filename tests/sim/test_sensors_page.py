@@ -109,15 +109,15 @@ world's degradations. Every sensor of every robot has random numbers of its own.
 """
 READINGS = {
     "Sonar": ("whole inches up to 255 (`crs_sonar`: 0.1 in)", "always", "two_modes"),
-    "Infrared ring": ("0 to 15", "yes", ""),
+    "Infrared ring": ("0 to 15", "yes", "slide"),
     "Laser": ("points, segments, or ranges: 0.1 in", "yes", "laser_door"),
     "Camera": ("0xRRGGBB, 0.1 in, 0.1 deg", "yes", "follow_red"),
     "Heat sensor": ("whole numbers", "yes", "warmer"),
     "GPS": ("0.1 in", "yes", "waypoints"),
-    "Compass": ("0.1 deg", "yes", "waypoints"),
-    "Inclinometer": ("0.1 deg", "no", "climb"),
-    "Light sensors": ("whole numbers", "no", "vehicle/vehicle"),
-    "Microphones": ("whole numbers, 0.1 deg", "no", "call/seeker"),
+    "Compass": ("0.1 deg", "yes", "by_compass"),
+    "Inclinometer": ("0.1 deg", "yes", "climb"),
+    "Light sensors": ("whole numbers", "yes", "vehicle/vehicle"),
+    "Microphones": ("whole numbers, 0.1 deg", "yes", "call/seeker"),
 }
 
 

@@ -11,6 +11,7 @@ from crs_cc.sim.beacon_model import (
     Sound,
 )
 from crs_cc.sim.files.document import Element, Reader
+from crs_cc.sim.files.sensor_elements import period_s
 from crs_cc.sim.quantity import ANGLE, BRIGHTNESS, LENGTH, LOUDNESS
 
 
@@ -51,6 +52,7 @@ def light_sensors(root: Element, reader: Reader) -> LightSensors | None:
         reader.quantity(element, "first", ANGLE),
         reader.positive(element, "range", LENGTH),
         float(element.attributes.get("noise", "0")),
+        period_s(element, reader),
     )
 
 
@@ -60,7 +62,9 @@ def microphones(root: Element, reader: Reader) -> Microphones | None:
     if element is None:
         return None
     return Microphones(
-        reader.positive(element, "range", LENGTH), float(element.attributes.get("noise", "0"))
+        reader.positive(element, "range", LENGTH),
+        float(element.attributes.get("noise", "0")),
+        period_s(element, reader),
     )
 
 

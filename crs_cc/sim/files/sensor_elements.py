@@ -153,6 +153,7 @@ def inclinometer(root: Element, reader: Reader) -> Inclinometer | None:
     return Inclinometer(
         reader.positive(element, "rate", FREQUENCY),
         reader.not_negative(element, "noise", ANGLE),
+        period_s(element, reader),
     )
 
 

@@ -8,8 +8,8 @@ flat sensor ("Photometria", 1760). Walls, things and robots cast shadows, and no
 light. A light nearer than 10 cm shines as from there. Lights stand in the world file, or are lamps
 of other robots (`crs_light`).
 
-Sensors measure whenever the program asks, with things as they are at the start of the cycle; a
-normal deviate with the definition's share of the reading is added.
+Sensors measure whenever the program asks, or by their timer, with things as they are at the start
+of the cycle; a normal deviate with the definition's share of the reading is added.
 """
 
 from __future__ import annotations
@@ -21,13 +21,17 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.requests import LARGEST
+from crs_cc.sim import noise
 from crs_cc.sim.beacon_model import MAX_LIGHT_SENSORS
-from crs_cc.sim.noise import LIGHT, Noise
 from crs_cc.sim.sources import Sources, line_of_sight, sense
+from crs_cc.sim.states.timers import LIGHT
 
 if TYPE_CHECKING:
     from crs_cc.sim.asked import Asked
+    from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.geometry.surroundings import Surroundings
     from crs_cc.sim.model import WorldModel
+    from crs_cc.sim.state import EnvState
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
@@ -57,32 +61,63 @@ class LightRings:
         self._share = np.array([ring.noise if ring else 0.0 for ring in rings])
         self.fans = line_of_sight(float(self._range_m.max(initial=0.0)))
         robots = len(rings) if self._share.any() else 0
-        self._noise = Noise(seed, LIGHT, MAX_LIGHT_SENSORS, robots)
+        self._noise = noise.Noise(seed, noise.LIGHT, MAX_LIGHT_SENSORS, robots)
+
+    def read(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        at_s: FloatArray,
+    ) -> None:
+        """Lets rings measure.
+
+        Args:
+            state: changed in place.
+            equipment: the robots' constants.
+            around: what there is to see.
+            rows: robots that have a ring, k of them, whose axes were turned to `at_s`.
+            at_s: when, for each, shape (k,).
+        """
+        if not len(rows):
+            return
+        ring, mine = state.light, equipment.light[rows]
+        readings = self._light(state, equipment, around, rows)
+        if self._share.any():
+            deviates = self._noise.rows(rows, ring.count[mine])
+            readings *= 1.0 + deviates * self._share[rows, None]
+        readings = equipment.degradations.alter(state, "light", rows, readings, at_s)
+        ring.reading[mine], ring.at_s[mine] = np.nan_to_num(readings, nan=0.0), at_s
+        ring.count[mine] += 1
 
     def tell(self, asked: Asked) -> BoolArray:
         """Answers GET_LIGHT: how many sensors there are, and their readings as data."""
-        count = self._number[asked.rows]
-        has = count > 0
-        rows, replies = asked.rows[has], asked.messages[has]
-        if len(rows):
-            readings = self._look(asked, rows)
-            altered = asked.equipment.degradations.alter(
-                asked.state, "light", rows, readings, asked.at_s[has]
-            )
-            whole = np.clip(np.rint(np.nan_to_num(altered, nan=0.0)), 0, LARGEST).astype("<i4")
-            replies["data"][:, : 4 * MAX_LIGHT_SENSORS] = whole.view(np.uint8)
-            replies["size"] = 4 * MAX_LIGHT_SENSORS
-            replies["i"][:, 0] = count[has]
-            asked.messages[has] = replies
-        return np.asarray(has)
+        state, equipment, rows = asked.state, asked.equipment, asked.rows
+        has = np.asarray(equipment.light[rows] >= 0)
+        measures = has & state.timers.on_request(rows, LIGHT)
+        self.read(state, equipment, asked.around, rows[measures], asked.at_s[measures])
+        replies = asked.messages[has]
+        readings = state.light.reading[equipment.light[rows[has]]]
+        whole = np.clip(np.rint(readings), 0, LARGEST).astype("<i4")
+        replies["data"][:, : 4 * MAX_LIGHT_SENSORS] = whole.view(np.uint8)
+        replies["size"] = 4 * MAX_LIGHT_SENSORS
+        replies["i"][:, 0] = self._number[rows[has]]
+        asked.messages[has] = replies
+        return has
 
-    def _look(self, asked: Asked, rows: IndexArray) -> FloatArray:
-        """Gives the readings of all sensors that there can be, (k, 32)."""
-        beacons, robots = asked.state.beacons, len(asked.state.heading_rad)
+    def _light(
+        self, state: EnvState, equipment: Equipment, around: Surroundings, rows: IndexArray
+    ) -> FloatArray:
+        """Gives how much light all sensors get that there can be, (k, 32)."""
+        robots = len(state.heading_rad)
         lights = self._lights.with_robots(
-            asked.state.bodies.position_m[:robots], beacons.brightness
+            state.bodies.position_m[:robots], state.beacons.brightness
         )
-        seen = sense(asked, rows, lights, self._range_m[rows], self.fans[0])
+        seen = sense(
+            state, equipment, around, rows,
+            sources=lights, range_m=self._range_m[rows], fan=self.fans[0],
+        )  # fmt: skip
         bright = np.flatnonzero(seen.in_sight)
         robot = seen.robot[bright]
         number = np.arange(MAX_LIGHT_SENSORS)
@@ -93,8 +128,4 @@ class LightRings:
         readings = np.zeros((len(rows), MAX_LIGHT_SENSORS))
         np.add.at(readings, robot, light[:, None] * lobe)
         readings[number >= self._number[rows, None]] = 0.0
-        if self._share.any():
-            deviates = self._noise.rows(rows, beacons.looked[rows])
-            readings *= 1.0 + deviates * self._share[rows, None]
-        beacons.looked[rows] += 1
         return readings

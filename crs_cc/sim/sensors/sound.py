@@ -11,8 +11,8 @@ loudest tone, each an arrow as long as its power; also of those that come around
 there were nothing. A sound nearer than 10 cm sounds as from there. Sounds stand in the world file,
 or are those of other robots (`crs_sound`).
 
-Microphones measure whenever the program asks, with things as they are at the start of the cycle; a
-normal deviate with the definition's share of a level is added to it.
+Microphones measure whenever the program asks, or by their timer, with things as they are at the
+start of the cycle; a normal deviate with the definition's share of a level is added to it.
 """
 
 from __future__ import annotations
@@ -23,15 +23,19 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.requests import LARGEST
+from crs_cc.sim import noise
 from crs_cc.sim.beacon_model import TONES
 from crs_cc.sim.geometry.frames import wrapped
-from crs_cc.sim.noise import SOUND, Noise
 from crs_cc.sim.sources import Sources, line_of_sight, sense
+from crs_cc.sim.states.timers import SOUND
 from crs_cc.units import rad_to_tenths_deg
 
 if TYPE_CHECKING:
     from crs_cc.sim.asked import Asked
+    from crs_cc.sim.equipment import Equipment
+    from crs_cc.sim.geometry.surroundings import Surroundings
     from crs_cc.sim.model import WorldModel
+    from crs_cc.sim.state import EnvState
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]
@@ -57,37 +61,68 @@ class Microphones:
             np.full(len(sounds), -1, dtype=np.intp),
         )
         self._tone = np.array([sound.tone for sound in sounds], dtype=np.int64)
-        self._has = np.array([model is not None for model in models], dtype=np.bool_)
         self._range_m = np.array([model.range_m if model else 0.0 for model in models])
         self._share = np.array([model.noise if model else 0.0 for model in models])
         self.fans = line_of_sight(float(self._range_m.max(initial=0.0)))
-        self._noise = Noise(seed, SOUND, TONES, len(models) if self._share.any() else 0)
+        robots = len(models) if self._share.any() else 0
+        self._noise = noise.Noise(seed, noise.SOUND, TONES, robots)
+
+    def read(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        at_s: FloatArray,
+    ) -> None:
+        """Lets microphones measure.
+
+        Args:
+            state: changed in place.
+            equipment: the robots' constants.
+            around: what there is to see.
+            rows: robots that have some, k of them, whose axes were turned to `at_s`.
+            at_s: when, for each, shape (k,).
+        """
+        if not len(rows):
+            return
+        ears, mine = state.sound, equipment.sound[rows]
+        levels, bearing_rad = self._sound(state, equipment, around, rows)
+        if self._share.any():
+            deviates = self._noise.rows(rows, ears.count[mine])
+            levels = levels * (1.0 + deviates * self._share[rows, None])
+        levels = equipment.degradations.alter(state, "sound", rows, levels, at_s)
+        levels = np.nan_to_num(levels, nan=0.0)
+        ears.level[mine], ears.at_s[mine] = levels, at_s
+        ears.bearing_rad[mine] = bearing_rad[np.arange(len(rows)), levels.argmax(axis=1)]
+        ears.count[mine] += 1
 
     def tell(self, asked: Asked) -> BoolArray:
         """Answers GET_SOUND: the levels of all tones, and where the loudest comes from."""
-        has = self._has[asked.rows]
-        rows, replies = asked.rows[has], asked.messages[has]
-        if len(rows):
-            levels, bearing_rad = self._hear(asked, rows)
-            altered = asked.equipment.degradations.alter(
-                asked.state, "sound", rows, levels, asked.at_s[has]
-            )
-            levels = np.nan_to_num(altered, nan=0.0)
-            loudest = bearing_rad[np.arange(len(rows)), levels.argmax(axis=1)]
-            replies["i"][:, 0] = np.rint(rad_to_tenths_deg(loudest))
-            whole = np.clip(np.rint(levels), 0, LARGEST).astype("<i4")
-            replies["data"][:, : 4 * TONES] = whole.view(np.uint8)
-            replies["size"] = 4 * TONES
-            asked.messages[has] = replies
-        return np.asarray(has)
+        state, equipment, rows = asked.state, asked.equipment, asked.rows
+        has = np.asarray(equipment.sound[rows] >= 0)
+        measures = has & state.timers.on_request(rows, SOUND)
+        self.read(state, equipment, asked.around, rows[measures], asked.at_s[measures])
+        replies, mine = asked.messages[has], equipment.sound[rows[has]]
+        replies["i"][:, 0] = np.rint(rad_to_tenths_deg(state.sound.bearing_rad[mine]))
+        whole = np.clip(np.rint(state.sound.level[mine]), 0, LARGEST).astype("<i4")
+        replies["data"][:, : 4 * TONES] = whole.view(np.uint8)
+        replies["size"] = 4 * TONES
+        asked.messages[has] = replies
+        return has
 
-    def _hear(self, asked: Asked, rows: IndexArray) -> tuple[FloatArray, FloatArray]:
+    def _sound(
+        self, state: EnvState, equipment: Equipment, around: Surroundings, rows: IndexArray
+    ) -> tuple[FloatArray, FloatArray]:
         """Gives the levels of all tones, and where they come from, both (k, 8)."""
-        beacons, robots = asked.state.beacons, len(asked.state.heading_rad)
-        sounds = self._sounds.with_robots(asked.state.bodies.position_m[:robots], beacons.level)
+        beacons, robots = state.beacons, len(state.heading_rad)
+        sounds = self._sounds.with_robots(state.bodies.position_m[:robots], beacons.level)
         carried = sounds.owner[len(self._tone) :]
         tones = np.concatenate([self._tone, beacons.tone[carried]])
-        heard = sense(asked, rows, sounds, self._range_m[rows], self.fans[0])
+        heard = sense(
+            state, equipment, around, rows,
+            sources=sounds, range_m=self._range_m[rows], fan=self.fans[0],
+        )  # fmt: skip
         pressure = sounds.strength[heard.source] / heard.distance_m
         power = (pressure * np.where(heard.in_sight, 1.0, AROUND)) ** 2
         sums = np.zeros((3, len(rows), TONES))
@@ -95,9 +130,4 @@ class Microphones:
         np.add.at(sums[0], places, power)
         np.add.at(sums[1], places, power * np.cos(heard.bearing_rad))
         np.add.at(sums[2], places, power * np.sin(heard.bearing_rad))
-        levels, bearing_rad = np.sqrt(sums[0]), wrapped(np.arctan2(sums[2], sums[1]))
-        if self._share.any():
-            deviates = self._noise.rows(rows, beacons.heard[rows])
-            levels = levels * (1.0 + deviates * self._share[rows, None])
-        beacons.heard[rows] += 1
-        return levels, bearing_rad
+        return np.sqrt(sums[0]), wrapped(np.arctan2(sums[2], sums[1]))

@@ -1,4 +1,4 @@
-"""How bright robots shine and how loud they sound, and how often they sensed others."""
+"""How bright robots shine and how loud they sound."""
 
 from __future__ import annotations
 
@@ -13,25 +13,20 @@ from crs_cc.sim.model import WorldModel
 
 @dataclass(slots=True)
 class BeaconState:
-    """Lamps, speakers and what senses them; arrays have a row for each robot.
+    """Lamps and speakers; arrays have a row for each robot.
 
     Attributes:
         brightness: how bright its lamp shines, 0 for none, (robots,).
         level: how loud its speaker sounds, 0 for none, (robots,).
         tone: its tone, (robots,).
-        looked: how often its light sensors measured, (robots,).
-        heard: how often its microphones did, (robots,).
     """
 
     brightness: npt.NDArray[np.float64]
     level: npt.NDArray[np.float64]
     tone: npt.NDArray[np.int64]
-    looked: npt.NDArray[np.int64]
-    heard: npt.NDArray[np.int64]
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
         """Gives robots that are dark and silent."""
         count = len(world.robots)
-        tone, looked, heard = np.zeros((3, count), dtype=np.int64)
-        return cls(np.zeros(count), np.zeros(count), tone, looked, heard)
+        return cls(np.zeros(count), np.zeros(count), np.zeros(count, dtype=np.int64))

@@ -14,10 +14,10 @@ from crs_cc.sim.robot_model import RobotModel
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]
 
-GPS, CAMERA, HEAT, LASER, INFRARED, COMPASS = range(6)
+GPS, CAMERA, HEAT, LASER, INFRARED, COMPASS, TILT, LIGHT, SOUND = range(9)
 """Numbers of the sensors that can have a timer, those of `crs.h`."""
 
-SENSORS: Final = 6
+SENSORS: Final = 9
 
 
 @dataclass(slots=True)
@@ -25,10 +25,10 @@ class TimerState:
     """The timers; arrays have a row for each robot, a column for each sensor.
 
     Attributes:
-        period_s: how often each measures; 0 for one that measures on request, (robots, 6).
-        start_s: when the timer was set, (robots, 6).
-        turn: how many periods have begun since then, (robots, 6).
-        next_s: when each measures next, infinite without a timer, (robots, 6).
+        period_s: how often each measures; 0 for one that measures on request, (robots, 9).
+        start_s: when the timer was set, (robots, 9).
+        turn: how many periods have begun since then, (robots, 9).
+        next_s: when each measures next, infinite without a timer, (robots, 9).
         soonest_s: the least of these, (robots,).
     """
 
@@ -81,5 +81,8 @@ _ROUNDING: Final = 1e-6
 
 def _periods_s(model: RobotModel) -> list[float]:
     """Gives the periods of a robot's sensors, in the order of their numbers."""
-    devices = (model.gps, model.camera, model.heat, model.laser, model.infrared, model.compass)
+    devices = (
+        model.gps, model.camera, model.heat, model.laser, model.infrared, model.compass,
+        model.inclinometer, model.light_sensors, model.microphones,
+    )  # fmt: skip
     return [0.0 if device is None else device.period_s for device in devices]

@@ -49,6 +49,9 @@ int crs_laser(int *ranges, int most);
 #define CRS_SENSOR_LASER 3
 #define CRS_SENSOR_INFRARED 4
 #define CRS_SENSOR_COMPASS 5
+#define CRS_SENSOR_TILT 6
+#define CRS_SENSOR_LIGHT 7
+#define CRS_SENSOR_SOUND 8
 
 /* Sets how often a sensor measures by itself, the first time now; whoever asks for its reading is then
    told the last one. 0: it measures when it is asked. Its rate is the shortest period there is. */
