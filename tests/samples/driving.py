@@ -53,7 +53,8 @@ class Drive:
             program: its C files, below `samples/scout_c`; robots for which the world names a
                 program run that.
             world: where.
-            arguments: what `main` finds behind its name, where the world does not say.
+            arguments: what `main` finds behind its name, where the world names neither arguments
+                nor a program.
             files: what it can read, by name.
             standard: the C that it is written in.
             dialect: whose functions it calls; by default what it looks like.
@@ -69,7 +70,7 @@ class Drive:
                 for paths in programs
             ],
             arguments=[
-                [paths[0].stem, *(robot.arguments or arguments)]
+                [paths[0].stem, *(robot.arguments or (() if robot.program else arguments))]
                 for robot, paths in zip(world.robots, programs, strict=True)
             ],
             output=self._write,

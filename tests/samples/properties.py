@@ -408,6 +408,26 @@ def drives_through_the_door(drive: Drive) -> None:
     assert 1.5 < y_m < 2.5
 
 
+def slides_along_the_wall(drive: Drive) -> None:
+    """It keeps 7 in of a white wall, and half of a black one; walls are 10 cm thick."""
+    touches_nothing(drive)
+    for x_m, wall_y_m, gap_in in ((2.6, 2.5, 7.0), (7.0, 2.4, 3.5)):
+        y_m = np.interp(x_m, *drive.places.T)
+        assert (wall_y_m - 0.05 - y_m - 0.225) / INCH_M == pytest.approx(gap_in, abs=0.6)
+
+
+def drives_its_square_by_compass(drive: Drive) -> None:
+    """Sides of 60 in, turned by 30 degrees; the encoders believe to be far away."""
+    touches_nothing(drive)
+    turned = np.array([[math.cos(0.5236), -math.sin(0.5236)], [math.sin(0.5236), math.cos(0.5236)]])
+    places_in = (drive.places - drive.places[0]) @ turned / INCH_M
+    assert np.ptp(places_in, axis=0) == pytest.approx([60, 60], abs=4)
+    assert np.hypot(*places_in[-1]) < 3
+    closes_in, believed_in = drive.numbers(r"within (\S+) in by compass; encoders say (\S+) in")
+    assert closes_in < 3
+    assert believed_in > 20
+
+
 def sorts_cans(drive: Drive) -> None:
     """Heavy cans stand to the left of the robot's home, light ones to the right."""
     assert drive.robot.exit_status == 0

@@ -119,6 +119,8 @@ RUNS = [
     Run("relay", "radio-shadow", properties.carries_every_reading),
     Run("platoon", "platoon", properties.keeps_together_by_radio),
     Run("turret", "pillar", properties.keeps_its_eye_on_the_pillar),
+    Run("slide", "wavy", properties.slides_along_the_wall),
+    Run("by_compass", "slippery", properties.drives_its_square_by_compass),
     Run("mixed", "mixed", properties.all_kinds_get_about),
     Run("dead_reckoning", "wall", properties.reckons_until_it_slips),
     Run("sonar_ages", "wall", properties.tells_ages_of_readings),
