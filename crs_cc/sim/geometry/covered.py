@@ -27,7 +27,7 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.geometry.neighbours import CellList
+from crs_cc.sim.geometry.neighbours import CellList, few_pairs
 from crs_cc.sim.geometry.obstacles import Grid
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene, own_corners_m, triangles_of
@@ -39,7 +39,6 @@ ComplexArray = npt.NDArray[np.complex128]
 IndexArray = npt.NDArray[np.intp]
 
 _ON_M: Final = 1e-9  # rounding must not let a sensor on a side be outside here, inside for `rays`
-_FEW_PAIRS: Final = 1_000  # robots times pieces; so few are not worth choosing from
 
 
 class Pieces:
@@ -136,8 +135,8 @@ class Pieces:
         count = len(self._bodies)
         if count == 0:
             return robots, shapes
-        if len(place) * count <= _FEW_PAIRS:
-            others, movers = np.divmod(np.arange(len(place) * count), count)
+        if pairs := few_pairs(len(place), count):
+            others, movers = pairs
         else:
             if self._cells is None:
                 middle = self._middle[self._fixed :]

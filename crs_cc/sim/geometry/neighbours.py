@@ -22,6 +22,7 @@ IndexArray = npt.NDArray[np.intp]
 _ROUNDING: Final = 1e-9  # lets no point that is just within reach fall into a cell beyond
 _AT_ONCE: Final = 256  # queries for which pairs are listed together,
 _PAIRS_AT_ONCE: Final = 2_000_000  # or fewer, if they might be near to so many points
+_FEW_PAIRS: Final = 1_000  # so few are not worth choosing from
 _SPAN: Final = 2  # cells within reach to each side; more are smaller and hold fewer false pairs
 
 
@@ -39,6 +40,17 @@ def expand(starts: IndexArray, counts: IndexArray) -> tuple[IndexArray, IndexArr
     ends = np.cumsum(counts)
     members = np.arange(len(owners)) + (starts - ends + counts).take(owners)
     return owners, members
+
+
+def few_pairs(queries: int, points: int) -> tuple[IndexArray, IndexArray] | None:
+    """Gives all pairs of query and point, None where these are many: then cells find the near ones.
+
+    >>> few_pairs(2, 2)
+    (array([0, 0, 1, 1]), array([0, 1, 0, 1]))
+    """
+    if queries * points > _FEW_PAIRS:
+        return None
+    return np.divmod(np.arange(queries * points), max(points, 1))
 
 
 class CellList:

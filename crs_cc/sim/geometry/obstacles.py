@@ -14,14 +14,13 @@ from typing import Final, Self
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.geometry.neighbours import CellList, expand
+from crs_cc.sim.geometry.neighbours import CellList, expand, few_pairs
 from crs_cc.sim.geometry.scene import Outlines
 
 FloatArray = npt.NDArray[np.float64]
 ComplexArray = npt.NDArray[np.complex128]
 IndexArray = npt.NDArray[np.intp]
 
-_FEW_PAIRS: Final = 1_000  # robots times shapes; so few are not worth choosing from
 _MOST_CELLS: Final = 128  # along each side of the grid
 _CELLS_PER_REACH: Final = 8
 _SHAPES_AT_ONCE: Final = 64  # while the grid is made
@@ -112,8 +111,8 @@ class Obstacles:
 
     def _moving_segments(self, place: ComplexArray) -> tuple[IndexArray, IndexArray]:
         moving = self._moving
-        if len(place) * len(moving.length_m) <= _FEW_PAIRS:
-            return _all_pairs(len(place), len(moving.length_m))
+        if pairs := few_pairs(len(place), len(moving.length_m)):
+            return pairs
         if self._segment_cells is None:
             middle = (moving.start + moving.end) / 2
             reach_m = self._reach_m + float(moving.length_m.max()) / 2
@@ -124,8 +123,8 @@ class Obstacles:
         self, place: ComplexArray, own: IndexArray
     ) -> tuple[IndexArray, IndexArray]:
         moving = self._moving
-        if len(place) * len(moving.radius_m) <= _FEW_PAIRS:
-            others, movers = _all_pairs(len(place), len(moving.radius_m))
+        if pairs := few_pairs(len(place), len(moving.radius_m)):
+            others, movers = pairs
         else:
             if self._circle_cells is None:
                 reach_m = self._reach_m + float(moving.radius_m.max())
@@ -205,8 +204,8 @@ class Grid:
 
     def near(self, place: ComplexArray) -> tuple[IndexArray, IndexArray]:
         """Gives pairs of place and shape; among them all within reach."""
-        if len(place) * self._count <= _FEW_PAIRS:
-            return _all_pairs(len(place), self._count)
+        if pairs := few_pairs(len(place), self._count):
+            return pairs
         column = np.floor((place.real - self._corner_m[0]) / self._cell_m)
         row = np.floor((place.imag - self._corner_m[1]) / self._cell_m)
         columns, rows = self._size
@@ -249,7 +248,3 @@ def _to_segments(x: FloatArray, y: FloatArray, ends: FloatArray) -> tuple[FloatA
     share = np.clip(x * along_x + y * along_y, 0.0, length)
     distance = np.hypot(x - share * along_x, y - share * along_y)
     return distance, along_x * y - along_y * x
-
-
-def _all_pairs(queries: int, shapes: int) -> tuple[IndexArray, IndexArray]:
-    return np.divmod(np.arange(queries * shapes), max(shapes, 1))

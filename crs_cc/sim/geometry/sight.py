@@ -22,7 +22,7 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.geometry.neighbours import CellList, expand
+from crs_cc.sim.geometry.neighbours import CellList, expand, few_pairs
 from crs_cc.sim.geometry.obstacles import Grid
 from crs_cc.sim.geometry.scene import Outlines, Scene
 
@@ -33,7 +33,6 @@ IndexArray = npt.NDArray[np.intp]
 
 _PIECE_M: Final = 2.0
 _AT_ONCE: Final = 4096  # lines that are looked at together
-_FEW_PAIRS: Final = 1_000  # pieces times shapes; so few are not worth choosing from
 
 
 class Sight:
@@ -100,10 +99,8 @@ def _near(middle: ComplexArray, shapes: FloatArray) -> tuple[IndexArray, IndexAr
         middle: the middles of the pieces.
         shapes: segments, (n, 5), or circles, (n, 3).
     """
-    count = len(shapes)
-    if len(middle) * count <= _FEW_PAIRS:
-        piece, shape = np.divmod(np.arange(len(middle) * count), max(count, 1))
-        return piece, shape
+    if pairs := few_pairs(len(middle), len(shapes)):
+        return pairs
     sides = shapes.shape[1] > 3  # a circle has three columns
     x_m, y_m = (shapes[:, 0:2] + shapes[:, 2:4]).T / 2 if sides else shapes[:, :2].T
     size_m = shapes[:, -1].max() / (2 if sides else 1)

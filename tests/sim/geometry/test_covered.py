@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from crs_cc.sim.environment import Environment
-from crs_cc.sim.geometry import covered
 from crs_cc.sim.geometry.covered import Pieces
 from crs_cc.sim.geometry.placement import clearance_m
 from crs_cc.sim.geometry.rays import Fan
@@ -166,8 +165,7 @@ def inside(x: float, y: float, solid: Box | Wall | Polygon) -> bool:
 @pytest.mark.slow
 @pytest.mark.parametrize("few", [0, 10**9])
 def test_many_robots_among_many_things_are_covered_as_each_pair_says(few, monkeypatch):
-    monkeypatch.setattr(covered, "_FEW_PAIRS", few)
-    monkeypatch.setattr("crs_cc.sim.geometry.obstacles._FEW_PAIRS", few)
+    monkeypatch.setattr("crs_cc.sim.geometry.neighbours._FEW_PAIRS", few)
     world, poses = crowd()
     scene = Scene(world)
     ring = [(0.2 * math.cos(a), 0.2 * math.sin(a), a, 0.1, 6.0) for a in (4.0, 0.5, 2.0)]

@@ -170,7 +170,7 @@ def test_choosing_shapes_and_beams_changes_no_bit(robots, monkeypatch):
     chosen = look_around(world, fan)
     monkeypatch.setattr(rays, "_FEW", 10**9)
     monkeypatch.setattr(rays, "_CHUNK", 50)
-    monkeypatch.setattr("crs_cc.sim.geometry.obstacles._FEW_PAIRS", 10**9)
+    monkeypatch.setattr("crs_cc.sim.geometry.neighbours._FEW_PAIRS", 10**9)
     assert np.array_equal(chosen, look_around(world, fan))
     assert 0 < np.isinf(chosen).mean() < 0.5
 
