@@ -26,7 +26,7 @@ Examples:
 def new(kind: str, name: str) -> int:
     """Writes a file to start from, which can be checked and run as it is; never over another."""
     path = Path(name)
-    if path.suffix.lower() != _ENDINGS[kind]:
+    if path.name and path.suffix.lower() != _ENDINGS[kind]:
         path = path.with_name(path.name + _ENDINGS[kind])
     if not _NAME.fullmatch(path.stem):
         raise click.UsageError(

@@ -97,6 +97,9 @@ def test_the_robots_that_come_with_crs_are_told(capfd: pytest.CaptureFixture[str
     [
         (["world", "room"], "'room.xml' is there already."),
         (["world", "1st"], "'1st' is no name"),
+        (["robot", ""], "'' is no name"),
+        (["program", "/"], "'' is no name"),
+        (["program", ".."], "is no name"),
         (["world", "nowhere/room"], "cannot write 'nowhere/room.xml': No such file or directory."),
         (["planet", "room"], "'planet' is not one of 'world', 'robot', 'program'."),
     ],
