@@ -67,7 +67,7 @@ def overlapping_things(world: WorldModel) -> Iterator[tuple[str, str]]:
     for solid_of, thing_of in overlapping(around, things):
         for number in np.unique(solid_of).tolist():
             near, solid = np.sort(thing_of[solid_of == number]), solids[number]
-            room_m = clearance_m(solid, things.x_m[near], things.y_m[near])
+            room_m = distance_from_m(solid, things.x_m[near], things.y_m[near])
             for thing in near[room_m < things.radius_m[near]].tolist():
                 other = pushable[thing]
                 first = number < other or not is_pushable(solid)
@@ -76,7 +76,7 @@ def overlapping_things(world: WorldModel) -> Iterator[tuple[str, str]]:
                     yield solids[other].id, f"{_named(solids[other])} overlaps {_named(solid)}"
 
 
-def clearance_m(solid: Solid, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
+def distance_from_m(solid: Solid, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
     """Gives how far points lie from a solid [m]; 0 or less inside."""
     if isinstance(solid, Wall):
         return _from_wall_m(solid, x_m, y_m)
@@ -132,7 +132,7 @@ def _inside(
     for solid_of, robot_of in overlapping(around, robots):
         for number in np.unique(solid_of).tolist():
             near, solid = np.sort(robot_of[solid_of == number]), solids[number]
-            room_m = clearance_m(solid, robots.x_m[near], robots.y_m[near])
+            room_m = distance_from_m(solid, robots.x_m[near], robots.y_m[near])
             inside = room_m < robots.radius_m[near] - TOLERANCE_M
             for robot in near[inside & there[near] if is_pushable(solid) else inside]:
                 yield int(robot), f"robot {ids[robot]!r} stands inside {_named(solid)}"

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.geometry.placement import TOLERANCE_M, clearance_m
+from crs_cc.sim.geometry.placement import TOLERANCE_M, distance_from_m
 from crs_cc.sim.geometry.polygon import area_m2, complaint
 from crs_cc.sim.geometry.scene import corners_m
 from crs_cc.sim.model import Box, Polygon, Solid, is_pushable
@@ -120,7 +120,9 @@ def _add(
         return False
     if area_m2(places_m) < 0.0:
         corners = corners[::-1]
-    room_m = clearance_m(polygon_of(obstacles.made, corners.astype(np.int32)), state.x_m, state.y_m)
+    room_m = distance_from_m(
+        polygon_of(obstacles.made, corners.astype(np.int32)), state.x_m, state.y_m
+    )
     if (state.presence.present & (room_m < equipment.radius_m - TOLERANCE_M)).any():
         return False
     row = np.zeros((1, MAX_VERTICES, 2), dtype=np.int32)

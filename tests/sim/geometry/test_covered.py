@@ -7,7 +7,7 @@ import pytest
 
 from crs_cc.sim.environment import Environment
 from crs_cc.sim.geometry.covered import Pieces
-from crs_cc.sim.geometry.placement import clearance_m
+from crs_cc.sim.geometry.placement import distance_from_m
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.surroundings import Surroundings
@@ -149,7 +149,7 @@ def star(rng: np.random.Generator) -> np.ndarray:
 def inside(x: float, y: float, solid: Box | Wall | Polygon) -> bool:
     """Tells whether a place is in a thing, or in a wall without its round ends."""
     if isinstance(solid, Polygon):
-        return bool(clearance_m(solid, np.array(x), np.array(y)) <= 0)
+        return bool(distance_from_m(solid, np.array(x), np.array(y)) <= 0)
     if isinstance(solid, Box):
         x, y = x - solid.pose.x_m, y - solid.pose.y_m
         cos, sin = math.cos(solid.pose.heading_rad), math.sin(solid.pose.heading_rad)

@@ -6,7 +6,7 @@ import pickle
 import numpy as np
 import pytest
 
-from crs_cc.sim.geometry.placement import clearance_m
+from crs_cc.sim.geometry.placement import distance_from_m
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.physics.bodies import Bodies, Pull
 from crs_cc.sim.physics.simulation import Physics
@@ -43,7 +43,7 @@ class Bench:
         """Gives how deep the deepest robot is in a fixed thing."""
         places = self.bodies.position_m[: self.scene.robots]
         rooms = [
-            clearance_m(solid, places[:, 0], places[:, 1]).min()
+            distance_from_m(solid, places[:, 0], places[:, 1]).min()
             for solid in self.scene.fixed_solids
         ]
         return SCOUT_RADIUS_M - min(rooms)

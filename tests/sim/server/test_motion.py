@@ -134,11 +134,11 @@ def test_random_paths_end_where_small_steps_first_come_too_near(seed):
 
 def room_in(driver: Driver, places: np.ndarray) -> np.ndarray:
     """Gives how far a robot at places is from the next solid [in]."""
-    from crs_cc.sim.geometry.placement import clearance_m
+    from crs_cc.sim.geometry.placement import distance_from_m
 
     solids = driver.environment.world_now.solids()
     x_m, y_m = (places * INCH).T
-    return np.min([clearance_m(solid, x_m, y_m) for solid in solids], axis=0) / INCH - 8
+    return np.min([distance_from_m(solid, x_m, y_m) for solid in solids], axis=0) / INCH - 8
 
 
 def test_a_robot_is_stopped_where_the_check_says():
