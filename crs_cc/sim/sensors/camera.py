@@ -69,7 +69,7 @@ class Cameras:
         self.fans = [_fan(camera) for camera in self._kinds]
         self.interval_s = np.array([1.0 / camera.rate_hz for camera in self._models])
         self._noise_per_m = np.array([camera.noise_m for camera in self._models])
-        noisy = len(self._models) if self._noise_per_m.any() else 0
+        noisy = len(world.robots) if self._noise_per_m.any() else 0
         self._noise = noise.Noise(seed, noise.CAMERA, MAX_COLUMNS, noisy)
 
     def read(
@@ -115,7 +115,7 @@ class Cameras:
         poses = mount_poses(state, equipment, rows)
         range_m, thing = around.seen(state, fan, poses, own=rows)
         if model.noise_m:
-            deviates = self._noise.rows(mine, camera.count[mine])[:, : model.columns]
+            deviates = self._noise.rows(rows, camera.count[mine])[:, : model.columns]
             spread_m = model.noise_m * np.where(thing == NO_THING, 0.0, range_m) ** 2
             range_m = np.maximum(range_m + deviates * spread_m, 0.0)
         range_m = equipment.degradations.alter(state, "camera", rows, range_m, at_s)

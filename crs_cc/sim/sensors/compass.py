@@ -10,9 +10,9 @@ slowly as the definition says (about three minutes, vendor header), while the pr
 should wait and not move the turret; from then on the deviation, which iron on the robot causes, is
 taken out. On a robot without a turret nothing turns. All numbers but the format are ours.
 
-It measures when a reply tells its reading, at most ten times a second (vendor header). A normal
-deviate with the definition's noise is added. Degradation (`compass`): where nothing comes the
-reading stays as it was.
+It measures when a reply tells its reading, at most ten times a second (vendor header), or by its
+timer (`timers`). A normal deviate with the definition's noise is added. Degradation (`compass`):
+where nothing comes the reading stays as it was.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ class Compasses:
         self._offset_rad = np.array([compass.offset_rad for compass in found])
         self._deviation_rad = np.array([compass.deviation_rad for compass in found])
         self._noise_rad = np.array([compass.noise_rad for compass in found])
-        self._noise = Noise(seed, COMPASS, 1, len(found) if self._noise_rad.any() else 0)
+        self._noise = Noise(seed, COMPASS, 1, len(world.robots) if self._noise_rad.any() else 0)
 
     def read(
         self,
@@ -89,7 +89,7 @@ class Compasses:
         deviation_rad = np.where(compass.calibrated[mine], 0.0, self._deviation_rad[mine])
         angle_rad += self._offset_rad[mine] + deviation_rad * np.sin(angle_rad)
         if self._noise_rad.any():
-            deviates = self._noise.rows(mine, compass.count[mine])[:, 0]
+            deviates = self._noise.rows(rows, compass.count[mine])[:, 0]
             angle_rad += deviates * self._noise_rad[mine]
         angle_rad = equipment.degradations.alter(
             state, "compass", rows, angle_rad[:, None], at_s[due]

@@ -43,7 +43,9 @@ class GpsReceivers:
         found = [gps for robot in world.robots if (gps := robot.model.gps) is not None]
         self.interval_s = np.array([1.0 / gps.rate_hz for gps in found])
         self._noise_m = np.array([gps.noise_m for gps in found])
-        self._noise = noise.Noise(seed, noise.GPS, 2, len(found) if self._noise_m.any() else 0)
+        self._noise = noise.Noise(
+            seed, noise.GPS, 2, len(world.robots) if self._noise_m.any() else 0
+        )
 
     def read(
         self,
@@ -66,7 +68,7 @@ class GpsReceivers:
         rows, mine, at_s = rows[due], mine[due], at_s[due]
         fix_m = mount_poses(state, equipment, rows)[:, :2]
         if self._noise_m.any():
-            fix_m += self._noise.rows(mine, gps.count[mine]) * self._noise_m[mine, None]
+            fix_m += self._noise.rows(rows, gps.count[mine]) * self._noise_m[mine, None]
         fix_m = equipment.degradations.alter(state, "gps", rows, fix_m, at_s)
         gps.fix_m[mine], gps.at_s[mine] = fix_m, at_s
         gps.count[mine] += 1

@@ -16,8 +16,9 @@ Reflectance is that of its surface, or of one that says nothing, what the defini
 for. All other numbers are ours.
 
 The ring is on the turret. All of it measures when a reply tells its readings, at most as often as
-the definition says. A normal deviate with the definition's noise is added to each distance.
-Degradation (`infrared`) is that of the distances; where nothing comes nothing is seen.
+the definition says, or by its timer (`timers`). A normal deviate with the definition's noise is
+added to each distance. Degradation (`infrared`) is that of the distances; where nothing comes
+nothing is seen.
 """
 
 from __future__ import annotations
@@ -72,7 +73,9 @@ class InfraredRing:
         self._step_m = np.array([ring.step_m for ring in rings])[:, None]
         self._reflectance = np.array([ring.reflectance for ring in rings])[:, None]
         self._noise_m = np.array([ring.noise_m for ring in rings])[:, None]
-        self._noise = Noise(seed, INFRARED, MAX_INFRARED, len(rings) if self._noise_m.any() else 0)
+        self._noise = Noise(
+            seed, INFRARED, MAX_INFRARED, len(world.robots) if self._noise_m.any() else 0
+        )
 
     def read(
         self,
@@ -100,7 +103,7 @@ class InfraredRing:
         poses = mount_poses(state, equipment, rows)
         distance_m, step_m = self._see(state, equipment, around, rows, poses)
         if self._noise_m.any():
-            distance_m += self._noise.rows(mine, ring.count[mine]) * self._noise_m[mine]
+            distance_m += self._noise.rows(rows, ring.count[mine]) * self._noise_m[mine]
         distance_m = equipment.degradations.alter(state, "infrared", rows, distance_m, at_s[due])
         distance_m = np.where(np.isnan(distance_m), np.inf, distance_m)
         new = np.clip(_steps(distance_m, step_m), 0.0, FARTHEST)

@@ -17,10 +17,11 @@ tells points and `get_sg` segments whatever the mode is; states tell what the mo
 mask leaves the laser out. A laser that is off tells nothing. What was told is kept for the pages
 (LASER_PAGE) that the client asks for.
 
-It looks when a reply tells of it, at most thirty times a second (vendor header). Noise: a
-normal deviate with a spread that is the definition's noise at 1 m and grows with the square of the
-distance, as it does for triangulation, is added to each distance; averaging p pixels divides it by
-sqrt(p). Degradation (`laser`) is that of the distances; where nothing comes there is no point.
+It looks when a reply tells of it, at most thirty times a second (vendor header), or by its timer
+(`timers`). Noise: a normal deviate with a spread that is the definition's noise at 1 m and grows
+with the square of the distance, as it does for triangulation, is added to each distance; averaging
+p pixels divides it by sqrt(p). Degradation (`laser`) is that of the distances; where nothing comes
+there is no point.
 """
 
 from __future__ import annotations
@@ -77,7 +78,9 @@ class Lasers:
         self._models = found
         self.interval_s = np.array([1.0 / laser.rate_hz for laser in found])
         self._noise_per_m = np.array([laser.noise_m for laser in found])
-        self._noise = Noise(seed, LASER, NUM_LASER, len(found) if self._noise_per_m.any() else 0)
+        self._noise = Noise(
+            seed, LASER, NUM_LASER, len(world.robots) if self._noise_per_m.any() else 0
+        )
         self._cut: dict[tuple[Laser, int], Fan] = {}
         self.fans = [self._fan(laser, laser.points) for laser in dict.fromkeys(found)]
 
@@ -143,7 +146,7 @@ class Lasers:
             some = np.array([place for place, each in enumerate(kinds) if each == kind])
             distance_m = around.distances_m(state, self._fan(*kind), poses[some], own=rows[some])
             if at_s is not None:
-                distance_m += self._errors_m(state, mine[some], distance_m)
+                distance_m += self._errors_m(state, rows[some], mine[some], distance_m)
                 distance_m = equipment.degradations.alter(
                     state, "laser", rows[some], distance_m, at_s[some]
                 )
@@ -183,11 +186,13 @@ class Lasers:
             self._cut[laser, points] = Fan.of(beams, laser.z_m)
         return self._cut[laser, points]
 
-    def _errors_m(self, state: EnvState, mine: IndexArray, distance_m: FloatArray) -> FloatArray:
+    def _errors_m(
+        self, state: EnvState, rows: IndexArray, mine: IndexArray, distance_m: FloatArray
+    ) -> FloatArray:
         if not self._noise_per_m.any():
             return np.zeros(1)
         spread = self._noise_per_m[mine] / np.sqrt(state.laser.averaged[mine])
-        deviates = self._noise.rows(mine, state.laser.count[mine])[:, : distance_m.shape[1]]
+        deviates = self._noise.rows(rows, state.laser.count[mine])[:, : distance_m.shape[1]]
         seen_m = np.where(np.isfinite(distance_m), distance_m, 0.0)
         return np.asarray(deviates * spread[:, None] * seen_m * seen_m)
 

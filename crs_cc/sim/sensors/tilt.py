@@ -48,7 +48,9 @@ class Inclinometers:
         found = [each for each in models if each is not None]
         self.interval_s = np.array([1.0 / each.rate_hz for each in found])
         self._noise_rad = np.array([each.noise_rad for each in found])
-        self._noise = noise.Noise(seed, noise.TILT, 2, len(found) if self._noise_rad.any() else 0)
+        self._noise = noise.Noise(
+            seed, noise.TILT, 2, len(world.robots) if self._noise_rad.any() else 0
+        )
 
     def read(
         self,
@@ -77,7 +79,7 @@ class Inclinometers:
             tilt_rad[:, 0] = np.arctan(cos * gradient[:, 0] + sin * gradient[:, 1])
             tilt_rad[:, 1] = np.arctan(cos * gradient[:, 1] - sin * gradient[:, 0])
         if self._noise_rad.any():
-            tilt_rad += self._noise.rows(mine, tilt.count[mine]) * self._noise_rad[mine, None]
+            tilt_rad += self._noise.rows(rows, tilt.count[mine]) * self._noise_rad[mine, None]
         tilt_rad = equipment.degradations.alter(state, "tilt", rows, tilt_rad, at_s)
         tilt.tilt_rad[mine], tilt.at_s[mine] = tilt_rad, at_s
         tilt.count[mine] += 1
