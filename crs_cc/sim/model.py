@@ -1,9 +1,10 @@
 """What a world is: constant data, apart from everything that changes while it runs.
 
 A `WorldModel` says what stands where before the first timestep: walls, boxes, cylinders, polygons,
-and robots, each with the `RobotModel` that says what it is made of. `world_xml` reads it from a
-file, `environment.Environment` is made from it and never changes it. All of it is frozen, compares
-and hashes by content, and pickles.
+lights, sounds, and robots, each with the `RobotModel` that says what it is made of; what the ground
+is like, by which channels messages go, and what is wrong with devices from when on. `world_xml`
+reads it from a file, `environment.Environment` is made from it and never changes it. All of it is
+frozen, compares and hashes by content, and pickles.
 
 Units: metres, seconds, kilograms, radians. World frame: x to the right, y up, angles
 counter-clockwise from x. Robot frame: x ahead, y to the left, origin midway between the wheels.
@@ -141,7 +142,8 @@ class Box:
     """A rectangular object; `length_m` lies along the heading of its pose, `width_m` across.
 
     How hot it is at the start is `heat`, and how far that spreads `spread_m`, as `sensors.heat`
-    senses it; `height_m` is how far it rises above the ground that it stands on.
+    senses it; `height_m` is how far it rises above the ground that it stands on. `part_of` names
+    the object of the world file that it is a part of, and is empty for what stands alone.
     """
 
     id: str
@@ -185,6 +187,7 @@ class Polygon:
         material: as of a box.
         height_m: as of a box.
         spread_m: as of a box.
+        part_of: as of a box.
     """
 
     id: str

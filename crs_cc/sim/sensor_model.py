@@ -1,7 +1,7 @@
 """What the sensors of a kind of robot are made of: constant data, as its definition file says.
 
-Sonars are in `robot_model`. Units: metres, seconds, radians; directions count counter-clockwise
-from ahead.
+Sonars are in `sonar_model`, light sensors and microphones in `beacon_model`. Units: metres,
+seconds, radians; directions count counter-clockwise from ahead.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
 """What changes while a world runs: arrays, one row for each robot.
 
-Everything that a later cycle depends on is here, so a copy of it (with the history that
-`physics.Physics` keeps) is a snapshot, and its SHA-256 tells whether two runs are the same.
+Everything that a later cycle depends on is here, so its SHA-256 tells whether two runs are the
+same. A snapshot is a copy of it, with the history that `physics.Physics` keeps, and with what the
+current cycle has to tell when it ends: requests that were served, and events.
 
 >>> from crs_cc.sim.geometry.scene import Scene
 >>> from crs_cc.sim.files.world_xml import empty_world

@@ -7,8 +7,9 @@ program says (`crs_period`). With a timer it measures at
     start + n * period
 
 to the exact multiple, wherever that falls in a timestep, from the place where the robot is then;
-`start` is the start of the run, or the instant of `crs_period`. Whoever asks is told what was
-measured last, and may ask how old that is (`crs_age`). The sensor's rate is the shortest period.
+`start` is the start of the run, the instant at which the robot joined, or that of `crs_period`.
+Whoever asks is told what was measured last, and may ask how old that is (`crs_age`). The sensor's
+rate is the shortest period.
 """
 
 from __future__ import annotations

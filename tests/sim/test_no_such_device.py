@@ -9,7 +9,7 @@ from crs_cc.sim.commands import HANDLERS
 from crs_cc.sim.environment import Environment
 from crs_cc.sim.files import world_xml
 from crs_cc.sim.files.world_xml import load_world
-from crs_cc.sim.states.timers import CAMERA, COMPASS, GPS, HEAT, INFRARED, LASER
+from crs_cc.sim.states.timers import CAMERA, COMPASS, GPS, HEAT, INFRARED, LASER, LIGHT, SOUND, TILT
 from tests.sim.driver import Driver
 
 ROBOTS = sorted((Path(world_xml.__file__).parents[1] / "robots").glob("*.xml"))
@@ -52,7 +52,8 @@ ASKED = (
     *((device, request, number)
       for request in ("PERIOD", "AGE")
       for device, number in (("gps", GPS), ("camera", CAMERA), ("heat", HEAT), ("laser", LASER),
-                             ("infrared", INFRARED), ("compass", COMPASS))),
+                             ("infrared", INFRARED), ("compass", COMPASS), ("inclinometer", TILT),
+                             ("light-sensors", LIGHT), ("microphones", SOUND))),
 )  # fmt: skip
 
 COUNTS = {"READINGS", "LASER_PAGE"}
