@@ -112,3 +112,19 @@ def test_new_writes_over_nothing(
     assert main(["new", *arguments]) == 2
     assert expected in capfd.readouterr().err
     assert Path("room.xml").read_bytes() == before
+
+
+def test_what_the_robots_template_keeps_in_a_comment_can_be_taken_out(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    main(["new", "robot", "rover"])
+    text = Path("rover.xml").read_text()
+    head, _, rest = text.partition("docs/actuators.md tell what they do.\n")
+    more, _, tail = rest.partition("  -->\n")
+    Path("rover.xml").write_text(f"{head} -->\n{more}{tail}")
+    capfd.readouterr()
+    assert main(["check", "rover.xml"]) == 0
+    told = capfd.readouterr().out
+    for device in ("camera", "gripper", "light sensors", "microphones", "lamp", "speaker"):
+        assert device in told, told
