@@ -450,6 +450,16 @@ def comes_to_the_light(drive: Drive) -> None:
     assert np.hypot(*(drive.places[-1] - [100 * INCH_M, 60 * INCH_M])) < 0.85
 
 
+def follows_the_lamp(drive: Drive) -> None:
+    """The lamp of 400 reads 300 from 1.15 m; the guide goes 120 in ahead and 100 in to the left."""
+    touches_nothing(drive)
+    assert [robot.exit_status for robot in drive.robots] == [0, 0]
+    guide, follower = drive.paths[-1]
+    assert guide == pytest.approx([180 * INCH_M, 140 * INCH_M], abs=0.02)
+    assert 0.9 < np.hypot(*(follower - guide)) < 1.4
+    assert follower[1] > drive.paths[0, 1, 1] + 0.9
+
+
 def finds_who_calls(drive: Drive) -> None:
     """The call of 500 is 450 from 1.1 m; the wall between has its end at y = -40 in."""
     assert [robot.exit_status for robot in drive.robots] == [0, 0]

@@ -138,6 +138,7 @@ RUNS = [
     Run("hand", "hand", properties.puts_cans_into_a_row),
     Run("vehicle", "vehicle", properties.comes_to_the_light),
     Run("call", "call", properties.finds_who_calls),
+    Run("lantern", "lantern", properties.follows_the_lamp),
     Run("push", "push", properties.pushes_the_crate_together),
 ]
 
