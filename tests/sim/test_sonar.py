@@ -156,9 +156,10 @@ def test_a_sonar_that_the_robot_does_not_have_tells_255():
     robot = world.robots[0]
     few = replace(robot.model, sonars=robot.model.sonars[:4], sonar_board=SonarBoard(order=(0, 1)))
     driver = Driver.of(replace(world, robots=(replace(robot, model=few),)))
-    conf_sn(driver, 15, 0, 9)
+    message, _ = driver.post("CONF_SN", 15, data=bytes([0, 9]))
+    assert message["result"] == 0  # the order stays as it was
     driver.run_s(0.5)
-    assert np.flatnonzero(driver.ask("GET_SN")[RING] < NO_ECHO).tolist() == [0]
+    assert np.flatnonzero(driver.ask("GET_SN")[RING] < NO_ECHO).tolist() == [0, 1]
 
 
 # -- when an echo is there ---------------------------------------------------------------------

@@ -1,3 +1,4 @@
+/* The arm's joints, and the hand at its tip. */
 #include <crs/device.h>
 #include <stddef.h>
 

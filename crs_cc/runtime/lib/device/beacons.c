@@ -1,3 +1,4 @@
+/* Light and sound: the robot's own, and what it senses of others'. */
 #include <crs/device.h>
 #include <stddef.h>
 #include <string.h>

@@ -1,3 +1,4 @@
+/* The GPS receiver: one request, a place. */
 #include <crs/device.h>
 
 int crs_gps(int *x, int *y)

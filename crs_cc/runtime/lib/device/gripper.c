@@ -1,3 +1,4 @@
+/* The gripper: told to open or close, and what it knows of what it holds. */
 #include <crs/device.h>
 #include <stddef.h>
 

@@ -1,3 +1,4 @@
+/* The heat sensor: one request, a number. */
 #include <crs/device.h>
 
 int crs_heat(int *heat)

@@ -1,3 +1,4 @@
+/* The laser's distances, direction by direction. */
 #include <crs/device.h>
 
 int crs_laser(int *ranges, int most)

@@ -1,5 +1,5 @@
-/* Requests to devices of crs.h need no connection; afterwards signals are seen to, as after any call
-   of the robot. */
+/* Requests to devices of crs.h need no connection; afterwards signals are seen to, as after any
+   call of the robot. */
 #include <crs/clock.h>
 #include <crs/device.h>
 #include <stddef.h>

@@ -1,3 +1,4 @@
+/* What comes in: messages, at once or when one comes, and the groups that are listened to. */
 #include <crs/device.h>
 #include <string.h>
 

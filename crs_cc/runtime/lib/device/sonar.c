@@ -1,3 +1,4 @@
+/* The sonars' modes, and their distances beyond what State can tell. */
 #include <crs/device.h>
 
 #define SONARS 16

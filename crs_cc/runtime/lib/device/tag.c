@@ -1,3 +1,4 @@
+/* The tag actuator; its reply tells a robot that has none from one that found nothing. */
 #include <crs/device.h>
 
 int crs_tag(void)

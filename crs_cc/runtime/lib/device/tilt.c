@@ -1,3 +1,4 @@
+/* The inclinometer: one request, two angles. */
 #include <crs/device.h>
 
 int crs_tilt(int *pitch, int *roll)

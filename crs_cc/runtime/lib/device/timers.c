@@ -1,3 +1,4 @@
+/* Sensors that measure by themselves: how often, and how old a reading is. */
 #include <crs/device.h>
 
 int crs_period(int sensor, int ms)

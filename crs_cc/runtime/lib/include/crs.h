@@ -9,19 +9,20 @@
 /* Where the robot is in the world, by GPS: 0.1 inch. */
 int crs_gps(int *x, int *y);
 
-/* How the robot is tilted, by an inclinometer: pitch is above 0 with the nose up, roll with the left
-   side up, 0.1 degree. */
+/* How the robot is tilted, by an inclinometer: pitch is above 0 with the nose up, roll with the
+   left side up, 0.1 degree. */
 int crs_tilt(int *pitch, int *roll);
 
-/* A column of a camera's picture: what colour it shows, 0xRRGGBB, and how far away that is: 0.1 inch,
-   -1 where nothing is in range. */
+/* A column of a camera's picture: what colour it shows, 0xRRGGBB, and how far away that is: 0.1
+   inch, -1 where nothing is in range. */
 struct crs_pixel {
     int colour;
     int range;
 };
 
-/* Neighbouring columns of one colour: where their middle is, from where the camera looks, to the left
-   counting above 0; how wide they are, both 0.1 degree; their colour; the range of the nearest. */
+/* Neighbouring columns of one colour: where their middle is, from where the camera looks, to the
+   left counting above 0; how wide they are, both 0.1 degree; their colour; the range of the
+   nearest. */
 struct crs_blob {
     int angle;
     int width;
@@ -29,8 +30,8 @@ struct crs_blob {
     int range;
 };
 
-/* Lets the camera look. Both tell from the left to the right, as many as there is room for, and give
-   how many these are. */
+/* Lets the camera look. Both tell from the left to the right, as many as there is room for, and
+   give how many these are. */
 int crs_camera(struct crs_pixel *row, int most);
 int crs_blobs(struct crs_blob *blobs, int most);
 
@@ -53,8 +54,9 @@ int crs_laser(int *ranges, int most);
 #define CRS_SENSOR_LIGHT 7
 #define CRS_SENSOR_SOUND 8
 
-/* Sets how often a sensor measures by itself, the first time now; whoever asks for its reading is then
-   told the last one. 0: it measures when it is asked. Its rate is the shortest period there is. */
+/* Sets how often a sensor measures by itself, the first time now; whoever asks for its reading is
+   then told the last one. 0: it measures when it is asked. Its rate is the shortest period there
+   is. */
 int crs_period(int sensor, int ms);
 
 /* How long ago a sensor measured what it tells: ms, -1 for never, and without such a sensor. */
@@ -64,8 +66,8 @@ int crs_age(int sensor);
    each one's next ping on. */
 int crs_sonar_mode(int mode);
 
-/* What the sonars heard last: 0.1 inch, -1 for no echo, however far that is. Gives how many it told, at
-   most `most`. */
+/* What the sonars heard last: 0.1 inch, -1 for no echo, however far that is. Gives how many it
+   told, at most `most`. */
 int crs_sonar(int *ranges, int most);
 
 /* The gripper opens or closes, in its own time; the function returns at once. It closes on what is
@@ -87,16 +89,16 @@ int crs_arm_turn(int shoulder, int elbow);
    inch). Any of the pointers may be NULL. */
 int crs_arm_get(int *shoulder, int *elbow, int *x, int *y);
 
-/* The hand at the tip closes on what is there and lifts it, or opens as soon as there is room below;
-   the function returns at once. What it holds weighs this (gram, 0 for nothing). */
+/* The hand at the tip closes on what is there and lifts it, or opens as soon as there is room
+   below; the function returns at once. What it holds weighs this (gram, 0 for nothing). */
 int crs_hand(int what);
 int crs_get_hand(int *weight);
 
 /* Takes the heat from all things near; gives how many lost theirs. */
 int crs_tag(void);
 
-/* The robot's own lamp and speaker, which others sense: how bright and how loud, as it reads at 1 m;
-   0 for off. There are eight tones, 0 to 7. */
+/* The robot's own lamp and speaker, which others sense: how bright and how loud, as it reads at 1
+   m; 0 for off. There are eight tones, 0 to 7. */
 int crs_light(int brightness);
 int crs_sound(int level, int tone);
 
@@ -129,8 +131,8 @@ struct crs_message {
     char data[CRS_MESSAGE_SIZE + 1];   /* behind the last byte stands a 0 */
 };
 
-/* FALSE also for what is too large, or dropped because too many wait; TRUE does not say that a message
-   arrives. */
+/* FALSE also for what is too large, or dropped because too many wait; TRUE does not say that a
+   message arrives. */
 int crs_send(int to, int type, const void *data, int size);
 int crs_broadcast(int type, const void *data, int size);
 int crs_multicast(int group, int type, const void *data, int size);
