@@ -38,6 +38,7 @@ _INK: Final = "#2b303a"
 _FAINT_INK: Final = "#7b8494"
 _CONTACT: Final = "#d1242f"
 _WALL: Final = "#4a5160"
+_OUTLINE_PX: Final = 0.8
 _FIXED: Final = "#8d95a3"
 _MOVABLE: Final = "#d9b88a"
 _PALETTE: Final = (  # Okabe and Ito's colours for the colour-blind, 2008, without yellow and black
@@ -165,10 +166,17 @@ class _Drawing:
 
     def _solids(self) -> None:
         pushed = {thing.id for thing in self.picture.pushed}
-        for solid in self.picture.world.solids():
+        solids = self.picture.world.solids()
+        walls = [solid for solid in solids if isinstance(solid, Wall)]
+        for wall in walls:  # before all walls, so that there are no lines where two of them meet
+            if wall.material != PLAIN:
+                self._wall(wall, _INK, 2 * _OUTLINE_PX)
+        for wall in walls:
+            self._wall(wall, _paint(wall, _WALL), 0.0)
+        for solid in solids:
             if isinstance(solid, Wall):
-                self._wall(solid)
-            elif solid.id in pushed:
+                continue
+            if solid.id in pushed:
                 with self.page.group(fill="none", stroke=_FAINT_INK, stroke_dasharray="3 3"):
                     self._thing(solid)
             else:
@@ -178,7 +186,7 @@ class _Drawing:
 
     def _standing(self, thing: Thing) -> None:
         paint = _paint(thing, _MOVABLE if is_pushable(thing) else _FIXED)
-        with self.page.group(fill=paint, stroke=_INK, stroke_width=0.8):
+        with self.page.group(fill=paint, stroke=_INK, stroke_width=_OUTLINE_PX):
             self._thing(thing)
 
     def _thing(self, thing: Thing) -> None:
@@ -189,11 +197,11 @@ class _Drawing:
             corners = [self.view.point(*corner) for corner in corners_m(thing).tolist()]
             self.page.polygon(corners, stroke_linejoin="round")
 
-    def _wall(self, wall: Wall) -> None:
+    def _wall(self, wall: Wall, paint: str, wider_px: float) -> None:
         ends = self.view.point(wall.x1_m, wall.y1_m), self.view.point(wall.x2_m, wall.y2_m)
         width_px = max(1.5, self.view.length(wall.thickness_m))
         self.page.line(
-            *ends, stroke=_paint(wall, _WALL), stroke_width=width_px, stroke_linecap="round"
+            *ends, stroke=paint, stroke_width=width_px + wider_px, stroke_linecap="round"
         )
 
     def _strokes(self) -> None:

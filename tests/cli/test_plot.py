@@ -74,6 +74,16 @@ def test_things_have_the_colours_of_their_materials() -> None:
     assert {"#ff0000", "#0000ff"} <= set(painted)
 
 
+def test_walls_as_light_as_the_paper_have_an_outline() -> None:
+    white = Wall("white", -3.0, 0.0, 3.0, 0.0, material=Material((255, 255, 255)))
+    plain = Wall("plain", -3.0, 2.0, 3.0, 2.0)
+    root = draw(Picture("", "", replace(OPEN, walls=(white, plain)), [trip((1, 1), (1, 2))]))
+    lines = root.xpath("//*[@stroke-linecap='round'][@x1]")
+    wide = [float(line.get("stroke-width")) for line in lines]
+    assert [line.get("stroke") == "#ffffff" for line in lines] == [False, True, False]
+    assert wide[0] > wide[1] == wide[2]
+
+
 def test_up_in_the_world_is_up_on_the_page() -> None:
     root = draw(Picture("", "", OPEN, [trip((0, 0), (3, 0), (3, 1))]))
     points = root.find(f".//{SVG}polyline").get("points").split()
