@@ -35,7 +35,7 @@ from crs_cc.source import Diagnostic, Diagnostics
 if TYPE_CHECKING:
     from crs_cc.cli.run import RunOptions
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
-    from crs_cc.session.session import Listener
+    from crs_cc.session.crew import Listener
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.step import Step
 

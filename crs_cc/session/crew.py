@@ -11,7 +11,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import fields
 from itertools import takewhile
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any, Final, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from crs_cc.runtime.executable import Executable
     from crs_cc.session.host import Client, Input, Output
     from crs_cc.sim.model import Robot, WorldModel
+    from crs_cc.sim.step import Step
 
 ENDLESS = math.inf
 
@@ -47,6 +48,13 @@ _NOTHING: Final[dict[str, float]] = {
     "_called_s": -math.inf,
 }
 """The session's own state, arrays over robots, and what they hold of a robot that has not begun."""
+
+
+class Listener(Protocol):
+    """Hears of every timestep: a trace, a viewer, a recording."""
+
+    def step(self, step: Step) -> None:
+        """Takes what happened in a timestep that has ended."""
 
 
 class Crew:
@@ -73,6 +81,7 @@ class Crew:
         read: Input = no_input,
         files: Mapping[str, bytes] | None = None,
         client: Client = "nclient",
+        trace: Listener | None = None,
     ) -> None:
         """Puts the programs into the robots, in the world's order of robots.
 
@@ -85,12 +94,14 @@ class Crew:
             read: gives what they read.
             files: what every program finds on its disk, by name.
             client: which of the vendor's client libraries the programs find.
+            trace: hears of every timestep.
         """
         assert len(executables) == len(world.robots)
         self.environment = Environment(world, seed)
         self.fleet = Fleet(executables)
         rows = arguments or [[executable.name] for executable in executables]
         self._host = Host(rows, output, read, files, client)
+        self._trace = trace
         count = len(executables)
         self._added: list[Added] = []
         self._learn_speeds()

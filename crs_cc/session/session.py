@@ -23,8 +23,7 @@ False
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
@@ -36,67 +35,17 @@ from crs_cc.session.host import (
     SYSTEM_CALL,
     TIME_SERVERS,
     HostRequest,
-    discard,
-    no_input,
 )
 
 if TYPE_CHECKING:
-    from crs_cc.runtime.executable import Executable
-    from crs_cc.session.host import Client, Input, Output, TimeServer
-    from crs_cc.sim.model import WorldModel
-    from crs_cc.sim.step import Step
+    from crs_cc.session.host import TimeServer
 
 _GOES_OUT = np.isin(np.arange(max(REQUESTS) + 2), list(REQUESTS.keys() - HOST_CODES))
 """By code, whether a request goes over the link; the last stands for all codes beyond."""
 
 
-class Listener(Protocol):
-    """Hears of every timestep: a trace, a viewer, a recording."""
-
-    def step(self, step: Step) -> None:
-        """Takes what happened in a timestep that has ended."""
-
-
 class Session(Crew):
-    """A run of one program in each robot of a world; see `Crew` for what it has."""
-
-    def __init__(
-        self,
-        world: WorldModel,
-        executables: Sequence[Executable],
-        seed: int = 0,
-        *,
-        arguments: Sequence[Sequence[str]] = (),
-        output: Output = discard,
-        read: Input = no_input,
-        files: Mapping[str, bytes] | None = None,
-        client: Client = "nclient",
-        trace: Listener | None = None,
-    ) -> None:
-        """Puts the programs into the robots, in the world's order of robots.
-
-        Args:
-            world: the world.
-            executables: one program for each robot.
-            seed: decides all that is random.
-            arguments: for each robot `argv`; by default just the program's name.
-            output: takes what the programs write.
-            read: gives what they read.
-            files: what every program finds on its disk, by name.
-            client: which of the vendor's client libraries the programs find.
-            trace: hears of every timestep.
-        """
-        super().__init__(
-            world,
-            executables,
-            seed,
-            arguments=arguments,
-            output=output,
-            read=read,
-            files=files,
-            client=client,
-        )
-        self._trace = trace
+    """A run of one program in each robot of a world; made, and kept, by `Crew`."""
 
     def step(self) -> bool:
         """Runs one timestep; gives False when all programs have ended, and no robot is to come."""
