@@ -39,9 +39,14 @@ SLOT: Final = np.dtype(
         ("error_address", "<u4"),  # the address or value that was refused
         ("fuel", "<i8"),  # in: fuel it may burn; out: what is left, below 0 when overdrawn
         ("statements", "<i8"),  # statements begun so far (debug density only)
-        ("stop_at", "<i8"),  # statement number to stop before, -1 for none (debug density only)
+        ("stop_from", "<i8"),  # statements that must have begun before one stops (the same)
         ("error_size", "<u4"),  # bytes of the access that failed; 0 where the code knows
-        ("reserved", "<u4", (3,)),
+        (
+            "stop_before_all",
+            "<u4",
+        ),  # 1: every statement is marked, else those in `marks` (the same)
+        ("stopped", "<u4"),  # 1 + number of the marked statement it stopped before, 0 for none
+        ("reserved", "<u4"),
         ("message", MESSAGE),
     ]
 )

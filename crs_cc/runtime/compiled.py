@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from crs_cc.ir.program import Function, Register
 from crs_cc.runtime.layout import Frame
-from crs_cc.runtime.sites import CallSite, Site
+from crs_cc.runtime.sites import CallSite, Site, StatementSite
 from crs_cc.runtime.wasm import Module
 from crs_cc.source import Location
 
@@ -39,6 +39,7 @@ class Compiled:
         module: the WebAssembly module.
         sites: every place that can fail, by the number in the slot's `error_site`.
         call_sites: every place that calls, by its number less 1; see `sites`.
+        statements: the statements before which a debugger can stop, by their numbers.
         functions: the functions in the order of the numbers in their frames.
         addresses: address of each global object and function pointer of each function.
         first_function: index in the module of the first function of the program.
@@ -48,6 +49,7 @@ class Compiled:
     first_function: int
     sites: list[Site]
     call_sites: list[CallSite]
+    statements: list[StatementSite]
     functions: list[FunctionInfo]
     addresses: dict[str, int]
     _infos: dict[str, FunctionInfo] = field(default_factory=dict, repr=False)

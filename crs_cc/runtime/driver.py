@@ -46,6 +46,8 @@ def _round() -> list[tuple[object, ...]]:
         ("local.get", slot),
         ("local.get", slot), ("local.get", robot), ("call_indirect", 0, 0),
         ("i32.store", 0, slot_offset("status")),
+        ("local.get", slot), ("i32.load", 0, slot_offset("stopped")),
+        ("if",), ("return",), ("end",),
         ("end",),
         ("local.get", robot), ("i32.const", 1), ("i32.add",), ("local.set", robot),
         ("br", 0), ("end",), ("end",),

@@ -70,6 +70,8 @@ class Fleet:
 
     Attributes:
         slots: the slots, an array of dtype `SLOT`, one for each robot.
+        marks: for each robot with a debug build, a byte for each of its statements: 1 to stop
+            before it. A round ends with the first robot that does.
     """
 
     def __init__(self, executables: Sequence[Executable]) -> None:
@@ -89,6 +91,7 @@ class Fleet:
         self._resumes: list[wasmtime.Func] = []
         self._memories: list[npt.NDArray[np.uint8]] = []
         self._shadows: list[npt.NDArray[np.uint8]] = []
+        self.marks: list[npt.NDArray[np.uint8]] = []
         self._initial: list[range] = []  # chunks of each memory that hold objects of the program
         self._fresh: list[Snapshot | None] = []  # of programs that were added
         self._made = 0
@@ -113,8 +116,8 @@ class Fleet:
             self.restore(number, fresh)
             return number
         for spare in (
-            self._executables, self._resumes, self._memories, self._shadows, self._initial,
-            self._fresh,
+            self._executables, self._resumes, self._memories, self._shadows, self.marks,
+            self._initial, self._fresh,
         ):  # fmt: skip
             del spare[number:]
         with _memory_demanded(1):
@@ -139,7 +142,6 @@ class Fleet:
         self._header["count"] = count
         self.slots = mailbox[SLOTS : SLOTS + count * SLOT.itemsize].view(SLOT)
         self.slots[first:] = np.zeros((), SLOT)
-        self.slots["stop_at"][first:] = -1
 
     def _start_driver(self, robots: int) -> None:
         """Makes a driver with room for so many programs, and hands over those that there are."""
@@ -166,6 +168,7 @@ class Fleet:
         self._memories.append(_view(self._store, own["memory"]))
         shadow = _view(self._store, own["shadow"]) if "shadow" in own else _NO_SHADOW
         self._shadows.append(shadow[:MEMORY_BYTES])
+        self.marks.append(_view(self._store, own["marks"]) if "marks" in own else _NO_MARKS)
         end = -(-int(heap.value(self._store)) // CHUNK)
         self._initial.append(range(STACK_TOP // CHUNK, end))
         self._fresh.append(None)
@@ -174,7 +177,7 @@ class Fleet:
         """Lets the store hold another instance: programs that were taken out stay in it."""
         self._made += 1
         made = self._made
-        self._store.set_limits(instances=made, memories=2 * made + 1, tables=made)
+        self._store.set_limits(instances=made, memories=3 * made + 1, tables=made)
 
     def executable(self, robot: int) -> Executable:
         """Gives a robot's program."""
@@ -319,6 +322,7 @@ def _pages(programs: int) -> int:
 
 _BYTES: Final = np.dtype(("V", MESSAGE.itemsize))  # numpy copies fields one by one
 _NO_SHADOW: Final = np.zeros(0, np.uint8)
+_NO_MARKS: Final = np.zeros(0, np.uint8)
 _NONE: Final = range(0)
 
 

@@ -57,6 +57,14 @@ class CallSite:
     location: Location
 
 
+@dataclass(frozen=True, slots=True)
+class StatementSite:
+    """A statement of the user's, before which a debugger can stop: in which function, and where."""
+
+    function: str
+    location: Location
+
+
 def call_word(site: int, frame_size: int, arguments_size: int) -> int:
     """Gives what a call notes in the header of the function that it calls.
 

@@ -97,7 +97,8 @@ class Run:
         slot["run"] = 1
         slot["fuel"] = self.stepping.fuel
         if self.stepping.statements:
-            slot["stop_at"] = slot["statements"] + self.stepping.statements
+            slot["stop_before_all"] = 1
+            slot["stop_from"] = slot["statements"] + self.stepping.statements
         fleet.run_round()
         self.outcome.rounds += 1
         self.outcome.fuel += self.stepping.fuel - int(slot["fuel"])

@@ -14,6 +14,7 @@ from typing import Final
 
 from crs_cc.errors import CompileError
 from crs_cc.ir.assigned import Assignments
+from crs_cc.ir.names import in_library
 from crs_cc.ir.program import (
     Block,
     Branch,
@@ -45,13 +46,16 @@ from crs_cc.runtime.codegen.dispatch import add_dispatchers
 from crs_cc.runtime.codegen.flow import LANDING, UNWIND, Landing, Node
 from crs_cc.runtime.codegen.indices import (
     ADDRESS,
+    BEGUN_GLOBAL,
     CALL_TYPE,
     FAULT,
     FP,
     FUEL,
     LABEL,
     MAILBOX,
+    MARKS_GLOBAL,
     MEMORY,
+    SHADOW,
     SITE,
     SLOT_GLOBAL,
     SP,
@@ -75,7 +79,7 @@ from crs_cc.runtime.layout import (
     argument_offsets,
     lay_out,
 )
-from crs_cc.runtime.sites import CallSite, Site, call_word
+from crs_cc.runtime.sites import CallSite, Site, StatementSite, call_word
 from crs_cc.runtime.wasm import TYPE_CALL, UNLIKELY, Code, Instr
 from crs_cc.source import Location
 
@@ -106,6 +110,8 @@ class _FunctionCode:
         self.function = function
         self.checked = checked = build.checked
         self.debug = debug = build.debug
+        self.steps = debug and not in_library(function.location)
+        self.marks = SHADOW + 1 if checked else SHADOW
         self.number = names.functions[function.name]
         self.names = names
         self.shadowed = checked and not function.trusted
@@ -294,7 +300,7 @@ class _FunctionCode:
             if not isinstance(instruction, Statement):
                 selector.before(instruction)
                 selector.select(instruction)
-            elif self.debug:
+            elif self.steps:
                 node = self.statement(node, instruction)
             for register in last[number]:
                 selector.release(register)
@@ -305,20 +311,23 @@ class _FunctionCode:
             selector.release(register)
 
     def statement(self, node: Node, statement: Statement) -> Node:
-        """Debug density: stops before the statement whose number the debugger waits for."""
+        """Debug density: stops before a marked statement, when enough others have begun."""
         following = Node()
         landing = self.land(following, statement.location)
-        statements, stop_at = slot_offset("statements"), slot_offset("stop_at")
+        number = self.names.statement_number(StatementSite(self.function.name, statement.location))
         node.code += [
-            ("global.get", SLOT_GLOBAL), ("i64.load", MAILBOX, statements),
-            ("global.get", SLOT_GLOBAL), ("i64.load", MAILBOX, stop_at),
-            ("i64.eq",), ("if",), *self.suspend(landing), ("end",),
+            ("global.get", MARKS_GLOBAL), ("i32.load8_u", self.marks, number), UNLIKELY,
+            ("global.get", BEGUN_GLOBAL),
+            ("global.get", SLOT_GLOBAL), ("i64.load", MAILBOX, slot_offset("stop_from")),
+            ("i64.ge_s",), ("if",),
+            ("global.get", SLOT_GLOBAL), ("i32.const", number + 1),
+            ("i32.store", MAILBOX, slot_offset("stopped")),
+            *self.suspend(landing), ("end",), ("end",),
         ]  # fmt: skip
         node.jump(following)
         following.code += [
-            ("global.get", SLOT_GLOBAL),
-            ("global.get", SLOT_GLOBAL), ("i64.load", MAILBOX, statements),
-            ("i64.const", 1), ("i64.add",), ("i64.store", MAILBOX, statements),
+            ("global.get", BEGUN_GLOBAL), ("i64.const", 1), ("i64.add",),
+            ("global.set", BEGUN_GLOBAL),
         ]  # fmt: skip
         self.selector.forget()
         self.selector.code = following.code

@@ -9,8 +9,9 @@ from crs_cc.ir.program import ValueType
 MAILBOX, MEMORY, SHADOW = range(3)
 """The memories of a robot's module; `SHADOW` is there in checked builds only."""
 
-SLOT_GLOBAL: Final = 0
-"""The global that holds the address of the robot's slot."""
+SLOT_GLOBAL, MARKS_GLOBAL, BEGUN_GLOBAL = range(3)
+"""The globals that hold the address of the robot's slot; in debug builds, where the marks of the
+statements are that count now, and how many statements have begun."""
 
 FAULT, OUTSIDE = range(2)
 """The module's own functions, which come before those of the program."""

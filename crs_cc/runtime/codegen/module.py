@@ -16,7 +16,14 @@ from crs_cc.requests import FAILED, slot_offset
 from crs_cc.runtime.codegen import jumps, shadow
 from crs_cc.runtime.codegen.checked_arithmetic import product_fits
 from crs_cc.runtime.codegen.function_code import Build, generate
-from crs_cc.runtime.codegen.indices import MAILBOX, MEMORY, SHADOW, SLOT_GLOBAL
+from crs_cc.runtime.codegen.indices import (
+    BEGUN_GLOBAL,
+    MAILBOX,
+    MARKS_GLOBAL,
+    MEMORY,
+    SHADOW,
+    SLOT_GLOBAL,
+)
 from crs_cc.runtime.codegen.names import Names
 from crs_cc.runtime.codegen.signatures import asked_for_values, pointer_tables
 from crs_cc.runtime.compiled import Compiled
@@ -81,7 +88,7 @@ def compile_program(
         memory_imports=[("crs", "mailbox")],
         memories=[MEMORY_BYTES // PAGE, *([shadow.PAGES] if checked else [])],
         tables=[len(pointers) + 1],
-        globals=[("i32", 0), *jumps.GLOBALS, ("i32", heap)],
+        globals=[("i32", 0), ("i32", 0), ("i64", 0), *jumps.GLOBALS, ("i32", heap)],
         elements=[(0, 1, [numbers[name] for name in pointers])] if pointers else [],
     )
     build = Build(checked, debug, trap_overflow)
@@ -90,7 +97,7 @@ def compile_program(
         code, info = generate(function, names, build)
         module.functions.append(code)
         infos.append(info)
-    module.functions.append(_resume(numbers[ROOT]))
+    module.functions.append(_resume(numbers[ROOT], len(names.statements)))
     module.exports = [
         ("memory", "memory", MEMORY),
         ("resume", "func", len(module.functions) - 1),
@@ -106,7 +113,11 @@ def compile_program(
     if checked:
         module.exports.append(("shadow", "memory", SHADOW))
         _add_start(module, program, addresses)
-    return Compiled(module, len(own), names.sites, names.call_sites, infos, addresses)
+    if debug:
+        _add_marks(module, len(names.statements))
+    return Compiled(
+        module, len(own), names.sites, names.call_sites, names.statements, infos, addresses
+    )
 
 
 def _place(program: Program) -> dict[str, int]:
@@ -197,14 +208,26 @@ def _outside() -> Code:
     return Code("outside", _TWO_I32, [], body)
 
 
-def _resume(root: int) -> Code:
+def _add_marks(module: Module, statements: int) -> None:
+    """Adds the memory `marks`: a byte for each statement, then as many that are all set."""
+    module.exports.append(("marks", "memory", len(module.memories) + 1))
+    module.memories.append(-(-2 * statements // PAGE))
+    module.data.append((len(module.memories), statements, b"\1" * statements))
+
+
+def _resume(root: int, statements: int) -> Code:
     """`resume(slot) -> status`."""
-    fuel = slot_offset("fuel")
+    fuel, begun = slot_offset("fuel"), slot_offset("statements")
     body = [
         ("local.get", 0), ("global.set", SLOT_GLOBAL),
+        ("local.get", 0), ("i64.load", MAILBOX, begun), ("global.set", BEGUN_GLOBAL),
+        ("local.get", 0), ("i32.load", MAILBOX, slot_offset("stop_before_all")),
+        ("i32.const", statements), ("i32.mul",), ("global.set", MARKS_GLOBAL),
+        ("local.get", 0), ("i32.const", 0), ("i32.store", MAILBOX, slot_offset("stopped")),
         ("local.get", 0), ("i64.load", MAILBOX, fuel), ("local.set", 1),
         *jumps.call_root(root, STACK_TOP - HEADER_SIZE, fuel=1, status=2),
         ("local.get", 0), ("local.get", 1), ("i64.store", MAILBOX, fuel),
+        ("local.get", 0), ("global.get", BEGUN_GLOBAL), ("i64.store", MAILBOX, begun),
         ("local.get", 2),
     ]  # fmt: skip
     return Code("resume", TYPE_I32_I32, ["i64", "i32"], body)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from crs_cc.runtime.codegen.signatures import Shape
-from crs_cc.runtime.sites import CallSite, Site
+from crs_cc.runtime.sites import CallSite, Site, StatementSite
 
 
 @dataclass(slots=True)
@@ -22,6 +22,7 @@ class Names:
         pointers: how many function pointers there are; they are numbered from 1.
         sites: every place that can fail.
         call_sites: every place that calls, by its number less 1.
+        statements: the statements before which a debugger can stop.
     """
 
     addresses: dict[str, int]
@@ -33,6 +34,7 @@ class Names:
     without_value: set[str]
     sites: list[Site] = field(default_factory=list)
     call_sites: list[CallSite] = field(default_factory=list)
+    statements: list[StatementSite] = field(default_factory=list)
 
     def number(self, site: Site) -> int:
         """Enters a place that can fail; gives its number."""
@@ -43,3 +45,8 @@ class Names:
         """Enters a place that calls; gives its number."""
         self.call_sites.append(site)
         return len(self.call_sites)
+
+    def statement_number(self, site: StatementSite) -> int:
+        """Enters a statement; gives its number."""
+        self.statements.append(site)
+        return len(self.statements) - 1

@@ -156,7 +156,8 @@ def walk(program: Program, fuel: int, *, debug: bool, move: bool = False) -> tup
     while True:
         slot = fleet.slots[robot : robot + 1]
         slot["run"], slot["fuel"] = 1, fuel
-        slot["stop_at"] = slot["statements"] + 1 if debug else -1
+        slot["stop_before_all"] = 1
+        slot["stop_from"] = slot["statements"] + 1
         fleet.run_round()
         burnt += fuel - int(slot["fuel"][0])
         assert slot["status"] == SUSPENDED
