@@ -123,6 +123,7 @@ def make_executable(
     lines: Mapping[str, Sequence[str]] | None = None,
     checked: bool = True,
     debug: bool = False,
+    watching: bool = False,
     trap_overflow: bool = False,
 ) -> Executable:
     """Compiles a linked, verified program.
@@ -133,12 +134,14 @@ def make_executable(
         lines: the lines of the user's files, by their names; messages show them.
         checked: test every access through a pointer.
         debug: make every statement a place to stop at.
+        watching: compare every access with the ranges that are watched; in debug builds only.
         trap_overflow: stop at signed overflow, where accesses are tested.
     """
     from crs_cc.runtime.codegen.module import compile_program
 
-    flags = {"checked": checked, "debug": debug, "trap_overflow": trap_overflow}
-    compiled = compile_program(program, **flags)
+    compiled = compile_program(
+        program, checked=checked, debug=debug, watching=watching, trap_overflow=trap_overflow
+    )
     module = wasmtime.Module(engine(), compiled.module.to_binary())
     detail = Detail(program, compiled, lines or {})
     return Executable(name, bytes(module.serialize()), lambda: detail, module)

@@ -68,6 +68,7 @@ from crs_cc.runtime.codegen.registers import Registers
 from crs_cc.runtime.codegen.selection import Selector
 from crs_cc.runtime.codegen.signatures import call_shape
 from crs_cc.runtime.codegen.switches import lower_switch
+from crs_cc.runtime.codegen.watching import Watching
 from crs_cc.runtime.compiled import FunctionInfo
 from crs_cc.runtime.layout import (
     FUNCTION,
@@ -93,10 +94,14 @@ NO_VALUE: Final = -1  # takes the place of the number of a function that ended w
 
 @dataclass(frozen=True, slots=True)
 class Build:
-    """How a program is compiled, see `module.compile_program`."""
+    """How a program is compiled, see `module.compile_program`.
+
+    `watch` is the index of the function that is told of all accesses, 0 where nobody is.
+    """
 
     checked: bool
     debug: bool
+    watch: int
     trap_overflow: bool
 
 
@@ -135,6 +140,8 @@ class _FunctionCode:
             selector.memory = CheckedMemory(selector, carried, self.assignments)
             traps = build.trap_overflow
             selector.arithmetic = CheckedArithmetic(selector, traps_overflow=traps)
+        if build.watch and not function.trusted:
+            selector.watching = Watching(selector, build.watch)
         self.nodes = {block: Node() for block in function.blocks}
         self.landings: list[tuple[Landing, Location, str | Register | None]] = []
         self.calls: dict[int, Landing] = {}
@@ -409,6 +416,7 @@ class _FunctionCode:
                 self._check_value(call)
             selector.load_at(SP, RESULT, call.result.type)
             selector.pop(call.result)
+            selector.follow(call)
         after.jump(self.nodes[call.then])
 
     def _check_pointer(self, call: Call, pointer: Register) -> None:

@@ -26,6 +26,7 @@ from crs_cc.runtime.codegen.indices import (
 )
 from crs_cc.runtime.codegen.names import Names
 from crs_cc.runtime.codegen.signatures import asked_for_values, pointer_tables
+from crs_cc.runtime.codegen.watching import RANGE_SIZE, RANGES, watch
 from crs_cc.runtime.compiled import Compiled
 from crs_cc.runtime.layout import (
     HEADER_SIZE,
@@ -46,7 +47,12 @@ SMALL: Final = 1024
 
 
 def compile_program(
-    program: Program, *, checked: bool = True, debug: bool = False, trap_overflow: bool = False
+    program: Program,
+    *,
+    checked: bool = True,
+    debug: bool = False,
+    watching: bool = False,
+    trap_overflow: bool = False,
 ) -> Compiled:
     """Generates the code of a linked and verified program.
 
@@ -54,6 +60,7 @@ def compile_program(
         program: the program; it must define `__crs_start`.
         checked: test every access through a pointer.
         debug: make every statement a place to stop at.
+        watching: compare every access with the ranges that are watched; in debug builds only.
         trap_overflow: stop at signed overflow; in checked builds only.
 
     Raises:
@@ -91,16 +98,19 @@ def compile_program(
         globals=[("i32", 0), ("i32", 0), ("i64", 0), *jumps.GLOBALS, ("i32", heap)],
         elements=[(0, 1, [numbers[name] for name in pointers])] if pointers else [],
     )
-    build = Build(checked, debug, trap_overflow)
+    own_and_program = len(own) + len(program.functions)
+    build = Build(checked, debug, own_and_program + 1 if watching else 0, trap_overflow)
     infos = []
     for function in program.functions.values():
         code, info = generate(function, names, build)
         module.functions.append(code)
         infos.append(info)
     module.functions.append(_resume(numbers[ROOT], len(names.statements)))
+    if watching:
+        module.functions.append(watch(SHADOW + checked, len(names.statements)))
     module.exports = [
         ("memory", "memory", MEMORY),
-        ("resume", "func", len(module.functions) - 1),
+        ("resume", "func", own_and_program),
         ("heap", "global", len(module.globals) - 1),
     ]
     module.data = [
@@ -209,9 +219,9 @@ def _outside() -> Code:
 
 
 def _add_marks(module: Module, statements: int) -> None:
-    """Adds the memory `marks`: a byte for each statement, then as many that are all set."""
+    """Adds the memory `marks`: a byte for each statement, as many that are all set, and ranges."""
     module.exports.append(("marks", "memory", len(module.memories) + 1))
-    module.memories.append(-(-2 * statements // PAGE))
+    module.memories.append(-(-(2 * statements + RANGES * RANGE_SIZE) // PAGE))
     module.data.append((len(module.memories), statements, b"\1" * statements))
 
 

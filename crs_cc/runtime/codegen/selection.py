@@ -31,6 +31,7 @@ from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
 from crs_cc.runtime.codegen.indices import MEMORY
 from crs_cc.runtime.codegen.names import Names
 from crs_cc.runtime.codegen.plain_memory import LOADS, STORES, PlainMemory
+from crs_cc.runtime.codegen.watching import Watching
 from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.layout import Frame
 from crs_cc.runtime.sites import Site
@@ -45,12 +46,14 @@ class Selector(Writer):
     Attributes:
         memory: how it writes accesses to memory.
         arithmetic: what tests the operands of arithmetic; None where nothing does.
+        watching: what tells of accesses; None where nobody is told.
     """
 
     def __init__(self, names: Names, frame: Frame) -> None:
         super().__init__(names, frame)
         self.memory: PlainMemory = PlainMemory(self, shadowed=False)
         self.arithmetic: CheckedArithmetic | None = None
+        self.watching: Watching | None = None
 
     def forget(self) -> None:
         """Drops what is known, where code from elsewhere joins."""
@@ -63,6 +66,13 @@ class Selector(Writer):
         self.memory.before(instruction)
         if self.arithmetic is not None:
             self.arithmetic.before(instruction)
+        if self.watching is not None:
+            self.watching.before(instruction)
+
+    def follow(self, instruction: Instruction) -> None:
+        """Writes what comes behind an instruction that has a result, terminators too."""
+        if self.watching is not None:
+            self.watching.follow(instruction)
 
     def select(self, instruction: Instruction) -> None:
         """Writes the code of one instruction that is not a terminator."""
@@ -74,6 +84,7 @@ class Selector(Writer):
         self.memory.follow(instruction)
         if self.arithmetic is not None:
             self.arithmetic.follow(instruction)
+        self.follow(instruction)
 
     def move(self, it: Move) -> None:
         """Writes `result = source`."""
