@@ -9,9 +9,10 @@ from crs_cc.ir.program import ValueType
 MAILBOX, MEMORY, SHADOW = range(3)
 """The memories of a robot's module; `SHADOW` is there in checked builds only."""
 
-SLOT_GLOBAL, MARKS_GLOBAL, BEGUN_GLOBAL = range(3)
+SLOT_GLOBAL, MARKS_GLOBAL, BEGUN_GLOBAL, WATCHED_GLOBAL, SPAN_GLOBAL = range(5)
 """The globals that hold the address of the robot's slot; in debug builds, where the marks of the
-statements are that count now, and how many statements have begun."""
+statements are that count now, and how many statements have begun; in watching builds the first
+address of the bytes among which something is watched, and how many they are."""
 
 FAULT, OUTSIDE = range(2)
 """The module's own functions, which come before those of the program."""

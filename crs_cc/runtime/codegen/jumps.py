@@ -18,7 +18,7 @@ from crs_cc.runtime.wasm import Instr
 JUMPED: Final = 3
 """Status of functions on the way of a jump; it never leaves `resume`."""
 
-ACTIVATION, PLACE, VALUE, JUMP_SITE = range(3, 7)
+ACTIVATION, PLACE, VALUE, JUMP_SITE = range(5, 9)
 """Globals of a jump on its way; the activation becomes 0 when its function has been found."""
 
 GLOBALS: Final[list[tuple[ValueType, int]]] = [("i32", 0)] * 4

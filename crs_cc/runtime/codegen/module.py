@@ -26,7 +26,7 @@ from crs_cc.runtime.codegen.indices import (
 )
 from crs_cc.runtime.codegen.names import Names
 from crs_cc.runtime.codegen.signatures import asked_for_values, pointer_tables
-from crs_cc.runtime.codegen.watching import RANGE_SIZE, RANGES, watch
+from crs_cc.runtime.codegen.watching import WATCH_SIZE, watch, watching_begins
 from crs_cc.runtime.compiled import Compiled
 from crs_cc.runtime.layout import (
     HEADER_SIZE,
@@ -95,7 +95,15 @@ def compile_program(
         memory_imports=[("crs", "mailbox")],
         memories=[MEMORY_BYTES // PAGE, *([shadow.PAGES] if checked else [])],
         tables=[len(pointers) + 1],
-        globals=[("i32", 0), ("i32", 0), ("i64", 0), *jumps.GLOBALS, ("i32", heap)],
+        globals=[
+            ("i32", 0),
+            ("i32", 0),
+            ("i64", 0),
+            ("i32", 0),
+            ("i32", 0),
+            *jumps.GLOBALS,
+            ("i32", heap),
+        ],
         elements=[(0, 1, [numbers[name] for name in pointers])] if pointers else [],
     )
     own_and_program = len(own) + len(program.functions)
@@ -105,7 +113,10 @@ def compile_program(
         code, info = generate(function, names, build)
         module.functions.append(code)
         infos.append(info)
-    module.functions.append(_resume(numbers[ROOT], len(names.statements)))
+    begin = watching_begins(SHADOW + checked, len(names.statements))
+    module.functions.append(
+        _resume(numbers[ROOT], len(names.statements), begin if watching else [])
+    )
     if watching:
         module.functions.append(watch(SHADOW + checked, len(names.statements)))
     module.exports = [
@@ -221,11 +232,11 @@ def _outside() -> Code:
 def _add_marks(module: Module, statements: int) -> None:
     """Adds the memory `marks`: a byte for each statement, as many that are all set, and ranges."""
     module.exports.append(("marks", "memory", len(module.memories) + 1))
-    module.memories.append(-(-(2 * statements + RANGES * RANGE_SIZE) // PAGE))
+    module.memories.append(-(-(2 * statements + WATCH_SIZE) // PAGE))
     module.data.append((len(module.memories), statements, b"\1" * statements))
 
 
-def _resume(root: int, statements: int) -> Code:
+def _resume(root: int, statements: int, begin: list[Instr]) -> Code:
     """`resume(slot) -> status`."""
     fuel, begun = slot_offset("fuel"), slot_offset("statements")
     body = [
@@ -234,6 +245,7 @@ def _resume(root: int, statements: int) -> Code:
         ("local.get", 0), ("i32.load", MAILBOX, slot_offset("stop_before_all")),
         ("i32.const", statements), ("i32.mul",), ("global.set", MARKS_GLOBAL),
         ("local.get", 0), ("i32.const", 0), ("i32.store", MAILBOX, slot_offset("stopped")),
+        *begin,
         ("local.get", 0), ("i64.load", MAILBOX, fuel), ("local.set", 1),
         *jumps.call_root(root, STACK_TOP - HEADER_SIZE, fuel=1, status=2),
         ("local.get", 0), ("local.get", 1), ("i64.store", MAILBOX, fuel),

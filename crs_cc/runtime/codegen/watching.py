@@ -9,6 +9,9 @@ the slower one. The ranges lie in the memory `marks`, behind the marks, `RANGES`
     bytes 8 to 11    which accesses count: `READ`, `WRITE` or both
     bytes 12 to 15   which accesses there were since somebody cleared this
 
+Before them stand the first address of all bytes among which these ranges lie, less 7, and how many
+they are: most accesses are elsewhere, and are found to be so where they happen.
+
 The first access that counts marks all statements, so that the program stops before the next one.
 A variable that lives in a register is watched at its place in the frame, where it is found when the
 program has stopped.
@@ -24,12 +27,21 @@ from crs_cc.ir.program import (
     Fill,
     Instruction,
     Load,
+    Operand,
     Register,
     Store,
 )
 from crs_cc.ir.uses import reads, writes
 from crs_cc.requests import slot_offset
-from crs_cc.runtime.codegen.indices import MAILBOX, MARKS_GLOBAL, SLOT_GLOBAL, SP
+from crs_cc.runtime.codegen.indices import (
+    ADDRESS,
+    MAILBOX,
+    MARKS_GLOBAL,
+    SLOT_GLOBAL,
+    SP,
+    SPAN_GLOBAL,
+    WATCHED_GLOBAL,
+)
 from crs_cc.runtime.wasm import UNLIKELY, Code, FuncType, Instr
 
 if TYPE_CHECKING:
@@ -37,6 +49,7 @@ if TYPE_CHECKING:
 
 RANGES: Final = 8
 RANGE_SIZE: Final = 16
+WATCH_SIZE: Final = 8 + RANGES * RANGE_SIZE
 READ, WRITE = 1, 2
 """What an access does."""
 
@@ -59,18 +72,15 @@ class Watching:
         match it:
             case Load():
                 self._writer.address(it.base, it.offset)
-                self._tell([("i32.const", MEMORY_SIZE[it.memory])], READ)
-            case Copy():
-                self._writer.push(it.source)
-                self._tell([self._writer.value(it.size)], READ)
-                self._writer.push(it.target)
-                self._tell([self._writer.value(it.size)], WRITE)
-            case Fill():
-                self._writer.push(it.target)
-                self._tell([self._writer.value(it.size)], WRITE)
+                self._compare(MEMORY_SIZE[it.memory], READ)
             case Store():
                 self._writer.address(it.base, it.offset)
-                self._tell([("i32.const", MEMORY_SIZE[it.memory])], WRITE)
+                self._compare(MEMORY_SIZE[it.memory], WRITE)
+            case Copy():
+                self._tell(it.source, it.size, READ)
+                self._tell(it.target, it.size, WRITE)
+            case Fill():
+                self._tell(it.target, it.size, WRITE)
 
     def follow(self, it: Instruction) -> None:
         """Tells which variable an instruction has written."""
@@ -82,10 +92,21 @@ class Watching:
         if register.variable is not None:
             at = self._writer.frame.offsets[register]
             self._writer.code += [("local.get", SP), ("i32.const", at), ("i32.add",)]
-            self._tell([("i32.const", _SIZES[register.type])], access)
+            self._compare(_SIZES[register.type], access)
 
-    def _tell(self, size: list[Instr], access: int) -> None:
-        self._writer.code += [*size, ("i32.const", access), ("call", self._watch)]
+    def _compare(self, size: int, access: int) -> None:
+        """Tells of an access to the address that was pushed, where it may be a watched one."""
+        self._writer.code += [
+            ("local.tee", ADDRESS), ("global.get", WATCHED_GLOBAL), ("i32.sub",),
+            ("global.get", SPAN_GLOBAL), ("i32.lt_u",), UNLIKELY,
+            ("local.get", ADDRESS), ("i32.const", size), ("i32.const", access),
+            ("call", self._watch), ("end",),
+        ]  # fmt: skip
+
+    def _tell(self, address: Operand, size: Operand, access: int) -> None:
+        self._writer.push(address)
+        self._writer.push(size)
+        self._writer.code += [("i32.const", access), ("call", self._watch)]
 
 
 def watch(marks: int, statements: int) -> Code:
@@ -96,9 +117,9 @@ def watch(marks: int, statements: int) -> Code:
         statements: how many statements there are.
     """
     address, size, access, at = range(4)
-    end = 2 * statements + RANGES * RANGE_SIZE
+    first = 2 * statements + 8
     body: list[Instr] = [
-        ("i32.const", 2 * statements), ("local.set", at),
+        ("i32.const", first), ("local.set", at),
         ("loop",),
         ("local.get", at), ("i32.load", marks, 4), ("if",),
         ("local.get", at), ("i32.load", marks, 8), ("local.get", access), ("i32.and",), ("if",),
@@ -120,7 +141,16 @@ def watch(marks: int, statements: int) -> Code:
         ("i64.store", MAILBOX, slot_offset("stop_from")),
         ("end",), ("end",), ("end",),
         ("local.get", at), ("i32.const", RANGE_SIZE), ("i32.add",), ("local.tee", at),
-        ("i32.const", end), ("i32.lt_u",), ("br_if", 0),
+        ("i32.const", first + RANGES * RANGE_SIZE), ("i32.lt_u",), ("br_if", 0),
         ("end",),
     ]  # fmt: skip
     return Code("watch", _TYPE, ["i32"], body)
+
+
+def watching_begins(marks: int, statements: int) -> list[Instr]:
+    """Gives what `resume` does so that most accesses need not be told of."""
+    at = ("i32.const", 2 * statements)
+    return [
+        at, ("i32.load", marks, 0), ("global.set", WATCHED_GLOBAL),
+        at, ("i32.load", marks, 4), ("global.set", SPAN_GLOBAL),
+    ]  # fmt: skip

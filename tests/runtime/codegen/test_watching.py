@@ -66,13 +66,15 @@ class Stepped:
 
     def ranges(self) -> np.ndarray:
         """Gives the ranges that are watched: first address, size, kinds, hits of each."""
-        first = 2 * len(self.executable.detail().compiled.statements)
+        first = 8 + 2 * len(self.executable.detail().compiled.statements)
         marks = self.fleet.marks[0][first : first + RANGES * RANGE_SIZE]
         return marks.view("<u4").reshape(RANGES, 4)
 
     def stops(self, address: int, size: int, kind: int, number: int = 0) -> list[int]:
         """Gives the lines where it stops when bytes are watched."""
         self.ranges()[number] = address, size, kind, 0
+        places = self.executable.detail().compiled.statements
+        self.fleet.marks[0][2 * len(places) :][:8].view("<u4")[:] = address - 7, size + 7
         found = []
         while (line := self.to_stop()) is not None:
             assert self.ranges()[number, 3] & kind
