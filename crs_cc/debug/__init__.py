@@ -1,0 +1,1 @@
+"""The debugger: forward and backward through programs and their world."""
