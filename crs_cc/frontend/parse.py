@@ -19,6 +19,7 @@ a.c:1:18: error: expected ';' after '0'
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any, Final, NoReturn, TypeAlias
 
 from pycparser import c_ast
@@ -115,6 +116,20 @@ def parse(tokens: list[Token], diagnostics: Diagnostics) -> list[Node]:
         raise GiveUp from None
 
 
+def parse_expression(
+    tokens: list[Token], type_names: Iterable[str], diagnostics: Diagnostics
+) -> Node | None:
+    """Parses an expression that stands alone; None when it could not be understood.
+
+    Args:
+        tokens: the expression.
+        type_names: what names stand for types.
+        diagnostics: takes the messages.
+    """
+    parser = _Parser(tokens, diagnostics)
+    return parser.expression(type_names)
+
+
 def _behind(token: Token) -> Location:
     """Gives the place where a token ends."""
     place = token.location
@@ -152,6 +167,22 @@ class _Parser(MisspeltParser):
                 self._forget_scopes(1)
                 found.append(self._skip(start, is_in_block=False))
         return found
+
+    def expression(self, type_names: Iterable[str]) -> Node | None:
+        """Parses an expression, and nothing behind it."""
+        self._scope_stack = [dict.fromkeys([*PREDECLARED_TYPES, *type_names], True)]
+        try:
+            node = self._parse_expression()
+            left = self._peek()
+            if left is not None:
+                report(self._diagnostics, left.location, f"unexpected '{left.value}' here")
+                return None
+        except ParseError:
+            return None
+        except RecursionError:
+            self._diagnostics.error(self.place(), "the expression is nested too deeply here")
+            return None
+        return node
 
     # Tokens
 

@@ -15,6 +15,7 @@ any place of the result back to the user's file, line and column.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Final
@@ -82,22 +83,15 @@ def _preprocess(
     content: str, path: Path, options: Options, diagnostics: Diagnostics
 ) -> Preprocessed:
     run = _Run(path.parent, options, diagnostics)
-    try:
-        run.read(content, path)
-    except ExhaustedError as error:
-        hint = "a macro that uses another one twice doubles with every step"
-        place = run.state.report.places.location(error.place)
-        diagnostics.error(place, "macros expand to far more than was written", hint)
-    except StopError:
-        pass  # the reason is among the diagnostics
-    result = run.writer.finish(run.state.report.places)
-    return replace(result, macros=tuple(run.state.macros), uses=run.state.uses)
+    result = run.finish(lambda: run.read(content, path))
+    return replace(result, macros=tuple(run.state.macros), uses=run.state.uses, more=run.read_more)
 
 
 class _Run:
     """One run over a main file and what it includes."""
 
     def __init__(self, folder: Path, options: Options, diagnostics: Diagnostics) -> None:
+        self.folder = folder
         report = Report(diagnostics, Places())
         report.places.add(ORIGIN, "")
         self.state = State(report, Headers(folder, options, diagnostics.digests))
@@ -115,7 +109,34 @@ class _Run:
         state.open(main, path.parent, None, main.start)
         self._include_dialect(path.parent)
         self._define_options(path.parent)
-        while state.readers:
+        self._read_all()
+
+    def read_more(self, name: str, content: str) -> Preprocessed:
+        """Reads another text, with the macros as they are at the end of the main file."""
+        self.writer = Writer()
+
+        def read() -> None:
+            text = self.state.add_text(name, content)
+            self.state.open(text, self.folder, None, text.start)
+            self._read_all()
+
+        return self.finish(read)
+
+    def finish(self, read: Callable[[], None]) -> Preprocessed:
+        """Gives what was written when `read` is done, or could not go on."""
+        report = self.state.report
+        try:
+            read()
+        except ExhaustedError as error:
+            hint = "a macro that uses another one twice doubles with every step"
+            place = report.places.location(error.place)
+            report.diagnostics.error(place, "macros expand to far more than was written", hint)
+        except StopError:
+            pass  # the reason is among the diagnostics
+        return self.writer.finish(report.places)
+
+    def _read_all(self) -> None:
+        while self.state.readers:
             line = self._next_line()
             if line is None:
                 self._close_file()

@@ -16,7 +16,7 @@ import sys
 import threading
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, TypeVar
 
 from crs_cc.errors import CompileError
 from crs_cc.frontend.body import suggest_dialect, with_body
@@ -35,6 +35,8 @@ from crs_cc.source import Diagnostics, Location
 
 if TYPE_CHECKING:
     from crs_cc.frontend.preprocess import Preprocessed
+
+Result = TypeVar("Result")
 
 MOST_SHOWN: Final = 20
 """How many errors of a file are told; the rest are mostly echoes."""
@@ -59,7 +61,22 @@ def compile_file(path: Path, options: Options, diagnostics: Diagnostics) -> Prog
         CompileError: when there are errors in the file.
     """
     unit = _unit(str(path), options, diagnostics)
-    return _compile(lambda: preprocess(path, options, diagnostics), unit)
+    return _compile(lambda: preprocess(path, options, diagnostics), unit, _stages)
+
+
+def check_file(path: Path, options: Options, diagnostics: Diagnostics) -> tuple[Unit, Preprocessed]:
+    """Preprocesses and checks a C file; gives what its names mean at its end.
+
+    Raises:
+        CompileError: when there are errors in the file.
+    """
+
+    def names(unit: Unit, source: Preprocessed) -> tuple[Unit, Preprocessed]:
+        _check(unit, source)
+        return unit, source
+
+    unit = _unit(str(path), options, diagnostics)
+    return _compile(lambda: preprocess(path, options, diagnostics), unit, names)
 
 
 def compile_text(text: str, name: str, options: Options, diagnostics: Diagnostics) -> Program:
@@ -69,7 +86,7 @@ def compile_text(text: str, name: str, options: Options, diagnostics: Diagnostic
         CompileError: when there are errors in it.
     """
     unit = _unit(name, options, diagnostics)
-    return _compile(lambda: preprocess_text(text, name, options, diagnostics), unit)
+    return _compile(lambda: preprocess_text(text, name, options, diagnostics), unit, _stages)
 
 
 def _unit(name: str, options: Options, diagnostics: Diagnostics) -> Unit:
@@ -84,15 +101,19 @@ def _unit(name: str, options: Options, diagnostics: Diagnostics) -> Unit:
     )
 
 
-def _compile(preprocessed: Callable[[], Preprocessed], unit: Unit) -> Program:
+def _compile(
+    preprocessed: Callable[[], Preprocessed],
+    unit: Unit,
+    stages: Callable[[Unit, Preprocessed], Result],
+) -> Result:
     diagnostics = unit.diagnostics
     sources: list[Preprocessed] = []
-    programs: list[Program] = []
+    results: list[Result] = []
     diagnostics.stage = "preprocessing"
 
     def work() -> None:
         sources.append(preprocessed())
-        programs.append(_stages(unit, sources[0]))
+        results.append(stages(unit, sources[0]))
 
     try:
         _with_deep_stack(work)
@@ -106,10 +127,10 @@ def _compile(preprocessed: Callable[[], Preprocessed], unit: Unit) -> Program:
         if sources:
             add_macro_notes(diagnostics, sources[0], unit.headers)
         raise CompileError(diagnostics.errors)
-    return programs[0]
+    return results[0]
 
 
-def _stages(unit: Unit, source: Preprocessed) -> Program:
+def _check(unit: Unit, source: Preprocessed) -> None:
     _stop_on_errors(unit)
     unit.diagnostics.stage = "parsing"
     tokens = lex(source.text, source.location, unit.diagnostics)
@@ -124,6 +145,10 @@ def _stages(unit: Unit, source: Preprocessed) -> Program:
     unit.diagnostics.stage = "types"
     check_unit(unit, nodes)
     _stop_on_errors(unit)
+
+
+def _stages(unit: Unit, source: Preprocessed) -> Program:
+    _check(unit, source)
     warn_unit(unit)
     program = lower_unit(unit)
     _stop_on_errors(unit)

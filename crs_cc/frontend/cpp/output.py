@@ -13,7 +13,7 @@ r"""The preprocessed program, with a map back to the user's files.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Final
 
@@ -39,6 +39,7 @@ class Preprocessed:
         text: the program, for the parser.
         macros: the names of the macros at its end.
         uses: the macros that were replaced, by the place.
+        more: preprocesses another text as if it stood behind the last line: its name, and the text.
     """
 
     text: str
@@ -47,6 +48,7 @@ class Preprocessed:
     _places: Places
     macros: tuple[str, ...] = ()
     uses: Mapping[Place, Sequence[Macro]] = field(default_factory=dict)
+    more: Callable[[str, str], Preprocessed] | None = None
 
     @property
     def files(self) -> tuple[str, ...]:

@@ -1,0 +1,379 @@
+"""Runs IR on a stopped program's memory: what the expressions of a debugger's user come down to.
+
+The program itself runs as machine code and stays as it is; an expression, and the functions of the
+program that it calls, are interpreted here. Their own variables, and the strings in the expression,
+lie in scratch memory above the program's. What would go out of the program (a request) or leave the
+functions (`longjmp`) is refused, and so is what runs too long.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Final, Protocol
+
+from crs_cc.debug.operators import compute, unsigned
+from crs_cc.ir.names import plain_name
+from crs_cc.ir.program import (
+    VARARGS,
+    Address,
+    Base,
+    Binary,
+    Block,
+    Branch,
+    ByteState,
+    Call,
+    Callers,
+    Constant,
+    Copy,
+    Data,
+    Fill,
+    Function,
+    Instruction,
+    Jump,
+    Lifetime,
+    Load,
+    LongJump,
+    Mark,
+    MemoryType,
+    Move,
+    Operand,
+    Program,
+    Register,
+    Request,
+    Return,
+    SetJump,
+    Slot,
+    State,
+    Statement,
+    Stop,
+    Store,
+    Switch,
+    Unary,
+)
+
+MOST_INSTRUCTIONS: Final = 1_000_000
+MOST_CALLS: Final = 200
+SCRATCH: Final = 0x8000_0000
+"""The first address of the scratch memory: no program's own memory reaches so far."""
+SCRATCH_BYTES: Final = 1 << 24
+
+_FORMAT: Final[dict[MemoryType, str]] = {
+    "i8": "<b", "u8": "<B", "i16": "<h", "u16": "<H", "i32": "<i", "i64": "<q",
+    "f32": "<f", "f64": "<d",
+}  # fmt: skip
+_STORED: Final[dict[MemoryType, int]] = {"i8": 8, "u8": 8, "i16": 16, "u16": 16}
+
+
+class EvaluationError(Exception):
+    """An expression that cannot be evaluated; the text says why."""
+
+
+class Memory(Protocol):
+    """A stopped program's memory."""
+
+    def read(self, address: int, size: int) -> bytes:
+        """Gives bytes.
+
+        Raises:
+            EvaluationError: C may not read them.
+        """
+
+    def write(self, address: int, content: bytes) -> None:
+        """Changes bytes.
+
+        Raises:
+            EvaluationError: C may not write them.
+        """
+
+    def state(self, address: int) -> int:
+        """Gives what C may do with a byte, one of `ByteState`."""
+
+    def mark(self, address: int, size: int, state: int) -> None:
+        """Says what C may do with bytes."""
+
+
+@dataclass(slots=True)
+class _Frame:
+    """One call: its registers and slots, and where its variable arguments are."""
+
+    values: dict[Register, Any] = field(default_factory=dict)
+    slots: dict[Slot, int] = field(default_factory=dict)
+    more: int = 0
+
+
+class Interpreter:
+    """Evaluates functions of IR.
+
+    Attributes:
+        changes: whether something was written to the program's memory.
+    """
+
+    def __init__(self, program: Program, addresses: Mapping[str, int], memory: Memory) -> None:
+        """Takes a linked program, the addresses of its objects and functions, and its memory."""
+        self.changes = False
+        self._program = program
+        self._addresses = dict(addresses)
+        self._memory = memory
+        self._functions = {
+            self._addresses[name]: name for name in program.functions if name in self._addresses
+        }
+        self._scratch = bytearray()
+        self._left = MOST_INSTRUCTIONS
+        self._depth = 0
+
+    def evaluate(self, expression: Program, name: str, arguments: list[int]) -> Any:
+        """Calls a function of a small program that may use all of the large one.
+
+        Args:
+            expression: the small program.
+            name: its function.
+            arguments: i32 arguments.
+
+        Returns:
+            What it returns, None if that is nothing.
+
+        Raises:
+            EvaluationError: it cannot be evaluated.
+        """
+        self._left, self._scratch = MOST_INSTRUCTIONS, bytearray()
+        for data in expression.data.values():
+            self._addresses[data.name] = self._place(data)
+        return self._call(expression.functions[name], [("i32", each, 4) for each in arguments])
+
+    def _place(self, data: Data) -> int:
+        address = self._allocate(data.size)
+        self._write(address, (data.content or b"").ljust(data.size, b"\0"))
+        for relocation in data.relocations:
+            value = unsigned(self._addresses[relocation.symbol] + relocation.addend, 32)
+            self._write(address + relocation.offset, value.to_bytes(4, "little"))
+        return address
+
+    def _allocate(self, size: int) -> int:
+        start = -(-len(self._scratch) // 16) * 16
+        if start + size > SCRATCH_BYTES:
+            raise EvaluationError("the expression needs too much memory")
+        self._scratch.extend(bytes(start + size - len(self._scratch)))
+        return SCRATCH + start
+
+    # -- memory ------------------------------------------------------------------------------
+
+    def _read(self, address: int, size: int) -> bytes:
+        address = unsigned(address, 32)
+        at = address - SCRATCH
+        if at < 0:
+            return self._memory.read(address, size)
+        if at + size > len(self._scratch):
+            raise EvaluationError(f"no object is at {address:#x}")
+        return bytes(self._scratch[at : at + size])
+
+    def _write(self, address: int, content: bytes) -> None:
+        address = unsigned(address, 32)
+        at = address - SCRATCH
+        if at < 0:
+            self._memory.write(address, content)
+            self.changes = True
+            return
+        if at + len(content) > len(self._scratch):
+            raise EvaluationError(f"no object is at {address:#x}")
+        self._scratch[at : at + len(content)] = content
+
+    def _load(self, address: int, memory: MemoryType) -> Any:
+        form = _FORMAT[memory]
+        return struct.unpack(form, self._read(address, struct.calcsize(form)))[0]
+
+    def _store(self, address: int, memory: MemoryType, value: Any) -> None:
+        form = _FORMAT[memory]
+        if memory in _STORED:
+            content = unsigned(int(value), _STORED[memory]).to_bytes(_STORED[memory] // 8, "little")
+        else:
+            content = struct.pack(form, value)
+        self._write(address, content)
+
+    # -- calls -------------------------------------------------------------------------------
+
+    def _call(self, function: Function, arguments: list[tuple[MemoryType | None, Any, int]]) -> Any:
+        self._depth += 1
+        if self._depth > MOST_CALLS:
+            raise EvaluationError("too many calls inside each other")
+        mark, frame = len(self._scratch), _Frame()
+        try:
+            self._enter(function, frame, arguments)
+            return self._run(function, frame)
+        finally:
+            del self._scratch[mark:]
+            self._depth -= 1
+
+    def _enter(
+        self,
+        function: Function,
+        frame: _Frame,
+        arguments: list[tuple[MemoryType | None, Any, int]],
+    ) -> None:
+        """Lays out the arguments as a caller does, and the slots."""
+        sizes = [-(-size // 4) * 4 for _, _, size in arguments]
+        wanted = sum(-(-each.size // 4) * 4 for each in function.parameters)
+        at = start = self._allocate(max(sum(sizes), wanted))
+        for (memory, value, size), room in zip(arguments, sizes, strict=True):
+            if memory is None:
+                self._write(at, self._read(value, size))
+            else:
+                self._store(at, memory, value)
+            at += room
+        at = start
+        for parameter in function.parameters:
+            if isinstance(parameter.place, Slot):
+                frame.slots[parameter.place] = at
+            elif parameter.memory is not None:
+                frame.values[parameter.place] = self._load(at, parameter.memory)
+            at += -(-parameter.size // 4) * 4
+        frame.more = at
+        for slot in function.slots:
+            frame.slots[slot] = self._allocate(max(1, slot.size))
+
+    def _run(self, function: Function, frame: _Frame) -> Any:
+        block = function.blocks[0]
+        while True:
+            for instruction in block.instructions:
+                self._spend()
+                self._execute(frame, instruction)
+            self._spend()
+            end = block.terminator
+            if isinstance(end, Return):
+                return None if end.value is None else self._value(frame, end.value)
+            block = self._next(frame, end)
+
+    def _request(self, _code: int, _message: int) -> int:
+        """Answers a request to the world outside, whose message lies at an address: refuses it."""
+        raise EvaluationError("it calls a function that needs the world outside")
+
+    def _spend(self) -> None:
+        self._left -= 1
+        if self._left < 0:
+            raise EvaluationError(f"not done after {MOST_INSTRUCTIONS:,} instructions")
+
+    def _next(self, frame: _Frame, end: Any) -> Block:
+        match end:
+            case Jump(target=target):
+                return target
+            case Branch():
+                return end.then if self._value(frame, end.condition) else end.otherwise
+            case Switch():
+                return dict(end.cases).get(self._value(frame, end.value), end.default)
+            case Call():
+                result = self._call_by(frame, end)
+                if end.result is not None:
+                    frame.values[end.result] = result
+                return end.then
+            case Request():
+                code, message = self._value(frame, end.code), self._value(frame, end.message)
+                frame.values[end.result] = self._request(code, message)
+                return end.then
+            case SetJump() | LongJump():
+                raise EvaluationError("it calls setjmp or longjmp")
+            case Stop(kind=kind):
+                raise EvaluationError(kind)
+        raise AssertionError(end)
+
+    def _call_by(self, frame: _Frame, call: Call) -> Any:
+        name = call.callee
+        if isinstance(name, Register):
+            pointer = self._value(frame, name)
+            if pointer not in self._functions:
+                raise EvaluationError(f"{unsigned(pointer, 32):#x} is no function")
+            name = self._functions[pointer]
+        function = self._program.functions.get(name)
+        if function is None:
+            raise EvaluationError(f"the program has no function '{plain_name(name)}'")
+        arguments = [
+            (each.memory, self._value(frame, each.value), each.size) for each in call.arguments
+        ]
+        return self._call(function, arguments)
+
+    # -- instructions ------------------------------------------------------------------------
+
+    def _value(self, frame: _Frame, operand: Operand) -> Any:
+        if isinstance(operand, Constant):
+            return operand.value
+        return frame.values.get(operand, 0)
+
+    def _address(self, frame: _Frame, base: Base, offset: int) -> int:
+        match base:
+            case Register():
+                start = self._value(frame, base)
+            case Slot():
+                start = frame.more if base is VARARGS else frame.slots[base]
+            case _:
+                if base not in self._addresses:
+                    raise EvaluationError(f"the program has no '{plain_name(base)}'")
+                start = self._addresses[base]
+        return unsigned(start + offset, 32)
+
+    def _execute(self, frame: _Frame, it: Instruction) -> None:
+        match it:
+            case Move():
+                frame.values[it.result] = self._value(frame, it.source)
+            case Unary():
+                frame.values[it.result] = self._compute(it.op, self._value(frame, it.source))
+            case Binary():
+                operands = self._value(frame, it.left), self._value(frame, it.right)
+                frame.values[it.result] = self._compute(it.op, *operands)
+            case Address():
+                address = self._address(frame, it.base, it.offset)
+                frame.values[it.result] = compute("i32.add", address, 0)
+            case State():
+                address = unsigned(self._value(frame, it.address), 32)
+                is_own = address >= SCRATCH
+                state = ByteState.WITH_VALUE if is_own else self._memory.state(address)
+                frame.values[it.result] = int(state)
+            case _:
+                self._access(frame, it)
+
+    def _access(self, frame: _Frame, it: Instruction) -> None:
+        match it:
+            case Load():
+                address = self._address(frame, it.base, it.offset)
+                frame.values[it.result] = self._load(address, it.memory)
+            case Store():
+                address = self._address(frame, it.base, it.offset)
+                self._store(address, it.memory, self._value(frame, it.source))
+            case Copy():
+                size = unsigned(self._value(frame, it.size), 32)
+                content = self._read(self._value(frame, it.source), size) if size else b""
+                self._write(self._value(frame, it.target), content)
+            case Fill():
+                size = unsigned(self._value(frame, it.size), 32)
+                if size > SCRATCH_BYTES:
+                    raise EvaluationError("the expression needs too much memory")
+                byte = unsigned(self._value(frame, it.value), 8)
+                self._write(self._value(frame, it.target), bytes([byte]) * size)
+            case Mark():
+                address, size = (
+                    unsigned(self._value(frame, each), 32) for each in (it.target, it.size)
+                )
+                self._memory.mark(address, size, it.state)
+            case _:
+                assert isinstance(it, Statement | Lifetime | Callers), it
+
+    def _compute(self, op: str, *operands: float) -> Any:
+        if ".trunc_f" in op:  # C's conversions saturate to the lowest value here, see `selection`
+            return _truncated(op, operands[0])
+        try:
+            return compute(op, *operands)
+        except ArithmeticError as wrong:
+            raise EvaluationError(str(wrong)) from None
+
+
+def _truncated(op: str, value: float) -> int:
+    """Converts to an integer as `runtime.codegen.selection` does: i386 with SSE2."""
+    kind, _, name = op.partition(".")
+    source, bits = name[6:9], 32 if kind == "i32" else 64
+    if name.endswith("_s"):
+        low = -(1 << bits - 1)
+        return int(compute(f"{kind}.trunc_sat_{source}_s", value)) if value < -low else low
+    if kind == "i32":
+        wide = compute(f"i64.trunc_sat_{source}_s", value)
+        return int(compute("i32.wrap_i64", wide))
+    sign = "s" if value < 1 << 63 else "u"
+    return int(compute(f"i64.trunc_sat_{source}_{sign}", value))

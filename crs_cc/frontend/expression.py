@@ -1,0 +1,176 @@
+r"""C expressions that stand alone, in the words of a C file: what a user of the debugger writes.
+
+The expression becomes a function of its own. The variables of the function that the user looks at
+are passed to it by their addresses, so that it works on the stopped program's memory; all else
+that the file declares, its macros too, means what it means at the file's end.
+
+>>> import tempfile
+>>> from crs_cc.ir.types import INT
+>>> with tempfile.NamedTemporaryFile("w", suffix=".c") as file:
+...     _ = file.write("#define TWICE(x) (2 * (x))\nstruct point { int x, y; } goal;\n")
+...     file.flush()
+...     names = FileNames(Path(file.name), Options())
+>>> found = names.compile("TWICE(goal.y) + speed", "main", [("speed", INT)], Diagnostics())
+>>> str(found.type), found.is_place, found.variables
+('int', False, ('speed',))
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Final
+
+from crs_cc.errors import CompileError
+from crs_cc.frontend import tree
+from crs_cc.frontend.check import CheckError, FunctionState, Unit, expression
+from crs_cc.frontend.check_operator import is_lvalue
+from crs_cc.frontend.hopeless import GiveUp
+from crs_cc.frontend.lex import lex
+from crs_cc.frontend.lower import Lowering, effect, place, value, value_type
+from crs_cc.frontend.lower_graph import tidy
+from crs_cc.frontend.lower_unit import UnitLowering
+from crs_cc.frontend.options import Options
+from crs_cc.frontend.parse import parse_expression
+from crs_cc.frontend.scope import FunctionSymbol, ObjectSymbol, TypedefName
+from crs_cc.frontend.unit import check_file
+from crs_cc.ir.program import Block, Function, Operand, Parameter, Program, Return
+from crs_cc.ir.types import ArrayType, CType, FunctionType, PointerType, RecordType, VoidType
+from crs_cc.source import Diagnostics, Location
+
+EXPRESSION: Final = "<expression>"
+"""The name of the file that the expression stands in, and of the function that it becomes."""
+
+
+@dataclass(frozen=True, slots=True)
+class CompiledExpression:
+    """An expression as a function of the addresses of variables.
+
+    Attributes:
+        text: what the user wrote.
+        program: the function `EXPRESSION` and the objects that it alone needs: its strings.
+        type: the type of the expression.
+        is_place: whether the function gives the address of the object that the expression names; of
+            a struct it always gives an address. Otherwise it gives the value.
+        variables: the variables whose addresses it takes, in their order.
+    """
+
+    text: str
+    program: Program
+    type: CType
+    is_place: bool
+    variables: tuple[str, ...]
+
+    @property
+    def function(self) -> Function:
+        """The function."""
+        return self.program.functions[EXPRESSION]
+
+
+class FileNames:
+    """What the names in a C file mean at its end."""
+
+    def __init__(self, path: Path, options: Options) -> None:
+        """Reads the file.
+
+        Raises:
+            CompileError: when there are errors in it.
+        """
+        self._unit, self._source = check_file(path, options, Diagnostics())
+
+    def compile(
+        self,
+        text: str,
+        function: str,
+        variables: Iterable[tuple[str, CType]],
+        diagnostics: Diagnostics,
+    ) -> CompiledExpression:
+        """Compiles an expression.
+
+        Args:
+            text: the expression.
+            function: the C name of the function that it is looked at in, for `__func__`.
+            variables: its variables, the outermost first: one hides those of the same name before.
+            diagnostics: takes warnings.
+
+        Raises:
+            CompileError: when the expression is none, or means nothing here.
+        """
+        own = Diagnostics()
+        unit = replace(self._unit, name=EXPRESSION, diagnostics=own, suggestions=1, unknown=set())
+        symbols = {name: _indirect(name, ctype) for name, ctype in variables}
+        try:
+            checked = self._checked(unit, text, function, symbols)
+        except GiveUp:
+            checked = None
+        except CheckError as mistake:
+            own.error(mistake.location, mistake.text or "this means nothing here", mistake.hint)
+            checked = None
+        own.sort()
+        if own.errors or checked is None:
+            raise CompileError(own.errors)
+        diagnostics.messages.extend(own.messages)
+        return _lowered(unit, text, checked, symbols)
+
+    def _checked(
+        self, unit: Unit, text: str, function: str, symbols: dict[str, ObjectSymbol]
+    ) -> tree.Expression | None:
+        assert self._source.more is not None
+        report = unit.diagnostics
+        source = self._source.more(EXPRESSION, text.replace("\n", " "))
+        report.lines[EXPRESSION] = [text]
+        tokens = lex(source.text, source.location, report)
+        if not tokens:
+            report.error(Location(EXPRESSION, 1, 1), "there is no expression")
+            return None
+        names = unit.scope.names
+        types = [name for name, symbol in names.items() if isinstance(symbol, TypedefName)]
+        node = parse_expression(tokens, [each for each in types if each not in symbols], report)
+        if node is None or report.errors:
+            return None
+        place_ = Location(EXPRESSION, 1, 1)
+        symbol = FunctionSymbol(function, FunctionType(VoidType(), ()), place_, function)
+        unit.function = FunctionState(symbol, VoidType())
+        with unit.new_scope() as scope:
+            scope.names.update(symbols)
+            return expression(unit, node)
+
+
+def _indirect(name: str, ctype: CType) -> ObjectSymbol:
+    """Gives the symbol of a variable that is passed by its address."""
+    location = Location(EXPRESSION, 1, 1)
+    return ObjectSymbol(name, PointerType(ctype), location, is_indirect=True)
+
+
+def _lowered(
+    unit: Unit, text: str, checked: tree.Expression, symbols: dict[str, ObjectSymbol]
+) -> CompiledExpression:
+    location, shared = Location(EXPRESSION, 1, 1), UnitLowering(unit)
+    function, entry = Function(EXPRESSION, location), Block("entry")
+    function.blocks.append(entry)
+    low = Lowering(shared, function, entry)
+    for symbol in symbols.values():
+        register = low.lasting_register("i32")
+        low.places[symbol] = register
+        function.parameters.append(Parameter(register, "i32", 4))
+    ctype, is_place = checked.type, is_lvalue(checked) and not _is_bit_field(checked)
+    result: Operand | None = None
+    if is_place or isinstance(ctype, RecordType | ArrayType):
+        result, is_place = low.address(place(low, checked), location), True
+        function.result = "i32"
+    elif isinstance(ctype, FunctionType):
+        pointer = tree.AddressOf(PointerType(ctype), checked.location, checked)
+        result, function.result = value(low, pointer), "i32"
+    elif isinstance(ctype, VoidType):
+        effect(low, checked)
+    else:
+        result, function.result = value(low, checked), value_type(ctype)
+    low.end(Return(location, result))
+    tidy(function)
+    shared.program.functions[EXPRESSION] = function
+    return CompiledExpression(text, shared.program, ctype, is_place, tuple(symbols))
+
+
+def _is_bit_field(checked: tree.Expression) -> bool:
+    return isinstance(checked, tree.MemberAccess) and checked.member.bit_width is not None
