@@ -14,6 +14,7 @@ ALL: Final = 1_000_000
 
 FIRST_OF_EACH_FILE: Final = {
     HERE / "cli": 6,
+    HERE / "debug": 4,
     HERE / "device": 1,
     HERE / "nclient": 1,  # each of these compiles and runs a C program
     HERE / "report": 1,

@@ -19,6 +19,7 @@ a.c:1:18: error: expected ';' after '0'
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Iterable
 from typing import Any, Final, NoReturn, TypeAlias
 
@@ -126,8 +127,7 @@ def parse_expression(
         type_names: what names stand for types.
         diagnostics: takes the messages.
     """
-    parser = _Parser(tokens, diagnostics)
-    return parser.expression(type_names)
+    return _Parser(tokens, diagnostics).expression(type_names)
 
 
 def _behind(token: Token) -> Location:
@@ -171,18 +171,16 @@ class _Parser(MisspeltParser):
     def expression(self, type_names: Iterable[str]) -> Node | None:
         """Parses an expression, and nothing behind it."""
         self._scope_stack = [dict.fromkeys([*PREDECLARED_TYPES, *type_names], True)]
-        try:
-            node = self._parse_expression()
-            left = self._peek()
-            if left is not None:
-                report(self._diagnostics, left.location, f"unexpected '{left.value}' here")
+        with contextlib.suppress(ParseError):
+            try:
+                node = self._parse_expression()
+            except RecursionError:
+                self._diagnostics.error(self.place(), "the expression is nested too deeply here")
                 return None
-        except ParseError:
-            return None
-        except RecursionError:
-            self._diagnostics.error(self.place(), "the expression is nested too deeply here")
-            return None
-        return node
+            if (left := self._peek()) is None:
+                return node
+            report(self._diagnostics, left.location, f"unexpected '{left.value}' here")
+        return None
 
     # Tokens
 
