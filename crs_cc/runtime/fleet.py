@@ -9,7 +9,6 @@ ended, or stopped by an error.
 >>> fleet.slots["run"] = 1
 >>> fleet.slots["fuel"] = 1000
 >>> fleet.run_round()
-2
 >>> fleet.slots["code"].tolist()        # both posted EXIT
 [1, 1]
 """
@@ -195,9 +194,12 @@ class Fleet:
         """Writes replies over what robots posted."""
         self.slots["message"].view(_BYTES)[robots] = messages.view(_BYTES)
 
-    def run_round(self) -> int:
-        """Resumes every robot whose slot says `run`; gives how many there were."""
-        resumed = int(np.count_nonzero(self.slots["run"]))
+    def run_round(self) -> int | None:
+        """Resumes every robot whose slot says `run`.
+
+        Gives the first one that stops before a marked statement, which ends the round: those behind
+        it have not run. None when all have.
+        """
         self._header["current"] = 0
         while True:
             try:
@@ -207,7 +209,9 @@ class Fleet:
                 self._trapped(robot, trap)
                 self._header["current"] = robot + 1
                 continue
-            return resumed
+            robot = int(self._header["current"][0])
+            is_one = robot < len(self) and bool(self.slots["stopped"][robot])
+            return robot if is_one else None
 
     def _trapped(self, robot: int, trap: Exception) -> None:
         """Notes a trap as the robot's own failure, so that the others go on."""

@@ -46,6 +46,7 @@ _NOTHING: Final[dict[str, float]] = {
     "_due_s": ENDLESS,
     "_ended_s": 0.0,
     "_called_s": -math.inf,
+    "pending": 0,
 }
 """The session's own state, arrays over robots, and what they hold of a robot that has not begun."""
 
@@ -66,6 +67,10 @@ class Crew:
         clock_s: each program's clock [s]; infinite while it waits for something to happen.
         fuel: IR instructions that each program has run.
         timesteps: how many timesteps have been run.
+        rounds: how many rounds of programs the current one has had.
+        pending: fuel that each program has been given for the round that a program with a debug
+            build has stopped in the middle of; 0 for those that are not in one.
+        halted: the program that stopped, if one has.
         unconnected_calls: by robot, the first call of the robot that its program made without a
             connection, while this session ran it; None where there was none.
     """
@@ -112,6 +117,9 @@ class Crew:
         self._alive = np.zeros(count, bool)
         self._due_s = np.full(count, ENDLESS)  # when a request has come through the link
         self._ended_s = np.zeros(count)
+        self.rounds = 0
+        self.pending = np.zeros(count, np.int64)
+        self.halted: int | None = None
         self._called_s = np.full(count, -math.inf)  # when it last had an answer of its robot
         self._present = np.zeros(count, bool)
         self._meet()
@@ -185,7 +193,7 @@ class Crew:
         return self._host.disks[robot].missed
 
     def snapshot(self) -> SessionSnapshot:
-        """Gives the whole state between two timesteps.
+        """Gives the whole state, between two timesteps or wherever a program has stopped.
 
         How far standard input has been read is not part of it: `read` belongs to the caller, who
         has to give a restored session one that goes on from there.
@@ -198,6 +206,8 @@ class Crew:
             tuple(self._host.exit_status),
             tuple(disk.snapshot() for disk in self._host.disks),
             self.timesteps,
+            self.rounds,
+            self.halted,
         )
 
     def restore(self, snapshot: SessionSnapshot) -> None:
@@ -216,6 +226,7 @@ class Crew:
         for disk, files in zip(self._host.disks, snapshot.disks, strict=True):
             disk.restore(files)
         self.timesteps = snapshot.timesteps
+        self.rounds, self.halted = snapshot.rounds, snapshot.halted
 
     def state_hash(self) -> str:
         """Gives the SHA-256 of all state, see `RunResult`."""

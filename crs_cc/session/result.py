@@ -95,7 +95,7 @@ class Added:
 
 @dataclass(frozen=True, slots=True)
 class SessionSnapshot:
-    """The whole state of a run between two timesteps; see `Session.snapshot`."""
+    """The whole state of a run; see `Session.snapshot`."""
 
     added: tuple[Added, ...]
     environment: EnvironmentSnapshot
@@ -104,6 +104,8 @@ class SessionSnapshot:
     exit_status: tuple[int | None, ...]
     disks: tuple[DiskSnapshot, ...]
     timesteps: int
+    rounds: int
+    halted: int | None
 
 
 def robot_state(state: EnvState, robot: int) -> dict[str, Any]:

@@ -49,30 +49,52 @@ class Session(Crew):
 
     def step(self) -> bool:
         """Runs one timestep; gives False when all programs have ended, and no robot is to come."""
-        end_s = self.environment.end_s
-        while True:
-            self._answer_robots(end_s)
-            ready = np.flatnonzero(self._alive & (self.clock_s < end_s) & (self._due_s == ENDLESS))
-            if not ready.size:
-                break
-            self._resume(ready, end_s)
-        step = self.environment.step()
-        self.clock_s[step.robots] = self._called_s[step.robots] = step.at_s
-        self.fleet.reply(step.robots, step.messages)
-        self.timesteps += 1
-        self._meet()
-        if self._trace is not None:
-            self._trace.step(step)
-        return self.running > 0 or self.environment.awaits
+        while self.run_round():
+            pass
+        return self.end_cycle()
 
-    def _resume(self, ready: npt.NDArray[np.intp], end_s: float) -> None:
-        """Lets programs run until each has posted a request or used up the cycle."""
-        slots = self.fleet.slots
-        budget = np.ceil((end_s - self.clock_s[ready]) * self._speed_hz[ready]).astype(np.int64)
-        slots["run"][ready] = 1
-        slots["fuel"][ready] = budget
-        self.fleet.run_round()
-        burnt = budget - slots["fuel"][ready]
+    def run_round(self) -> bool:
+        """Lets programs go on for one round; gives False when all have used up the cycle.
+
+        A debug build that stops before a marked statement ends the call in the middle of the round:
+        `halted` tells whose it is. The next call goes on from there.
+        """
+        if not self.begin_round():
+            return False
+        self.run_programs()
+        if self.halted is None:
+            self.end_round()
+        return True
+
+    def begin_round(self) -> bool:
+        """Finds out which programs go on, and for how long; gives False when none does.
+
+        In the middle of a round it is known already.
+        """
+        if self.pending.any():
+            return True
+        end_s = self.environment.end_s
+        self._answer_robots(end_s)
+        ready = np.flatnonzero(self._alive & (self.clock_s < end_s) & (self._due_s == ENDLESS))
+        if not ready.size:
+            return False
+        self.pending[ready] = budgets = self._budgets(ready, end_s)
+        self.fleet.slots["run"][ready] = 1
+        self.fleet.slots["fuel"][ready] = budgets
+        return True
+
+    def run_programs(self) -> None:
+        """Lets the programs of this round run on, all of them or up to the first that is halted."""
+        if self.halted is not None:
+            self.fleet.slots["run"][self.halted] = 1
+        self.halted = self.fleet.run_round()
+
+    def end_round(self) -> None:
+        """Takes up what the programs that ran have used, and what they ask for."""
+        slots, ready = self.fleet.slots, np.flatnonzero(self.pending)
+        burnt = self.pending[ready] - slots["fuel"][ready]
+        self.pending[ready] = 0
+        self.rounds += 1
         self.fuel[ready] += burnt
         self.clock_s[ready] += burnt / self._speed_hz[ready]
         self._end(ready[slots["status"][ready] != SUSPENDED])
@@ -84,6 +106,33 @@ class Session(Crew):
             self._send(asked[goes_out], codes[goes_out])
         if not goes_out.all():
             self._answer_hosts(asked[~goes_out], codes[~goes_out])
+
+    def end_cycle(self) -> bool:
+        """Lets the environment execute the cycle that all programs have used up.
+
+        Gives False when all programs have ended, and no robot is to come.
+        """
+        step = self.environment.step()
+        self.clock_s[step.robots] = self._called_s[step.robots] = step.at_s
+        self.fleet.reply(step.robots, step.messages)
+        self.timesteps += 1
+        self.rounds = 0
+        self._meet()
+        if self._trace is not None:
+            self._trace.step(step)
+        return self.running > 0 or self.environment.awaits
+
+    def now_s(self, robot: int) -> float:
+        """Gives a program's clock [s], also in the middle of a round."""
+        burnt = 0
+        if self.pending[robot]:
+            burnt = int(self.pending[robot] - self.fleet.slots["fuel"][robot])
+        return float(self.clock_s[robot] + burnt / self._speed_hz[robot])
+
+    def _budgets(self, ready: npt.NDArray[np.intp], end_s: float) -> npt.NDArray[np.int64]:
+        """Gives the fuel that takes programs to the end of the cycle."""
+        fuel = np.ceil((end_s - self.clock_s[ready]) * self._speed_hz[ready])
+        return np.asarray(fuel.astype(np.int64))
 
     def _send(self, robots: npt.NDArray[np.intp], codes: npt.NDArray[np.int32]) -> None:
         """Puts requests on the link."""

@@ -54,7 +54,7 @@ def test_only_robots_that_shall_run_are_resumed() -> None:
     fleet = Fleet([counting_program()] * 5)
     fleet.slots["fuel"] = 1000
     fleet.slots["run"][[1, 4]] = 1
-    assert fleet.run_round() == 2
+    assert fleet.run_round() is None
     assert fleet.slots["code"].tolist() == [0, CODES["EXIT"], 0, 0, CODES["EXIT"]]
 
 
