@@ -143,7 +143,10 @@ class Environment(Setting):
         worked = self._devices.instruments.batteries.drain(state, self.timestep_s)
         self._let_go_if_empty(worked, self.end_s)
         # Contacts number things as they still are: whoever comes or goes below changes that.
+        before = state.bumpers.pressed
         began = self._bumpers.touch(state, self._equipment, contacts, self.end_s)
+        pressed = state.bumpers.pressed
+        touches = (began, pressed & ~before, before & ~pressed, self._names)
         # Degradations that begin are told before the devices that work at the end.
         cycle, time_s, served = state.cycle, self.time_s, tuple(self._served)
         if state.degradation.next_s < self.end_s:
@@ -156,7 +159,7 @@ class Environment(Setting):
         if self._is_anybody_due():
             self._come_and_go()
         heard = (slices, served, self._log.take(self.time_s), traffic)
-        return Step(cycle, time_s, ended, at_s, messages, began, self._names, *heard)
+        return Step(cycle, time_s, ended, at_s, messages, *touches, *heard)
 
     def _handle(self, code: int, rows: IndexArray, messages: Messages) -> BoolArray:
         """Lets connected robots do what is asked; gives which requests were good."""

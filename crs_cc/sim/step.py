@@ -123,6 +123,9 @@ class Step:
         at_s: when in that cycle it ends.
         messages: the replies, of dtype `requests.MESSAGE`.
         contacts: contacts that began in the cycle.
+        pressed: the switches of bumpers that are pressed at its end and were not at its beginning,
+            bit by bit as in `State[33]`, (robots,).
+        released: those that were and are not any more, (robots,).
         names: what `contacts.other` counts: robots, things, walls.
         slices: what the axes did in the cycle.
         served: the requests that were answered in the cycle, in order.
@@ -137,6 +140,8 @@ class Step:
     at_s: FloatArray
     messages: npt.NDArray[np.void]
     contacts: Contacts
+    pressed: npt.NDArray[np.int32]
+    released: npt.NDArray[np.int32]
     names: tuple[str, ...]
     slices: Slices
     served: tuple[Served, ...]
@@ -218,7 +223,7 @@ class RobotSlice:
 
 
 def slices_of(state: EnvState, axes: tuple[tuple[str, ...], ...], timestep_s: float) -> Slices:
-    """Gives the slices of a cycle whose axes have been turned to its end."""
+    """Gives the slices of a cycle, whole when the axes have been turned to its end."""
     end_s = state.drive.axes.end_s()
     end_s = np.maximum(np.maximum(end_s[:, 0], end_s[:, 1]), end_s[:, 2])
     endless = end_s > _MOST_CYCLES * timestep_s
@@ -241,7 +246,11 @@ def slices_of(state: EnvState, axes: tuple[tuple[str, ...], ...], timestep_s: fl
 
 def describe_slice(step: Step, robot: int) -> RobotSlice:
     """Gives one robot's part of a cycle as plain values."""
-    slices = step.slices
+    return slice_of(step.slices, robot, _answers(step, robot))
+
+
+def slice_of(slices: Slices, robot: int, answers: tuple[Answer, ...] = ()) -> RobotSlice:
+    """Gives what one robot's axes did as plain values, with the requests that were answered."""
     code, count = int(slices.command[robot]), int(slices.count[robot])
     rows = (slices.way[robot], slices.travelled[robot], slices.total[robot])
     ways = zip(*(row.tolist() for row in rows), strict=True)
@@ -254,7 +263,7 @@ def describe_slice(step: Step, robot: int) -> RobotSlice:
             for name, (way, travelled, total) in zip(slices.axes[robot], ways, strict=False)
         ),
         waiting=bool(slices.waiting[robot]),
-        answers=_answers(step, robot),
+        answers=answers,
     )
 
 
