@@ -15,7 +15,7 @@ from crs_cc.sim.files.world_xml import empty_world, known_robots, load_world
 from crs_cc.source import Diagnostics, Location
 
 if TYPE_CHECKING:
-    from crs_cc.cli.run import RunOptions
+    from crs_cc.cli.program_options import ProgramOptions
     from crs_cc.frontend.options import Dialect
     from crs_cc.runtime.executable import Executable
     from crs_cc.sim.model import Robot, WorldModel
@@ -31,18 +31,27 @@ class Loaded:
     Attributes:
         world: the world.
         executables: each robot's program.
+        sources: each robot's C files.
+        dialects: whose functions each robot's program calls; None for what it looks like.
         arguments: each robot's `argv`; it begins with the first C file, without its ending.
         files: what every program finds on its disk, by name.
     """
 
     world: WorldModel
     executables: tuple[Executable, ...]
+    sources: tuple[tuple[Path, ...], ...]
+    dialects: tuple[Dialect | None, ...]
     arguments: tuple[tuple[str, ...], ...]
     files: dict[str, bytes]
 
 
-def load(options: RunOptions, diagnostics: Diagnostics) -> Loaded:
+def load(options: ProgramOptions, diagnostics: Diagnostics, *, debug: bool = False) -> Loaded:
     """Reads the world and compiles every program that its robots run, each once.
+
+    Args:
+        options: what to run.
+        diagnostics: takes the warnings.
+        debug: make every statement a place to stop at.
 
     Raises:
         CompileError: a C source is at fault.
@@ -57,10 +66,14 @@ def load(options: RunOptions, diagnostics: Diagnostics) -> Loaded:
         if options.inputs.sources and options.inputs.sources not in programs:
             place = Location(str(options.inputs.sources[0]))
             diagnostics.warning(place, "not used: every robot has a program in the world file")
-        built = {each: _build(*each, options, diagnostics) for each in dict.fromkeys(wanted)}
+        built = {
+            each: _build(*each, options, diagnostics, debug=debug) for each in dict.fromkeys(wanted)
+        }
     return Loaded(
         world,
         tuple(built[each] for each in wanted),
+        tuple(programs),
+        tuple(dialects),
         tuple(
             (str(sources[0].with_suffix("")), *_arguments(robot, options))
             for robot, sources in zip(world.robots, programs, strict=True)
@@ -69,7 +82,7 @@ def load(options: RunOptions, diagnostics: Diagnostics) -> Loaded:
     )
 
 
-def _world(options: RunOptions) -> WorldModel:
+def _world(options: ProgramOptions) -> WorldModel:
     path, robot = options.inputs.world, options.robot
     if robot not in known_robots() and not robot.endswith(".xml"):
         names = ", ".join(known_robots())
@@ -82,7 +95,7 @@ def _world(options: RunOptions) -> WorldModel:
     return world.with_ideal_link() if options.link == "ideal" else world
 
 
-def _program(robot: Robot, options: RunOptions) -> tuple[Path, ...]:
+def _program(robot: Robot, options: ProgramOptions) -> tuple[Path, ...]:
     if robot.program:
         return (Path(robot.program),)
     if not options.inputs.sources:
@@ -91,7 +104,7 @@ def _program(robot: Robot, options: RunOptions) -> tuple[Path, ...]:
     return options.inputs.sources
 
 
-def _arguments(robot: Robot, options: RunOptions) -> tuple[str, ...]:
+def _arguments(robot: Robot, options: ProgramOptions) -> tuple[str, ...]:
     """Gives the world's arguments if it has any; ours are for the program that we were given."""
     return robot.arguments or (() if robot.program else options.arguments)
 
@@ -99,8 +112,10 @@ def _arguments(robot: Robot, options: RunOptions) -> tuple[str, ...]:
 def _build(
     sources: tuple[Path, ...],
     dialect: Dialect | None,
-    options: RunOptions,
+    options: ProgramOptions,
     diagnostics: Diagnostics,
+    *,
+    debug: bool,
 ) -> Executable:
     for path in sources:
         is_word = path.suffix != ".c" and not options.arguments
@@ -115,6 +130,7 @@ def _build(
             undefines=options.compiler.undefines,
             standard=options.compiler.standard,
             checked=options.checked,
+            debug=debug,
             trap_overflow=options.trap_overflow,
             dialect=dialect,
         )
