@@ -248,7 +248,7 @@ class Fleet:
             return Failure(kind, Location(self._executables[robot].name), value)
         site = self._executables[robot].detail().compiled.sites[slot["error_site"]]
         trapped = value == MEMORY_END and site.size > 1
-        stopped = self._stopped(robot, site.location, saved=not trapped)
+        stopped = self.stopped(robot, site.location, saved=not trapped)
         kind, stack, size, found = site.kind, stopped.stack, site.size, None
         if kind == "memory":
             kind, value, found = diagnose(stopped, value, size, site.access)
@@ -259,9 +259,10 @@ class Fleet:
         size = size or int(slot["error_size"])
         return Failure(kind, site.location, value, stack, site.access, size, found, stopped)
 
-    def _stopped(
+    def stopped(
         self, robot: int, failed_at: Location | None = None, *, saved: bool = True
     ) -> Stopped:
+        """Gives a program that has come back, and all that tells where it stands, see `Stopped`."""
         from crs_cc.runtime.diagnosis.inspect import Stopped, call_stack
 
         detail, memory = self._executables[robot].detail(), self._memories[robot]
@@ -276,13 +277,13 @@ class Fleet:
         """
         from crs_cc.runtime.diagnosis.report import current_call  # few runs need it
 
-        return current_call(self._stopped(robot))
+        return current_call(self.stopped(robot))
 
     def library_call(self, robot: int) -> ActiveCall | None:
         """Gives the library's function that the user's code has called, and where it did."""
         from crs_cc.runtime.diagnosis.report import library_call  # few runs need it
 
-        return library_call(self._stopped(robot))
+        return library_call(self.stopped(robot))
 
     def report(self, robot: int) -> ErrorReport:
         """Gives the report on a robot with status FAILED: its failure in words."""

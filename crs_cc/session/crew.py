@@ -42,7 +42,7 @@ ENDLESS = math.inf
 _NOTHING: Final[dict[str, float]] = {
     "clock_s": 0.0,
     "fuel": 0,
-    "_alive": False,
+    "alive": False,
     "_due_s": ENDLESS,
     "_ended_s": 0.0,
     "_called_s": -math.inf,
@@ -64,6 +64,7 @@ class Crew:
     Attributes:
         environment: the world as it is.
         fleet: the programs.
+        alive: which programs run: they have begun, and have not ended.
         clock_s: each program's clock [s]; infinite while it waits for something to happen.
         fuel: IR instructions that each program has run.
         timesteps: how many timesteps have been run.
@@ -114,7 +115,7 @@ class Crew:
         self.unconnected_calls: list[ActiveCall | None] = [None] * count
         self.clock_s = np.zeros(count)
         self.fuel = np.zeros(count, np.int64)
-        self._alive = np.zeros(count, bool)
+        self.alive = np.zeros(count, bool)
         self._due_s = np.full(count, ENDLESS)  # when a request has come through the link
         self._ended_s = np.zeros(count)
         self.rounds = 0
@@ -132,7 +133,7 @@ class Crew:
     @property
     def running(self) -> int:
         """Gives the number of programs that have not ended."""
-        return int(self._alive.sum())
+        return int(self.alive.sum())
 
     def add_robot(self, robot: Robot, executable: Executable, arguments: Sequence[str] = ()) -> int:
         """Puts another robot into the world, between two timesteps; gives its number.
@@ -182,7 +183,7 @@ class Crew:
 
         None for one that has not begun, or has ended.
         """
-        return self.fleet.current_call(robot) if self._alive[robot] else None
+        return self.fleet.current_call(robot) if self.alive[robot] else None
 
     def files(self, robot: int) -> dict[bytes, bytes]:
         """Gives the files that a robot's program made or changed, by name."""
@@ -258,7 +259,7 @@ class Crew:
         )
 
     def _outcome(self, robot: int) -> Outcome:
-        if self._alive[robot]:
+        if self.alive[robot]:
             return "running"
         if self.fleet.slots["status"][robot] == FAILED:
             return "failed"
@@ -268,7 +269,7 @@ class Crew:
         return "left" if math.isfinite(joined_s) else "absent"
 
     def _robot_call_s(self, robot: int) -> float | None:
-        if self._alive[robot] and (self._due_s[robot] < ENDLESS or self.clock_s[robot] == ENDLESS):
+        if self.alive[robot] and (self._due_s[robot] < ENDLESS or self.clock_s[robot] == ENDLESS):
             return self.time_s
         called_s = float(self._called_s[robot])
         return called_s if math.isfinite(called_s) else None
@@ -294,15 +295,15 @@ class Crew:
         if now is before:
             return
         self._present = now
-        joined, left = np.flatnonzero(now & ~before), np.flatnonzero(before & ~now & self._alive)
-        self._alive[joined] = True
+        joined, left = np.flatnonzero(now & ~before), np.flatnonzero(before & ~now & self.alive)
+        self.alive[joined] = True
         self.clock_s[joined] = self.time_s
         self.clock_s[left] = self.time_s
         self._due_s[left] = ENDLESS
         self._end(left)
 
     def _end(self, robots: npt.NDArray[np.intp]) -> None:
-        self._alive[robots] = False
+        self.alive[robots] = False
         self._ended_s[robots] = self.clock_s[robots]
 
     def _recruit(self, added: Sequence[Added]) -> None:

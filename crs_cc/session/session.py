@@ -75,7 +75,7 @@ class Session(Crew):
             return True
         end_s = self.environment.end_s
         self._answer_robots(end_s)
-        ready = np.flatnonzero(self._alive & (self.clock_s < end_s) & (self._due_s == ENDLESS))
+        ready = np.flatnonzero(self.alive & (self.clock_s < end_s) & (self._due_s == ENDLESS))
         if not ready.size:
             return False
         self.pending[ready] = budgets = self._budgets(ready, end_s)

@@ -145,7 +145,7 @@ def test_variables_in_registers_are_watched_in_their_frames(
     assert stepped.to_stop() == 7
     slot["stop_before_all"] = 0
     frame = watching.detail().compiled.info("main").frame
-    fp = next(each.fp for each in stepped.fleet._stopped(0).stack if each.function == "main")
+    fp = next(each.fp for each in stepped.fleet.stopped(0).stack if each.function == "main")
     offset = next(
         at
         for at, each in ((at, place.variable) for place, at in frame.offsets.items())

@@ -1,0 +1,278 @@
+"""A run that can be at any instant of itself: forward by running, backward by running again.
+
+`advance` lets the session go on to the next instant at which anything can be asked: a program has
+stopped before a statement that is marked, a round has ended, a timestep has ended. Snapshots are
+kept on the way. `seek` goes to any instant, back to the latest snapshot before it and forward from
+there with nothing but that instant marked.
+
+Where the user has changed something, the snapshot made behind the change is all that leads on from
+there; the history keeps it, and running on through that instant means to restore it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Final, Literal
+
+import numpy as np
+
+from crs_cc.debug.console import Console
+from crs_cc.debug.history import History, Kept
+from crs_cc.debug.position import BEGINNING, Position
+from crs_cc.requests import FAILED
+from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
+from crs_cc.session.session import Session
+
+if TYPE_CHECKING:
+    from crs_cc.debug.program import DebugProgram
+    from crs_cc.runtime.sites import StatementSite
+    from crs_cc.sim.model import WorldModel
+    from crs_cc.sim.step import Step
+
+_NOWHERE: Final[Mapping[int, Iterable[int]]] = {}
+
+
+class InterruptedRunError(Exception):
+    """The user does not want to wait any longer."""
+
+
+@dataclass(frozen=True, slots=True)
+class Marks:
+    """Where programs stop.
+
+    Attributes:
+        statements: by robot, the numbers of statements before which it stops.
+        all: the robots that stop before every statement.
+        since: by robot, how many statements must have begun before it stops at all.
+    """
+
+    statements: Mapping[int, Iterable[int]] = _NOWHERE
+    all: frozenset[int] = frozenset()
+    since: Mapping[int, int] = _NOWHERE  # type: ignore[assignment]
+
+
+@dataclass(frozen=True, slots=True)
+class Instant:
+    """What a run has come to.
+
+    Attributes:
+        kind: a program stopped before a `statement`; a `round` or a `timestep` has ended; or the
+            `limit` has been passed.
+        posted: the requests that programs posted in the round: robot and code of each, rising.
+        ended: the programs that ended in the round, or failed.
+        step: what happened in the timestep.
+        over: whether the timestep was the last one, as no program is left.
+    """
+
+    kind: Literal["statement", "round", "timestep", "limit"]
+    posted: tuple[tuple[int, int], ...] = ()
+    ended: tuple[int, ...] = ()
+    step: Step | None = None
+    over: bool = False
+
+
+_STATEMENT: Final = Instant("statement")
+_LIMIT: Final = Instant("limit")
+
+
+class Run:
+    """A run of programs in a world.
+
+    Attributes:
+        session: the run as it is now; nothing but this class makes it go on.
+        console: what the programs wrote and read.
+        history: snapshots of it.
+        programs: by robot, its program.
+        interrupted: set by whoever wants `advance` to raise `InterruptedRunError`.
+    """
+
+    def __init__(
+        self,
+        world: WorldModel,
+        programs: Sequence[DebugProgram],
+        seed: int,
+        console: Console,
+        history: History,
+        **options: Any,
+    ) -> None:
+        """Puts the programs into the world, and nothing has happened yet.
+
+        Args:
+            world: the world.
+            programs: one for each robot.
+            seed: decides all that is random.
+            console: takes what they write, and gives what they read.
+            history: where the snapshots go.
+            options: further ones of `Session`.
+        """
+        self.programs = programs
+        self.console = console
+        self.history = history
+        self.interrupted = False
+        self._step: Step | None = None
+        self._marks = Marks()
+        self._astray = False  # ran past the limit: not a place to be
+        self.session = Session(
+            world,
+            [program.executable for program in programs],
+            seed,
+            output=console.write,
+            read=console.read,
+            trace=self,
+            **options,
+        )
+        self.history.keep(BEGINNING, self._kept())
+
+    def step(self, step: Step) -> None:
+        """Hears from the session what happened in a timestep."""
+        self._step = step
+
+    @property
+    def position(self) -> Position:
+        """Where the run is."""
+        session = self.session
+        if session.halted is None:
+            return Position(session.timesteps, session.rounds)
+        statements = int(session.fleet.slots["statements"][session.halted])
+        return Position(session.timesteps, session.rounds, session.halted, statements)
+
+    def begun(self, robot: int) -> int:
+        """Gives how many statements of a robot's program have begun."""
+        return int(self.session.fleet.slots["statements"][robot])
+
+    # -- where programs stop -----------------------------------------------------------------
+
+    def arm(self, marks: Marks) -> None:
+        """Lets programs stop at these places, and at no others."""
+        self._marks = marks
+        for robot, own in enumerate(self.session.fleet.marks[: len(self.programs)]):
+            own[: self._statements(robot)] = 0
+            wanted = marks.statements.get(robot)
+            if wanted:
+                own[list(wanted)] = 1
+        self._set_slots()
+
+    def _set_slots(self) -> None:
+        slots = self.session.fleet.slots
+        slots["stop_before_all"] = 0
+        slots["stop_from"] = 0
+        for robot in self._marks.all:
+            slots["stop_before_all"][robot] = 1
+        for robot, statements in self._marks.since.items():
+            slots["stop_from"][robot] = statements
+
+    def _statements(self, robot: int) -> int:
+        return len(self.programs[robot].executable.detail().compiled.statements)
+
+    # -- going on ----------------------------------------------------------------------------
+
+    def advance(self, limit: Position | None = None) -> Instant:
+        """Goes on to the next instant at which something can be asked.
+
+        Args:
+            limit: goes no further than this. When no program stops there, the run has gone astray:
+                what is left is to `seek`.
+
+        Raises:
+            InterruptedRunError: the user wants it.
+        """
+        if self.interrupted:
+            self.interrupted = False
+            raise InterruptedRunError
+        before = self.position
+        edit = self.history.next_edit(before)
+        if not self.session.begin_round():
+            instant = self._end_cycle()
+        else:
+            self.session.run_programs()
+            if edit is not None and self._has_passed(edit):
+                self.restore(self.history.at(edit))
+                return Instant("round") if edit.robot < 0 else _STATEMENT
+            if limit is not None and self._has_passed(limit) and self.position != limit:
+                self._astray = True
+                return _LIMIT
+            instant = self._end_round() if self.session.halted is None else _STATEMENT
+        position = self.position
+        if edit == position:
+            self.restore(self.history.at(position))
+        elif position.round == 0 and position.robot < 0 and self.history.wants(position):
+            self.history.keep(position, self._kept())
+        return instant
+
+    def _has_passed(self, place: Position) -> bool:
+        """Tells in a round that has just run whether a place in the middle of it is behind."""
+        session = self.session
+        if (session.timesteps, session.rounds) != (place.timestep, place.round):
+            return False
+        if place.robot < 0:
+            return False
+        halted = session.halted
+        return halted is None or (halted, self.begun(halted)) >= (place.robot, place.statements)
+
+    def _end_round(self) -> Instant:
+        session = self.session
+        slots = session.fleet.slots
+        ran = np.flatnonzero(session.pending)
+        codes = slots["code"][ran]
+        posted = tuple(
+            (int(robot), int(code)) for robot, code in zip(ran, codes, strict=True) if code
+        )
+        session.end_round()
+        ended = ran[~session.alive[ran]]
+        return Instant("round", posted, tuple(ended.tolist()))
+
+    def _end_cycle(self) -> Instant:
+        goes_on = self.session.end_cycle()
+        return Instant("timestep", step=self._step, over=not goes_on)
+
+    # -- going anywhere ----------------------------------------------------------------------
+
+    def seek(self, target: Position) -> None:
+        """Goes to an instant that the run has been at."""
+        position, kept = self.history.before(target)
+        if self._astray or not position <= self.position <= target:
+            self.restore(kept)
+        everywhere, since = frozenset[int](), {}
+        if target.robot >= 0:
+            everywhere, since = frozenset({target.robot}), {target.robot: target.statements}
+        self.arm(Marks(all=everywhere, since=since))
+        while self.position < target:
+            self.advance(target)
+
+    def restore(self, kept: Kept) -> None:
+        """Goes to where a snapshot was made."""
+        self._astray = False
+        self.session.restore(kept.session)
+        self.console.restore(kept.console)
+        self._set_slots()
+
+    def changed(self) -> None:
+        """Takes note that the user has changed something: from here on the run is another."""
+        self.console.truncate()
+        self.history.branch(self.position, self._kept())
+
+    def _kept(self) -> Kept:
+        return Kept(self.session.snapshot(), self.console.snapshot())
+
+    # -- where a program stands ---------------------------------------------------------------
+
+    def stopped(self, robot: int) -> Stopped:
+        """Gives a program's memory and active functions as they are."""
+        return self.session.fleet.stopped(robot)
+
+    def site(self, robot: int) -> StatementSite | None:
+        """Gives the statement that a program has stopped before, if it has."""
+        if self.session.halted != robot:
+            return None
+        number = int(self.session.fleet.slots["stopped"][robot]) - 1
+        return self.programs[robot].executable.detail().compiled.statements[number]
+
+    def innermost(self, robot: int) -> StackFrame | None:
+        """Gives the innermost active function of a program."""
+        stack = self.stopped(robot).stack
+        return stack[0] if stack else None
+
+    def has_failed(self, robot: int) -> bool:
+        """Tells whether a program was stopped by an error."""
+        return bool(self.session.fleet.slots["status"][robot] == FAILED)
