@@ -23,6 +23,7 @@ from crs_cc.frontend.check import (
 from crs_cc.frontend.check_expr import rvalue
 from crs_cc.frontend.convert import assigned, convert, decay, is_integer, is_scalar, promote
 from crs_cc.frontend.fold import wrap
+from crs_cc.frontend.lex import Span
 from crs_cc.frontend.parse import Node
 from crs_cc.frontend.parse_gnu import ComputedGoto, LabelAddress, LocalLabels, Range
 from crs_cc.frontend.refuse import refused
@@ -83,12 +84,24 @@ def _entries(state: FunctionState) -> tuple[int, int]:
 
 
 @contextmanager
+def _names(unit: Unit, node: Node) -> Iterator[None]:
+    """Opens a block's scope of names; its variables learn where it begins and ends."""
+    with unit.new_scope() as scope:
+        yield
+    if isinstance(node.coord, Span):
+        ends = node.coord.first.location, node.coord.last.location
+        for symbol in scope.names.values():
+            if isinstance(symbol, ObjectSymbol) and not symbol.is_external:
+                symbol.block = ends
+
+
+@contextmanager
 def _block(unit: Unit, node: Node, out: list[Statement]) -> Iterator[None]:
     """Opens a block's scope of names, of its own labels, and of its variables' memory."""
     state = _function(unit)
     state.label_names.append({})
     try:
-        with unit.new_scope(), vla.block(state, out, unit.at(node)):
+        with _names(unit, node), vla.block(state, out, unit.at(node)):
             yield
     finally:
         state.label_names.pop()
@@ -137,7 +150,7 @@ def for_(unit: Unit, node: Node, out: list[Statement]) -> None:
     """Checks `for`."""
     location = unit.at(node)
     start: list[Statement] = []
-    with unit.new_scope(), vla.block(_function(unit), out, location):
+    with _names(unit, node), vla.block(_function(unit), out, location):
         if isinstance(node.init, c_ast.DeclList):
             for each in node.init.decls:
                 statement(unit, each, start)

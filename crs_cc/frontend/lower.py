@@ -179,9 +179,7 @@ class Lowering:
         """Gives where a local variable lies."""
         found = self.places.get(symbol)
         if found is None:
-            variable = None
-            if symbol.name:
-                variable = Variable(symbol.name, symbol.type, symbol.location)
+            variable = symbol.variable() if symbol.name else None
             if symbol.in_memory or len(self.function.registers) > MOST_REGISTERS:
                 found = self.slot(symbol.name, symbol.type, symbol.align, variable)
             else:

@@ -71,7 +71,7 @@ def lower_function(unit: UnitLowering, definition: tree.FunctionDefinition) -> F
 
 def _parameter(low: Lowering, symbol: ObjectSymbol, passed: CType) -> None:
     """Makes a parameter; an old-style one is converted from the type it is passed as."""
-    variable = Variable(symbol.name, symbol.type, symbol.location)
+    variable = symbol.variable()
     ctype, location = symbol.type, symbol.location
     if isinstance(ctype, RecordType):
         place: Register | Slot = Slot(symbol.name, ctype.size, ctype.align, variable)

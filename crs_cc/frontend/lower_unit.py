@@ -10,7 +10,7 @@ from crs_cc.frontend.constant import ConstantAddress
 from crs_cc.frontend.lower_function import lower_function
 from crs_cc.frontend.lower_init import Image
 from crs_cc.frontend.scope import FunctionSymbol
-from crs_cc.ir.program import Data, Program, Relocation, Variable
+from crs_cc.ir.program import Data, Program, Relocation
 from crs_cc.source import Location
 
 
@@ -58,7 +58,6 @@ class UnitLowering:
         """Makes the data of a global or static object."""
         symbol = definition.symbol
         assert symbol.link_name is not None
-        variable = Variable(symbol.name, symbol.type, symbol.location)
         extent = 0 if definition.initialiser is None else definition.initialiser.extent
         data = Data(
             symbol.link_name,
@@ -66,7 +65,7 @@ class UnitLowering:
             max(symbol.align, symbol.type.align),
             symbol.location,
             tentative=symbol.is_tentative and symbol.is_external and not symbol.is_defined,
-            variable=variable,
+            variable=symbol.variable(),
         )
         if definition.initialiser is not None:
             self._fill(data, definition.initialiser)

@@ -1,4 +1,4 @@
-"""Parses expressions so that each node knows where it begins and ends.
+"""Parses expressions and blocks so that each node knows where it begins and ends.
 
 pycparser notes one token for each expression, for most of them that of their first operand: `a / b`
 and `a / b / c` would look alike to whoever is told of a mistake in one of them. This part of the
@@ -43,6 +43,18 @@ class ExpressionParser(GnuParser):
     def _span(self, start: int) -> Span:
         """Gives the tokens from number `start` up to the last one that was read."""
         return Span(self._buffer[start], self._buffer[self._index - 1])
+
+    def _parse_compound_statement(self, **how: Any) -> Node:
+        start = self._index
+        node = super()._parse_compound_statement(**how)
+        node.coord = self._span(start)
+        return node
+
+    def _parse_iteration_statement(self) -> Node:
+        start = self._index
+        node = super()._parse_iteration_statement()
+        node.coord = self._span(start)
+        return node
 
     def _parse_conditional_expression(self) -> Node:
         """Parses `a ? b : c`, and gcc's `a ?: c`."""

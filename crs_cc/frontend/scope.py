@@ -16,6 +16,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Final, TypeAlias
 
+from crs_cc.ir.program import Variable
 from crs_cc.ir.types import CType, EnumType, FunctionType, RecordType
 from crs_cc.source import Location
 
@@ -39,6 +40,7 @@ class ObjectSymbol:
         is_indirect: the name means what this variable, a pointer, points to; so it is with an array
             whose length is not constant.
         align: alignment that `_Alignas` asks for [bytes], 0 for the type's own.
+        block: the first and the last place of the block that declares it, see `ir.Variable`.
     """
 
     name: str
@@ -53,6 +55,11 @@ class ObjectSymbol:
     in_memory: bool = False
     is_indirect: bool = False
     align: int = 0
+    block: tuple[Location, Location] | None = None
+
+    def variable(self) -> Variable:
+        """Gives what debuggers and messages know of it."""
+        return Variable(self.name, self.type, self.location, self.block, self.is_indirect)
 
 
 @dataclass(frozen=True, slots=True)

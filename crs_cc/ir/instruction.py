@@ -28,11 +28,34 @@ VALUE_TYPE: Final[dict[MemoryType, ValueType]] = {
 
 @dataclass(frozen=True, slots=True)
 class Variable:
-    """A C variable as its programmer knows it, for debuggers and messages."""
+    """A C variable as its programmer knows it, for debuggers and messages.
+
+    Attributes:
+        block: the first and the last place of the block that it is declared in; None for one that
+            the whole function, or file, knows.
+        is_indirect: the name means what this variable, a pointer, points to; so it is with an array
+            whose length is not constant.
+    """
 
     name: str
     ctype: CType
     location: Location
+    block: tuple[Location, Location] | None = None
+    is_indirect: bool = False
+
+    def reaches(self, place: Location) -> bool:
+        """Tells whether a place lies in the block of the variable, be it before its declaration.
+
+        Nobody knows what a file that is included into a block has to do with it.
+        """
+        if self.block is None or place.file != self.block[0].file:
+            return True
+        return self.block[0] <= place <= self.block[1]
+
+    def is_visible(self, place: Location) -> bool:
+        """Tells whether the name means this variable at a place, if no inner one has it."""
+        is_declared = place.file != self.location.file or self.location <= place
+        return is_declared and self.reaches(place)
 
 
 @dataclass(slots=True, eq=False)

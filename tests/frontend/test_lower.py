@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from crs_cc.ir.program import Call, Register, Slot, Statement
+from crs_cc.source import Location
 from tests.frontend.compiling import body, compiled, function
 
 SHAPES = {
@@ -234,3 +235,19 @@ def test_variables_without_end_are_kept_in_memory() -> None:
     function = compiled(f"int f(void) {{ {lines} return v7 + v11999; }}").functions["f"]
     assert len(function.registers) < 10_100
     assert len(function.slots) > 1_900
+
+
+def test_variables_know_their_blocks() -> None:
+    source = (
+        "int f(int a) {\n  for (int i = 0; i < 3; i++)\n    { int a = i; f(a); }\n  return a;\n}"
+    )
+    known = [each.variable for each in function(source).registers if each.variable]
+
+    def visible(line: int, column: int) -> list[tuple[str, int]]:
+        place = Location("a.c", line, column)
+        return [(each.name, each.location.line) for each in known if each.is_visible(place)]
+
+    assert visible(2, 3) == [("a", 1)]
+    assert visible(2, 19) == visible(3, 5) == [("a", 1), ("i", 2)]
+    assert visible(3, 18) == [("a", 1), ("i", 2), ("a", 3)]
+    assert visible(4, 3) == [("a", 1)]

@@ -103,7 +103,7 @@ class Variables:
         seen = [
             (each.variable.location, number, each)
             for number, each in enumerate(self.of(frame))
-            if each.variable.name == name and each.variable.location <= place
+            if each.variable.name == name and each.variable.is_visible(place)
         ]
         if seen:
             return max(seen)[2]
