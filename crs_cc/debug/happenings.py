@@ -127,13 +127,13 @@ def _bumpers(step: Step, world: WorldModel) -> Iterator[Happening]:
     changes = (("pressed", step.pressed), ("released", step.released))
     for word, bits in changes:
         for robot in np.flatnonzero(bits).tolist():
-            for switch in _switches(int(bits[robot]), world.robots[robot].model):
+            for switch in switches(int(bits[robot]), world.robots[robot].model):
                 text = f"{step.names[robot]}'s {switch} was {word}"
                 yield Happening(end_s, f"bumper-{word}", robot, text)
 
 
-def _switches(bits: int, model: RobotModel) -> Iterator[str]:
-    """Gives the names of switches, from the bits of `State[33]`."""
+def switches(bits: int, model: RobotModel) -> Iterator[str]:
+    """Gives the names of switches of a robot, from the bits of `State[33]`."""
     for switch in model.bumpers:
         if bits >> switch.bit & 1:
             yield f"bumper {switch.bit} ({side(switch.bearing_rad)})"

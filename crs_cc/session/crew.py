@@ -175,8 +175,31 @@ class Crew:
 
     def result(self) -> RunResult:
         """Gives the run so far."""
-        robots = tuple(map(self._robot_result, range(len(self.fleet))))
+        robots = tuple(map(self.robot_result, range(len(self.fleet))))
         return RunResult(robots, self.timesteps, self.time_s, self.state_hash())
+
+    def robot_result(self, robot: int) -> RobotResult:
+        """Gives what came of one robot so far."""
+        outcome = self._outcome(robot)
+        return RobotResult(
+            id=self.environment.world.robots[robot].id,
+            program=self.fleet.executable(robot).name,
+            outcome=outcome,
+            exit_status=self._host.exit_status[robot],
+            error=self.fleet.report(robot) if outcome == "failed" else None,
+            time_s=self.time_s if outcome == "running" else float(self._ended_s[robot]),
+            fuel=int(self.fuel[robot]),
+            robot_call_s=self._robot_call_s(robot),
+            **robot_state(self.environment.state, robot),
+        )
+
+    def request_on_link(self, robot: int) -> tuple[int, float] | None:
+        """Gives the code of the request that a program has on the link, and when it gets there [s].
+
+        None when there is none: the program runs, or waits for something to happen, or has ended.
+        """
+        due_s = float(self._due_s[robot])
+        return None if due_s == ENDLESS else (int(self.fleet.slots["code"][robot]), due_s)
 
     def current_call(self, robot: int) -> ActiveCall | None:
         """Gives where a program stands that runs: the innermost function of the user's own files.
@@ -243,20 +266,6 @@ class Crew:
             digest.update(array.tobytes())
         digest.update(repr(self._host.exit_status).encode())
         return digest.hexdigest()
-
-    def _robot_result(self, robot: int) -> RobotResult:
-        outcome = self._outcome(robot)
-        return RobotResult(
-            id=self.environment.world.robots[robot].id,
-            program=self.fleet.executable(robot).name,
-            outcome=outcome,
-            exit_status=self._host.exit_status[robot],
-            error=self.fleet.report(robot) if outcome == "failed" else None,
-            time_s=self.time_s if outcome == "running" else float(self._ended_s[robot]),
-            fuel=int(self.fuel[robot]),
-            robot_call_s=self._robot_call_s(robot),
-            **robot_state(self.environment.state, robot),
-        )
 
     def _outcome(self, robot: int) -> Outcome:
         if self.alive[robot]:

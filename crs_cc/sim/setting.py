@@ -92,6 +92,17 @@ class Setting:
         return self.state.obstacles.world_now(self.world)
 
     @property
+    def names(self) -> tuple[str, ...]:
+        """Gives the names of all things: what contacts are told by."""
+        return self._names
+
+    @property
+    def pushables(self) -> tuple[str, ...]:
+        """Gives the names of what can be pushed, in the order of the bodies behind the robots."""
+        first = len(self.world.robots)
+        return self._names[first : len(self.state.bodies.angle_rad)]
+
+    @property
     def degradations(self) -> DegradationControl:
         """Gives what is wrong with devices, to be asked and changed between two steps."""
         return DegradationControl(self, self._log)
@@ -154,6 +165,13 @@ class Setting:
             raise ValueError(f"robot {self.world.robots[number].id!r} has left before")
         leave(self.state, np.array([number]), self.time_s, self._log)
         self._come_and_go()
+
+    def charges(self, number: int) -> tuple[float, float]:
+        """Gives what is left in the batteries of a robot's computers and motors, 0 to 1."""
+        rows = np.array([number], dtype=np.intp)
+        batteries = self._devices.instruments.batteries
+        computers, motors = batteries.left(self.state, rows, self.time_s)[0].tolist()
+        return computers, motors
 
     def snapshot(self) -> Snapshot:
         """Gives all that is needed to come back to this instant."""

@@ -95,6 +95,14 @@ class Batteries:
         charge = self._motors.charge(kinds, for_s, state.battery.moved_j[rows])
         return np.asarray(charge < self._least_charge[rows])
 
+    def left(self, state: EnvState, rows: IndexArray, at_s: FloatArray | float) -> FloatArray:
+        """Gives the shares of their energy that computers' and motors' batteries have, (k, 2)."""
+        kinds, for_s = self._kind[rows], at_s - state.presence.joined_s[rows]
+        moved_j = state.battery.moved_j[rows]
+        return np.column_stack(
+            [self._computers.charge(kinds, for_s, 0.0), self._motors.charge(kinds, for_s, moved_j)]
+        )
+
     def told(
         self, state: EnvState, equipment: Equipment, rows: IndexArray, at_s: FloatArray
     ) -> tuple[npt.NDArray[np.int32], npt.NDArray[np.int32]]:
