@@ -55,6 +55,10 @@ class History:
         """Gives the snapshot of an instant of which there is one."""
         return self._kept[position]
 
+    def latest(self) -> Position:
+        """Gives the latest instant of which there is a snapshot."""
+        return self._positions[-1]
+
     def before(self, position: Position) -> tuple[Position, Kept]:
         """Gives the latest snapshot that is not later than an instant."""
         found = self._positions[bisect_right(self._positions, position) - 1]

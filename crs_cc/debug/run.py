@@ -12,7 +12,7 @@ there; the history keeps it, and running on through that instant means to restor
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Final, Literal
 
 import numpy as np
@@ -30,8 +30,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.step import Step
 
-_NOWHERE: Final[Mapping[int, Iterable[int]]] = {}
-
 
 class InterruptedRunError(Exception):
     """The user does not want to wait any longer."""
@@ -47,9 +45,9 @@ class Marks:
         since: by robot, how many statements must have begun before it stops at all.
     """
 
-    statements: Mapping[int, Iterable[int]] = _NOWHERE
+    statements: Mapping[int, Iterable[int]] = field(default_factory=dict)
     all: frozenset[int] = frozenset()
-    since: Mapping[int, int] = _NOWHERE  # type: ignore[assignment]
+    since: Mapping[int, int] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,6 +134,15 @@ class Run:
             return Position(session.timesteps, session.rounds)
         statements = int(session.fleet.slots["statements"][session.halted])
         return Position(session.timesteps, session.rounds, session.halted, statements)
+
+    @property
+    def goes_on(self) -> bool:
+        """Whether there are programs that run, or robots to come."""
+        return self.session.running > 0 or self.session.environment.awaits
+
+    def name(self, robot: int) -> str:
+        """Gives a robot's name."""
+        return self.session.environment.world.robots[robot].id
 
     def begun(self, robot: int) -> int:
         """Gives how many statements of a robot's program have begun."""
@@ -260,6 +267,13 @@ class Run:
     def stopped(self, robot: int) -> Stopped:
         """Gives a program's memory and active functions as they are."""
         return self.session.fleet.stopped(robot)
+
+    def failed_stack(self, robot: int) -> tuple[StackFrame, ...]:
+        """Gives the active functions of a program that an error has stopped; else nothing."""
+        if not self.has_failed(robot):
+            return ()
+        stopped = self.session.fleet.failure(robot).stopped
+        return () if stopped is None else stopped.stack
 
     def site(self, robot: int) -> StatementSite | None:
         """Gives the statement that a program has stopped before, if it has."""

@@ -1,0 +1,171 @@
+"""Breakpoints: what they are, and which of them an instant of a run meets."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.happenings import Happening, happenings, is_of
+from crs_cc.ir.names import plain_name
+
+if TYPE_CHECKING:
+    from crs_cc.debug.places import Place
+    from crs_cc.debug.run import Instant, Run
+
+Kind = Literal["breakpoint", "watchpoint", "catchpoint"]
+
+
+@dataclass(slots=True)
+class Breakpoint:
+    """What the user wants a run to stop at.
+
+    Attributes:
+        number: its number, from 1; all kinds are counted together.
+        kind: what it is.
+        text: the place, expression or kind of happenings in the user's words.
+        place: where a breakpoint is; None for the other kinds.
+        condition: a C expression that must not be 0; empty for none.
+        ignore: so many hits are still passed over.
+        hits: how often it was hit, those passed over too.
+        temporary: whether it goes with its first hit.
+        enabled: whether it counts.
+        robot: whose it is; None for all robots.
+        log: what to say instead of stopping: text with C expressions in braces; empty to stop.
+    """
+
+    number: int
+    kind: Kind
+    text: str
+    place: Place | None = None
+    condition: str = ""
+    ignore: int = 0
+    hits: int = 0
+    temporary: bool = False
+    enabled: bool = True
+    robot: int | None = None
+    log: str = ""
+
+    def concerns(self, robot: int) -> bool:
+        """Tells whether it counts, and for this robot."""
+        return self.enabled and self.robot in {None, robot}
+
+
+@dataclass(frozen=True, slots=True)
+class Hit:
+    """A breakpoint that was met: by which robot, -1 for none, and what there is to say."""
+
+    breakpoint: Breakpoint
+    robot: int
+    text: str = ""
+
+
+class Breakpoints:
+    """All breakpoints of a run, by their numbers."""
+
+    def __init__(self) -> None:
+        self._all: dict[int, Breakpoint] = {}
+        self._made = 0
+
+    def __iter__(self) -> Iterator[Breakpoint]:
+        return iter(tuple(self._all.values()))
+
+    def add(self, breakpoint_: Callable[[int], Breakpoint]) -> Breakpoint:
+        """Adds what is made of the next number."""
+        self._made += 1
+        self._all[self._made] = breakpoint_(self._made)
+        return self._all[self._made]
+
+    def get(self, number: int) -> Breakpoint:
+        """Gives a breakpoint.
+
+        Raises:
+            DebugError: there is no such one.
+        """
+        if number not in self._all:
+            raise DebugError(f"there is no breakpoint {number}")
+        return self._all[number]
+
+    def remove(self, number: int) -> None:
+        """Takes a breakpoint away.
+
+        Raises:
+            DebugError: there is no such one.
+        """
+        self.get(number)
+        del self._all[number]
+
+    def statements(self, robot: int) -> frozenset[int]:
+        """Gives the numbers of the statements that a robot's program must stop before."""
+        places = [each.place for each in self._all.values() if each.concerns(robot)]
+        return frozenset().union(*(each.statements.get(robot, ()) for each in places if each))
+
+    def met(self, run: Run, instant: Instant) -> list[Hit]:
+        """Gives the breakpoints that an instant meets, whatever their conditions."""
+        match instant.kind:
+            case "statement":
+                return self._at_statement(run)
+            case "round":
+                return self._at_requests(run, instant)
+            case "timestep":
+                return self._at_timestep(run, instant)
+        return []
+
+    def _at_statement(self, run: Run) -> list[Hit]:
+        robot = run.session.halted
+        assert robot is not None
+        number = int(run.session.fleet.slots["stopped"][robot]) - 1
+        return [
+            Hit(each, robot)
+            for each in self._all.values()
+            if each.place
+            and each.concerns(robot)
+            and number in each.place.statements.get(robot, ())
+        ]
+
+    def _at_requests(self, run: Run, instant: Instant) -> list[Hit]:
+        hits = []
+        for each in self._all.values():
+            if each.place is None or not each.place.codes:
+                continue
+            for robot, code in instant.posted:
+                if code in each.place.codes and each.concerns(robot):
+                    stack = run.stopped(robot).stack
+                    if any(plain_name(frame.function) == each.place.function for frame in stack):
+                        name = run.name(robot)
+                        hits.append(Hit(each, robot, f"{name} called '{each.place.function}'"))
+                        break
+        return hits + self._at_ends(run, instant.ended)
+
+    def _at_ends(self, run: Run, ended: Sequence[int]) -> list[Hit]:
+        return [
+            Hit(each, robot, f"the program of {run.name(robot)} exited")
+            for each in self._all.values()
+            for robot in ended
+            if each.kind == "catchpoint" and each.text == "exit" and each.concerns(robot)
+        ]
+
+    def _at_timestep(self, run: Run, instant: Instant) -> list[Hit]:
+        wanted = [each for each in self._all.values() if each.kind == "catchpoint" and each.enabled]
+        kinds = tuple(dict.fromkeys(each.text for each in wanted if each.text != "exit"))
+        if not kinds or instant.step is None:
+            return []
+        happened = happenings(instant.step, run.session.environment.world, kinds)
+        return [
+            Hit(each, one.robot, one.text)
+            for each in wanted
+            if (one := _first(happened, each)) is not None
+        ]
+
+
+def _first(happened: Iterable[Happening], wanted: Breakpoint) -> Happening | None:
+    """Gives the first happening that a catchpoint waits for."""
+    return next(
+        (
+            each
+            for each in happened
+            if is_of(each.kind, [wanted.text]) and wanted.robot in {None, each.robot}
+        ),
+        None,
+    )

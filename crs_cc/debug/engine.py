@@ -1,0 +1,459 @@
+"""The debugger without a screen: what its user can do, as plain calls that give plain data.
+
+All that a user can do wrong raises `DebugError`, and changes nothing. Moving gives a `Stop`. What
+changes the run (a variable, the world) lets it branch: what had been behind this instant is
+forgotten, what was before it stays.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.aims import Aim, BackAim, Spot, ToCaller, ToLine, ToStatement
+from crs_cc.debug.breakpoints import Breakpoint, Breakpoints, Hit
+from crs_cc.debug.console import Console
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.happenings import checked_kind
+from crs_cc.debug.history import History
+from crs_cc.debug.places import find_place
+from crs_cc.debug.position import BEGINNING, Position
+from crs_cc.debug.run import Run
+from crs_cc.debug.stop import Stop
+from crs_cc.debug.travel import Traveller
+from crs_cc.ir.names import in_library, plain_name
+from crs_cc.runtime.diagnosis.inspect import StackFrame
+from crs_cc.session.host import Client, Input, Output, discard, no_input
+from crs_cc.source import Location
+
+if TYPE_CHECKING:
+    from crs_cc.debug.program import DebugProgram
+    from crs_cc.session.session import Session
+    from crs_cc.sim.model import WorldModel
+
+Move = Callable[[], Stop]
+
+_SLACK_S: Final = 1e-9
+_MOST_STEPS: Final = 1_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """An active function of a program.
+
+    Attributes:
+        number: 0 for the innermost.
+        function: its name.
+        location: where it stands.
+        is_library: whether it is one of the C library's, whose source nobody looks at.
+        active: what finds its variables.
+    """
+
+    number: int
+    function: str
+    location: Location
+    is_library: bool
+    active: StackFrame
+
+
+class Debugger:
+    """A run under the eyes of a user.
+
+    Attributes:
+        run: the run.
+        breakpoints: all breakpoints, watchpoints and catchpoints.
+        stop: the last stop.
+        robot: the robot that the user looks at.
+        frame: the number of the active function that he looks at.
+    """
+
+    def __init__(
+        self,
+        world: WorldModel,
+        programs: Sequence[DebugProgram],
+        seed: int = 0,
+        *,
+        arguments: Sequence[Sequence[str]] = (),
+        output: Output = discard,
+        read: Input = no_input,
+        files: Mapping[str, bytes] | None = None,
+        client: Client = "nclient",
+    ) -> None:
+        """Puts the programs into the robots; nothing has run yet. For the arguments see `Crew`."""
+        self.run = Run(
+            world,
+            programs,
+            seed,
+            Console(output, read),
+            History(),
+            arguments=arguments,
+            files=files,
+            client=client,
+        )
+        self.breakpoints = Breakpoints()
+        self._traveller = Traveller(self.run, self.breakpoints, self._accepts)
+        self.robot = 0
+        self.frame = 0
+        self.stop = self._traveller.stop("start")
+
+    # -- where it is ---------------------------------------------------------------------------
+
+    @property
+    def session(self) -> Session:
+        """The session; to be looked at only."""
+        return self.run.session
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The robots' names, by number."""
+        return tuple(robot.id for robot in self.session.environment.world.robots)
+
+    @property
+    def position(self) -> Position:
+        """Where the run is."""
+        return self.run.position
+
+    @property
+    def time_s(self) -> float:
+        """The clock of the program that is looked at, or the world's when it does not run [s]."""
+        alive = self.session.alive[self.robot]
+        return self.session.now_s(self.robot) if alive else self.session.time_s
+
+    @property
+    def is_over(self) -> bool:
+        """Whether no program is left."""
+        return not self.session.running and not self.session.environment.awaits
+
+    def frames(self, robot: int | None = None) -> list[Frame]:
+        """Gives a program's active functions, the innermost first."""
+        robot = self.robot if robot is None else robot
+        if not self.session.alive[robot] and not self.run.has_failed(robot):
+            return []
+        site = self.run.site(robot)
+        frames: list[Frame] = []
+        for active in self.run.failed_stack(robot) or self.run.stopped(robot).stack:
+            location, is_library = active.location, in_library(active.location)
+            if site is not None and not frames:
+                location = site.location
+            name = plain_name(active.function)
+            frames.append(Frame(len(frames), name, location, is_library, active))
+        while frames and frames[-1].is_library:
+            frames.pop()
+        return frames
+
+    def current_frame(self) -> Frame | None:
+        """Gives the active function that the user looks at; None when there is none."""
+        frames = self.frames()
+        return frames[self.frame] if self.frame < len(frames) else None
+
+    def location(self) -> Location | None:
+        """Gives the place in the source that the user looks at."""
+        frame = self.current_frame()
+        return None if frame is None or frame.is_library else frame.location
+
+    def source(self, file: str) -> Sequence[str]:
+        """Gives the lines of a C file; none for a file that is not the user's."""
+        for program in self.run.programs:
+            lines = program.executable.detail().lines
+            if file in lines:
+                return lines[file]
+        return ()
+
+    def select_robot(self, robot: int | str) -> None:
+        """Looks at another robot, by its number or name.
+
+        Raises:
+            DebugError: there is no such one.
+        """
+        names = self.names
+        number = names.index(robot) if robot in names else robot
+        if not isinstance(number, int) or not 0 <= number < len(names):
+            known = ", ".join(names[:20])
+            raise DebugError(f"there is no robot '{robot}': there are {known}")
+        self.robot = number
+        self.frame = self._first_own()
+
+    def select_frame(self, number: int) -> None:
+        """Looks at another active function.
+
+        Raises:
+            DebugError: there is no such one.
+        """
+        if not 0 <= number < len(self.frames()):
+            raise DebugError(f"there is no frame {number}")
+        self.frame = number
+
+    def _first_own(self) -> int:
+        frames = self.frames()
+        return next((each.number for each in frames if not each.is_library), 0)
+
+    # -- moving --------------------------------------------------------------------------------
+
+    def interrupt(self) -> None:
+        """Lets what is running stop soon; may be called from anywhere."""
+        self.run.interrupted = True
+
+    def start(self) -> Stop:
+        """Goes to the first statement of the first program that begins."""
+        return self.step_statement()
+
+    def resume(self, *, backward: bool = False) -> Stop:
+        """Goes on to the next breakpoint, or back to the last one."""
+        if backward:
+            return self._arrive(self._traveller.backward())
+        return self._go(None)
+
+    def step(self, count: int = 1, *, backward: bool = False) -> Stop:
+        """Goes to the next line, into calls; or to the start of the line before."""
+        robot = self._steppable()
+        if backward:
+            return self._repeat(count, lambda: self._back(BackAim(robot)))
+        return self._repeat(count, lambda: self._go(ToLine(robot, self._spot())))
+
+    def next(self, count: int = 1, *, backward: bool = False) -> Stop:
+        """Goes to the next line, past calls; or to the start of the one before."""
+        self._steppable()
+        move = self._next_back if backward else self._next
+        return self._repeat(count, move)
+
+    def step_statement(self, count: int = 1, *, backward: bool = False) -> Stop:
+        """Goes to the next statement, into calls; or to the one before."""
+        robot = self._steppable()
+        if backward:
+            return self._repeat(count, lambda: self._back(BackAim(robot, whole_line=False)))
+        return self._repeat(count, lambda: self._go(ToStatement(robot)))
+
+    def finish(self, *, backward: bool = False) -> Stop:
+        """Goes to where the function has returned, or back to where it was called.
+
+        Raises:
+            DebugError: nobody has called it.
+        """
+        robot = self._steppable()
+        own = [each for each in self.frames() if not each.is_library]
+        frame = self.current_frame()
+        callers = [each for each in own if frame is not None and each.number > frame.number]
+        if frame is None or not callers:
+            raise DebugError("the outermost function has no caller to go to")
+        functions = frozenset(each.active.function for each in callers)
+        fp = frame.active.fp
+        if backward:
+            return self._back(BackAim(robot, functions, lowest_fp=fp + 1, whole_line=False))
+        return self._go(ToCaller(robot, functions, fp))
+
+    def until(self) -> Stop:
+        """Goes to the next line past calls that stands further down, so out of loops."""
+        return self._next(onward=True)
+
+    def advance(self, place: str) -> Stop:
+        """Goes to a place, or to where the function has returned.
+
+        Raises:
+            DebugError: there is no such place.
+        """
+        robot = self._steppable()
+        added = self.add_breakpoint(place, temporary=True, robot=robot)
+        try:
+            frame = self.current_frame()
+            if frame is None:
+                return self._go(None)
+            functions = self._traveller.callers(robot)
+            return self._go(ToCaller(robot, functions, frame.active.fp))
+        finally:
+            if added in list(self.breakpoints):
+                self.breakpoints.remove(added.number)
+
+    def tick(self, count: int = 1, *, backward: bool = False) -> Stop:
+        """Goes to the end of the timestep, or back to its start."""
+        position = self.position
+        inside = position != Position(position.timestep, 0)
+        if backward:
+            return self._goto(Position(max(0, position.timestep + inside - count), 0), "tick")
+        return self._go(None, Position(position.timestep + count, 0))
+
+    def goto(self, target: Position) -> Stop:
+        """Goes to an instant that the run has been at."""
+        return self._goto(target, "goto")
+
+    def goto_timestep(self, timestep: int) -> Stop:
+        """Goes to the start of a timestep; breakpoints on the way do not count.
+
+        Raises:
+            DebugError: there is none before 0.
+        """
+        if timestep < 0:
+            raise DebugError("time begins at 0")
+        return self._goto(Position(timestep, 0), "goto")
+
+    def goto_time(self, time_s: float) -> Stop:
+        """Goes to the start of the timestep that an instant lies in.
+
+        Raises:
+            DebugError: there is none before 0.
+        """
+        if not math.isfinite(time_s):
+            raise DebugError(f"{time_s} is no time")
+        timestep_s = self.session.environment.world.timestep_s
+        return self.goto_timestep(math.floor(time_s / timestep_s + _SLACK_S))
+
+    def goto_statement(self, number: int) -> Stop:
+        """Goes to before a statement of the current robot's program, counted from 1.
+
+        Raises:
+            DebugError: the program has no such statement.
+        """
+        if number < 1:
+            raise DebugError("statements are counted from 1")
+        start = self.position
+        if not self._traveller.to_statement(self.robot, number - 1):
+            self.run.seek(start)
+            raise DebugError(f"{self.names[self.robot]}'s program ends before statement {number}")
+        return self._arrive(self._traveller.stop("goto", self.robot))
+
+    def _goto(self, target: Position, reason: str) -> Stop:
+        start = self.position
+        if target <= start or target < self.run.history.latest():
+            self.run.seek(target)
+        else:
+            self._traveller.to_timestep(target.timestep)
+        if self.position < target:
+            return self._arrive(self._traveller.stop("end"))
+        assert reason in {"goto", "tick"}
+        if target == BEGINNING:
+            return self._arrive(self._traveller.stop("beginning"))
+        return self._arrive(self._traveller.stop("goto" if reason == "goto" else "tick"))
+
+    def _steppable(self) -> int:
+        """Gives the robot that the user looks at."""
+        return self.robot
+
+    def _spot(self) -> Spot | None:
+        return self._traveller.spot(self.robot)
+
+    def _next(self, *, onward: bool = False) -> Stop:
+        frame = self._own_frame()
+        if frame is None:
+            return self._go(ToLine(self.robot, None))
+        spot, functions = self._spot(), self._traveller.callers(self.robot)
+        return self._go(ToLine(self.robot, spot, functions, frame.active.fp, onward))
+
+    def _next_back(self) -> Stop:
+        frame = self._own_frame()
+        if frame is None:
+            return self._back(BackAim(self.robot))
+        functions = self._traveller.callers(self.robot)
+        return self._back(BackAim(self.robot, functions, lowest_fp=frame.active.fp))
+
+    def _own_frame(self) -> Frame | None:
+        """Gives the innermost active function of the user's own."""
+        return next((each for each in self.frames() if not each.is_library), None)
+
+    def _go(self, aim: Aim | None, until: Position | None = None) -> Stop:
+        self.run.console.is_live = True
+        try:
+            return self._arrive(self._traveller.forward(aim, until))
+        finally:
+            self.run.console.is_live = False
+
+    def _back(self, aim: BackAim) -> Stop:
+        return self._arrive(self._traveller.backward_to(aim))
+
+    def _repeat(self, count: int, move: Move) -> Stop:
+        if not 1 <= count <= _MOST_STEPS:
+            raise DebugError(f"a count is from 1 to {_MOST_STEPS:,}")
+        for _ in range(count):
+            stop = move()
+            if stop.reason != "step":
+                break
+        return stop
+
+    def _arrive(self, stop: Stop) -> Stop:
+        """Lets the user look at where the run has stopped."""
+        self.stop = stop
+        if stop.robot >= 0:
+            self.robot = stop.robot
+        for number in stop.breakpoints:
+            if self.breakpoints.get(number).temporary:
+                self.breakpoints.remove(number)
+        self.frame = self._first_own()
+        return stop
+
+    # -- breakpoints ---------------------------------------------------------------------------
+
+    def add_breakpoint(
+        self,
+        place: str,
+        *,
+        condition: str = "",
+        ignore: int = 0,
+        temporary: bool = False,
+        robot: int | None = None,
+        log: str = "",
+    ) -> Breakpoint:
+        """Adds a breakpoint; see `places.find_place` for the place.
+
+        Raises:
+            DebugError: there is no such place, or the condition is no expression there.
+        """
+        location = self.location()
+        here = location.file if location else str(self.run.programs[robot or self.robot].paths[0])
+        robots = range(len(self.run.programs)) if robot is None else [robot]
+        found = find_place(place, self.run.programs, robots, here)
+        return self.breakpoints.add(
+            lambda number: Breakpoint(
+                number,
+                "breakpoint",
+                place,
+                found,
+                condition,
+                ignore,
+                temporary=temporary,
+                robot=robot,
+                log=log,
+            )
+        )
+
+    def add_catchpoint(
+        self,
+        what: str,
+        *,
+        condition: str = "",
+        ignore: int = 0,
+        temporary: bool = False,
+        robot: int | None = None,
+        log: str = "",
+    ) -> Breakpoint:
+        """Adds a catchpoint for a kind of happenings, or `exit`.
+
+        Raises:
+            DebugError: there is no such kind.
+        """
+        kind = what if what == "exit" else checked_kind(what)
+        return self.breakpoints.add(
+            lambda number: Breakpoint(
+                number,
+                "catchpoint",
+                kind,
+                None,
+                condition,
+                ignore,
+                temporary=temporary,
+                robot=robot,
+                log=log,
+            )
+        )
+
+    def remove(self, number: int) -> None:
+        """Takes a breakpoint away.
+
+        Raises:
+            DebugError: there is no such one.
+        """
+        self.breakpoints.remove(number)
+
+    def _accepts(self, hit: Hit) -> tuple[bool, str]:
+        """Tells whether a breakpoint that was met stops the run."""
+        assert hit.breakpoint.enabled
+        return True, ""

@@ -1,0 +1,256 @@
+"""Moving a run forward and backward to where there is a reason to stop.
+
+Forward means to look at one instant after the other. Backward means the same, from an earlier
+snapshot: the last reason before where the run was is the one, and the run is taken there. So both
+directions stop at the same instants.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from typing import Final
+
+from crs_cc.debug.aims import Aim, BackAim, Spot
+from crs_cc.debug.breakpoints import Breakpoints, Hit
+from crs_cc.debug.position import BEGINNING, Position
+from crs_cc.debug.run import Instant, InterruptedRunError, Marks, Run
+from crs_cc.debug.stop import Reason, Stop
+from crs_cc.ir.names import in_library
+
+Accept = Callable[[Hit], tuple[bool, str]]
+"""Tells whether a breakpoint that was met stops the run, and what there is to say more."""
+
+_FIRST_WINDOW: Final = 64
+_WIDER: Final = 16
+
+
+class Traveller:
+    """Takes a run to where there is a reason to stop."""
+
+    def __init__(self, run: Run, breakpoints: Breakpoints, accept: Accept) -> None:
+        """Takes the run, what stops it, and what tests a breakpoint's condition."""
+        self._run = run
+        self._breakpoints = breakpoints
+        self._accept = accept
+
+    # -- forward -----------------------------------------------------------------------------
+
+    def forward(self, aim: Aim | None = None, until: Position | None = None) -> Stop:
+        """Goes forward to the first reason to stop.
+
+        Args:
+            aim: what stepping wants.
+            until: the start of a timestep that is a reason, too.
+        """
+        run = self._run
+        run.arm(self._marks(aim))
+        try:
+            while run.goes_on:
+                stop = self._reason(run.advance(), aim)
+                if stop is None and until is not None and run.position >= until:
+                    stop = self.stop("tick")
+                if stop is not None:
+                    return stop
+        except InterruptedRunError:
+            return self.stop("interrupt")
+        return self.stop("end")
+
+    def stop(self, reason: Reason, robot: int = -1, text: str = "") -> Stop:
+        """Gives the stop that this instant is."""
+        session = self._run.session
+        robot = robot if robot >= 0 or session.halted is None else session.halted
+        time_s = session.now_s(robot) if robot >= 0 and session.alive[robot] else session.time_s
+        return Stop(reason, self._run.position, time_s, robot, (), text)
+
+    def _marks(self, aim: Aim | None) -> Marks:
+        run = self._run
+        statements = {
+            robot: self._breakpoints.statements(robot) for robot in range(len(run.programs))
+        }
+        if aim is None:
+            return Marks(statements)
+        if aim.functions is None:
+            return Marks(statements, frozenset({aim.robot}))
+        statements[aim.robot] |= frozenset(self.inside(aim.robot, aim.functions))
+        return Marks(statements)
+
+    def inside(self, robot: int, functions: frozenset[str]) -> Iterator[int]:
+        """Gives the numbers of the statements in some functions."""
+        sites = self._run.programs[robot].executable.detail().compiled.statements
+        return (number for number, site in enumerate(sites) if site.function in functions)
+
+    def _reason(self, instant: Instant, aim: Aim | None) -> Stop | None:
+        """Gives why to stop at an instant, if there is a reason."""
+        stop = self._failure(instant) or self._hit(instant)
+        if stop is not None:
+            return stop
+        if instant.kind == "statement" and aim is not None:
+            spot = self.spot(aim.robot)
+            if spot is not None and aim.reached(spot):
+                return self.stop("step", aim.robot)
+        if instant.over:
+            return self.stop("end")
+        if aim is not None and aim.robot in instant.ended and self._run.session.running:
+            return self.stop("exit", aim.robot)
+        return None
+
+    def _failure(self, instant: Instant) -> Stop | None:
+        run = self._run
+        failed = [robot for robot in instant.ended if run.has_failed(robot)]
+        if not failed:
+            return None
+        return self.stop("error", failed[0], run.session.fleet.report(failed[0]).text)
+
+    def _hit(self, instant: Instant) -> Stop | None:
+        met = self._breakpoints.met(self._run, instant)
+        hits: list[Hit] = []
+        texts: list[str] = []
+        for hit in met:
+            stops, text = self._accept(hit)
+            if stops:
+                hits.append(hit)
+                texts.extend(each for each in (hit.text, text) if each)
+        if not hits:
+            return None
+        first = hits[0]
+        stop = self.stop(first.breakpoint.kind, first.robot, "; ".join(texts))
+        return replace(stop, breakpoints=tuple(each.breakpoint.number for each in hits))
+
+    def spot(self, robot: int) -> Spot | None:
+        """Gives where a program stands that has stopped before a statement."""
+        run = self._run
+        site = run.site(robot)
+        if site is None:
+            return None
+        frame = run.innermost(robot)
+        assert frame is not None
+        number = int(run.session.fleet.slots["stopped"][robot]) - 1
+        return Spot(frame.function, frame.fp, number, site.location, run.begun(robot))
+
+    def callers(self, robot: int) -> frozenset[str]:
+        """Gives the functions of the user's that have called the one in which a program is."""
+        stack = self._run.stopped(robot).stack
+        return frozenset(each.function for each in stack if not in_library(each.location))
+
+    # -- backward ----------------------------------------------------------------------------
+
+    def backward(self) -> Stop:
+        """Goes back to the last breakpoint met before, or to the beginning."""
+        run, start = self._run, self._run.position
+        limit = start
+        try:
+            for position in list(run.history.back_from(start)):
+                found = self._last(position, limit, start)
+                if found is not None:
+                    run.seek(found.position)
+                    return found
+                limit = position
+        except InterruptedRunError:
+            run.seek(start)
+            return self.stop("interrupt")
+        run.seek(BEGINNING)
+        return self.stop("beginning")
+
+    def _last(self, begin: Position, limit: Position, start: Position) -> Stop | None:
+        """Gives the last reason to stop behind one instant, up to another, but before `start`."""
+        run, found = self._run, None
+        run.restore(run.history.at(begin))
+        run.arm(self._marks(None))
+        while run.position < limit:
+            instant = run.advance(limit)
+            if instant.kind == "limit":
+                break
+            stop = self._failure(instant) or self._hit(instant)
+            if stop is not None and stop.position < start:
+                found = stop
+        return found
+
+    def backward_to(self, aim: BackAim) -> Stop:
+        """Goes back to a statement of one program that came before."""
+        run, start = self._run, self._run.position
+        try:
+            found = self._find_back(aim)
+        except InterruptedRunError:
+            run.seek(start)
+            return self.stop("interrupt")
+        if found is None:
+            run.seek(BEGINNING)
+            return self.stop("beginning")
+        self.to_statement(aim.robot, found.statements)
+        return self.stop("step", aim.robot)
+
+    def _find_back(self, aim: BackAim) -> Spot | None:
+        best: Spot | None = None
+        for spot in self.spots_back(aim.robot, aim.functions):
+            if not aim.belongs(spot):
+                continue
+            if not aim.goes_on(spot):
+                return best
+            best = spot
+        return best
+
+    def spots_back(self, robot: int, functions: frozenset[str] | None) -> Iterator[Spot]:
+        """Gives the statements of a program that began before now, the last one first.
+
+        The run is somewhere else behind each of them.
+        """
+        run = self._run
+        end, width = run.begun(robot), _FIRST_WINDOW
+        limit = run.position
+        while end > 0:
+            first = max(0, end - width)
+            spots = self._window(robot, first, end, functions, limit)
+            yield from reversed(spots)
+            end, width = first, width * _WIDER
+
+    def _window(
+        self, robot: int, first: int, end: int, functions: frozenset[str] | None, limit: Position
+    ) -> list[Spot]:
+        """Gives those statements of a program that began as numbers `first` to `end` - 1."""
+        run, spots = self._run, []
+        self._to_snapshot(robot, first, limit)
+        since = {robot: first}
+        if functions is None:
+            run.arm(Marks(all=frozenset({robot}), since=since))
+        else:
+            run.arm(Marks({robot: self.inside(robot, functions)}, since=since))
+        while run.begun(robot) < end and run.position < limit:
+            if run.advance(limit).kind == "statement":
+                spot = self.spot(robot)
+                if spot is not None and spot.statements < end:
+                    spots.append(spot)
+        return spots
+
+    def _to_snapshot(self, robot: int, statements: int, before: Position) -> None:
+        """Goes to the latest snapshot before which no more than so many statements had begun."""
+        run = self._run
+        for position in run.history.back_from(before):
+            kept = run.history.at(position)
+            if int(kept.session.programs[robot].slot["statements"][0]) <= statements:
+                run.restore(kept)
+                return
+        run.restore(run.history.at(BEGINNING))
+
+    def to_timestep(self, timestep: int) -> None:
+        """Goes forward to the start of a timestep, if the run gets so far."""
+        run = self._run
+        run.arm(Marks())
+        while run.position.timestep < timestep and run.goes_on:
+            run.advance()
+
+    def to_statement(self, robot: int, statements: int) -> bool:
+        """Goes to before a statement of a program, by how many have begun before it.
+
+        Gives False when the program ends before.
+        """
+        run = self._run
+        if run.session.halted == robot and run.begun(robot) == statements:
+            return True
+        if run.begun(robot) >= statements:
+            self._to_snapshot(robot, statements, run.position)
+        run.arm(Marks(all=frozenset({robot}), since={robot: statements}))
+        while run.session.alive[robot]:
+            if run.advance().kind == "statement" and run.begun(robot) == statements:
+                return True
+        return False
