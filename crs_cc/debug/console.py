@@ -1,15 +1,43 @@
-"""What programs wrote and read, by how much of it: the run goes back, and this goes with it."""
+"""What programs wrote and read: the run goes back, and this goes back with it.
+
+All output of the run so far is one text, and the run stands at a place in it. While a piece of the
+run is done again that has been done before, the same pieces come again, and are not taken twice.
+What was read is known as well: a run that goes back reads the same again, and asks for more only
+behind all that it has ever read.
+
+>>> from crs_cc.session.host import no_input
+>>> console = Console(lambda robot, stream, content: print(robot, content.decode()), no_input)
+>>> start = console.snapshot()
+>>> console.is_live = True
+>>> console.write(0, 1, b"hello")
+0 hello
+>>> console.restore(start)
+>>> console.text()
+b''
+>>> console.write(0, 1, b"hello")
+0 hello
+>>> console.text()
+b'hello'
+"""
 
 from __future__ import annotations
 
+from array import array
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Final
 
+from crs_cc.errors import InternalError
 from crs_cc.session.host import Input, Output
+from crs_cc.source import Location
+
+_STREAMS: Final = 4
+"""More than any stream's number: a robot and a stream are kept as one number."""
 
 
 @dataclass(frozen=True, slots=True)
 class ConsolePlace:
-    """A place in what was written and read: how many pieces of each."""
+    """A place in what was written and read: how many pieces of each, the latter by robot."""
 
     written: int
     read: tuple[int, ...]
@@ -19,7 +47,7 @@ class Console:
     """The standard streams of all programs.
 
     Attributes:
-        is_live: whether what programs write is shown.
+        is_live: whether what programs write is shown as they do, for the first time or again.
     """
 
     def __init__(self, output: Output, read: Input) -> None:
@@ -27,48 +55,79 @@ class Console:
         self.is_live = False
         self._show = output
         self._ask = read
-        self._written: list[tuple[int, int, bytes]] = []
+        self._content = bytearray()
+        self._ends = array("q", [0])  # of the pieces in the content, a place before them
+        self._writers = array("q")  # of each piece
         self._at = 0
         self._reads: dict[int, list[bytes]] = {}
         self._read_at: dict[int, int] = {}
 
+    @property
+    def at(self) -> int:
+        """Gives how many pieces have been written up to here."""
+        return self._at
+
     def write(self, robot: int, stream: int, content: bytes) -> None:
-        """Takes what a program writes."""
-        if self._at == len(self._written):
-            self._written.append((robot, stream, content))
+        """Takes what a program writes.
+
+        Raises:
+            InternalError: it has been here before, and did not write this.
+        """
+        writer, at = robot * _STREAMS + stream, self._at
+        if at == len(self._writers):
+            self._writers.append(writer)
+            self._content += content
+            self._ends.append(len(self._content))
+        elif (writer, content) != (self._writers[at], self._piece(at)):
+            text = f"the run did not repeat itself: robot {robot} wrote {content!r} this time"
+            raise InternalError.at(Location("debugger"), text)
         self._at += 1
         if self.is_live:
             self._show(robot, stream, content)
 
     def read(self, robot: int, wanted: int) -> bytes:
         """Gives what a program reads: the same again where it has been read before."""
-        known = self._reads.setdefault(robot, [])
-        at = self._read_at.get(robot, 0)
+        known, at = self._reads.setdefault(robot, []), self._read_at.get(robot, 0)
         if at == len(known):
             known.append(self._ask(robot, wanted))
+        if len(known[at]) > wanted:  # the user has changed something since
+            known[at : at + 1] = known[at][:wanted], known[at][wanted:]
         self._read_at[robot] = at + 1
         return known[at]
 
     def snapshot(self) -> ConsolePlace:
-        """Gives the place."""
-        most = max(self._reads, default=-1) + 1
-        return ConsolePlace(self._at, tuple(self._read_at.get(each, 0) for each in range(most)))
+        """Gives the place where the run is."""
+        robots = range(max(self._read_at, default=-1) + 1)
+        return ConsolePlace(self._at, tuple(self._read_at.get(robot, 0) for robot in robots))
 
     def restore(self, place: ConsolePlace) -> None:
-        """Goes to a place that has been."""
+        """Goes to a place where the run has been."""
         self._at = place.written
         self._read_at = dict(enumerate(place.read))
 
     def truncate(self) -> None:
-        """Forgets what comes behind this place."""
-        del self._written[self._at :]
-        for robot, known in self._reads.items():
-            del known[self._read_at.get(robot, 0) :]
+        """Forgets the output behind this place, as it will be another one.
 
-    def text(self, robot: int | None = None) -> bytes:
-        """Gives what was written so far, by one program or by all."""
-        return b"".join(
-            content
-            for writer, _, content in self._written[: self._at]
-            if robot is None or writer == robot
-        )
+        The input stays: it is there to be read, whatever the programs do.
+        """
+        del self._content[self._ends[self._at] :]
+        del self._ends[self._at + 1 :], self._writers[self._at :]
+
+    def text(self, robot: int | None = None, since: int = 0) -> bytes:
+        """Gives what has been written up to here, by one program or by all.
+
+        Args:
+            robot: whose output; None for all.
+            since: the piece to begin with, see `at`.
+        """
+        if robot is None:
+            return bytes(self._content[self._ends[since] : self._ends[self._at]])
+        return b"".join(piece for writer, _, piece in self.pieces(since) if writer == robot)
+
+    def pieces(self, since: int = 0) -> Iterator[tuple[int, int, bytes]]:
+        """Gives robot, stream and bytes of each piece that was written up to here."""
+        for at in range(since, self._at):
+            yield *divmod(self._writers[at], _STREAMS), self._piece(at)
+
+    def _piece(self, at: int) -> bytes:
+        return bytes(self._content[self._ends[at] : self._ends[at + 1]])
