@@ -43,6 +43,8 @@ class Compiled:
         functions: the functions in the order of the numbers in their frames.
         addresses: address of each global object and function pointer of each function.
         first_function: index in the module of the first function of the program.
+        checked: whether accesses are tested.
+        trap_overflow: whether it stops at signed overflow.
     """
 
     module: Module
@@ -52,6 +54,8 @@ class Compiled:
     statements: list[StatementSite]
     functions: list[FunctionInfo]
     addresses: dict[str, int]
+    checked: bool = True
+    trap_overflow: bool = False
     _infos: dict[str, FunctionInfo] = field(default_factory=dict, repr=False)
 
     def info(self, function: str) -> FunctionInfo:

@@ -33,6 +33,7 @@ from crs_cc.runtime.executable import Executable, engine
 from crs_cc.runtime.layout import MEMORY_BYTES, STACK_TOP
 from crs_cc.runtime.pages import CHUNK
 from crs_cc.runtime.wasm import PAGE
+from crs_cc.runtime.watched import WATCHED
 from crs_cc.source import Location
 
 if TYPE_CHECKING:
@@ -64,6 +65,22 @@ class Snapshot:
     shadow_content: npt.NDArray[np.uint8]
 
 
+@dataclass(frozen=True, slots=True)
+class _Sandbox:
+    """An instance of a program, and the memories that it has.
+
+    Attributes:
+        initial: chunks of its memory that hold objects of the program.
+    """
+
+    executable: Executable
+    resume: wasmtime.Func
+    memory: npt.NDArray[np.uint8]
+    shadow: npt.NDArray[np.uint8]
+    marks: npt.NDArray[np.uint8]
+    initial: range
+
+
 class Fleet:
     """Robots' programs and their slots.
 
@@ -71,6 +88,8 @@ class Fleet:
         slots: the slots, an array of dtype `SLOT`, one for each robot.
         marks: for each robot with a debug build, a byte for each of its statements: 1 to stop
             before it. A round ends with the first robot that does.
+        watched: for each robot, what is watched in its memory, of dtype `WATCHED`, one element;
+            only watching builds look there.
     """
 
     def __init__(self, executables: Sequence[Executable]) -> None:
@@ -86,12 +105,10 @@ class Fleet:
         self._store = wasmtime.Store(engine())
         limits = wasmtime.Limits(_pages(len(executables)), _MOST_PAGES)
         self._mailbox = wasmtime.Memory(self._store, wasmtime.MemoryType(limits))
-        self._executables: list[Executable] = []
-        self._resumes: list[wasmtime.Func] = []
-        self._memories: list[npt.NDArray[np.uint8]] = []
-        self._shadows: list[npt.NDArray[np.uint8]] = []
         self.marks: list[npt.NDArray[np.uint8]] = []
-        self._initial: list[range] = []  # chunks of each memory that hold objects of the program
+        self.watched: list[npt.NDArray[np.void]] = []
+        self._sandboxes: list[_Sandbox] = []
+        self._builds: list[list[_Sandbox]] = []  # of each program all that were used
         self._fresh: list[Snapshot | None] = []  # of programs that were added
         self._made = 0
         self._start_driver(len(executables))
@@ -110,14 +127,12 @@ class Fleet:
         """
         number = len(self)
         fresh = self._fresh[number] if number < len(self._fresh) else None
-        if fresh is not None and self._executables[number] is executable:
+        if fresh is not None and self._builds[number][0].executable is executable:
             self._open(number, number + 1)
+            self.exchange(number, executable)
             self.restore(number, fresh)
             return number
-        for spare in (
-            self._executables, self._resumes, self._memories, self._shadows, self.marks,
-            self._initial, self._fresh,
-        ):  # fmt: skip
+        for spare in (self._sandboxes, self._builds, self.marks, self.watched, self._fresh):
             del spare[number:]
         with _memory_demanded(1):
             if number >= self._table.size(self._store):
@@ -151,26 +166,67 @@ class Fleet:
         assert isinstance(round_, wasmtime.Func)
         assert isinstance(table, wasmtime.Table)
         self._round, self._table = round_, table
-        for number, resume in enumerate(self._resumes):
-            table.set(self._store, number, resume)
+        for number, sandbox in enumerate(self._sandboxes):
+            table.set(self._store, number, sandbox.resume)
 
     def _instantiate(self, executable: Executable) -> None:
+        """Gives a program that is new a place behind the others."""
+        sandbox = self._sandbox(executable)
+        self.marks.append(_NO_MARKS)
+        self.watched.append(_NO_MARKS.view(WATCHED))
+        self._sandboxes.append(sandbox)
+        self._builds.append([sandbox])
+        self._fresh.append(None)
+        self._seat(len(self._sandboxes) - 1, sandbox)
+
+    def _seat(self, robot: int, sandbox: _Sandbox) -> None:
+        """Lets a sandbox be that of a robot."""
+        self._table.set(self._store, robot, sandbox.resume)
+        self._sandboxes[robot] = sandbox
+        if len(sandbox.marks):
+            self.marks[robot] = sandbox.marks[WATCHED.itemsize :]
+            self.watched[robot] = sandbox.marks[: WATCHED.itemsize].view(WATCHED)
+
+    def _sandbox(self, executable: Executable) -> _Sandbox:
         self._allow_another()
         instance = wasmtime.Instance(self._store, executable.module(), [self._mailbox])
         own = instance.exports(self._store)
         resume, heap = own["resume"], own["heap"]
         assert isinstance(resume, wasmtime.Func)
         assert isinstance(heap, wasmtime.Global)
-        self._table.set(self._store, len(self._resumes), resume)
-        self._executables.append(executable)
-        self._resumes.append(resume)
-        self._memories.append(_view(self._store, own["memory"]))
+        memory = _view(self._store, own["memory"])
         shadow = _view(self._store, own["shadow"]) if "shadow" in own else _NO_SHADOW
-        self._shadows.append(shadow[:MEMORY_BYTES])
-        self.marks.append(_view(self._store, own["marks"]) if "marks" in own else _NO_MARKS)
+        marks = _view(self._store, own["marks"]) if "marks" in own else _NO_MARKS
         end = -(-int(heap.value(self._store)) // CHUNK)
-        self._initial.append(range(STACK_TOP // CHUNK, end))
-        self._fresh.append(None)
+        initial = range(STACK_TOP // CHUNK, end)
+        return _Sandbox(executable, resume, memory, shadow[:MEMORY_BYTES], marks, initial)
+
+    def exchange(self, robot: int, executable: Executable) -> None:
+        """Moves a robot's program, as it stands, to another build of it with the same frames.
+
+        Its marks come along; what is watched does not. Builds that were used once are kept, so that
+        to change back and forth costs no more than a snapshot.
+
+        Args:
+            robot: whose program.
+            executable: a debug build or a watching build of the program that the robot has.
+
+        Raises:
+            OSError: as for a new fleet.
+        """
+        old = self._sandboxes[robot]
+        if old.executable is executable:
+            return
+        builds = self._builds[robot]
+        new = next((each for each in builds if each.executable is executable), None)
+        if new is None:
+            with _memory_demanded(1):
+                new = self._sandbox(executable)
+            builds.append(new)
+        state, marks = self.snapshot(robot), self.marks[robot]
+        self._seat(robot, new)
+        self.restore(robot, state)
+        self.marks[robot][:] = marks
 
     def _allow_another(self) -> None:
         """Lets the store hold another instance: programs that were taken out stay in it."""
@@ -180,11 +236,15 @@ class Fleet:
 
     def executable(self, robot: int) -> Executable:
         """Gives a robot's program."""
-        return self._executables[robot]
+        return self._sandboxes[robot].executable
 
     def memory(self, robot: int) -> npt.NDArray[np.uint8]:
         """Gives a robot's memory as an array of bytes that shows every change."""
-        return self._memories[robot]
+        return self._sandboxes[robot].memory
+
+    def shadow(self, robot: int) -> npt.NDArray[np.uint8]:
+        """Gives what C may do with the bytes of a robot's memory; nothing in unchecked builds."""
+        return self._sandboxes[robot].shadow
 
     def messages(self, robots: npt.NDArray[np.intp]) -> npt.NDArray[np.void]:
         """Gives copies of what robots posted, of dtype `MESSAGE`."""
@@ -220,14 +280,14 @@ class Fleet:
         slot["fuel"] = min(int(slot["fuel"]), 0)
         outside = wasmtime.TrapCode.MEMORY_OUT_OF_BOUNDS
         if isinstance(trap, wasmtime.Trap) and trap.trap_code is outside:
-            if not len(self._shadows[robot]):
+            if not len(self.shadow(robot)):
                 # Nothing but this stops a program without checks, so that no place is noted.
                 slot["error_kind"] = ERROR_KINDS.index("pointer outside memory")
                 return
             from crs_cc.runtime.diagnosis.trapped import blamed_site  # few runs need it
 
-            compiled = self._executables[robot].detail().compiled
-            site = blamed_site(trap, self._memories[robot], compiled)
+            compiled = self.executable(robot).detail().compiled
+            site = blamed_site(trap, self.memory(robot), compiled)
             if site is not None:
                 slot["error_site"], slot["error_address"] = site, MEMORY_END
                 return
@@ -245,8 +305,8 @@ class Fleet:
         value = int(slot["error_address"])
         if slot["error_kind"]:
             kind = ERROR_KINDS[slot["error_kind"]]
-            return Failure(kind, Location(self._executables[robot].name), value)
-        site = self._executables[robot].detail().compiled.sites[slot["error_site"]]
+            return Failure(kind, Location(self.executable(robot).name), value)
+        site = self.executable(robot).detail().compiled.sites[slot["error_site"]]
         trapped = value == MEMORY_END and site.size > 1
         stopped = self.stopped(robot, site.location, saved=not trapped)
         kind, stack, size, found = site.kind, stopped.stack, site.size, None
@@ -265,10 +325,10 @@ class Fleet:
         """Gives a program that has come back, and all that tells where it stands, see `Stopped`."""
         from crs_cc.runtime.diagnosis.inspect import Stopped, call_stack
 
-        detail, memory = self._executables[robot].detail(), self._memories[robot]
+        detail, memory = self.executable(robot).detail(), self.memory(robot)
         stack = tuple(call_stack(memory, detail.compiled, failed_at))
         parts = detail.program, detail.compiled, detail.lines, stack, saved
-        return Stopped(memory, self._shadows[robot], *parts)
+        return Stopped(memory, self.shadow(robot), *parts)
 
     def current_call(self, robot: int) -> ActiveCall | None:
         """Gives the innermost active function of the user's own files, and where it stands.
@@ -294,14 +354,15 @@ class Fleet:
     def snapshot(self, robot: int) -> Snapshot:
         """Gives the whole state of one robot's program."""
         slot = self.slots[robot : robot + 1].copy()
-        kept = pages.save(self._memories[robot], self._initial[robot])
-        return Snapshot(slot, *kept, *pages.save(self._shadows[robot], _NONE))
+        sandbox = self._sandboxes[robot]
+        kept = pages.save(sandbox.memory, sandbox.initial)
+        return Snapshot(slot, *kept, *pages.save(sandbox.shadow, _NONE))
 
     def restore(self, robot: int, snapshot: Snapshot) -> None:
         """Puts a state that `snapshot` gave into one robot's program."""
-        memory, shadow = self._memories[robot], self._shadows[robot]
-        pages.load(memory, self._initial[robot], snapshot.chunks, snapshot.content)
-        pages.load(shadow, _NONE, snapshot.shadow_chunks, snapshot.shadow_content)
+        sandbox = self._sandboxes[robot]
+        pages.load(sandbox.memory, sandbox.initial, snapshot.chunks, snapshot.content)
+        pages.load(sandbox.shadow, _NONE, snapshot.shadow_chunks, snapshot.shadow_content)
         self.slots[robot : robot + 1] = snapshot.slot
 
 

@@ -55,6 +55,9 @@ class Frame:
         parameters: offset from sp of each parameter.
         varargs: offset from sp of what follows the parameters.
         jump_value: offset from sp of the value that a `longjmp` brings.
+        entered: offset from sp of how many statements had begun when the function was entered; -1
+            where that is not noted. Together with fp it tells one activation from all others in
+            which the program ever stops.
     """
 
     size: int = 0
@@ -62,6 +65,7 @@ class Frame:
     parameters: list[int] = field(default_factory=list)
     varargs: int = 0
     jump_value: int = 0
+    entered: int = -1
 
 
 def red_zone(size: int) -> int:
@@ -84,6 +88,7 @@ def lay_out(
     charge: int,
     *,
     checked: bool,
+    stamped: bool = False,
 ) -> Frame:
     """Lays out a frame.
 
@@ -93,6 +98,7 @@ def lay_out(
         arguments_size: of the functions that it calls, the most [bytes].
         charge: what to count for the locals, which the host may keep on its stack [bytes].
         checked: leave red zones.
+        stamped: note when the function was entered.
 
     Raises:
         CompileError: a local variable wants to be aligned more strictly than frames are.
@@ -108,6 +114,9 @@ def lay_out(
         offset = round_up(offset, 4)
         frame.jump_value = offset
         offset += 4
+    if stamped:
+        frame.entered = offset = round_up(offset, 8)
+        offset += 8
     offset += red_zone(0) if checked and function.slots else 0
     for slot in function.slots:
         _check_alignment(slot, function)

@@ -134,6 +134,37 @@ def _compile(
     return make_executable(program, name, lines=lines, **flags)
 
 
+def build_watching(executable: Executable) -> Executable:
+    """Gives the watching build of a program, from the cache if it was made before.
+
+    What is known of the code is the same for both builds, see `codegen.watching`; so this has that
+    of the other.
+
+    Args:
+        executable: its debug build.
+    """
+    name = cache.key("watching", executable.machine_code)
+    entry = cache.load(name, bytes)
+    known = entry and load_executable(executable.name, entry, executable.detail)
+    if known:
+        return known
+
+    from crs_cc.runtime.executable import make_executable
+
+    old = executable.detail()
+    with without_collector():
+        made = make_executable(
+            old.program,
+            executable.name,
+            checked=old.compiled.checked,
+            debug=True,
+            watching=True,
+            trap_overflow=old.compiled.trap_overflow,
+        )
+    cache.store(name, made.machine_code)
+    return replace(made, detail=executable.detail)
+
+
 def _unchanged(entry: _Entry) -> bool:
     return all(digest(Path(file)) == known for file, known in entry.digests.items())
 

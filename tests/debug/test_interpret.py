@@ -24,7 +24,7 @@ class Bytes:
 
     def __init__(self, fleet: Fleet) -> None:
         self.memory = fleet.memory(0)
-        self.shadow = fleet._shadows[0]
+        self.shadow = fleet.shadow(0)
 
     def read(self, address: int, size: int) -> bytes:
         return self.memory[address : address + size].tobytes()

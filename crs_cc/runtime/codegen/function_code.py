@@ -53,7 +53,6 @@ from crs_cc.runtime.codegen.indices import (
     FUEL,
     LABEL,
     MAILBOX,
-    MARKS_GLOBAL,
     MEMORY,
     SHADOW,
     SITE,
@@ -61,6 +60,7 @@ from crs_cc.runtime.codegen.indices import (
     SP,
     STATUS,
 )
+from crs_cc.runtime.codegen.marks import begin, stop_if_marked
 from crs_cc.runtime.codegen.names import Names
 from crs_cc.runtime.codegen.nesting import emit
 from crs_cc.runtime.codegen.plain_memory import PlainMemory
@@ -132,7 +132,9 @@ class _FunctionCode:
         self.saved = self.registers.saved
         charge += self.registers.charge
         sizes = self._arguments_size(), charge
-        self.frame = lay_out(function, self.saved, *sizes, checked=checked)
+        self.stamped = debug and not function.trusted
+        parts = function, self.saved
+        self.frame = lay_out(*parts, *sizes, checked=checked, stamped=self.stamped)
         self.selector = selector = Selector(names, self.frame)
         if checked:
             selector.memory = PlainMemory(selector, shadowed=True)
@@ -141,7 +143,8 @@ class _FunctionCode:
             traps = build.trap_overflow
             selector.arithmetic = CheckedArithmetic(selector, traps_overflow=traps)
         if build.watch and not function.trusted:
-            selector.watching = Watching(selector, build.watch)
+            library = in_library(function.location)
+            selector.watching = Watching(selector, build.watch, library=library)
         self.nodes = {block: Node() for block in function.blocks}
         self.landings: list[tuple[Landing, Location, str | Register | None]] = []
         self.calls: dict[int, Landing] = {}
@@ -248,6 +251,9 @@ class _FunctionCode:
         code += [("local.get", FUEL), ("i64.const", 0), ("i64.lt_s",), UNLIKELY]
         self.selector.store_at(FP, FUNCTION, Constant("i32", self.number), "i32")
         code += [("i32.const", SUSPENDED), ("local.get", FUEL), ("return",), ("end",)]
+        if self.stamped:
+            code += [("local.get", SP), ("global.get", BEGUN_GLOBAL)]
+            code.append(("i64.store", MEMORY, self.frame.entered))
         for parameter, offset in zip(self.function.parameters, self.frame.parameters, strict=True):
             self._load_parameter(parameter, offset)
         if self.shadowed:
@@ -269,7 +275,7 @@ class _FunctionCode:
         if any(isinstance(end, Call | LongJump) for end in ends):
             activations = [end.activation for end in ends if isinstance(end, SetJump)]
             activation = [self.selector.value(each) for each in activations[:1]]
-            left = frame_states.leave(self.function, self.frame) if self.shadowed else []
+            left = [*self.returning(), *self.left()]
             code += jumps.leave(activation, self.frame.jump_value, left)
         for register in self.saved:
             self.selector.store_at(SP, self.frame.offsets[register], register, register.type)
@@ -322,20 +328,10 @@ class _FunctionCode:
         following = Node()
         landing = self.land(following, statement.location)
         number = self.names.statement_number(StatementSite(self.function.name, statement.location))
-        node.code += [
-            ("global.get", MARKS_GLOBAL), ("i32.load8_u", self.marks, number), UNLIKELY,
-            ("global.get", BEGUN_GLOBAL),
-            ("global.get", SLOT_GLOBAL), ("i64.load", MAILBOX, slot_offset("stop_from")),
-            ("i64.ge_s",), ("if",),
-            ("global.get", SLOT_GLOBAL), ("i32.const", number + 1),
-            ("i32.store", MAILBOX, slot_offset("stopped")),
-            *self.suspend(landing), ("end",), ("end",),
-        ]  # fmt: skip
+        watching, suspend = self.selector.watching is not None, self.suspend(landing)
+        node.code += stop_if_marked(self.marks, number, suspend, watching=watching)
         node.jump(following)
-        following.code += [
-            ("global.get", BEGUN_GLOBAL), ("i64.const", 1), ("i64.add",),
-            ("global.set", BEGUN_GLOBAL),
-        ]  # fmt: skip
+        following.code += begin()
         self.selector.forget()
         self.selector.code = following.code
         return following
@@ -364,14 +360,21 @@ class _FunctionCode:
                 self.long_jump(node, jump)
 
     def leave(self, node: Node, value: Operand | None) -> None:
-        if self.shadowed:
-            node.code += frame_states.leave(self.function, self.frame)
+        node.code += [*self.returning(), *self.left()]
         if value is not None:
             kind: ValueType = value.type
             self.selector.store_at(FP, RESULT, value, kind)
         elif self.function.name in self.names.without_value:
             self.selector.store_at(FP, FUNCTION, Constant("i32", NO_VALUE), "i32")
         node.code += [("i32.const", 0), ("local.get", FUEL), ("return",)]
+
+    def returning(self) -> list[Instr]:
+        """Watching builds: tells that the frame ends."""
+        return [] if self.selector.watching is None else self.selector.watching.returning()
+
+    def left(self) -> list[Instr]:
+        """Makes the frame inaccessible."""
+        return frame_states.leave(self.function, self.frame) if self.shadowed else []
 
     def call(self, node: Node, call: Call) -> None:
         selector = self.selector
@@ -476,11 +479,13 @@ class _FunctionCode:
         node.code += [selector.value(jump.buffer), (LANDING, landing), ("i32.store", MEMORY, 0)]
         selector.push(zero)
         selector.pop(jump.result)
+        selector.follow(jump)
         node.jump(after)
         selector.forget()
         selector.code = landed.code
         selector.load_at(SP, self.frame.jump_value, "i32")
         selector.pop(jump.result)
+        selector.follow(jump)
         landed.jump(after)
 
     def long_jump(self, node: Node, jump: LongJump) -> None:

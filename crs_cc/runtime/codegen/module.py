@@ -24,9 +24,10 @@ from crs_cc.runtime.codegen.indices import (
     SHADOW,
     SLOT_GLOBAL,
 )
+from crs_cc.runtime.codegen.marks import add_marks
 from crs_cc.runtime.codegen.names import Names
 from crs_cc.runtime.codegen.signatures import asked_for_values, pointer_tables
-from crs_cc.runtime.codegen.watching import WATCH_SIZE, watch, watching_begins
+from crs_cc.runtime.codegen.watching import watch, watching_begins
 from crs_cc.runtime.compiled import Compiled
 from crs_cc.runtime.layout import (
     HEADER_SIZE,
@@ -118,7 +119,8 @@ def compile_program(
         _resume(numbers[ROOT], len(names.statements), begin if watching else [])
     )
     if watching:
-        module.functions.append(watch(SHADOW + checked, len(names.statements)))
+        count = len(names.statements)
+        module.functions.append(watch(SHADOW + checked, count, checked=checked))
     module.exports = [
         ("memory", "memory", MEMORY),
         ("resume", "func", own_and_program),
@@ -135,9 +137,17 @@ def compile_program(
         module.exports.append(("shadow", "memory", SHADOW))
         _add_start(module, program, addresses)
     if debug:
-        _add_marks(module, len(names.statements))
+        add_marks(module, len(names.statements))
     return Compiled(
-        module, len(own), names.sites, names.call_sites, names.statements, infos, addresses
+        module,
+        len(own),
+        names.sites,
+        names.call_sites,
+        names.statements,
+        infos,
+        addresses,
+        checked,
+        trap_overflow,
     )
 
 
@@ -227,13 +237,6 @@ def _outside() -> Code:
         ("i32.const", MEMORY_BYTES - NULL_SIZE), ("local.get", 1), ("i32.sub",), ("i32.gt_u",),
     ]  # fmt: skip
     return Code("outside", _TWO_I32, [], body)
-
-
-def _add_marks(module: Module, statements: int) -> None:
-    """Adds the memory `marks`: a byte for each statement, as many that are all set, and ranges."""
-    module.exports.append(("marks", "memory", len(module.memories) + 1))
-    module.memories.append(-(-(2 * statements + WATCH_SIZE) // PAGE))
-    module.data.append((len(module.memories), statements, b"\1" * statements))
 
 
 def _resume(root: int, statements: int, begin: list[Instr]) -> Code:

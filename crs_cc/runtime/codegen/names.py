@@ -23,6 +23,7 @@ class Names:
         sites: every place that can fail.
         call_sites: every place that calls, by its number less 1.
         statements: the statements before which a debugger can stop.
+        accesses: how many instructions have a number, see `watching.accesses`.
     """
 
     addresses: dict[str, int]
@@ -35,6 +36,7 @@ class Names:
     sites: list[Site] = field(default_factory=list)
     call_sites: list[CallSite] = field(default_factory=list)
     statements: list[StatementSite] = field(default_factory=list)
+    accesses: int = 0
 
     def number(self, site: Site) -> int:
         """Enters a place that can fail; gives its number."""

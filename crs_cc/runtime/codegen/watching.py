@@ -2,91 +2,115 @@
 
 A watching build is a debug build with the same frames and the same landings, so that a program can
 be moved from one to the other wherever it has stopped; only while something is watched it runs in
-the slower one. The ranges lie in the memory `marks`, behind the marks, `RANGES` of them:
+the slower one. The ranges lie in front of the marks, see `runtime.watched`.
 
-    bytes 0 to 3     the first address
-    bytes 4 to 7     how many bytes, 0 for a range that is not in use
-    bytes 8 to 11    which accesses count: `READ`, `WRITE` or both
-    bytes 12 to 15   which accesses there were since somebody cleared this
+The first access that counts makes the program stop before its next statement, whatever its slot
+says of where to stop, and changes nothing there: who steps and who watches do not disturb each
+other. A variable that lives in a register is watched at its place in the frame, where it is found
+when the program has stopped. A function that returns, or that a `longjmp` leaves, tells of its
+header, so that a watch on a local variable can end with its frame.
 
-Before them stand the first address of all bytes among which these ranges lie, less 7, and how many
-they are: most accesses are elsewhere, and are found to be so where they happen.
-
-The first access that counts marks all statements, so that the program stops before the next one.
-A variable that lives in a register is watched at its place in the frame, where it is found when the
-program has stopped.
+Each access of the user's files has a number, see `accesses`; of one of the library's the calls that
+led there are kept (in checked builds, which know them).
 """
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.ir.names import in_library
 from crs_cc.ir.program import (
     MEMORY_SIZE,
+    Call,
+    Constant,
     Copy,
     Fill,
     Instruction,
     Load,
     Operand,
+    Program,
     Register,
+    SetJump,
+    Statement,
     Store,
 )
-from crs_cc.ir.uses import reads, writes
-from crs_cc.requests import slot_offset
+from crs_cc.ir.uses import all_instructions, reads, writes
 from crs_cc.runtime.codegen.indices import (
     ADDRESS,
-    MAILBOX,
+    BEGUN_GLOBAL,
+    FP,
     MARKS_GLOBAL,
-    SLOT_GLOBAL,
+    MEMORY,
     SP,
     SPAN_GLOBAL,
     WATCHED_GLOBAL,
 )
+from crs_cc.runtime.layout import RESULT
+from crs_cc.runtime.sites import FRAME_BITS, FRAME_UNIT, SITE_BITS, StatementSite
 from crs_cc.runtime.wasm import UNLIKELY, Code, FuncType, Instr
+from crs_cc.runtime.watched import CALLERS, RANGE, READ, RETURN, WRITE, offset, range_offset
 
 if TYPE_CHECKING:
     from crs_cc.runtime.codegen.writer import Writer
 
-RANGES: Final = 8
-RANGE_SIZE: Final = 16
-WATCH_SIZE: Final = 8 + RANGES * RANGE_SIZE
-READ, WRITE = 1, 2
-"""What an access does."""
-
-_TYPE: Final[FuncType] = (("i32", "i32", "i32"), ())
+_TYPE: Final[FuncType] = (("i32", "i32", "i32", "i32", "i32"), ())
 _SIZES: Final = {"i32": 4, "i64": 8, "f32": 4, "f64": 8}
+
+
+def accesses(program: Program) -> list[StatementSite]:
+    """Gives the place of every access that has a number, the first one that of number 1."""
+    return [
+        StatementSite(function.name, instruction.location)
+        for function in program.functions.values()
+        if not in_library(function.location)
+        for block in function.blocks
+        for instruction in all_instructions(block)
+        if not isinstance(instruction, Statement)
+    ]
 
 
 class Watching:
     """Writes what tells of the accesses of one function."""
 
-    def __init__(self, writer: Writer, watch: int) -> None:
-        """Takes the function's writer, and the index of the module's function `watch`."""
+    def __init__(self, writer: Writer, watch: int, *, library: bool) -> None:
+        """Takes the function's writer, the index of the function `watch`, and whose it is."""
         self._writer = writer
         self._watch = watch
+        self._library = library
+        self._place = 0
 
     def before(self, it: Instruction) -> None:
-        """Tells what an instruction, terminators too, reads."""
+        """Tells what an instruction, terminators too, reads, and which memory it writes."""
+        if not self._library:
+            self._writer.names.accesses += 1
+            self._place = self._writer.names.accesses
         for register in dict.fromkeys(reads(it)):
             self._register(register, READ)
         match it:
-            case Load():
+            case Load() | Store():
                 self._writer.address(it.base, it.offset)
-                self._compare(MEMORY_SIZE[it.memory], READ)
-            case Store():
-                self._writer.address(it.base, it.offset)
-                self._compare(MEMORY_SIZE[it.memory], WRITE)
+                self._compare(MEMORY_SIZE[it.memory], READ if isinstance(it, Load) else WRITE)
             case Copy():
                 self._tell(it.source, it.size, READ)
                 self._tell(it.target, it.size, WRITE)
             case Fill():
                 self._tell(it.target, it.size, WRITE)
+            case SetJump():
+                self._writer.push(it.buffer)
+                self._compare(_SIZES["i32"], WRITE)
+            case Call():
+                for each in (each for each in it.arguments if each.memory is None):
+                    self._tell(each.value, Constant("i32", each.size), READ)
 
     def follow(self, it: Instruction) -> None:
         """Tells which variable an instruction has written."""
         result = writes(it)
         if result is not None:
             self._register(result, WRITE)
+
+    def returning(self) -> list[Instr]:
+        """Tells that the function's frame ends."""
+        return [("local.get", FP), *self._compared(1, RETURN)]
 
     def _register(self, register: Register, access: int) -> None:
         if register.variable is not None:
@@ -95,62 +119,106 @@ class Watching:
             self._compare(_SIZES[register.type], access)
 
     def _compare(self, size: int, access: int) -> None:
+        self._writer.code += self._compared(size, access)
+
+    def _compared(self, size: int, access: int) -> list[Instr]:
         """Tells of an access to the address that was pushed, where it may be a watched one."""
-        self._writer.code += [
+        return [
             ("local.tee", ADDRESS), ("global.get", WATCHED_GLOBAL), ("i32.sub",),
             ("global.get", SPAN_GLOBAL), ("i32.lt_u",), UNLIKELY,
-            ("local.get", ADDRESS), ("i32.const", size), ("i32.const", access),
-            ("call", self._watch), ("end",),
+            ("local.get", ADDRESS), ("i32.const", size), *self._told(access), ("end",),
         ]  # fmt: skip
 
     def _tell(self, address: Operand, size: Operand, access: int) -> None:
         self._writer.push(address)
         self._writer.push(size)
-        self._writer.code += [("i32.const", access), ("call", self._watch)]
+        self._writer.code += self._told(access)
+
+    def _told(self, access: int) -> list[Instr]:
+        place = [("i32.const", access), ("i32.const", self._place), ("local.get", FP)]
+        return [*place, ("call", self._watch)]
 
 
-def watch(marks: int, statements: int) -> Code:
-    """Gives `watch(address, size, access)`, which compares an access with all ranges.
+def watch(marks: int, statements: int, *, checked: bool) -> Code:
+    """Gives `watch(address, size, access, place, fp)`, which compares an access with all ranges.
 
     Args:
         marks: index of the memory of the marks.
         statements: how many statements there are.
+        checked: whether headers tell who called, see `sites`.
     """
-    address, size, access, at = range(4)
-    first = 2 * statements + 8
+    address, size, access, place, fp, at = range(6)
+
+    def get(field: str) -> list[Instr]:
+        return [("local.get", at), ("i32.load", marks, range_offset(field))]
+
     body: list[Instr] = [
-        ("i32.const", first), ("local.set", at),
+        ("i32.const", offset("ranges")), ("local.set", at),
         ("loop",),
-        ("local.get", at), ("i32.load", marks, 4), ("if",),
-        ("local.get", at), ("i32.load", marks, 8), ("local.get", access), ("i32.and",), ("if",),
+        ("local.get", at), ("i32.const", 0), ("i32.load", marks, offset("end")), ("i32.ge_u",),
+        ("if",), ("return",), ("end",),
+        *get("kinds"), ("local.get", access), ("i32.and",), ("if",),
+        ("global.get", BEGUN_GLOBAL),
+        ("local.get", at), ("i64.load", marks, range_offset("since")), ("i64.ge_s",),
         # first < address + size, and address < first + size of the range
-        ("local.get", at), ("i64.load32_u", marks, 0),
+        ("local.get", at), ("i64.load32_u", marks, range_offset("first")),
         ("local.get", address), ("i64.extend_i32_u",),
         ("local.get", size), ("i64.extend_i32_u",), ("i64.add",), ("i64.lt_u",),
         ("local.get", address), ("i64.extend_i32_u",),
-        ("local.get", at), ("i64.load32_u", marks, 0),
-        ("local.get", at), ("i64.load32_u", marks, 4), ("i64.add",), ("i64.lt_u",),
-        ("i32.and",), UNLIKELY,
-        ("local.get", at),
-        ("local.get", at), ("i32.load", marks, 12), ("local.get", access), ("i32.or",),
-        ("i32.store", marks, 12),
+        ("local.get", at), ("i64.load32_u", marks, range_offset("first")),
+        ("local.get", at), ("i64.load32_u", marks, range_offset("size")),
+        ("i64.add",), ("i64.lt_u",),
+        ("i32.and",), ("i32.and",), UNLIKELY,
+        ("local.get", at), *get("hits"), ("local.get", access), ("i32.or",),
+        ("i32.store", marks, range_offset("hits")),
+        ("local.get", at), ("local.get", place), ("i32.store", marks, range_offset("place")),
+        *(_callers(marks, place, fp, at) if checked else []),
+        ("i32.const", 0), ("i32.const", 1), ("i32.store", marks, offset("pending")),
         ("i32.const", statements), ("global.set", MARKS_GLOBAL),
-        ("global.get", SLOT_GLOBAL), ("i32.const", 1),
-        ("i32.store", MAILBOX, slot_offset("stop_before_all")),
-        ("global.get", SLOT_GLOBAL), ("i64.const", 0),
-        ("i64.store", MAILBOX, slot_offset("stop_from")),
-        ("end",), ("end",), ("end",),
-        ("local.get", at), ("i32.const", RANGE_SIZE), ("i32.add",), ("local.tee", at),
-        ("i32.const", first + RANGES * RANGE_SIZE), ("i32.lt_u",), ("br_if", 0),
-        ("end",),
+        ("end",), ("end",),
+        ("local.get", at), ("i32.const", RANGE.itemsize), ("i32.add",), ("local.set", at),
+        ("br", 0), ("end",),
     ]  # fmt: skip
-    return Code("watch", _TYPE, ["i32"], body)
+    return Code("watch", _TYPE, ["i32", "i32", "i64", "i32"], body)
+
+
+def _callers(marks: int, place: int, fp: int, at: int) -> list[Instr]:
+    """Notes which calls led to an access in the library; the outermost header tells of none."""
+    target, word, header = at + 1, at + 2, at + 3
+    return [
+        ("local.get", place), ("i32.eqz",), ("if",),
+        ("local.get", fp), ("local.set", header),
+        ("local.get", at), ("local.set", target),
+        ("loop",),
+        ("local.get", target),
+        ("local.get", header), ("i64.load", MEMORY, RESULT), ("local.tee", word),
+        ("i32.wrap_i64",), ("i32.const", (1 << SITE_BITS) - 1), ("i32.and",),
+        ("i32.store", marks, range_offset("callers")),
+        ("local.get", word), ("i64.const", SITE_BITS), ("i64.shr_u",), ("i32.wrap_i64",),
+        ("i32.const", (1 << FRAME_BITS) - 1), ("i32.and",), ("i32.const", FRAME_UNIT), ("i32.mul",),
+        ("local.get", header), ("i32.add",), ("local.set", header),
+        ("local.get", target), ("i32.const", 4), ("i32.add",), ("local.tee", target),
+        ("local.get", at), ("i32.const", 4 * CALLERS), ("i32.add",), ("i32.lt_u",),
+        ("br_if", 0), ("end",), ("end",),
+    ]  # fmt: skip
 
 
 def watching_begins(marks: int, statements: int) -> list[Instr]:
-    """Gives what `resume` does so that most accesses need not be told of."""
-    at = ("i32.const", 2 * statements)
+    """Gives what `resume` does so that most accesses need not be told of, and none is forgotten."""
+    at = ("i32.const", 0)
     return [
-        at, ("i32.load", marks, 0), ("global.set", WATCHED_GLOBAL),
-        at, ("i32.load", marks, 4), ("global.set", SPAN_GLOBAL),
+        at, ("i32.load", marks, offset("first")), ("global.set", WATCHED_GLOBAL),
+        at, ("i32.load", marks, offset("span")), ("global.set", SPAN_GLOBAL),
+        at, ("i32.load", marks, offset("pending")), ("if",),
+        ("i32.const", statements), ("global.set", MARKS_GLOBAL), ("end",),
     ]  # fmt: skip
+
+
+def is_pending(marks: int) -> list[Instr]:
+    """Joins to the test whether to stop before a statement what was watched."""
+    return [("i32.const", 0), ("i32.load", marks, offset("pending")), ("i32.or",)]
+
+
+def stops(marks: int) -> list[Instr]:
+    """Gives what a stop before a statement does."""
+    return [("i32.const", 0), ("i32.const", 0), ("i32.store", marks, offset("pending"))]

@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from crs_cc.ir.program import Program
 from crs_cc.runtime.compiled import Compiled
-from crs_cc.runtime.layout import FUNCTION, HEADER_SIZE, NULL_SIZE, RESUME, STACK_TOP
+from crs_cc.runtime.layout import FUNCTION, HEADER_SIZE, NULL_SIZE, RESUME, STACK_TOP, Frame
 from crs_cc.runtime.link import ROOT
 from crs_cc.source import Location
 
@@ -26,11 +26,13 @@ class StackFrame:
         function: its name.
         location: where it goes on, or where it failed.
         fp: address of its header and arguments, see `layout`.
+        entered: how many statements had begun when it was entered; -1 when that is not known.
     """
 
     function: str
     location: Location
     fp: int
+    entered: int = -1
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +84,8 @@ def call_stack(
         info = compiled.functions[number]
         landing = _word(memory, fp + RESUME)
         location = info.landings.get(landing, info.function.location)
-        frames.append(StackFrame(info.function.name, location, fp))
+        entered = _entered(memory, info.frame, fp) if landing else -1
+        frames.append(StackFrame(info.function.name, location, fp, entered))
         if landing not in info.callees:
             break
         fp -= info.frame.size
@@ -96,6 +99,13 @@ def call_stack(
     if failed_at is not None:
         frames[-1] = replace(frames[-1], location=failed_at)
     return frames[::-1]
+
+
+def _entered(memory: npt.NDArray[np.uint8], frame: Frame, fp: int) -> int:
+    at = fp - frame.size + frame.entered
+    if frame.entered < 0 or at < NULL_SIZE:
+        return -1
+    return int(memory[at : at + 8].view("<i8")[0])
 
 
 def _word(memory: npt.NDArray[np.uint8], address: int) -> int:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from crs_cc.requests import SUSPENDED
-from crs_cc.runtime.codegen.watching import RANGE_SIZE, RANGES, READ, WRITE
+from crs_cc.runtime.codegen.watching import accesses
 from crs_cc.runtime.executable import Executable, make_executable
 from crs_cc.runtime.fleet import Fleet
+from crs_cc.runtime.watched import RANGE, RANGES, READ, WRITE, offset
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Host, HostRequest
 from crs_cc.source import Diagnostics
@@ -64,22 +64,20 @@ class Stepped:
             self.status = self.host.exit_status[0]
         return None
 
-    def ranges(self) -> np.ndarray:
-        """Gives the ranges that are watched: first address, size, kinds, hits of each."""
-        first = 8 + 2 * len(self.executable.detail().compiled.statements)
-        marks = self.fleet.marks[0][first : first + RANGES * RANGE_SIZE]
-        return marks.view("<u4").reshape(RANGES, 4)
-
     def stops(self, address: int, size: int, kind: int, number: int = 0) -> list[int]:
         """Gives the lines where it stops when bytes are watched."""
-        self.ranges()[number] = address, size, kind, 0
-        places = self.executable.detail().compiled.statements
-        self.fleet.marks[0][2 * len(places) :][:8].view("<u4")[:] = address - 7, size + 7
+        watched = self.fleet.watched[0][0]
+        watched["first"], watched["span"] = address - 7, size + 7
+        watched["end"] = offset("ranges") + (number + 1) * RANGE.itemsize
+        mine = watched["ranges"][number]
+        mine["first"], mine["size"], mine["kinds"] = address, size, kind
         found = []
         while (line := self.to_stop()) is not None:
-            assert self.ranges()[number, 3] & kind
-            self.ranges()[number, 3] = 0
-            self.fleet.slots["stop_before_all"] = 0
+            assert int(mine["hits"]) == kind
+            assert not watched["pending"]
+            mine["hits"] = 0
+            place = accesses(self.executable.program)[int(mine["place"]) - 1]
+            assert place.location.line, place
             found.append(line)
         return found
 

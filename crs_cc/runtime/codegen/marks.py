@@ -1,0 +1,49 @@
+"""The marks of debug builds: a byte for each statement of the user's files, 1 to stop before it.
+
+They lie in a memory of their own, behind what is watched (`runtime.watched`). Behind them are as
+many that are all set: to stop before every statement is to look there.
+"""
+
+from __future__ import annotations
+
+from crs_cc.requests import slot_offset
+from crs_cc.runtime.codegen.indices import BEGUN_GLOBAL, MAILBOX, MARKS_GLOBAL, SLOT_GLOBAL
+from crs_cc.runtime.codegen.watching import is_pending, stops
+from crs_cc.runtime.wasm import PAGE, UNLIKELY, Instr, Module
+from crs_cc.runtime.watched import WATCHED
+
+
+def add_marks(module: Module, statements: int) -> None:
+    """Adds the memory `marks` to a module with so many statements."""
+    first = WATCHED.itemsize + statements
+    module.exports.append(("marks", "memory", len(module.memories) + 1))
+    module.memories.append(-(-(first + statements) // PAGE))
+    module.data.append((len(module.memories), first, b"\1" * statements))
+
+
+def stop_if_marked(marks: int, number: int, suspend: list[Instr], *, watching: bool) -> list[Instr]:
+    """Stops before a marked statement, when enough others have begun.
+
+    Args:
+        marks: index of the memory of the marks.
+        number: the statement's.
+        suspend: leaves the function.
+        watching: stop, too, where something that is watched was accessed.
+    """
+    return [
+        ("global.get", MARKS_GLOBAL), ("i32.load8_u", marks, WATCHED.itemsize + number), UNLIKELY,
+        ("global.get", BEGUN_GLOBAL),
+        ("global.get", SLOT_GLOBAL), ("i64.load", MAILBOX, slot_offset("stop_from")),
+        ("i64.ge_s",), *(is_pending(marks) if watching else []), ("if",),
+        ("global.get", SLOT_GLOBAL), ("i32.const", number + 1),
+        ("i32.store", MAILBOX, slot_offset("stopped")),
+        *(stops(marks) if watching else []), *suspend, ("end",), ("end",),
+    ]  # fmt: skip
+
+
+def begin() -> list[Instr]:
+    """Counts a statement that begins."""
+    return [
+        ("global.get", BEGUN_GLOBAL), ("i64.const", 1), ("i64.add",),
+        ("global.set", BEGUN_GLOBAL),
+    ]  # fmt: skip
