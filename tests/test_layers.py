@@ -41,6 +41,7 @@ CONFINED = {
     "lxml": ("sim/files/xml_document.py", "cli/svg.py"),
     "rich": ("cli/", "debug/"),
     "click": ("cli/",),
+    "textual": ("debug/tui/",),
 }
 ANYWHERE = {"numpy"}
 

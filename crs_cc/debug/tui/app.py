@@ -1,0 +1,279 @@
+"""The screen as a whole: keys and commands go to the debugger, what it looks like then comes back.
+
+The debugger works in a thread of its own, one order after the other, so that the screen stays
+alive; the one thing done to it from here while it works is to interrupt it.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass
+from typing import ClassVar, Final
+
+from textual.app import App, ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Horizontal
+from textual.message import Message
+from textual.timer import Timer
+from textual.widgets import Label
+
+from crs_cc.debug.tui.bars import Button, ButtonBar, StatusBar
+from crs_cc.debug.tui.chart_pane import ChartPane
+from crs_cc.debug.tui.choices import Choices
+from crs_cc.debug.tui.command_line import CommandLine
+from crs_cc.debug.tui.help_page import HelpPage
+from crs_cc.debug.tui.keys import SHORTCUTS
+from crs_cc.debug.tui.look import Key, Look
+from crs_cc.debug.tui.panes import Panes
+from crs_cc.debug.tui.source_pane import SourcePane
+from crs_cc.debug.tui.texts import Console
+from crs_cc.debug.tui.time_line import TimeLine
+from crs_cc.debug.tui.variables_pane import VariablesPane
+from crs_cc.debug.tui.work import Done, Order, Work
+
+_WAIT_S: Final = 0.15  # before it is said that something runs: most orders are done sooner
+
+
+@dataclass
+class Finished(Message):
+    """An order is done."""
+
+    order: Order
+    done: Done
+
+
+class DebugApp(App[int]):
+    """The full screen of the debugger.
+
+    Args:
+        work: the debugger's side.
+    """
+
+    TITLE = "crs debug"
+    CSS_PATH = "layout.tcss"
+    ENABLE_COMMAND_PALETTE = False
+    HORIZONTAL_BREAKPOINTS = [(0, "-narrow"), (110, "-wide")]
+    VERTICAL_BREAKPOINTS = [
+        (0, "-low"),
+        (16, "-middle"),
+        (34, "-tall"),
+    ]
+    BINDINGS: ClassVar[list[BindingType]] = [
+        *(
+            Binding(each.keys, each.action or f"press({each.command!r})", show=False, priority=True)
+            for each in SHORTCUTS
+            if each.keys
+        ),
+        *(
+            Binding(each.letter, each.action or f"press({each.command!r})", show=False)
+            for each in SHORTCUTS
+            if each.letter
+        ),
+    ]
+
+    def __init__(self, work: Work) -> None:
+        super().__init__()
+        self._work = work
+        self._orders: deque[Order] = deque()
+        self._current: Order | None = None
+        self._slow: Timer | None = None
+        self._unfolded: set[Key] = set()
+        self._chart_size = (0, 0)
+        self._look = Look()
+        self._leaving = False
+
+    def compose(self) -> ComposeResult:
+        """Makes the screen."""
+        yield StatusBar(id="status")
+        yield Panes(id="panes")
+        yield TimeLine(id="time")
+        with Horizontal(id="prompt"):
+            yield Label("(crs) ")
+            yield CommandLine(self._work.complete, id="command")
+        yield ButtonBar(id="keys")
+
+    def on_mount(self) -> None:
+        """Shows the start."""
+        self.query_one("#keys", ButtonBar).buttons = tuple(
+            Button(each.label, f"simulate('{each.keys.split(',')[0]}')", each.shown)
+            for each in SHORTCUTS
+            if each.label
+        )
+        self.query_one(CommandLine).focus()
+        self._order(Order())
+
+    @property
+    def is_idle(self) -> bool:
+        """Tells whether the debugger has nothing to do."""
+        return self._current is None and not self._orders
+
+    # -- orders to the debugger ----------------------------------------------------------------
+
+    def _order(self, order: Order) -> None:
+        """Passes an order on, when those before are done."""
+        self._orders.append(order)
+        self._go_on()
+
+    def _go_on(self) -> None:
+        if self._current is not None or not self._orders:
+            return
+        order = self._current = self._orders.popleft()
+        order = Order(order.line, order.is_typed, frozenset(self._unfolded), self._chart_size)
+        if order.line is not None:
+            self._slow = self.set_timer(_WAIT_S, self._say_running)
+        self.run_worker(lambda: self._do(order), thread=True, exit_on_error=False)
+
+    def _do(self, order: Order) -> None:
+        """Does an order; in the debugger's thread."""
+        self.post_message(Finished(order, self._work.do(order)))
+
+    def on_finished(self, message: Finished) -> None:
+        """Shows what came of an order."""
+        order, done = message.order, message.done
+        self._current = None
+        if self._slow is not None:
+            self._slow.stop()
+        self.query_one(StatusBar).running = ""
+        if self._leaving or done.leaves:
+            self.exit(0)
+            return
+        self._tell(order, done)
+        self._show(done.look, moved=done.moved)
+        self._go_on()
+
+    def _tell(self, order: Order, done: Done) -> None:
+        console = self.query_one("#console", Console)
+        if order.line is not None:
+            console.echo(order.line)
+        console.answer(done.answer)
+        for line in done.errors:
+            console.error(line)
+        if (order.is_typed and done.answer.plain) or done.errors:
+            self.query_one(Panes).pick("console")
+            self.screen.add_class("-answer")
+
+    def _show(self, look: Look, *, moved: bool) -> None:
+        if moved:
+            self.screen.remove_class("-answer")
+        self._look = look
+        self.query_one(StatusBar).look = look
+        self.query_one(Panes).show(look, moved=moved)
+        line = self.query_one(TimeLine)
+        line.end_s, line.time_s, line.happened = look.end_s, look.time_s, look.events
+
+    def _say_running(self) -> None:
+        if self._current is not None and self._current.line is not None:
+            self.query_one(StatusBar).running = self._current.line or "again"
+
+    # -- what the user does --------------------------------------------------------------------
+
+    def action_press(self, command: str) -> None:
+        """Does what a key stands for, unless something runs: keys held down do not pile up."""
+        if self._current is None:
+            self._order(Order(command))
+
+    def action_interrupt(self) -> None:
+        """Stops what runs; else copies what is marked."""
+        if self._current is not None:
+            self._orders.clear()
+            self._work.interrupt()
+        elif marked := self.screen.get_selected_text():
+            self.copy_to_clipboard(marked)
+
+    async def action_quit(self) -> None:
+        """Leaves as soon as what runs has stopped."""
+        self._leaving = True
+        if self._current is None:
+            self.exit(0)
+        self._work.interrupt()
+
+    def action_breakpoint(self) -> None:
+        """Sets a breakpoint at the marked line of the source, or removes it."""
+        self._toggle(self.query_one(SourcePane).cursor)
+
+    def action_here(self) -> None:
+        """Runs to the marked line."""
+        source = self.query_one(SourcePane)
+        self.action_press(f"advance {source.file}:{source.cursor}")
+
+    def _toggle(self, line: int) -> None:
+        source = self._look.source
+        command = "clear" if line in source.breakpoints else "break"
+        if source.file:
+            self.action_press(f"{command} {source.file}:{line}")
+
+    def action_help(self) -> None:
+        """Shows the keys."""
+        if not isinstance(self.screen, HelpPage):
+            self.push_screen(HelpPage())
+
+    def action_pane(self, steps: int) -> None:
+        """Shows another of the lower panes."""
+        self.query_one(Panes).move(steps)
+
+    def action_pick(self, name: str) -> None:
+        """Shows one of the lower panes."""
+        panes = self.query_one(Panes)
+        panes.pick(name)
+        panes.pane(name).focus()
+
+    def action_zoom(self) -> None:
+        """Shows the pane with the focus alone, or all again."""
+        panes = self.query_one(Panes)
+        alone = self.focused if self.focused in panes.children else self.query_one(SourcePane)
+        for each in panes.children:
+            each.set_class(each is alone, "-alone")
+        self.screen.toggle_class("-zoomed")
+
+    def action_type(self) -> None:
+        """Goes to the command line, or from there to the source."""
+        if isinstance(self.screen, HelpPage):
+            self.pop_screen()
+            return
+        line = self.query_one(CommandLine)
+        (self.query_one(SourcePane) if line.has_focus else line).focus()
+
+    def action_simulate(self, key: str) -> None:
+        """Does as if a key had been pressed."""
+        self.simulate_key(key)
+
+    # -- what the panes say --------------------------------------------------------------------
+
+    def on_command_line_typed(self, message: CommandLine.Typed) -> None:
+        """Takes a command."""
+        self._order(Order(message.line, is_typed=True))
+
+    async def on_command_line_finished(self) -> None:
+        """Leaves."""
+        await self.action_quit()
+
+    def on_source_pane_toggle(self, message: SourcePane.Toggle) -> None:
+        """Sets or removes a breakpoint."""
+        self._toggle(message.line)
+
+    def on_choices_chosen(self, message: Choices.Chosen) -> None:
+        """Looks at another frame or robot."""
+        what = {"stack": "frame", "robots": "robot"}[message.pane.id or ""]
+        self.action_press(f"{what} {message.number}")
+
+    def on_variables_pane_unfolded(self, message: VariablesPane.Unfolded) -> None:
+        """Shows the parts of a value, or no more."""
+        (self._unfolded.add if message.is_open else self._unfolded.discard)(message.key)
+        self._look_again()
+
+    def on_chart_pane_resized(self, message: ChartPane.Resized) -> None:
+        """Draws the map anew."""
+        self._chart_size = message.width, message.height
+        self._look_again()
+
+    def _look_again(self) -> None:
+        if not any(each.line is None for each in self._orders):
+            self._order(Order())
+
+    def on_time_line_press(self, message: TimeLine.Press) -> None:
+        """Takes a command of the time line's keys."""
+        self.action_press(message.command)
+
+    def on_time_line_move(self, message: TimeLine.Move) -> None:
+        """Goes to a time."""
+        self.action_press(f"goto t={message.time_s:.6f}")

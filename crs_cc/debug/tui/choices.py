@@ -1,0 +1,59 @@
+"""A list of which one is looked at: the stack's frames, the robots."""
+
+from __future__ import annotations
+
+from rich.style import Style
+from rich.text import Text
+from textual.message import Message
+from textual.widgets import OptionList
+from textual.widgets.option_list import Option
+
+from crs_cc.debug.tui.look import Choice
+from crs_cc.debug.tui.printable import printable
+
+_CURRENT = "▶ "
+
+
+class Choices(OptionList):
+    """Shows choices, one a line; posts `Chosen` with the number of the one that is picked."""
+
+    class Chosen(Message):
+        """The user wants to look at one of them."""
+
+        def __init__(self, control: Choices, number: int) -> None:
+            super().__init__()
+            self.pane = control
+            self.number = number
+
+        @property
+        def control(self) -> Choices:
+            """Gives the list that it was picked from."""
+            return self.pane
+
+    def __init__(self, title: str, **arguments: str) -> None:
+        super().__init__(**arguments)  # type: ignore[arg-type]
+        self.border_title = title
+        self._choices: tuple[Choice, ...] = ()
+
+    def show(self, choices: tuple[Choice, ...]) -> None:
+        """Shows these choices."""
+        if choices == self._choices:
+            return
+        self._choices = choices
+        self.set_options([Option(_line(each)) for each in choices])
+        current = [row for row, each in enumerate(choices) if each.is_current]
+        self.highlighted = current[0] if current else None
+
+    def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
+        """Says which one was picked."""
+        event.stop()
+        self.post_message(self.Chosen(self, self._choices[event.option_index].number))
+
+
+def _line(choice: Choice) -> Text:
+    text = Text(no_wrap=True, overflow="ellipsis")
+    text.append(_CURRENT if choice.is_current else "  ", Style(color="yellow", bold=True))
+    text.append(f"{choice.number} ", Style(dim=True))
+    text.append(printable(choice.text), Style(bold=choice.is_current))
+    text.append(f"  {printable(choice.place)}", Style(dim=True))
+    return text

@@ -1,0 +1,109 @@
+"""The line to type commands in, with a history and completion; programs read from it, too."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import ClassVar, Final
+
+from textual.binding import Binding, BindingType
+from textual.message import Message
+from textual.suggester import Suggester
+from textual.widgets import Input
+
+_HINT: Final = "a command; Enter repeats the last, F1 helps"
+
+Complete = Callable[[str], Sequence[str]]
+"""Gives what a line that has been begun may become."""
+
+
+class CommandLine(Input):
+    """Takes commands; posts `Typed`."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("up", "remember(-1)", show=False),
+        Binding("down", "remember(1)", show=False),
+        Binding("tab", "complete", show=False),
+        Binding("ctrl+d", "finish", show=False),
+    ]
+
+    class Typed(Message):
+        """The user has typed a line."""
+
+        def __init__(self, line: str) -> None:
+            super().__init__()
+            self.line = line
+
+    class Finished(Message):
+        """The user has nothing more to type: Ctrl-D in an empty line."""
+
+    def __init__(self, complete: Complete, **arguments: str) -> None:
+        super().__init__(
+            placeholder=_HINT,
+            suggester=_Completions(complete),
+            compact=True,
+            **arguments,  # type: ignore[arg-type]
+        )
+        self._complete = complete
+        self._history: list[str] = []
+        self._at = 0
+
+    def on_input_submitted(self, event: Input.Submitted) -> None:
+        """Passes a line on, and remembers it."""
+        event.stop()
+        line = event.value.strip()
+        if line and self._history[-1:] != [line]:
+            self._history.append(line)
+        self._at = len(self._history)
+        self.value = ""
+        self.post_message(self.Typed(line))
+
+    def action_remember(self, direction: int) -> None:
+        """Brings back an earlier line, or a later one."""
+        self._at = min(max(0, self._at + direction), len(self._history))
+        self.value = self._history[self._at] if self._at < len(self._history) else ""
+        self.cursor_position = len(self.value)
+
+    def action_complete(self) -> None:
+        """Completes as far as it is certain; in an empty line goes on to the next pane."""
+        if not self.value:
+            self.screen.focus_next()
+            return
+        found = self._complete(self.value)
+        common = _common(found)
+        if len(common) > len(self.value):
+            self.value = common + (" " if len(found) == 1 else "")
+            self.cursor_position = len(self.value)
+
+    def action_finish(self) -> None:
+        """Says that nothing more comes; deletes to the right in a line with something in it."""
+        if self.value:
+            self.action_delete_right()
+        else:
+            self.post_message(self.Finished())
+
+
+class _Completions(Suggester):
+    """Proposes the first of what a line may become."""
+
+    def __init__(self, complete: Complete) -> None:
+        super().__init__(use_cache=False, case_sensitive=True)
+        self._complete = complete
+
+    async def get_suggestion(self, value: str) -> str | None:
+        found = self._complete(value) if value else ()
+        return found[0] if found else None
+
+
+def _common(texts: Sequence[str]) -> str:
+    """Gives how all of them begin.
+
+    >>> _common(["reverse-next", "reverse-step"])
+    'reverse-'
+    """
+    if not texts:
+        return ""
+    first, last = min(texts), max(texts)
+    for index, letter in enumerate(first):
+        if letter != last[index]:
+            return first[:index]
+    return first

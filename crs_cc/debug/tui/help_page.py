@@ -1,0 +1,41 @@
+"""The page of help: what the keys do, and where to read on."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from rich.table import Table
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import VerticalScroll
+from textual.screen import ModalScreen
+from textual.widgets import Static
+
+from crs_cc.debug.tui.keys import help_rows
+
+_MORE = """
+Letters work where nobody is typing: Escape leaves the command line, ":" goes back to it. \
+Tab goes from pane to pane, the arrow keys move in it, Enter unfolds or picks.
+
+In the gutter of the source a click sets a breakpoint. The time line is dragged; its arrow keys go \
+by timesteps, with Shift from event to event.
+
+"help" in the command line explains the commands. Escape closes this page.
+"""
+
+
+class HelpPage(ModalScreen[None]):
+    """Shows the keys until a key is pressed."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("escape,enter,q,f1,question_mark", "dismiss", show=False),
+    ]
+
+    def compose(self) -> ComposeResult:
+        """Makes the page."""
+        table = Table.grid(padding=(0, 2))
+        for row in help_rows():
+            table.add_row(*row)
+        with VerticalScroll():
+            yield Static(table)
+            yield Static(_MORE)

@@ -1,0 +1,80 @@
+"""All panes in one grid, and how they share a screen of any size.
+
+A wide and tall screen has all of them at once. Where there is less room one of the lower panes is
+shown at a time, picked in a bar of their names; in the lowest screens only source and console.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from textual.app import ComposeResult
+from textual.containers import Container
+from textual.widget import Widget
+
+from crs_cc.debug.tui.bars import Button, ButtonBar
+from crs_cc.debug.tui.chart_pane import ChartPane
+from crs_cc.debug.tui.choices import Choices
+from crs_cc.debug.tui.look import Look
+from crs_cc.debug.tui.source_pane import SourcePane
+from crs_cc.debug.tui.texts import Console, Output
+from crs_cc.debug.tui.variables_pane import VariablesPane
+
+LOWER: Final = ("variables", "stack", "robots", "chart", "output", "console")
+"""The lower panes, in the order of their names in the bar."""
+
+_NAMES: Final = {"chart": "map"}
+
+
+class Panes(Container):
+    """The grid."""
+
+    def compose(self) -> ComposeResult:
+        """Makes the panes, in the order of the grid's cells."""
+        yield SourcePane(id="source", classes="pane")
+        yield ButtonBar(id="tabs")
+        yield ChartPane(id="chart", classes="pane lower")
+        yield VariablesPane(id="variables", classes="pane lower")
+        yield Console(id="console", classes="pane lower")
+        yield Output(id="output", classes="pane lower")
+        yield Choices("stack", id="stack", classes="pane lower")
+        yield Choices("robots", id="robots", classes="pane lower")
+
+    def on_mount(self) -> None:
+        """Shows the first of the lower panes."""
+        self.pick(LOWER[0])
+
+    @property
+    def picked(self) -> str:
+        """Gives which of the lower panes is shown where there is room for one."""
+        return next(name for name in LOWER if self.pane(name).has_class("-shown"))
+
+    def pane(self, name: str) -> Widget:
+        """Gives a pane."""
+        return self.query_one(f"#{name}")
+
+    def pick(self, name: str) -> None:
+        """Shows one of the lower panes where there is room for one."""
+        buttons = []
+        for each in LOWER:
+            self.pane(each).set_class(each == name, "-shown")
+            buttons.append(Button(_NAMES.get(each, each), f"pick('{each}')", "", each == name))
+        self.query_one("#tabs", ButtonBar).buttons = tuple(buttons)
+
+    def move(self, steps: int) -> None:
+        """Shows the lower pane so many further on."""
+        self.pick(LOWER[(LOWER.index(self.picked) + steps) % len(LOWER)])
+
+    def show(self, look: Look, *, moved: bool) -> None:
+        """Shows a stopped run.
+
+        Args:
+            look: what there is to see.
+            moved: the run has moved since the last look.
+        """
+        self.query_one(SourcePane).show(look.source)
+        self.query_one(ChartPane).chart = look.chart
+        self.query_one(VariablesPane).show(look.variables, moved=moved)
+        self.query_one("#output", Output).show(look.output)
+        self.query_one("#stack", Choices).show(look.frames)
+        self.query_one("#robots", Choices).show(look.robots)

@@ -1,0 +1,185 @@
+"""The source: numbered lines in C's colours, where the run stands, and a gutter of breakpoints.
+
+A click in the gutter sets or removes a breakpoint; elsewhere it marks a line, as the arrow keys do.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import ClassVar, Final
+
+from rich.segment import Segment
+from rich.style import Style
+from rich.syntax import Syntax
+from rich.text import Span, Text
+from textual import events
+from textual.binding import Binding, BindingType
+from textual.geometry import Region, Size
+from textual.message import Message
+from textual.scroll_view import ScrollView
+from textual.strip import Strip
+
+from crs_cc.debug.tui.look import SourceLook
+from crs_cc.debug.tui.printable import printable
+
+_MARKS: Final = 3  # cells before the line number: breakpoint, arrow, space
+_CONTEXT: Final = 4  # lines to keep in sight around the current one
+_MOST_COLOURED: Final = 20_000  # lines; beyond, colours would take seconds
+_TAB: Final = 8
+
+_BREAKPOINT: Final = Style(color="red", bold=True)
+_OFF: Final = Style(color="red", dim=True)
+_ARROW: Final = Style(color="yellow", bold=True)
+_NUMBER: Final = Style(dim=True)
+
+
+class SourcePane(ScrollView, can_focus=True):
+    """Shows a file; posts `Toggle` where a breakpoint is to be set or removed.
+
+    Attributes:
+        cursor: the line that is marked, from 1.
+    """
+
+    COMPONENT_CLASSES: ClassVar[set[str]] = {"source--current", "source--cursor"}
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("up,k", "move(-1)", show=False),
+        Binding("down,j", "move(1)", show=False),
+        Binding("pageup", "page(-1)", show=False),
+        Binding("pagedown,space", "page(1)", show=False),
+        Binding("home,g", "move(-10_000_000)", show=False),
+        Binding("end,G", "move(10_000_000)", show=False),
+        Binding("enter", "breakpoint", show=False),
+    ]
+
+    class Toggle(Message):
+        """The user wants a breakpoint at a line, or wants the one there to go."""
+
+        def __init__(self, line: int) -> None:
+            super().__init__()
+            self.line = line
+
+    def __init__(self, **arguments: str) -> None:
+        super().__init__(**arguments)  # type: ignore[arg-type]
+        self._look = SourceLook()
+        self._coloured: list[Text] = []
+        self.cursor = 1
+
+    @property
+    def file(self) -> str:
+        """Gives the name of the file that is shown."""
+        return self._look.file
+
+    def show(self, look: SourceLook) -> None:
+        """Shows a file; moves to the current line where that has changed."""
+        before, self._look = self._look, look
+        if (look.file, look.lines) != (before.file, before.lines):
+            self._coloured = _colour(look.file, tuple(look.lines))
+            width = max((each.cell_len for each in self._coloured), default=0)
+            self.virtual_size = Size(width + self._gutter, len(self._coloured))
+            self.cursor = 1
+        if look.line and (look.file, look.line) != (before.file, before.line):
+            self.cursor = look.line
+        self.border_title = look.file or "no source"
+        if (look.file, look.line) != (before.file, before.line):
+            self.call_after_refresh(self.reveal, self.cursor)
+        self.refresh()
+
+    def reveal(self, line: int) -> None:
+        """Scrolls so that a line is in sight, with some around it."""
+        height = self.scrollable_content_region.height
+        if not height:
+            return
+        around = min(_CONTEXT, (height - 1) // 2)
+        top, first = line - 1, round(self.scroll_y)
+        if top < first + around or top >= first + height - around:
+            near = first - height < top < first + 2 * height
+            last = top - around if top < first + around else top - height + 1 + around
+            self.scroll_to(y=max(0, last if near else top - height // 3), animate=False)
+
+    def on_resize(self) -> None:
+        """Keeps the marked line in sight."""
+        self.reveal(self.cursor)
+
+    @property
+    def _gutter(self) -> int:
+        return _MARKS + len(str(max(1, len(self._coloured)))) + 2
+
+    def render_line(self, y: int) -> Strip:
+        """Gives a line as it is on the screen."""
+        scroll_x, scroll_y = self.scroll_offset
+        number = scroll_y + y + 1
+        width = self.scrollable_content_region.width
+        if number > len(self._coloured):
+            return Strip.blank(width, self.rich_style)
+        gutter = Strip(self._marks(number))
+        text = Strip(self._coloured[number - 1].render(self.app.console))
+        text = text.crop(scroll_x, scroll_x + max(0, width - gutter.cell_length))
+        line = Strip.join([gutter, text]).crop(0, width).extend_cell_length(width)
+        return line.apply_style(self._background(number))
+
+    def _marks(self, number: int) -> list[Segment]:
+        look = self._look
+        enabled = look.breakpoints.get(number)
+        dot = {None: " ", True: "●", False: "○"}[enabled]
+        arrow = " " if number != look.line else "▶" if look.innermost else "▷"
+        digits = len(str(len(self._coloured)))
+        return [
+            Segment(dot, _BREAKPOINT if enabled else _OFF),
+            Segment(arrow, _ARROW),
+            Segment(f" {number:>{digits}}  ", _NUMBER),
+        ]
+
+    def _background(self, number: int) -> Style:
+        if number == self._look.line:
+            return self.get_component_rich_style("source--current")
+        if number == self.cursor and self.has_focus:
+            return self.get_component_rich_style("source--cursor")
+        return self.rich_style
+
+    def on_click(self, event: events.Click) -> None:
+        """Marks a line, or sets or removes a breakpoint in the gutter."""
+        place = event.get_content_offset(self)
+        if place is None:
+            return
+        line = place.y + self.scroll_offset.y + 1
+        if line > len(self._coloured):
+            return
+        self._mark(line)
+        if place.x < self._gutter - 1:
+            self.post_message(self.Toggle(line))
+
+    def action_move(self, lines: int) -> None:
+        """Moves the mark."""
+        self._mark(min(max(1, self.cursor + lines), max(1, len(self._coloured))))
+        self.reveal(self.cursor)
+
+    def action_page(self, pages: int) -> None:
+        """Moves the mark by a screenful."""
+        self.action_move(pages * max(1, self.scrollable_content_region.height - 1))
+
+    def action_breakpoint(self) -> None:
+        """Asks for a breakpoint at the mark, or for the one there to go."""
+        self.post_message(self.Toggle(self.cursor))
+
+    def _mark(self, line: int) -> None:
+        self.cursor = line
+        self.refresh(Region(0, 0, *self.size))
+
+
+@lru_cache(maxsize=64)
+def _colour(file: str, lines: tuple[str, ...]) -> list[Text]:
+    """Gives the lines in C's colours, tabs as spaces."""
+    plain = [printable(line.expandtabs(_TAB)) for line in lines]
+    if not file.endswith((".c", ".h")) or len(plain) > _MOST_COLOURED:
+        return [Text(line) for line in plain]
+    syntax = Syntax("", "c", theme="monokai", background_color="default")
+    text = syntax.highlight("\n".join(plain))
+    text.spans = [Span(each.start, each.end, _foreground(each.style)) for each in text.spans]
+    return list(text.split("\n", allow_blank=True)[: len(plain)])
+
+
+def _foreground(style: Style | str) -> Style:
+    """Gives a style that leaves the background to the line that it is in."""
+    if isinstance(style, str):
+        return Style()
+    return Style(color=style.color, bold=style.bold, italic=style.italic)

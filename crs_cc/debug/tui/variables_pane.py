@@ -1,0 +1,112 @@
+"""Values by name, unfolded like a tree; what differs from the last stop is marked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Final
+
+from rich.text import Text
+from textual.message import Message
+from textual.widgets import Tree
+from textual.widgets.tree import TreeNode
+
+from crs_cc.debug.tui.look import Key, Row
+from crs_cc.debug.tui.printable import printable
+
+_NAME: Final = "cyan"
+_CHANGED: Final = "bold yellow"
+_MARK: Final = "•"
+
+
+class VariablesPane(Tree[Row]):
+    """Shows rows; posts `Unfolded` when the user wants to see the parts of one, or no more."""
+
+    class Unfolded(Message):
+        """The user has unfolded a row, or folded it."""
+
+        def __init__(self, key: Key, is_open: bool) -> None:
+            super().__init__()
+            self.key = key
+            self.is_open = is_open
+
+    def __init__(self, **arguments: str) -> None:
+        super().__init__("variables", **arguments)  # type: ignore[arg-type]
+        self.show_root = False
+        self.guide_depth = 2
+        self.border_title = "variables"
+        self._before: dict[Key, str] = {}
+        self._now: dict[Key, str] = {}
+        self._rows: tuple[Row, ...] = ()
+
+    def show(self, rows: tuple[Row, ...], *, moved: bool = True) -> None:
+        """Shows these rows.
+
+        Args:
+            rows: groups of values; those with parts in them are unfolded.
+            moved: the run stands elsewhere than before, so that differences are to be marked anew.
+        """
+        if moved:
+            self._before = self._now
+        elif rows == self._rows:
+            return
+        self._rows = rows
+        self._now = {each.key: each.text for each in _all(rows)}
+        line, top = self.cursor_line, self.scroll_y
+        cursor = self.cursor_node.data.key if self.cursor_node and self.cursor_node.data else ()
+        with self.prevent(Tree.NodeExpanded, Tree.NodeCollapsed):
+            self.clear()
+            self._add(self.root, rows)
+            self.root.expand()
+        self.call_after_refresh(self._return_to, cursor, line, top)
+
+    def _add(self, parent: TreeNode[Row], rows: Iterable[Row]) -> None:
+        for row in rows:
+            if row.has_parts:
+                node = parent.add(self._label(row), row, expand=bool(row.parts))
+                self._add(node, row.parts)
+            else:
+                parent.add_leaf(self._label(row), row)
+
+    def _label(self, row: Row) -> Text:
+        if len(row.key) == 1:  # a group
+            return Text(row.name, style="bold")
+        before = self._before.get(row.key)
+        changed = before is not None and before != row.text
+        text = Text(no_wrap=True)
+        text.append(printable(row.name), style=_NAME)
+        if row.text:
+            text.append(f" {_MARK} " if changed else " = ", style=_CHANGED if changed else "dim")
+            text.append(printable(row.text), style=_CHANGED if changed else "")
+        return text
+
+    def _return_to(self, key: Key, line: int, top: float) -> None:
+        """Puts the cursor where it was: on the same value, or else in the same line."""
+        for node in _nodes(self.root):
+            if node.data is not None and node.data.key == key:
+                line = node.line
+        self.cursor_line = line
+        self.scroll_to(y=top, animate=False)
+
+    def on_tree_node_expanded(self, event: Tree.NodeExpanded[Row]) -> None:
+        """Asks for the parts of a value that has been unfolded."""
+        self._tell(event.node, is_open=True)
+
+    def on_tree_node_collapsed(self, event: Tree.NodeCollapsed[Row]) -> None:
+        """Says that the parts of a value are not to be seen any more."""
+        self._tell(event.node, is_open=False)
+
+    def _tell(self, node: TreeNode[Row], *, is_open: bool) -> None:
+        if node.data is not None:
+            self.post_message(self.Unfolded(node.data.key, is_open))
+
+
+def _all(rows: Iterable[Row]) -> Iterator[Row]:
+    for row in rows:
+        yield row
+        yield from _all(row.parts)
+
+
+def _nodes(node: TreeNode[Row]) -> Iterator[TreeNode[Row]]:
+    for each in node.children:
+        yield each
+        yield from _nodes(each)

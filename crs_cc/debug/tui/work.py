@@ -1,0 +1,60 @@
+"""What the screen wants of the debugger, and what it gets."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from rich.text import Text
+
+from crs_cc.debug.tui.look import Key, Look
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    """Something to be done.
+
+    Attributes:
+        line: a command; None just to look.
+        is_typed: the user has typed it, and did not press a key.
+        unfolded: the values whose parts are wanted.
+        chart_size: columns and lines of the map.
+    """
+
+    line: str | None = None
+    is_typed: bool = False
+    unfolded: frozenset[Key] = frozenset()
+    chart_size: tuple[int, int] = (0, 0)
+
+
+@dataclass(frozen=True, slots=True)
+class Done:
+    """What came of it.
+
+    Attributes:
+        look: how the run looks now.
+        answer: what the command says.
+        errors: what is wrong with it, a line each.
+        moved: the run stands elsewhere.
+        leaves: the user wants to leave.
+    """
+
+    look: Look
+    answer: Text = field(default_factory=Text)
+    errors: tuple[str, ...] = ()
+    moved: bool = False
+    leaves: bool = False
+
+
+class Work(Protocol):
+    """The debugger's side of the screen; all but `interrupt` and `complete` in its own thread."""
+
+    def do(self, order: Order) -> Done:
+        """Does an order; raises nothing."""
+
+    def interrupt(self) -> None:
+        """Makes what is being done come to an end; from any thread."""
+
+    def complete(self, line: str) -> Sequence[str]:
+        """Gives what a line that has been begun may become; does not touch the run."""

@@ -1,0 +1,117 @@
+"""A debugger's side of the screen that is made of plain data."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Sequence
+from dataclasses import replace
+
+from rich.text import Text
+
+from crs_cc.debug.happenings import Happening
+from crs_cc.debug.tui.look import Choice, Look, Row, SourceLook
+from crs_cc.debug.tui.work import Done, Order
+
+LINES = (
+    "/* Sum of squares. */",
+    "int sum;",
+    "",
+    "int main(void)",
+    "{",
+    "\tint i;",
+    "",
+    "\tfor (i = 0; i < 10; i++)",
+    "\t\tsum += i * i;",
+    "\treturn sum;",
+    "}",
+)
+
+
+class FakeWork:
+    """Steps through a program that is not there; keeps the orders that it got."""
+
+    def __init__(self) -> None:
+        self.orders: list[Order] = []
+        self.line = 8
+        self.count = 0
+        self.breakpoints: dict[int, bool] = {9: True}
+        self.go_on = threading.Event()
+
+    @property
+    def lines(self) -> list[str]:
+        return [each.line for each in self.orders if each.line is not None]
+
+    def do(self, order: Order) -> Done:
+        self.orders.append(order)
+        line = order.line
+        if line == "step":
+            self.line, self.count = 17 - self.line, self.count + 1
+            return Done(self.look(order), moved=True)
+        if line == "print sum":
+            return Done(self.look(order), Text("$1 = 285"))
+        if line == "continue":
+            self.go_on.wait(5.0)
+            self.go_on.clear()
+            return Done(self.look(order), Text("interrupted"), moved=True)
+        if line is not None and line.startswith("break"):
+            self.breakpoints[int(line.rpartition(":")[2])] = True
+        if line is not None and line.startswith("clear"):
+            del self.breakpoints[int(line.rpartition(":")[2])]
+        if line == "quit":
+            return Done(self.look(order), leaves=True)
+        if line == "foo":
+            return Done(self.look(order), errors=('Undefined command: "foo".  Try "help".',))
+        return Done(self.look(order))
+
+    def interrupt(self) -> None:
+        self.go_on.set()
+
+    def complete(self, line: str) -> Sequence[str]:
+        words = ["continue", "reverse-next", "reverse-step", "step"]
+        return [each for each in words if each.startswith(line)]
+
+    def look(self, order: Order) -> Look:
+        where = ("0", "main", "p")
+        parts = (Row((*where, "x"), "x", "1.5"), Row((*where, "y"), "y", "-2"))
+        width, height = order.chart_size
+        return Look(
+            title="sum.c in room.xml",
+            state="breakpoint 1, main () at sum.c:9",
+            time_s=3.25,
+            end_s=10.0,
+            place="timestep 32, statement 120",
+            source=SourceLook("sum.c", LINES, self.line, True, dict(self.breakpoints)),
+            frames=(
+                Choice(0, "main ()", f"sum.c:{self.line}", True),
+                Choice(1, "start ()", "start.c:3"),
+            ),
+            robots=(Choice(0, "scout", "1.00, 2.00 m, 45.0 deg", True),),
+            variables=(
+                Row(
+                    ("main",),
+                    "main",
+                    has_parts=True,
+                    parts=(
+                        Row(("0", "main", "i"), "i", str(self.count)),
+                        Row(
+                            where,
+                            "p",
+                            "{x = 1.5, y = -2}",
+                            has_parts=True,
+                            parts=parts if where in order.unfolded else (),
+                        ),
+                    ),
+                ),
+            ),
+            chart=Text("\n".join(["#" * width] * height)),
+            output="0 0\n" + "1 1\n" * self.count,
+            events=(
+                Happening(3.25, "stop", 0, "breakpoint 1"),
+                Happening(7.0, "collision", 0, "scout touched wall 3"),
+            ),
+        )
+
+
+def changed(look: Look, **changes: object) -> Look:
+    """Gives another look."""
+    return replace(look, **changes)  # type: ignore[arg-type]

@@ -1,0 +1,52 @@
+"""The screen as text, and sizes to look at it."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Awaitable, Callable
+
+from textual.pilot import Pilot
+
+from crs_cc.debug.tui.app import DebugApp
+from crs_cc.debug.tui.command_line import CommandLine
+from crs_cc.debug.tui.work import Work
+
+SMALL, LARGE, TINY = (80, 24), (160, 50), (40, 10)
+
+Session = Callable[[Pilot[int], DebugApp], Awaitable[None]]
+
+
+def drive(work: Work, session: Session, size: tuple[int, int] = SMALL) -> DebugApp:
+    """Lets somebody use a screen of this size; gives the app when it has ended."""
+
+    async def run() -> DebugApp:
+        app = DebugApp(work)
+        async with app.run_test(size=size) as pilot:
+            await settle(pilot)
+            await session(pilot, app)
+        return app
+
+    return asyncio.run(run())
+
+
+async def settle(pilot: Pilot[int]) -> None:
+    """Waits until the debugger has nothing to do and the screen shows what there is."""
+    app = pilot.app
+    assert isinstance(app, DebugApp)
+    await pilot.pause()
+    while not app.is_idle:
+        await app.workers.wait_for_complete()
+        await pilot.pause()
+    await pilot.pause()
+
+
+async def enter(pilot: Pilot[int], line: str) -> None:
+    """Types a line, quicker than key by key."""
+    pilot.app.query_one(CommandLine).value = line
+    await pilot.press("enter")
+
+
+def text_of(app: DebugApp) -> str:
+    """Gives the characters on the screen, without what stands empty at the right."""
+    strips = app.screen._compositor.render_strips()
+    return "\n".join(strip.text.rstrip() for strip in strips) + "\n"

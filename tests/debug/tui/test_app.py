@@ -1,0 +1,221 @@
+from __future__ import annotations
+
+from textual.pilot import Pilot
+
+from crs_cc.debug.tui.app import DebugApp
+from crs_cc.debug.tui.bars import StatusBar
+from crs_cc.debug.tui.command_line import CommandLine
+from crs_cc.debug.tui.help_page import HelpPage
+from crs_cc.debug.tui.panes import Panes
+from crs_cc.debug.tui.source_pane import SourcePane
+from crs_cc.debug.tui.time_line import TimeLine
+from crs_cc.debug.tui.variables_pane import VariablesPane
+from tests.debug.tui.fake import FakeWork
+from tests.debug.tui.screen import LARGE, TINY, drive, enter, settle, text_of
+
+
+def test_function_keys_work_while_somebody_types_and_letters_elsewhere() -> None:
+    work = FakeWork()
+
+    async def session(pilot: Pilot[int], app: DebugApp) -> None:
+        await pilot.press("p", "f11")
+        await settle(pilot)
+        assert app.query_one(CommandLine).value == "p"
+        await pilot.press("escape", "s")
+        await settle(pilot)
+        assert app.query_one(CommandLine).value == "p"
+        await pilot.press("S")
+        await settle(pilot)
+
+    drive(work, session)
+    assert work.lines == ["step", "step", "reverse-step"]
+
+
+def test_what_is_typed_is_answered_in_the_console_which_comes_to_the_front() -> None:
+    work = FakeWork()
+
+    async def session(pilot: Pilot[int], app: DebugApp) -> None:
+        await enter(pilot, "print sum")
+        await settle(pilot)
+        assert app.query_one(Panes).picked == "console"
+        assert "(crs) print sum\n$1 = 285\n" in text_of(app)
+        await enter(pilot, "foo")
+        await settle(pilot)
+        assert 'Undefined command: "foo".  Try "help".' in text_of(app)
+
+    drive(work, session)
+
+
+def test_earlier_lines_come_back_and_lines_are_completed() -> None:
+    work = FakeWork()
+
+    async def session(pilot: Pilot[int], app: DebugApp) -> None:
+        line = app.query_one(CommandLine)
+        await enter(pilot, "print sum")
+        await pilot.press("up")
+        assert line.value == "print sum"
+        await pilot.press("down", *"rev", "tab")
+        assert line.value == "reverse-"
+        await pilot.press("s", "tab")
+        assert line.value == "reverse-step "
+
+    drive(work, session)
+
+
+def test_the_screen_lives_while_the_program_runs_and_ctrl_c_stops_it() -> None:
+    work = FakeWork()
+
+    async def session(pilot: Pilot[int], app: DebugApp) -> None:
+        await pilot.press("f5")
+        await pilot.pause(0.2)
+        assert "running" in text_of(app).splitlines()[0]
+        await pilot.press("f11", "f2")  # a key that is held down does not pile up
+        assert app.query_one(Panes).picked == "stack"
+        await pilot.press("ctrl+c")
+        await settle(pilot)
+        assert not app.query_one(StatusBar).running
+
+    drive(work, session)
+    assert work.lines == ["continue"]
+
+
+def test_a_click_in_the_gutter_sets_a_breakpoint_and_another_one_removes_it() -> None:
+    work = FakeWork()
+
+    async def session(pilot: Pilot[int], app: DebugApp) -> None:
+        top = app.query_one(SourcePane).scroll_offset.y
+        await pilot.click("#source", offset=(1, 10 - 1 - top))
+        await settle(pilot)
+        await pilot.click("#source", offset=(1, 9 - 1 - top))
+        await settle(pilot)
+        await pilot.click("#source", offset=(20, 8 - 1 - top))  # only marks the line
+        assert app.query_one(SourcePane).cursor == 8
+        await pilot.press("f9")
+        await settle(pilot)
+
+    drive(work, session)
+    assert work.lines == ["break sum.c:10", "clear sum.c:9", "break sum.c:8"]
+    assert work.breakpoints == {10: True, 8: True}
+
+
+def test_values_unfold_and_what_has_changed_is_marked() -> None:
+    work = FakeWork()
+
+    async def session(pilot: Pilot[int], app: DebugApp) -> None:
+        assert "i = 0" in text_of(app)
+        await pilot.press("f11")
+        await settle(pilot)
+        assert "i • 1" in text_of(app)
+        assert "y = -2\n" not in text_of(app)
+        app.query_one(VariablesPane).focus()
+        await pilot.press("down", "down", "enter")
+        await settle(pilot)
+        assert "├ x = 1.5" in text_of(app)
+        assert "i • 1" in text_of(app)  # still, as the run has not moved
+        await pilot.press("f11")
+        await settle(pilot)
+        assert "├ x = 1.5" in text_of(app)  # stays unfolded
+        await pilot.press("enter")
+        await settle(pilot)
+        assert "├ x = 1.5" not in text_of(app)
+
+    drive(work, session)
+
+
+def test_frames_and_robots_are_picked() -> None:
+    work = FakeWork()
+
+    async def session(pilot: Pilot[int], app: DebugApp) -> None:
+        await pilot.click("#stack", offset=(4, 2))
+        await settle(pilot)
+        await pilot.click("#robots", offset=(4, 1))
+        await settle(pilot)
+
+    drive(work, session, LARGE)
+    assert work.lines == ["frame 1", "robot 0"]
+
+
+def test_the_time_line_is_dragged_and_stepped() -> None:
+    work = FakeWork()
+
+    async def session(pilot: Pilot[int], app: DebugApp) -> None:
+        line = app.query_one(TimeLine)
+        await pilot.mouse_down(line, offset=(30, 1))
+        await pilot.hover(line, offset=(11, 1))
+        assert "   0.000 s ┃" in text_of(app)  # where it would go
+        await pilot.mouse_up(line, offset=(11, 1))
+        await settle(pilot)
+        line.focus()
+        for key in ("left", "right", "shift+right", "end"):
+            await pilot.press(key)
+            await settle(pilot)
+
+    drive(work, session)
+    goto = ["goto t=0.000000", "reverse-tick", "tick", "goto t=7.000000", "goto t=10.000000"]
+    assert work.lines == goto
+
+
+def test_the_time_line_says_what_happened_under_the_pointer() -> None:
+    async def session(pilot: Pilot[int], app: DebugApp) -> None:
+        line = app.query_one(TimeLine)
+        await pilot.hover(line, offset=(11 + round(0.7 * 57), 0))
+        assert "7.000 s scout touched wall 3" in text_of(app)
+
+    drive(FakeWork(), session)
+
+
+def test_f1_shows_the_keys() -> None:
+    async def session(pilot: Pilot[int], app: DebugApp) -> None:
+        await pilot.press("f1")
+        await pilot.pause()
+        assert "F6 Shift-F5 C" in text_of(app)
+        await pilot.press("escape")
+        await pilot.pause()
+        assert not isinstance(app.screen, HelpPage)
+
+    drive(FakeWork(), session)
+
+
+def test_a_pane_can_have_the_screen_for_itself() -> None:
+    async def session(pilot: Pilot[int], app: DebugApp) -> None:
+        await pilot.press("escape", "z")
+        await pilot.pause()
+        assert app.query_one(SourcePane).size.height == 19
+        await pilot.press("z")
+        await pilot.pause()
+        assert app.query_one(SourcePane).size.height < 19
+
+    drive(FakeWork(), session)
+
+
+def test_in_the_smallest_terminals_answers_take_the_place_of_the_source() -> None:
+    async def session(pilot: Pilot[int], app: DebugApp) -> None:
+        assert "sum += i * i" in text_of(app)
+        await enter(pilot, "print sum")
+        await settle(pilot)
+        assert "$1 = 285" in text_of(app)
+        await pilot.press("f11")
+        await settle(pilot)
+        assert "sum += i * i" in text_of(app)
+
+    drive(FakeWork(), session, TINY)
+
+
+def test_ctrl_q_leaves_even_while_something_runs() -> None:
+    async def session(pilot: Pilot[int], app: DebugApp) -> None:
+        await pilot.press("f5")
+        await pilot.press("ctrl+q")
+
+    assert drive(FakeWork(), session).return_value == 0
+
+
+def test_ctrl_d_and_the_command_quit_leave() -> None:
+    async def with_key(pilot: Pilot[int], app: DebugApp) -> None:
+        await pilot.press("ctrl+d")
+
+    async def with_command(pilot: Pilot[int], app: DebugApp) -> None:
+        await enter(pilot, "quit")
+        await pilot.pause(0.1)
+
+    assert drive(FakeWork(), with_key).return_value == 0
+    assert drive(FakeWork(), with_command).return_value == 0
