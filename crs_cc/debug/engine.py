@@ -10,15 +10,15 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from crs_cc.debug.aims import Aim, BackAim, Spot, ToCaller, ToLine, ToStatement
-from crs_cc.debug.breakpoints import Breakpoint, Breakpoints, Hit
+from crs_cc.debug.breakpoints import Breakpoint, Breakpoints, Hit, Kind
 from crs_cc.debug.console import Console
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.happenings import checked_kind
 from crs_cc.debug.history import History
-from crs_cc.debug.places import find_place
+from crs_cc.debug.places import Place, find_place
 from crs_cc.debug.position import BEGINNING, Position
 from crs_cc.debug.run import Run
 from crs_cc.debug.stop import Stop
@@ -118,13 +118,12 @@ class Debugger:
     @property
     def time_s(self) -> float:
         """The clock of the program that is looked at, or the world's when it does not run [s]."""
-        alive = self.session.alive[self.robot]
-        return self.session.now_s(self.robot) if alive else self.session.time_s
+        return self.run.time_s(self.robot)
 
     @property
     def is_over(self) -> bool:
         """Whether no program is left."""
-        return not self.session.running and not self.session.environment.awaits
+        return not self.run.goes_on
 
     def frames(self, robot: int | None = None) -> list[Frame]:
         """Gives a program's active functions, the innermost first."""
@@ -382,68 +381,38 @@ class Debugger:
 
     # -- breakpoints ---------------------------------------------------------------------------
 
-    def add_breakpoint(
-        self,
-        place: str,
-        *,
-        condition: str = "",
-        ignore: int = 0,
-        temporary: bool = False,
-        robot: int | None = None,
-        log: str = "",
-    ) -> Breakpoint:
-        """Adds a breakpoint; see `places.find_place` for the place.
+    def add_breakpoint(self, place: str, **options: Any) -> Breakpoint:
+        """Adds a breakpoint.
+
+        Args:
+            place: see `places.find_place`.
+            options: further attributes of the `Breakpoint`: `condition`, `ignore`, `temporary`,
+                `robot`, `log`.
 
         Raises:
             DebugError: there is no such place, or the condition is no expression there.
         """
-        location = self.location()
-        here = location.file if location else str(self.run.programs[robot or self.robot].paths[0])
+        robot, location = options.get("robot"), self.location()
+        looked_at = self.run.programs[self.robot if robot is None else robot]
+        here = location.file if location else str(looked_at.paths[0])
         robots = range(len(self.run.programs)) if robot is None else [robot]
         found = find_place(place, self.run.programs, robots, here)
-        return self.breakpoints.add(
-            lambda number: Breakpoint(
-                number,
-                "breakpoint",
-                place,
-                found,
-                condition,
-                ignore,
-                temporary=temporary,
-                robot=robot,
-                log=log,
-            )
-        )
+        return self._add("breakpoint", place, found, options)
 
-    def add_catchpoint(
-        self,
-        what: str,
-        *,
-        condition: str = "",
-        ignore: int = 0,
-        temporary: bool = False,
-        robot: int | None = None,
-        log: str = "",
-    ) -> Breakpoint:
-        """Adds a catchpoint for a kind of happenings, or `exit`.
+    def add_catchpoint(self, what: str, **options: Any) -> Breakpoint:
+        """Adds a catchpoint for a kind of happenings, or for the `exit` of a program.
 
         Raises:
             DebugError: there is no such kind.
         """
-        kind = what if what == "exit" else checked_kind(what)
-        return self.breakpoints.add(
-            lambda number: Breakpoint(
-                number,
-                "catchpoint",
-                kind,
-                None,
-                condition,
-                ignore,
-                temporary=temporary,
-                robot=robot,
-                log=log,
-            )
+        return self._add(
+            "catchpoint", what if what == "exit" else checked_kind(what), None, options
         )
+
+    def _add(
+        self, kind: Kind, text: str, place: Place | None, options: Mapping[str, Any]
+    ) -> Breakpoint:
+        return self.breakpoints.add(lambda number: Breakpoint(number, kind, text, place, **options))
 
     def remove(self, number: int) -> None:
         """Takes a breakpoint away.
@@ -453,7 +422,28 @@ class Debugger:
         """
         self.breakpoints.remove(number)
 
-    def _accepts(self, hit: Hit) -> tuple[bool, str]:
-        """Tells whether a breakpoint that was met stops the run."""
-        assert hit.breakpoint.enabled
+    def enable(self, number: int, *, on: bool = True) -> None:
+        """Lets a breakpoint count, or not.
+
+        Raises:
+            DebugError: there is no such one.
+        """
+        self.breakpoints.get(number).enabled = on
+
+    def ignore(self, number: int, count: int) -> None:
+        """Passes over the next hits of a breakpoint.
+
+        Raises:
+            DebugError: there is no such one.
+        """
+        self.breakpoints.get(number).ignore = max(0, count)
+
+    def _accepts(self, hit: Hit, counts: bool) -> tuple[bool, str]:
+        """Tells whether a breakpoint that was met stops the run, and what to say then."""
+        own = hit.breakpoint
+        if counts:
+            own.hits += 1
+            if own.ignore:
+                own.ignore -= 1
+                return False, ""
         return True, ""

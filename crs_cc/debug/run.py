@@ -11,6 +11,7 @@ there; the history keeps it, and running on through that instant means to restor
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Final, Literal
@@ -143,6 +144,14 @@ class Run:
     def name(self, robot: int) -> str:
         """Gives a robot's name."""
         return self.session.environment.world.robots[robot].id
+
+    def time_s(self, robot: int = -1) -> float:
+        """Gives a program's clock [s]; the world's when it does not run, or waits."""
+        session = self.session
+        if robot < 0 or not session.alive[robot]:
+            return session.time_s
+        now_s = session.now_s(robot)
+        return now_s if math.isfinite(now_s) else session.time_s
 
     def begun(self, robot: int) -> int:
         """Gives how many statements of a robot's program have begun."""
@@ -286,6 +295,10 @@ class Run:
         """Gives the innermost active function of a program."""
         stack = self.stopped(robot).stack
         return stack[0] if stack else None
+
+    def any_failed(self) -> bool:
+        """Tells whether any program was stopped by an error."""
+        return bool((self.session.fleet.slots["status"] == FAILED).any())
 
     def has_failed(self, robot: int) -> bool:
         """Tells whether a program was stopped by an error."""

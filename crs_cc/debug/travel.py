@@ -18,8 +18,11 @@ from crs_cc.debug.run import Instant, InterruptedRunError, Marks, Run
 from crs_cc.debug.stop import Reason, Stop
 from crs_cc.ir.names import in_library
 
-Accept = Callable[[Hit], tuple[bool, str]]
-"""Tells whether a breakpoint that was met stops the run, and what there is to say more."""
+Accept = Callable[[Hit, bool], tuple[bool, str]]
+"""Tells whether a breakpoint that was met stops the run, and what there is to say more.
+
+It is told whether the run goes forward under the user's eyes: then hits are counted.
+"""
 
 _FIRST_WINDOW: Final = 64
 _WIDER: Final = 16
@@ -60,7 +63,7 @@ class Traveller:
         """Gives the stop that this instant is."""
         session = self._run.session
         robot = robot if robot >= 0 or session.halted is None else session.halted
-        time_s = session.now_s(robot) if robot >= 0 and session.alive[robot] else session.time_s
+        time_s = self._run.time_s(robot)
         return Stop(reason, self._run.position, time_s, robot, (), text)
 
     def _marks(self, aim: Aim | None) -> Marks:
@@ -82,7 +85,7 @@ class Traveller:
 
     def _reason(self, instant: Instant, aim: Aim | None) -> Stop | None:
         """Gives why to stop at an instant, if there is a reason."""
-        stop = self._failure(instant) or self._hit(instant)
+        stop = self._failure(instant) or self._hit(instant, counts=True)
         if stop is not None:
             return stop
         if instant.kind == "statement" and aim is not None:
@@ -102,12 +105,12 @@ class Traveller:
             return None
         return self.stop("error", failed[0], run.session.fleet.report(failed[0]).text)
 
-    def _hit(self, instant: Instant) -> Stop | None:
+    def _hit(self, instant: Instant, *, counts: bool) -> Stop | None:
         met = self._breakpoints.met(self._run, instant)
         hits: list[Hit] = []
         texts: list[str] = []
         for hit in met:
-            stops, text = self._accept(hit)
+            stops, text = self._accept(hit, counts)
             if stops:
                 hits.append(hit)
                 texts.extend(each for each in (hit.text, text) if each)
@@ -139,6 +142,9 @@ class Traveller:
         """Goes back to the last breakpoint met before, or to the beginning."""
         run, start = self._run, self._run.position
         limit = start
+        if not any(each.enabled for each in self._breakpoints) and not run.any_failed():
+            run.seek(BEGINNING)
+            return self.stop("beginning")
         try:
             for position in list(run.history.back_from(start)):
                 found = self._last(position, limit, start)
@@ -161,7 +167,7 @@ class Traveller:
             instant = run.advance(limit)
             if instant.kind == "limit":
                 break
-            stop = self._failure(instant) or self._hit(instant)
+            stop = self._failure(instant) or self._hit(instant, counts=False)
             if stop is not None and stop.position < start:
                 found = stop
         return found

@@ -1,0 +1,142 @@
+"""Stepping, breaking and going backward, on programs small enough to be followed by hand."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from crs_cc.debug.engine import Debugger
+from crs_cc.debug.errors import DebugError
+from tests.debug.debuggee import debugger_of, line
+
+LOOP = """\
+#include <stdio.h>
+int total;
+static int twice(int what)
+{
+    int result = what;
+    result += what;
+    return result;
+}
+int main(void)
+{
+    int i;
+    for (i = 0; i < 3; i++) {
+        total += twice(i);
+        printf("%d\\n", total);
+    }
+    return total;
+}
+"""
+
+
+@pytest.fixture
+def loop(tmp_path: Path) -> Debugger:
+    debugger = debugger_of(LOOP, folder=tmp_path)
+    debugger.start()
+    return debugger
+
+
+def lines(debugger: Debugger, move: object, most: int = 100) -> list[int]:
+    """Gives the lines that it comes to, until there is no further one."""
+    found = []
+    while len(found) < most and move().reason == "step":  # type: ignore[operator]
+        found.append(line(debugger))
+    return found
+
+
+ROUND = [13, 5, 6, 7, 14]
+
+
+def test_step_goes_into_calls_and_next_past_them(loop: Debugger) -> None:
+    assert line(loop) == 12
+    assert lines(loop, loop.step) == [*ROUND, 12, *ROUND, 12, *ROUND, 12, 16]
+    assert loop.stop.reason == "end"
+
+
+def test_next_goes_past_calls(loop: Debugger) -> None:
+    assert lines(loop, loop.next) == [13, 14, 12, 13, 14, 12, 13, 14, 12, 16]
+
+
+@pytest.mark.parametrize("verb", ["step", "next", "step_statement"])
+def test_backward_comes_by_the_same_places(loop: Debugger, verb: str) -> None:
+    move = getattr(loop, verb)
+    places = [loop.position]
+    while move().reason == "step":
+        places.append(loop.position)
+    back = []
+    while move(backward=True).reason == "step":
+        back.append(loop.position)
+    assert back == places[::-1]
+
+
+def test_finish_goes_to_the_caller_and_back(loop: Debugger) -> None:
+    loop.add_breakpoint("twice")
+    loop.resume()
+    before = loop.position
+    assert [each.function for each in loop.frames()] == ["twice", "main"]
+    loop.finish()
+    assert line(loop) == 14
+    loop.goto(before)
+    loop.finish(backward=True)
+    assert line(loop) == 13
+
+
+def test_breakpoints_are_met_forward_and_backward(loop: Debugger) -> None:
+    point = loop.add_breakpoint("6")
+    places = []
+    while loop.resume().reason == "breakpoint":
+        assert loop.stop.breakpoints == (point.number,)
+        places.append(loop.position)
+    assert len(places) == point.hits == 3
+    back = []
+    while loop.resume(backward=True).reason == "breakpoint":
+        back.append(loop.position)
+    assert back == places[::-1]
+    assert point.hits == 3
+
+
+def test_a_line_without_code_is_the_next_one_with_some(loop: Debugger) -> None:
+    point = loop.add_breakpoint("8")
+    assert point.place
+    assert point.place.note == "line 8 has no code; moved to line 12"
+
+
+def test_a_breakpoint_that_cannot_be_is_refused(loop: Debugger) -> None:
+    for place in ("99", "nowhere", "other.c:3", "", "3x", ":", "-1"):
+        with pytest.raises(DebugError):
+            loop.add_breakpoint(place)
+
+
+def test_output_goes_back_with_the_run(loop: Debugger) -> None:
+    loop.add_breakpoint("16")
+    loop.resume()
+    assert loop.run.console.text() == b"0\n2\n6\n"
+    loop.goto_statement(4)
+    assert loop.run.console.text() == b""
+
+
+def test_goto_a_statement_and_a_timestep(loop: Debugger) -> None:
+    loop.goto_statement(5)
+    assert loop.position.statements == 4
+    with pytest.raises(DebugError):
+        loop.goto_statement(1000)
+    assert loop.position.statements == 4
+    loop.goto_timestep(0)
+    assert loop.stop.reason == "beginning"
+
+
+def test_until_leaves_loops(loop: Debugger) -> None:
+    loop.next(2)
+    assert line(loop) == 14
+    loop.until()
+    assert line(loop) == 16
+
+
+def test_advance_stops_at_its_place_or_in_the_caller(loop: Debugger) -> None:
+    loop.advance("6")
+    assert line(loop) == 6
+    assert not list(loop.breakpoints)
+    loop.advance("16")
+    assert line(loop) == 14
