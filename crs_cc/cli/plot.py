@@ -6,7 +6,6 @@ the robot's shape with its heading (end).
 
 from __future__ import annotations
 
-import colorsys
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -16,13 +15,17 @@ import numpy as np
 
 from crs_cc.cli.beacons import draw_beacons, draw_fingers
 from crs_cc.cli.relief import PAPER, draw_relief, ground_m
-from crs_cc.cli.sights import Beam, draw_sights
+from crs_cc.cli.sights import draw_sights
 from crs_cc.cli.svg import Page, Point, View
 from crs_cc.cli.tracks import FloatArray, simplified
 from crs_cc.cli.x11_colours import HEX
+from crs_cc.sim.colours import hexadecimal
 from crs_cc.sim.drawings import Drawing
 from crs_cc.sim.geometry.scene import corners_m
 from crs_cc.sim.model import PLAIN, Cylinder, Robot, Solid, Thing, Wall, WorldModel, is_pushable
+from crs_cc.sim.quantity import round_length
+from crs_cc.sim.robot_colours import colour
+from crs_cc.sim.sights import Beam
 
 _LONG_SIDE_PX: Final = 760.0
 _SHORT_SIDE_PX: Final = 240.0
@@ -41,9 +44,6 @@ _WALL: Final = "#4a5160"
 _OUTLINE_PX: Final = 0.8
 _FIXED: Final = "#8d95a3"
 _MOVABLE: Final = "#d9b88a"
-_PALETTE: Final = (  # Okabe and Ito's colours for the colour-blind, 2008, without yellow and black
-    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9",
-)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,7 +115,7 @@ class _Drawing:
             self._heading()
             self._grid()
             draw_relief(self.page, self.view, self.picture.world.surface)
-            draw_sights(self.page, self.view, list(self.picture.sights))
+            draw_sights(self.page, self.view, self.picture.sights)
             self._solids()
             draw_beacons(self.page, self.view, self.picture.world)
             self._strokes()
@@ -304,31 +304,7 @@ def _paint(solid: Solid, plain: str) -> str:
     """Gives the colour of a thing's material, or another one for what has none of its own."""
     if solid.material.colour == PLAIN.colour:
         return plain
-    return "#{:02x}{:02x}{:02x}".format(*solid.material.colour)
-
-
-def colour(number: int) -> str:
-    """Gives a robot's colour; after the palette, hues a golden angle apart.
-
-    >>> colour(0), colour(7)
-    ('#0072b2', '#2f2b8c')
-    """
-    if number < len(_PALETTE):
-        return _PALETTE[number]
-    hue = number * 0.381966 % 1.0  # the golden angle's share of a turn
-    lightness = (0.46, 0.36, 0.56)[number % 3]
-    rgb = colorsys.hls_to_rgb(hue, lightness, 0.53)
-    return "#" + "".join(f"{round(part * 255):02x}" for part in rgb)
-
-
-def round_length(length_m: float) -> float:
-    """Gives the nearest of 1, 2 and 5 times a power of ten that is not longer.
-
-    >>> [round_length(length) for length in (0.9, 3.0, 77.0)]
-    [0.5, 2.0, 50.0]
-    """
-    power = 10.0 ** math.floor(math.log10(length_m))
-    return next(step * power for step in (5.0, 2.0, 1.0) if step * power <= length_m * (1 + 1e-9))
+    return hexadecimal(solid.material.colour)
 
 
 def shortened(name: str, length: int = 20) -> str:

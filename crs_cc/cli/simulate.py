@@ -22,7 +22,6 @@ from crs_cc.cli.messages import as_data, is_terminal, say, show, show_before_run
 from crs_cc.cli.output import ProgramOutput, ProgressLine, read_line
 from crs_cc.cli.plot import Picture, Trip
 from crs_cc.cli.report import show_reports
-from crs_cc.cli.sights import sights
 from crs_cc.cli.summary import Run, as_json, exit_status
 from crs_cc.cli.tracks import Tracks
 from crs_cc.errors import CrsError
@@ -30,6 +29,7 @@ from crs_cc.session.session import Session
 from crs_cc.sim.drawings import drawings_in
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model import Pose, Thing
+from crs_cc.sim.sights import sights
 from crs_cc.source import Diagnostic, Diagnostics
 
 if TYPE_CHECKING:

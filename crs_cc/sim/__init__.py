@@ -34,4 +34,5 @@ What happens in a timestep:
 What it tells:
 
 - `state_vector`: the vendor's `State`. `step`: what happened in a cycle. `events`: besides motion.
+- `sights`: what sensors told last, for pictures; `robot_colours`: by which they tell robots apart.
 """

@@ -42,3 +42,12 @@ def rgb(text: str) -> Colour:
             f"{name[:_LONGEST]!r} is no colour: write #rrggbb, or one of {', '.join(NAMED)}"
         )
     return number >> 16, number >> 8 & 0xFF, number & 0xFF
+
+
+def hexadecimal(colour: Colour) -> str:
+    """Gives a colour as #rrggbb.
+
+    >>> hexadecimal((255, 165, 0))
+    '#ffa500'
+    """
+    return "#{:02x}{:02x}{:02x}".format(*colour)

@@ -120,3 +120,13 @@ HEAT: Final = Kind("a heat", (("", 1.0),), "", "1", 1e6)
 BRIGHTNESS: Final = Kind("a brightness", (("", 1.0),), "", "100", 1e6)
 LOUDNESS: Final = Kind("a level", (("", 1.0),), "", "100", 1e6)
 """How bright and how loud sources are at a distance of 1 m, without unit."""
+
+
+def round_length(length_m: float) -> float:
+    """Gives the nearest of 1, 2 and 5 times a power of ten that is not longer.
+
+    >>> [round_length(length) for length in (0.9, 3.0, 77.0)]
+    [0.5, 2.0, 50.0]
+    """
+    power = 10.0 ** math.floor(math.log10(length_m))
+    return next(step * power for step in (5.0, 2.0, 1.0) if step * power <= length_m * (1 + 1e-9))

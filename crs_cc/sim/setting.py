@@ -30,14 +30,14 @@ from crs_cc.sim.degradation.control import DegradationControl
 from crs_cc.sim.devices import Devices
 from crs_cc.sim.equipment import Equipment
 from crs_cc.sim.events import Event, EventLog
-from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.geometry.scene import Outlines, Scene
 from crs_cc.sim.geometry.surroundings import Surroundings
 from crs_cc.sim.geometry.things import Things
 from crs_cc.sim.growth import grown
 from crs_cc.sim.instants import ROUNDING_S
 from crs_cc.sim.link import SerialLine
 from crs_cc.sim.messages.control import CommunicationControl
-from crs_cc.sim.model import Robot, WorldModel
+from crs_cc.sim.model import Robot, Solid, WorldModel
 from crs_cc.sim.physics.bodies import PhysicsSnapshot
 from crs_cc.sim.physics.simulation import Physics
 from crs_cc.sim.presence import Timetable, complaint, in_the_way, leave
@@ -101,6 +101,16 @@ class Setting:
         """Gives the names of what can be pushed, in the order of the bodies behind the robots."""
         first = len(self.world.robots)
         return self._names[first : len(self.state.bodies.angle_rad)]
+
+    @property
+    def things(self) -> tuple[Robot | Solid, ...]:
+        """Gives all things in the order of their names; the ground has a name only."""
+        return self._equipment.scene.things
+
+    def outlines(self) -> tuple[Outlines, Outlines]:
+        """Gives the outlines of what never moves, and of the bodies where they are now."""
+        scene, bodies = self._equipment.scene, self.state.bodies
+        return scene.fixed, scene.moving(bodies.position_m, bodies.angle_rad)
 
     @property
     def degradations(self) -> DegradationControl:

@@ -1,0 +1,157 @@
+"""A drawing in characters: cells of 2 by 4 dots, which are braille patterns, each in one style.
+
+A cell of a terminal is twice as high as it is wide, so dots lie as far apart in both directions.
+Places are counted in dots from the upper left corner, x to the right and y down; what lies outside
+is left out. Where things of different styles share a cell, the one with the highest rank gives it
+its style.
+
+>>> canvas = Canvas(columns=3, rows=1)
+>>> canvas.lines(np.array([[0.0, 3.0, 5.0, 3.0]]), "red", rank=1)
+>>> canvas.put(2, 0, "x", "bold", rank=2)
+>>> canvas.pieces()
+[[('⣀⣀', 'red'), ('x', 'bold')]]
+"""
+
+from __future__ import annotations
+
+from itertools import groupby
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.intp]
+
+Pieces = list[list[tuple[str, str]]]
+"""Rows of pieces: each a text and its style."""
+
+ACROSS: Final = 2
+DOWN: Final = 4
+"""Dots of a cell."""
+
+_BITS: Final = np.array([[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]], np.uint8)
+"""The bit of each dot in a braille pattern (Unicode 15, 21.1), by row and column."""
+
+_BLANK: Final = 0x2800
+_MOST_DOTS: Final = 2_000_000  # of one call; more than that nobody can tell apart
+
+
+class Canvas:
+    """A drawing, empty at first.
+
+    Attributes:
+        columns: how many cells it is wide.
+        rows: how many cells it is high.
+    """
+
+    def __init__(self, columns: int, rows: int) -> None:
+        self.columns, self.rows = columns, rows
+        self._bits = np.zeros((rows, columns), np.uint8)
+        self._rank = np.full((rows, columns), -1, np.int64)
+        self._style = np.zeros((rows, columns), np.intp)
+        self._styles = [""]
+        self._characters: dict[tuple[int, int], str] = {}
+
+    def dots(self, x: FloatArray, y: FloatArray, style: str, rank: int) -> None:
+        """Draws dots, shape (n,) each."""
+        column, row = np.floor(x).astype(np.intp), np.floor(y).astype(np.intp)
+        inside = (column >= 0) & (column < ACROSS * self.columns)
+        inside &= (row >= 0) & (row < DOWN * self.rows)
+        column, row = column[inside], row[inside]
+        cells = (row // DOWN, column // ACROSS)
+        np.bitwise_or.at(self._bits, cells, _BITS[row % DOWN, column % ACROSS])
+        higher = self._rank[cells] <= rank
+        cells = (cells[0][higher], cells[1][higher])
+        self._rank[cells], self._style[cells] = rank, self._number(style)
+
+    def lines(self, ends: FloatArray, style: str, rank: int, *, gap: int = 1) -> None:
+        """Draws lines.
+
+        Args:
+            ends: x and y of both ends of each, (n, 4).
+            style: their style.
+            rank: their rank.
+            gap: one of so many dots is drawn.
+        """
+        ends = clipped(ends, ACROSS * self.columns, DOWN * self.rows)
+        spans = ends[:, 2:] - ends[:, :2]
+        counts = np.ceil(np.abs(spans).max(axis=1, initial=0.0)).astype(np.intp) + 1
+        line = np.repeat(np.arange(len(ends)), counts)[:_MOST_DOTS]
+        number = np.arange(len(line)) - (np.cumsum(counts) - counts)[line]
+        drawn = number % gap == 0
+        line, number = line[drawn], number[drawn]
+        share = number / np.maximum(counts[line] - 1, 1)
+        places = ends[line, :2] + share[:, None] * spans[line]
+        self.dots(places[:, 0], places[:, 1], style, rank)
+
+    def circles(self, circles: FloatArray, style: str, rank: int) -> None:
+        """Draws circles: x, y and radius of each, (n, 3)."""
+        for x, y, radius in circles.tolist():
+            if radius < 0.5:
+                self.dots(np.array([x]), np.array([y]), style, rank)
+                continue
+            corners = max(8, min(int(4 * radius), 720))
+            angles = np.linspace(0.0, 2 * np.pi, corners + 1)
+            round_ = np.column_stack([x + radius * np.cos(angles), y + radius * np.sin(angles)])
+            self.lines(np.concatenate([round_[:-1], round_[1:]], axis=1), style, rank)
+
+    def put(self, column: int, row: int, text: str, style: str, rank: int) -> None:
+        """Writes a text over cells, from left to right, where nothing has a higher rank."""
+        for place, character in enumerate(text, column):
+            if (
+                0 <= place < self.columns
+                and 0 <= row < self.rows
+                and self._rank[row, place] <= rank
+            ):
+                self._characters[row, place] = character
+                self._rank[row, place], self._style[row, place] = rank, self._number(style)
+
+    def is_free(self, column: int, row: int, length: int) -> bool:
+        """Tells whether there is room for a text, and nothing there."""
+        inside = 0 <= row < self.rows and 0 <= column <= self.columns - length
+        return inside and bool((self._rank[row, column : column + length] < 0).all())
+
+    def pieces(self) -> Pieces:
+        """Gives the drawing, row by row."""
+        return [
+            [
+                ("".join(character for character, _ in cells), self._styles[style])
+                for style, cells in groupby(self._row(row), key=lambda cell: cell[1])
+            ]
+            for row in range(self.rows)
+        ]
+
+    def _row(self, row: int) -> list[tuple[str, int]]:
+        """Gives the character and the style of each cell."""
+        bits, styles = self._bits[row].tolist(), self._style[row].tolist()
+        cells = []
+        for column, (pattern, style) in enumerate(zip(bits, styles, strict=True)):
+            character = chr(_BLANK + pattern) if pattern else " "
+            cells.append((self._characters.get((row, column), character), style))
+        return cells
+
+    def _number(self, style: str) -> int:
+        if style not in self._styles:
+            self._styles.append(style)
+        return self._styles.index(style)
+
+
+def clipped(ends: FloatArray, width: float, height: float) -> FloatArray:
+    """Gives the parts of lines that lie in the rectangle from 0, 0 to width, height, (m, 4).
+
+    Source: Liang and Barsky, "A new concept and method for line clipping", 1984.
+
+    >>> clipped(np.array([[-5.0, 1.0, 5.0, 1.0], [0.0, 9.0, 4.0, 9.0]]), 4.0, 4.0).tolist()
+    [[0.0, 1.0, 4.0, 1.0]]
+    """
+    span = ends[:, 2:] - ends[:, :2]
+    towards = np.concatenate([-span, span], axis=1)  # left, top, right, bottom
+    room = np.concatenate([ends[:, :2], np.array([width, height]) - ends[:, :2]], axis=1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        share = room / towards
+    enter = np.where(towards < 0.0, share, 0.0).max(axis=1, initial=0.0)
+    leave = np.where(towards > 0.0, share, 1.0).min(axis=1, initial=1.0)
+    seen = (enter <= leave) & ~((towards == 0.0) & (room < 0.0)).any(axis=1)
+    start, span = ends[seen, :2], span[seen]
+    return np.column_stack([start + enter[seen, None] * span, start + leave[seen, None] * span])
