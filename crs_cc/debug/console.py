@@ -22,6 +22,7 @@ b'hello'
 
 from __future__ import annotations
 
+import copy
 from array import array
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -112,6 +113,15 @@ class Console:
         """
         del self._content[self._ends[self._at] :]
         del self._ends[self._at + 1 :], self._writers[self._at :]
+
+    def fork(self) -> Console:
+        """Gives a console of its own, as this one was at this place."""
+        other = copy.copy(self)
+        other._content, other._ends = self._content[:], self._ends[:]
+        other._writers, other._read_at = self._writers[:], dict(self._read_at)
+        other._reads = {robot: known[:] for robot, known in self._reads.items()}
+        other.truncate()
+        return other
 
     def text(self, robot: int | None = None, since: int = 0) -> bytes:
         """Gives what has been written up to here, by one program or by all.

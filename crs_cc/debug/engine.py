@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final
 
 from crs_cc.debug.aims import Aim, BackAim, Spot, ToCaller, ToLine, ToStatement
+from crs_cc.debug.branches import Branch, Branches, Checkpoint
 from crs_cc.debug.breakpoints import Breakpoint, Breakpoints, Hit, Kind
 from crs_cc.debug.console import Console
 from crs_cc.debug.errors import DebugError
@@ -64,6 +65,7 @@ class Debugger:
     Attributes:
         run: the run.
         breakpoints: all breakpoints, watchpoints and catchpoints.
+        branches: the courses of events that the user has tried.
         stop: the last stop.
         robot: the robot that the user looks at.
         frame: the number of the active function that he looks at.
@@ -94,6 +96,7 @@ class Debugger:
         )
         self.breakpoints = Breakpoints()
         self._traveller = Traveller(self.run, self.breakpoints, self._accepts)
+        self.branches = Branches(self.run)
         self.robot = 0
         self.frame = 0
         self.stop = self._traveller.stop("start")
@@ -269,12 +272,13 @@ class Debugger:
         position = self.position
         inside = position != Position(position.timestep, 0)
         if backward:
-            return self._goto(Position(max(0, position.timestep + inside - count), 0), "tick")
+            return self.goto_timestep(max(0, position.timestep + inside - count))
         return self._go(None, Position(position.timestep + count, 0))
 
     def goto(self, target: Position) -> Stop:
         """Goes to an instant that the run has been at."""
-        return self._goto(target, "goto")
+        self.run.seek(target)
+        return self._arrive(self._traveller.stop("beginning" if target == BEGINNING else "goto"))
 
     def goto_timestep(self, timestep: int) -> Stop:
         """Goes to the start of a timestep; breakpoints on the way do not count.
@@ -284,7 +288,11 @@ class Debugger:
         """
         if timestep < 0:
             raise DebugError("time begins at 0")
-        return self._goto(Position(timestep, 0), "goto")
+        target = Position(timestep, 0)
+        if target <= self.position:
+            return self.goto(target)
+        self._traveller.to_timestep(timestep)
+        return self._arrive(self._traveller.stop("goto" if self.position == target else "end"))
 
     def goto_time(self, time_s: float) -> Stop:
         """Goes to the start of the timestep that an instant lies in.
@@ -310,19 +318,6 @@ class Debugger:
             self.run.seek(start)
             raise DebugError(f"{self.names[self.robot]}'s program ends before statement {number}")
         return self._arrive(self._traveller.stop("goto", self.robot))
-
-    def _goto(self, target: Position, reason: str) -> Stop:
-        start = self.position
-        if target <= start or target < self.run.history.latest():
-            self.run.seek(target)
-        else:
-            self._traveller.to_timestep(target.timestep)
-        if self.position < target:
-            return self._arrive(self._traveller.stop("end"))
-        assert reason in {"goto", "tick"}
-        if target == BEGINNING:
-            return self._arrive(self._traveller.stop("beginning"))
-        return self._arrive(self._traveller.stop("goto" if reason == "goto" else "tick"))
 
     def _steppable(self) -> int:
         """Gives the robot that the user looks at."""
@@ -378,6 +373,37 @@ class Debugger:
                 self.breakpoints.remove(number)
         self.frame = self._first_own()
         return stop
+
+    # -- branches ------------------------------------------------------------------------------
+
+    def checkpoint(self, name: str = "") -> Checkpoint:
+        """Makes a checkpoint here."""
+        return self.branches.keep(name, self.time_s)
+
+    def restart(self, number: int) -> Stop:
+        """Goes to a checkpoint.
+
+        Raises:
+            DebugError: there is no such one.
+        """
+        return self.goto(self.branches.checkpoint(number).position)
+
+    def branch(self, name: str) -> Branch:
+        """Goes on in a new branch that begins here; the one that was left stays as it is.
+
+        Raises:
+            DebugError: there is one of that name.
+        """
+        return self.branches.add(name)
+
+    def switch(self, name: str) -> Stop:
+        """Goes to where the user was in another branch.
+
+        Raises:
+            DebugError: there is no such one.
+        """
+        self.branches.switch(name)
+        return self._arrive(self._traveller.stop("goto"))
 
     # -- breakpoints ---------------------------------------------------------------------------
 

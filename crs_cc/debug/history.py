@@ -14,6 +14,7 @@ programs do not do that again by themselves.
 
 from __future__ import annotations
 
+import copy
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -115,6 +116,15 @@ class History:
         self._edits[:] = [each for each in self._edits if each < position] + [position]
         self._user = None
         self.keep(position, kept)
+
+    def fork(self, position: Position) -> History:
+        """Gives a history of its own that has the snapshots up to an instant."""
+        other = copy.copy(self)
+        other._positions = self._positions[: bisect_right(self._positions, position)]
+        other._edits = [each for each in self._edits if each <= position]
+        other._store = Store()
+        other._kept = {each: other._store.take(self.at(each)) for each in other._positions}
+        return other
 
     def at(self, position: Position) -> Kept:
         """Gives the snapshot of an instant of which there is one."""

@@ -116,12 +116,18 @@ class Run:
             world,
             [program.executable for program in programs],
             seed,
-            output=console.write,
-            read=console.read,
+            output=self._write,
+            read=self._read,
             trace=self,
             **options,
         )
         self.history.keep(BEGINNING, self._kept())
+
+    def _write(self, robot: int, stream: int, content: bytes) -> None:
+        self.console.write(robot, stream, content)  # of the branch that the run is in now
+
+    def _read(self, robot: int, wanted: int) -> bytes:
+        return self.console.read(robot, wanted)
 
     def step(self, step: Step) -> None:
         """Hears from the session what happened in a timestep."""
@@ -253,7 +259,7 @@ class Run:
         if target.robot >= 0:
             everywhere, since = frozenset({target.robot}), {target.robot: target.statements}
         self.arm(Marks(all=everywhere, since=since))
-        while self.position < target:
+        while self.position < target and self.goes_on:
             self.advance(target)
 
     def restore(self, kept: Kept) -> None:
@@ -262,6 +268,12 @@ class Run:
         self.session.restore(kept.session)
         self.console.restore(kept.console)
         self._set_slots()
+
+    def enter(self, history: History, console: Console) -> None:
+        """Takes up another course of events; where in it, is said by `seek`."""
+        console.is_live = self.console.is_live
+        self.history, self.console = history, console
+        self._astray = True
 
     def changed(self) -> None:
         """Takes note that the user has changed something: from here on the run is another."""

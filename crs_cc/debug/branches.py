@@ -1,0 +1,138 @@
+"""Branches of a run: what became of it when the user changed this, and what when that.
+
+A branch is a history of its own and a place in it. A new one begins as a copy of what was before
+the instant that it is made at; the session itself is taken from one to the other.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.position import Position
+from crs_cc.sim.unknown import unknown
+
+if TYPE_CHECKING:
+    from crs_cc.debug.console import Console
+    from crs_cc.debug.history import History
+    from crs_cc.debug.run import Run
+
+FIRST: Final = "main"
+"""The name of the branch that a run begins as."""
+
+
+@dataclass(frozen=True, slots=True)
+class Checkpoint:
+    """An instant that the user wants to come back to.
+
+    Attributes:
+        number: from 1 in each branch.
+        name: what the user calls it; may be empty.
+        position: the instant.
+        time_s: the clock of the program that was looked at [s].
+    """
+
+    number: int
+    name: str
+    position: Position
+    time_s: float
+
+
+@dataclass(slots=True)
+class Branch:
+    """One course of events.
+
+    Attributes:
+        name: what the user calls it.
+        history: its snapshots.
+        console: what was written and read.
+        position: where the user was in it, unless he is in it now.
+        checkpoints: instants in it.
+    """
+
+    name: str
+    history: History
+    console: Console
+    position: Position
+    checkpoints: list[Checkpoint] = field(default_factory=list)
+
+
+class Branches:
+    """All branches of a run.
+
+    Attributes:
+        current: the one that the run is in.
+    """
+
+    def __init__(self, run: Run) -> None:
+        self._run = run
+        self.current = Branch(FIRST, run.history, run.console, run.position)
+        self._all = {FIRST: self.current}
+
+    def names(self) -> tuple[str, ...]:
+        """Gives the names of all branches, in the order in which they were made."""
+        return tuple(self._all)
+
+    def add(self, name: str) -> Branch:
+        """Makes a branch that begins here, and goes on in it.
+
+        Raises:
+            DebugError: there is one of that name.
+        """
+        if not name.strip() or name in self._all:
+            raise DebugError(f"there is a branch '{name}' already" if name else "it needs a name")
+        run, here = self._run, self._run.position
+        history, console = run.history.fork(here), run.console.fork()
+        checkpoints = [each for each in self.current.checkpoints if each.position <= here]
+        self.current.position = here
+        self.current = self._all[name] = Branch(name, history, console, here, checkpoints)
+        run.enter(history, console)
+        return self.current
+
+    def switch(self, name: str) -> Branch:
+        """Goes to where the user was in another branch.
+
+        Raises:
+            DebugError: there is no such one.
+        """
+        self.visit(name)
+        self._run.seek(self.current.position)
+        return self.current
+
+    def visit(self, name: str) -> None:
+        """Lets the run be in another branch, wherever it is there; `seek` has to come next.
+
+        Raises:
+            DebugError: there is no such one.
+        """
+        if name not in self._all:
+            raise DebugError(unknown("branch", name, self.names()))
+        self.current.position = self._run.position
+        self.current = self._all[name]
+        self._run.enter(self.current.history, self.current.console)
+
+    def changed(self) -> None:
+        """Forgets checkpoints behind a change."""
+        here = self._run.position
+        self.current.checkpoints[:] = [
+            each for each in self.current.checkpoints if each.position <= here
+        ]
+
+    def keep(self, name: str, time_s: float) -> Checkpoint:
+        """Makes a checkpoint here."""
+        own = self.current.checkpoints
+        number = max((each.number for each in own), default=0) + 1
+        own.append(Checkpoint(number, name, self._run.position, time_s))
+        return own[-1]
+
+    def checkpoint(self, number: int) -> Checkpoint:
+        """Gives a checkpoint of this branch.
+
+        Raises:
+            DebugError: there is no such one.
+        """
+        for each in self.current.checkpoints:
+            if each.number == number:
+                return each
+        raise DebugError(f"there is no checkpoint {number} in branch '{self.current.name}'")
