@@ -9,13 +9,14 @@ functions (`longjmp`) is refused, and so is what runs too long.
 from __future__ import annotations
 
 import struct
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Final, Protocol
 
 from crs_cc.debug.operators import compute, unsigned
 from crs_cc.ir.names import plain_name
 from crs_cc.ir.program import (
+    MEMORY_SIZE,
     VARARGS,
     Address,
     Base,
@@ -71,21 +72,30 @@ class EvaluationError(Exception):
 
 
 class Memory(Protocol):
-    """A stopped program's memory."""
+    """A stopped program's memory.
 
-    def read(self, address: int, size: int) -> bytes:
-        """Gives bytes.
+    Attributes:
+        trusting: whether who asks knows what it does, as the allocator.
+    """
+
+    trusting: bool
+
+    def read(self, address: int, size: int, *, judged: bool = True) -> bytes:
+        """Gives bytes; they need not have values unless they are `judged`.
 
         Raises:
             EvaluationError: C may not read them.
         """
 
-    def write(self, address: int, content: bytes) -> None:
-        """Changes bytes.
+    def write(self, address: int, content: bytes, states: bytes = b"") -> None:
+        """Changes bytes; they have values unless `states` says otherwise.
 
         Raises:
             EvaluationError: C may not write them.
         """
+
+    def states(self, address: int, size: int) -> bytes:
+        """Gives what C may do with bytes, as `ByteState`s."""
 
     def state(self, address: int) -> int:
         """Gives what C may do with a byte, one of `ByteState`."""
@@ -104,15 +114,10 @@ class _Frame:
 
 
 class Interpreter:
-    """Evaluates functions of IR.
-
-    Attributes:
-        changes: whether something was written to the program's memory.
-    """
+    """Evaluates functions of IR."""
 
     def __init__(self, program: Program, addresses: Mapping[str, int], memory: Memory) -> None:
         """Takes a linked program, the addresses of its objects and functions, and its memory."""
-        self.changes = False
         self._program = program
         self._addresses = dict(addresses)
         self._memory = memory
@@ -123,32 +128,45 @@ class Interpreter:
         self._left = MOST_INSTRUCTIONS
         self._depth = 0
 
-    def evaluate(self, expression: Program, name: str, arguments: list[int]) -> Any:
+    def evaluate(self, expression: Program, name: str, arguments: Sequence[int | bytes]) -> Any:
         """Calls a function of a small program that may use all of the large one.
 
         Args:
             expression: the small program.
             name: its function.
-            arguments: i32 arguments.
+            arguments: i32 arguments; of bytes it gets the address.
 
         Returns:
-            What it returns, None if that is nothing.
+            What it returns, None if that is nothing. What it points to may be had from `scratch`
+            until the next evaluation.
 
         Raises:
             EvaluationError: it cannot be evaluated.
         """
         self._left, self._scratch = MOST_INSTRUCTIONS, bytearray()
+        self._memory.trusting = False
         for data in expression.data.values():
-            self._addresses[data.name] = self._place(data)
-        return self._call(expression.functions[name], [("i32", each, 4) for each in arguments])
+            self._addresses[data.name] = self._allocate(data.size)
+        for data in expression.data.values():
+            self._fill(data)
+        passed = [self._kept(each) if isinstance(each, bytes) else each for each in arguments]
+        return self._call(expression.functions[name], [("i32", each, 4) for each in passed])
 
-    def _place(self, data: Data) -> int:
-        address = self._allocate(data.size)
+    def scratch(self, address: int, size: int) -> bytes:
+        """Gives bytes of the scratch memory, fewer at its end."""
+        return bytes(self._scratch[address - SCRATCH :][:size])
+
+    def _kept(self, content: bytes) -> int:
+        address = self._allocate(len(content))
+        self._write(address, content)
+        return address
+
+    def _fill(self, data: Data) -> None:
+        address = self._addresses[data.name]
         self._write(address, (data.content or b"").ljust(data.size, b"\0"))
         for relocation in data.relocations:
             value = unsigned(self._addresses[relocation.symbol] + relocation.addend, 32)
             self._write(address + relocation.offset, value.to_bytes(4, "little"))
-        return address
 
     def _allocate(self, size: int) -> int:
         start = -(-len(self._scratch) // 16) * 16
@@ -159,29 +177,34 @@ class Interpreter:
 
     # -- memory ------------------------------------------------------------------------------
 
-    def _read(self, address: int, size: int) -> bytes:
+    def _read(self, address: int, size: int, *, judged: bool = True) -> bytes:
         address = unsigned(address, 32)
         at = address - SCRATCH
         if at < 0:
-            return self._memory.read(address, size)
+            return self._memory.read(address, size, judged=judged)
         if at + size > len(self._scratch):
             raise EvaluationError(f"no object is at {address:#x}")
         return bytes(self._scratch[at : at + size])
 
-    def _write(self, address: int, content: bytes) -> None:
+    def _write(self, address: int, content: bytes, states: bytes = b"") -> None:
         address = unsigned(address, 32)
         at = address - SCRATCH
         if at < 0:
-            self._memory.write(address, content)
-            self.changes = True
+            self._memory.write(address, content, states)
             return
         if at + len(content) > len(self._scratch):
             raise EvaluationError(f"no object is at {address:#x}")
         self._scratch[at : at + len(content)] = content
 
-    def _load(self, address: int, memory: MemoryType) -> Any:
+    def _load(self, address: int, memory: MemoryType, *, judged: bool = True) -> Any:
         form = _FORMAT[memory]
-        return struct.unpack(form, self._read(address, struct.calcsize(form)))[0]
+        return struct.unpack(form, self._read(address, MEMORY_SIZE[memory], judged=judged))[0]
+
+    def _copy(self, target: int, source: int, size: int) -> None:
+        """Copies bytes; those without values take that along."""
+        content, source = self._read(source, size, judged=False), unsigned(source, 32)
+        states = self._memory.states(source, size) if source < SCRATCH else b""
+        self._write(target, content, states)
 
     def _store(self, address: int, memory: MemoryType, value: Any) -> None:
         form = _FORMAT[memory]
@@ -197,13 +220,16 @@ class Interpreter:
         self._depth += 1
         if self._depth > MOST_CALLS:
             raise EvaluationError("too many calls inside each other")
-        mark, frame = len(self._scratch), _Frame()
+        mark, frame, trusting = len(self._scratch), _Frame(), self._memory.trusting
         try:
             self._enter(function, frame, arguments)
+            self._memory.trusting = function.trusted
             return self._run(function, frame)
         finally:
-            del self._scratch[mark:]
             self._depth -= 1
+            self._memory.trusting = trusting
+            if self._depth:
+                del self._scratch[mark:]
 
     def _enter(
         self,
@@ -217,7 +243,7 @@ class Interpreter:
         at = start = self._allocate(max(sum(sizes), wanted))
         for (memory, value, size), room in zip(arguments, sizes, strict=True):
             if memory is None:
-                self._write(at, self._read(value, size))
+                self._write(at, self._read(value, size, judged=False))
             else:
                 self._store(at, memory, value)
             at += room
@@ -334,14 +360,15 @@ class Interpreter:
         match it:
             case Load():
                 address = self._address(frame, it.base, it.offset)
-                frame.values[it.result] = self._load(address, it.memory)
+                judged = not it.unjudged
+                frame.values[it.result] = self._load(address, it.memory, judged=judged)
             case Store():
                 address = self._address(frame, it.base, it.offset)
                 self._store(address, it.memory, self._value(frame, it.source))
             case Copy():
                 size = unsigned(self._value(frame, it.size), 32)
-                content = self._read(self._value(frame, it.source), size) if size else b""
-                self._write(self._value(frame, it.target), content)
+                if size:
+                    self._copy(self._value(frame, it.target), self._value(frame, it.source), size)
             case Fill():
                 size = unsigned(self._value(frame, it.size), 32)
                 if size > SCRATCH_BYTES:

@@ -17,7 +17,7 @@ that the file declares, its macros too, means what it means at the file's end.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
@@ -34,8 +34,9 @@ from crs_cc.frontend.lower_unit import UnitLowering
 from crs_cc.frontend.options import Options
 from crs_cc.frontend.parse import parse_expression
 from crs_cc.frontend.scope import FunctionSymbol, ObjectSymbol, TypedefName
+from crs_cc.frontend.tree_parts import everything
 from crs_cc.frontend.unit import check_file
-from crs_cc.ir.program import Block, Function, Operand, Parameter, Program, Return
+from crs_cc.ir.program import Block, Function, Operand, Parameter, Program, Return, Variable
 from crs_cc.ir.types import ArrayType, CType, FunctionType, PointerType, RecordType, VoidType
 from crs_cc.source import Diagnostics, Location
 
@@ -78,6 +79,18 @@ class FileNames:
             CompileError: when there are errors in it.
         """
         self._unit, self._source = check_file(path, options, Diagnostics())
+        self._locals = {(each.name, each.location): each.type for each in _locals(self._unit)}
+
+    def knows(self, name: str) -> bool:
+        """Tells whether a name means something outside of functions."""
+        return self._unit.scope.find(name) is not None
+
+    def type_of(self, variable: Variable) -> CType:
+        """Gives the type of a variable in a function, in terms of this file.
+
+        Structs of a program that was compiled at another time are others to C.
+        """
+        return self._locals.get((variable.name, variable.location), variable.ctype)
 
     def compile(
         self,
@@ -137,6 +150,16 @@ class FileNames:
             return expression(unit, node)
 
 
+def _locals(unit: Unit) -> Iterator[ObjectSymbol]:
+    """Gives the variables of all functions, parameters and static ones too."""
+    for function in unit.functions:
+        yield from function.parameters
+        for node in everything(function.body):
+            if isinstance(node, tree.Declare):
+                yield node.symbol
+    yield from (each.symbol for each in unit.objects)
+
+
 def _indirect(name: str, ctype: CType) -> ObjectSymbol:
     """Gives the symbol of a variable that is passed by its address."""
     location = Location(EXPRESSION, 1, 1)
@@ -154,7 +177,8 @@ def _lowered(
         register = low.lasting_register("i32")
         low.places[symbol] = register
         function.parameters.append(Parameter(register, "i32", 4))
-    ctype, is_place = checked.type, is_lvalue(checked) and not _is_bit_field(checked)
+    ctype = checked.type
+    is_place = is_lvalue(checked) and not _is_bit_field(checked) and not _is_hidden(checked)
     result: Operand | None = None
     if is_place or isinstance(ctype, RecordType | ArrayType):
         result, is_place = low.address(place(low, checked), location), True
@@ -174,3 +198,8 @@ def _lowered(
 
 def _is_bit_field(checked: tree.Expression) -> bool:
     return isinstance(checked, tree.MemberAccess) and checked.member.bit_width is not None
+
+
+def _is_hidden(checked: tree.Expression) -> bool:
+    """Tells whether an expression is the address of a variable, which came as a variable itself."""
+    return isinstance(checked, tree.ObjectName) and checked.symbol.is_indirect

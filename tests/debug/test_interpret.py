@@ -23,14 +23,18 @@ class Bytes:
     """A robot's memory, all of it to be read and written."""
 
     def __init__(self, fleet: Fleet) -> None:
+        self.trusting = False
         self.memory = fleet.memory(0)
         self.shadow = fleet.shadow(0)
 
-    def read(self, address: int, size: int) -> bytes:
+    def read(self, address: int, size: int, *, judged: bool = True) -> bytes:
         return self.memory[address : address + size].tobytes()
 
-    def write(self, address: int, content: bytes) -> None:
+    def write(self, address: int, content: bytes, states: bytes = b"") -> None:
         self.memory[address : address + len(content)] = np.frombuffer(content, np.uint8)
+
+    def states(self, address: int, size: int) -> bytes:
+        return self.shadow[address : address + size].tobytes()
 
     def state(self, address: int) -> int:
         return int(self.shadow[address])

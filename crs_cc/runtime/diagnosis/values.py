@@ -38,16 +38,37 @@ from crs_cc.ir.types import (
 )
 
 LONGEST: Final = 60
-"""Longer values are cut [characters]."""
-
-MOST_ELEMENTS: Final = 8
 LONGEST_TEXT: Final = 40
-MOST_NESTED: Final = 3  # structs and arrays inside each other
 
 _ESCAPES: Final = {7: "\\a", 8: "\\b", 9: "\\t", 10: "\\n", 11: "\\v", 12: "\\f", 13: "\\r"}
 
 
 _KNOWN: Final = bytes([ByteState.WITH_VALUE])
+
+
+@dataclass(frozen=True, slots=True)
+class Style:
+    """How much of a value is written.
+
+    Attributes:
+        longest: longer values are cut [characters].
+        most_elements: how many elements of an array are written.
+        longest_text: how much of a string is written [characters].
+        most_nested: how many structs and arrays inside each other are written.
+        repeats: so many equal elements, or more, are written as one; 0 for never.
+        unset: what a value that nobody has set is written as.
+    """
+
+    longest: int = LONGEST
+    most_elements: int = 8
+    longest_text: int = LONGEST_TEXT
+    most_nested: int = 3
+    repeats: int = 0
+    unset: str = "?"
+
+
+BRIEF: Final = Style()
+"""For messages."""
 
 
 def _nothing(_address: int, _size: int) -> bytes:
@@ -66,31 +87,31 @@ def _no_function(_number: int) -> str:
 class Values:
     """Writes values; knows the memory that pointers point into as far as it is told.
 
-    A value that nobody has set is written as `?`.
-
     Attributes:
         read: gives up to so many bytes at an address, as many as can be read.
         states: gives the `ByteState`s of these bytes; nothing when all have values.
         object_at: names what of a type lies at an address (`sonar`, `&head.next`); empty when
             unknown.
         function_at: names the function that a function pointer stands for; empty when unknown.
+        style: how much is written.
     """
 
     read: Callable[[int, int], bytes] = _nothing
     states: Callable[[int, int], bytes] = _nothing
     object_at: Callable[[int, CType], str] = _no_object
     function_at: Callable[[int], str] = _no_function
+    style: Style = BRIEF
 
     def show(self, ctype: CType, content: bytes, states: bytes = b"") -> str:
-        """Gives the value of an object of a type, at most `LONGEST` long.
+        """Gives the value of an object of a type, in one line.
 
         Args:
             ctype: the type.
             content: its bytes.
             states: their states; none when all have values.
         """
-        text = self._show(ctype, content, states, 0)
-        return text if len(text) <= LONGEST else text[: LONGEST - 3] + "..."
+        text, longest = self._show(ctype, content, states, 0), self.style.longest
+        return text if len(text) <= longest else text[: longest - 3] + "..."
 
     def show_target(self, ctype: CType, content: bytes) -> str:
         """Gives the struct that a pointer points to; empty for all other values."""
@@ -104,7 +125,7 @@ class Values:
     def _show(self, ctype: CType, content: bytes, states: bytes, depth: int) -> str:
         is_scalar = not isinstance(ctype, ArrayType | RecordType)
         if is_scalar and (len(content) < ctype.size or states.strip(_KNOWN)):
-            return "?"
+            return self.style.unset
         match ctype:
             case EnumType():
                 return _enumerator(ctype, _integer(content, signed=ctype.signed))
@@ -128,8 +149,8 @@ class Values:
         if isinstance(target, FunctionType):
             return self.function_at(address) or f"{address:#x}"
         if isinstance(target, IntegerType) and target.name.endswith("char"):
-            size = LONGEST_TEXT + 1
-            text = _text(self.read(address, size), self.states(address, size))
+            size = self.style.longest_text + 1
+            text = self._text(self.read(address, size), self.states(address, size))
             if text is not None:
                 return text
         return self.object_at(address, target) or f"{address:#x}"
@@ -137,33 +158,60 @@ class Values:
     def _array(self, ctype: ArrayType, content: bytes, states: bytes, depth: int) -> str:
         element, size = ctype.element, ctype.element.size
         if isinstance(element, IntegerType) and element.name.endswith("char"):
-            text = _text(content, states)
+            text = self._text(content, states)
             if text is not None:
                 return text
-        if depth >= MOST_NESTED or size == 0:
+        if depth >= self.style.most_nested or size == 0:
             return "{...}"
-        parts = [
-            self._show(
-                element, content[start : start + size], states[start : start + size], depth + 1
-            )
-            for start in range(0, min(len(content), MOST_ELEMENTS * size), size)
-        ]
-        if len(content) > MOST_ELEMENTS * size:
+        parts: list[str] = []
+        start = 0
+        while start < len(content) and len(parts) < self.style.most_elements:
+            part = slice(start, start + size)
+            count = self._run(content, states, start, size) if self.style.repeats else 1
+            text = self._show(element, content[part], states[part], depth + 1)
+            parts.append(text if count == 1 else f"{text} <repeats {count} times>")
+            start += count * size
+        if start < len(content):
             parts.append("...")
         return "{" + ", ".join(parts) + "}"
 
+    def _run(self, content: bytes, states: bytes, start: int, size: int) -> int:
+        """Gives how many elements from one on are equal, if these are many; else 1."""
+        first, known, end = content[start : start + size], states[start : start + size], start
+        while content[end : end + size] == first and states[end : end + size] == known:
+            end += size
+            if end >= len(content):
+                break
+        count = (end - start) // size
+        return count if count >= self.style.repeats else 1
+
     def _record(self, ctype: RecordType, content: bytes, states: bytes, depth: int) -> str:
-        if depth >= MOST_NESTED:
+        if depth >= self.style.most_nested:
             return "{...}"
         parts = []
         for member in ctype.record.members or []:
             if member.name is None and not isinstance(member.type, RecordType):
                 continue
             part = slice(member.offset, member.offset + member.type.size)
-            inner = _bits(member, content[part])
+            inner = bit_field(member, content[part])
             shown = self._show(member.type, inner, states[part], depth + 1)
             parts.append(shown if member.name is None else f"{member.name} = {shown}")
         return "{" + ", ".join(parts) + "}"
+
+    def _text(self, content: bytes, states: bytes) -> str | None:
+        """Gives a string in quotes as far as it goes; None when it is no text."""
+        characters, end, _ = content.partition(b"\0")
+        longest = self.style.longest_text
+        if states[: len(characters + end)].strip(_KNOWN):
+            return None
+        if not content or any(code < 32 and code not in b"\t\n\r" for code in characters):
+            return None
+        if not end and len(content) <= longest:
+            return None  # nothing ends it
+        shown = characters[:longest]
+        escapes = _ESCAPES | {34: '\\"', 92: "\\\\", 127: "\\177"}
+        text = shown.decode("utf-8", "replace").translate(escapes)
+        return f'"{text}"' + ("..." if len(characters) > longest else "")
 
 
 def place_name(name: str, ctype: CType, offset: int, wanted: CType | None = None) -> str:
@@ -219,22 +267,7 @@ def _enumerator(ctype: EnumType, value: int) -> str:
     return str(value)
 
 
-def _text(content: bytes, states: bytes) -> str | None:
-    """Gives a string in quotes as far as it goes; None when it is no text."""
-    characters, end, _ = content.partition(b"\0")
-    if states[: len(characters + end)].strip(_KNOWN):
-        return None
-    if not content or any(code < 32 and code not in b"\t\n\r" for code in characters):
-        return None
-    if not end and len(content) <= LONGEST_TEXT:
-        return None  # nothing ends it
-    shown = characters[:LONGEST_TEXT]
-    escapes = _ESCAPES | {34: '\\"', 92: "\\\\", 127: "\\177"}
-    text = shown.decode("utf-8", "replace").translate(escapes)
-    return f'"{text}"' + ("..." if len(characters) > LONGEST_TEXT else "")
-
-
-def _bits(member: Member, content: bytes) -> bytes:
+def bit_field(member: Member, content: bytes) -> bytes:
     """Gives a member's bytes, those of a bit-field as if it had a whole object of its type."""
     if member.bit_width is None:
         return content

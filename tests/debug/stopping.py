@@ -1,0 +1,57 @@
+"""Programs that have stopped before a line, for tests of what looks at them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from crs_cc.debug.evaluate import Evaluator, Names
+from crs_cc.debug.program import DebugProgram
+from crs_cc.frontend.options import Options
+from crs_cc.requests import SUSPENDED
+from crs_cc.runtime.fleet import Fleet
+from crs_cc.runtime.layout import MEMORY_BYTES
+from crs_cc.session.build import build_executable
+from crs_cc.session.host import Host, HostRequest
+from crs_cc.session.library import HEADERS
+from crs_cc.source import Diagnostics
+
+
+class Stopping:
+    """A program that runs from stop to stop; `STOP` in the source is where it stops."""
+
+    def __init__(self, folder: Path, *sources: str, checked: bool = True) -> None:
+        paths = [folder / f"test{number or ''}.c" for number in range(len(sources))]
+        for path, source in zip(paths, sources, strict=True):
+            path.write_text(source)
+        self.executable = build_executable(paths, Diagnostics(), debug=True, checked=checked)
+        self.program = DebugProgram(self.executable, paths, Options(system_paths=(HEADERS,)))
+        self.fleet = Fleet([self.executable])
+        self.host = Host([["test"]], lambda *_: None, lambda *_: b"")
+        self.status: int | None = None
+        self.lines = {str(path): path.read_text().splitlines() for path in paths}
+
+    def run(self, mark: str = "STOP") -> Stopping:
+        """Runs on to the next statement in a line with a mark."""
+        places = self.executable.detail().compiled.statements
+        for number, site in enumerate(places):
+            lines = self.lines.get(site.location.file, [])
+            has_mark = lines and mark in lines[site.location.line - 1]
+            self.fleet.marks[0][number] = int(bool(has_mark))
+        slot = self.fleet.slots[0]
+        while self.status is None:
+            slot["run"], slot["fuel"] = 1, 10**9
+            self.fleet.run_round()
+            assert slot["status"] == SUSPENDED, self.fleet.report(0)
+            if slot["stopped"]:
+                return self
+            self.host.serve(int(slot["code"]), HostRequest(0, slot["message"], 0.0, 0.0))
+            self.status = self.host.exit_status[0]
+        raise AssertionError("the program has ended")
+
+    def evaluator(self) -> Evaluator:
+        """Gives what evaluates expressions."""
+        return Evaluator(lambda: self.fleet.stopped(0), Names(self.program))
+
+    def state(self) -> tuple[bytes, bytes]:
+        """Gives all bytes of the program, and of its shadow."""
+        return self.fleet.memory(0).tobytes(), self.fleet._shadows[0][:MEMORY_BYTES].tobytes()

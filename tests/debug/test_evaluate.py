@@ -1,0 +1,222 @@
+"""Expressions mean what they mean in the source where the program stands."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.evaluate import Evaluator
+from tests.debug.stopping import Stopping
+
+SOURCE = r"""
+#include <stdlib.h>
+#define TWICE(x) (2 * (x))
+enum mode { IDLE, TURN = 5 };
+struct point { int x, y; };
+struct node { struct point at; struct node *next; char name[8]; unsigned on : 3; signed off : 4; };
+int total = 7;
+static int hidden = 3;
+int order[6] = {1, 2, 3, 4, 5, 6};
+char text[] = "hello";
+int shadowed = 1;
+static int twice(int n) { int made = n; made *= 2; return made; }
+static int bump(int n) { static int calls; calls++; total += n; return calls; }
+static struct point moved(struct point from, int by) { from.x += by; return from; }
+static int fails(int n) { total = n; return n / (n - n); }
+static int deep(int n) { return deep(n + 1); }
+static int endless(void) { for (;;) ; return 0; }
+int (*op)(int) = twice;
+int work(int speed, double d, char letter)
+{
+    struct node n = {{1, 2}, 0, "abc", 5, -3};
+    struct node *p = malloc(sizeof *p), *freed;
+    unsigned short s = 65535;
+    long long big = 1LL << 40;
+    float f = 0.1f;
+    char array[4];
+    int i;
+    p->next = &n;
+    p->at.x = 3;
+    freed = malloc(24);
+    free(freed);
+    array[0] = 'a';
+    for (i = 1; i < 3; i++) {
+        int shadowed = 10 * i;
+        {
+            int speed = 99;
+            total += speed - 99; /* INNER */
+        }
+        total += shadowed; /* STOP */
+    }
+    return i + s + big + f + d + letter + speed + p->at.x + array[0];
+}
+int main(void)
+{
+    int outer = 4;
+    return op(outer) + work(outer, 2.5, 'x') + bump(0) + hidden + shadowed + text[0] + order[0]
+        + moved((struct point) {1, 2}, 1).x + (outer > 9 ? fails(1) + deep(1) + endless() : 0);
+}
+"""
+
+
+@pytest.fixture(scope="module")
+def stopping(tmp_path_factory: pytest.TempPathFactory) -> Stopping:
+    return Stopping(tmp_path_factory.mktemp("evaluate"), SOURCE).run()
+
+
+@pytest.fixture(scope="module")
+def evaluator(stopping: Stopping) -> Evaluator:
+    return stopping.evaluator()
+
+
+SHOWN = {
+    "total": "7",
+    "hidden + speed": "7",
+    "shadowed": "10",
+    "i * 3 - 1 << 2": "8",
+    "-7 / 2": "-3",
+    "-7 % 3": "-1",
+    "7u - 8u": "4294967295",
+    "s + 1": "65536",
+    "(unsigned char)s": "255",
+    "big": "1099511627776",
+    "big >> 38 & 7": "4",
+    "f": "0.1",
+    "f == 0.1": "0",
+    "d / 2": "1.25",
+    "letter": "120 'x'",
+    "letter == 'x' && total > 6 || 1 / 0": "1",
+    "i ? order[i] : order[0]": "2",
+    "n.at.y": "2",
+    "p->next->name": '"abc"',
+    "n.on": "5",
+    "n.off": "-3",
+    "TWICE(speed + 1)": "10",
+    "TURN": "5",
+    "(enum mode)5": "TURN",
+    "(enum mode)total": "7",
+    "sizeof(struct node)": "24",
+    "sizeof order / sizeof *order": "6",
+    "twice(21)": "42",
+    "op(4)": "8",
+    "moved(n.at, 40).x": "41",
+    "moved(n.at, 40)": "{x = 41, y = 2}",
+    "op": "twice",
+    "twice": "twice",
+    "&order[3]": "&order[3]",
+    "&speed": "&speed",
+    "*&speed": "4",
+    '"abc"': '"abc"',
+    "text": '"hello"',
+    "text[1]": "101 'e'",
+    "(void)0": "void",
+    "array[0]": "97 'a'",
+    "array[1]": "uninitialised",
+    "p->at.y": "uninitialised",
+    "p->at": "{x = 3, y = ?}",
+}
+
+
+@pytest.mark.parametrize("text", SHOWN)
+def test_expressions_have_these_values(evaluator: Evaluator, stopping: Stopping, text: str) -> None:
+    before = stopping.state()
+    found = evaluator.evaluate(text)
+    assert found.value.text == SHOWN[text]
+    assert not found.changed
+    assert stopping.state() == before
+
+
+REFUSED = {
+    "foo": "use of undeclared identifier 'foo'",
+    "outer": "use of undeclared identifier 'outer'",
+    "1 +": "expected an expression",
+    "": "there is no expression",
+    "n + 1": "invalid operands",
+    "1 / 0": "integer division or modulo by zero",
+    "*(int *)0": "the pointer is null",
+    "order[6]": "is past the end of 'order'",
+    "*freed": "a heap block of 24 bytes is freed at",
+    "*(int *)0x7fffffff": "is outside of all objects",
+    "array[1] + 1": "'array[1]' is uninitialised",
+    "p->at.y + 1": "a heap block of 24 bytes is uninitialised",
+    "fails(3)": "integer division or modulo by zero",
+    "deep(1)": "too many calls inside each other",
+    "endless()": "not done after 1,000,000 instructions",
+    "((int (*)(int))12)(1)": "0xc is no function",
+    "(" * 5000: "nested too deeply",
+    "9" * 20000: "too long",
+}
+
+
+@pytest.mark.parametrize("text", REFUSED, ids=lambda text: text[:20])
+def test_a_mistake_is_told_in_a_line_and_changes_nothing(
+    evaluator: Evaluator, stopping: Stopping, text: str
+) -> None:
+    before = stopping.state()
+    with pytest.raises(DebugError) as caught:
+        evaluator.evaluate(text)
+    assert REFUSED[text] in str(caught.value)
+    assert "\n" not in str(caught.value)
+    assert stopping.state() == before
+
+
+def test_assignments_change_the_program(tmp_path: Path) -> None:
+    stopping = Stopping(tmp_path, SOURCE).run()
+    evaluator = stopping.evaluator()
+    for text in ("total = 12", "s = 1", "n.off = 7", "array[2] = 'z'", "i += 1", "p->at.y = -1"):
+        assert evaluator.evaluate(text).changed, text
+    assert not evaluator.evaluate("total = 12").changed
+    assert evaluator.evaluate("bump(5)").changed
+    shown = [evaluator.evaluate(each).value.text for each in ("total", "s", "n.off", "array[2]")]
+    assert shown == ["17", "1", "7", "122 'z'"]
+    assert evaluator.evaluate("array[1]").value.text == "uninitialised"
+    assert evaluator.evaluate("p->at.y + i").value.text == "1"
+    assert evaluator.evaluate("letter = 200").value.text == "-56"
+    assert evaluator.evaluate("letter").value.text == "-56"
+
+
+def test_the_program_goes_on_with_what_was_assigned(tmp_path: Path) -> None:
+    stopping = Stopping(tmp_path, SOURCE).run()
+    evaluator = stopping.evaluator()
+    evaluator.evaluate("i = 2")
+    evaluator.evaluate("shadowed = 1000")
+    with pytest.raises(AssertionError, match="the program has ended"):
+        stopping.run()
+    assert stopping.fleet.stopped(0) is not None
+
+
+def test_names_mean_the_innermost_variable(tmp_path: Path) -> None:
+    stopping = Stopping(tmp_path, SOURCE).run("INNER")
+    evaluator = stopping.evaluator()
+    assert evaluator.evaluate("speed").value.text == "99"
+    frames = {each.function: each for each in stopping.fleet.stopped(0).stack}
+    assert evaluator.evaluate("outer", frames["main"]).value.text == "4"
+    assert evaluator.evaluate("shadowed", frames["main"]).value.text == "1"
+    stopping.run("STOP")
+    assert evaluator.evaluate("speed").value.text == "4"
+
+
+def test_conditions_take_back_what_they_do(evaluator: Evaluator, stopping: Stopping) -> None:
+    before = stopping.state()
+    assert evaluator.holds("bump(1) == 1")
+    assert evaluator.holds("bump(1) == 1")
+    assert not evaluator.holds("p->next->at.x - 1")
+    assert evaluator.holds("0.5")
+    with pytest.raises(DebugError, match="invalid argument type"):
+        evaluator.holds("n")
+    assert stopping.state() == before
+
+
+def test_places(evaluator: Evaluator) -> None:
+    place = evaluator.place("order[2]")
+    known = evaluator.evaluate("&order[0]").value.number
+    assert (place.address, place.size, place.frame) == (known + 8, 4, None)
+    inner = evaluator.place("p->next->at")
+    assert inner.size == 8
+    assert inner.frame is not None
+    assert inner.frame.function == "work"
+    for text in ("1 + 2", '"abc"', "twice", "&total"):
+        with pytest.raises(DebugError, match="is a value and no object in memory"):
+            evaluator.place(text)
