@@ -198,9 +198,10 @@ class DebugApp(App[int]):
 
     def _toggle(self, line: int) -> None:
         source = self._look.source
-        command = "clear" if line in source.breakpoints else "break"
-        if source.file:
-            self.action_press(f"{command} {source.file}:{line}")
+        if line in source.breakpoints:
+            self.action_press(f"delete {source.breakpoints[line].number}")
+        elif source.file:
+            self.action_press(f"break {source.file}:{line}")
 
     def action_help(self) -> None:
         """Shows the keys."""
@@ -276,4 +277,4 @@ class DebugApp(App[int]):
 
     def on_time_line_move(self, message: TimeLine.Move) -> None:
         """Goes to a time."""
-        self.action_press(f"goto t={message.time_s:.6f}")
+        self.action_press(f"goto {message.time_s:.6f}")

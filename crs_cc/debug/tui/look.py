@@ -14,6 +14,14 @@ Key = tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
+class Breakmark:
+    """A breakpoint at a line: its number, and whether it is enabled."""
+
+    number: int
+    enabled: bool = True
+
+
+@dataclass(frozen=True, slots=True)
 class SourceLook:
     """A file and where the run stands in it.
 
@@ -22,14 +30,14 @@ class SourceLook:
         lines: its text.
         line: where the frame that is looked at stands, from 1; 0 when it is in another file.
         innermost: the run itself stands there, not only a caller.
-        breakpoints: by line, whether one is enabled there.
+        breakpoints: by line, the one that is there.
     """
 
     file: str = ""
     lines: Sequence[str] = ()
     line: int = 0
     innermost: bool = True
-    breakpoints: Mapping[int, bool] = field(default_factory=dict)
+    breakpoints: Mapping[int, Breakmark] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,11 +70,19 @@ class Choice:
 
 
 @dataclass(frozen=True, slots=True)
+class Written:
+    """A line that a program wrote: who, where there are several, what, and whether to `stderr`."""
+
+    who: str
+    text: str
+    is_error: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class Look:
     """All that the screen shows.
 
     Attributes:
-        title: which program, in which world.
         state: why it stopped, in one line.
         is_over: nothing is left to run.
         time_s: the simulated time [s] of where it stands.
@@ -77,11 +93,10 @@ class Look:
         robots: who there is.
         variables: groups of values: the frame's, what is watched, the program's.
         chart: the world from above.
-        output: what the programs have written so far.
+        output: the last lines that the programs have written so far.
         events: what happened, in the order of time.
     """
 
-    title: str = ""
     state: str = ""
     is_over: bool = False
     time_s: float = 0.0
@@ -92,5 +107,5 @@ class Look:
     robots: tuple[Choice, ...] = ()
     variables: tuple[Row, ...] = ()
     chart: Text = field(default_factory=Text)
-    output: str = ""
+    output: tuple[Written, ...] = ()
     events: tuple[Happening, ...] = ()

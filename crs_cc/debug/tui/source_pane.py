@@ -119,12 +119,12 @@ class SourcePane(ScrollView, can_focus=True):
 
     def _marks(self, number: int) -> list[Segment]:
         look = self._look
-        enabled = look.breakpoints.get(number)
-        dot = {None: " ", True: "●", False: "○"}[enabled]
+        mark = look.breakpoints.get(number)
+        dot = " " if mark is None else "●" if mark.enabled else "○"
         arrow = " " if number != look.line else "▶" if look.innermost else "▷"
         digits = len(str(len(self._coloured)))
         return [
-            Segment(dot, _BREAKPOINT if enabled else _OFF),
+            Segment(dot, _BREAKPOINT if mark and mark.enabled else _OFF),
             Segment(arrow, _ARROW),
             Segment(f" {number:>{digits}}  ", _NUMBER),
         ]

@@ -8,10 +8,12 @@ from rich.style import Style
 from rich.text import Text
 from textual.widgets import RichLog
 
+from crs_cc.debug.tui.look import Written
 from crs_cc.debug.tui.printable import printable
 
 _MOST_LINES: Final = 2000
 _ERROR: Final = Style(color="red")
+_WHO: Final = Style(color="cyan")
 _ECHO: Final = Style(dim=True)
 
 
@@ -51,17 +53,19 @@ class Output(RichLog):
             **arguments,  # type: ignore[arg-type]
         )
         self.border_title = "output"
-        self._text = ""
+        self._lines: tuple[Written, ...] = ()
 
-    def show(self, text: str) -> None:
-        """Shows all that was written; less than before when the run has gone back."""
-        if text == self._text:
-            return
-        more = text
-        if self._text.endswith("\n") and text.startswith(self._text):
-            more = text[len(self._text) :]
-        else:
+    def show(self, lines: tuple[Written, ...]) -> None:
+        """Shows what was written; less than before when the run has gone back."""
+        known = len(self._lines)
+        if lines[:known] != self._lines:
             self.clear()
-        self._text = text
-        for line in more.removesuffix("\n").split("\n")[-_MOST_LINES:]:
-            self.write(Text(printable(line.expandtabs()), no_wrap=True))
+            known = 0
+        for line in lines[known:][-_MOST_LINES:]:
+            self.write(_written(line))
+        self._lines = lines
+
+
+def _written(line: Written) -> Text:
+    text = Text(f"{line.who}: " if line.who else "", _WHO, no_wrap=True)
+    return text.append(printable(line.text.expandtabs()), _ERROR if line.is_error else "")

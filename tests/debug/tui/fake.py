@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Sequence
-from dataclasses import replace
 
 from rich.text import Text
 
 from crs_cc.debug.happenings import Happening
-from crs_cc.debug.tui.look import Choice, Look, Row, SourceLook
+from crs_cc.debug.tui.look import Breakmark, Choice, Look, Row, SourceLook, Written
 from crs_cc.debug.tui.work import Done, Order
 
 LINES = (
@@ -34,7 +33,7 @@ class FakeWork:
         self.orders: list[Order] = []
         self.line = 8
         self.count = 0
-        self.breakpoints: dict[int, bool] = {9: True}
+        self.breakpoints = {9: Breakmark(1)}
         self.go_on = threading.Event()
 
     @property
@@ -54,9 +53,10 @@ class FakeWork:
             self.go_on.clear()
             return Done(self.look(order), Text("interrupted"), moved=True)
         if line is not None and line.startswith("break"):
-            self.breakpoints[int(line.rpartition(":")[2])] = True
-        if line is not None and line.startswith("clear"):
-            del self.breakpoints[int(line.rpartition(":")[2])]
+            number = len(self.breakpoints) + 1
+            self.breakpoints[int(line.rpartition(":")[2])] = Breakmark(number)
+        if line == "delete 1":
+            del self.breakpoints[9]
         if line == "quit":
             return Done(self.look(order), leaves=True)
         if line == "foo":
@@ -75,7 +75,6 @@ class FakeWork:
         parts = (Row((*where, "x"), "x", "1.5"), Row((*where, "y"), "y", "-2"))
         width, height = order.chart_size
         return Look(
-            title="sum.c in room.xml",
             state="breakpoint 1, main () at sum.c:9",
             time_s=3.25,
             end_s=10.0,
@@ -104,14 +103,9 @@ class FakeWork:
                 ),
             ),
             chart=Text("\n".join(["#" * width] * height)),
-            output="0 0\n" + "1 1\n" * self.count,
+            output=(Written("", "0 0"), *[Written("", "1 1")] * self.count),
             events=(
                 Happening(3.25, "stop", 0, "breakpoint 1"),
                 Happening(7.0, "collision", 0, "scout touched wall 3"),
             ),
         )
-
-
-def changed(look: Look, **changes: object) -> Look:
-    """Gives another look."""
-    return replace(look, **changes)  # type: ignore[arg-type]
