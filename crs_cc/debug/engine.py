@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final
 
 from crs_cc.debug.aims import Aim, BackAim, Spot, ToCaller, ToLine, ToStatement
@@ -24,14 +23,11 @@ from crs_cc.debug.position import BEGINNING, Position
 from crs_cc.debug.run import Run
 from crs_cc.debug.stop import Stop
 from crs_cc.debug.travel import Traveller
-from crs_cc.ir.names import in_library, plain_name
-from crs_cc.runtime.diagnosis.inspect import StackFrame
+from crs_cc.debug.view import Frame, View
 from crs_cc.session.host import Client, Input, Output, discard, no_input
-from crs_cc.source import Location
 
 if TYPE_CHECKING:
     from crs_cc.debug.program import DebugProgram
-    from crs_cc.session.session import Session
     from crs_cc.sim.model import WorldModel
 
 Move = Callable[[], Stop]
@@ -40,35 +36,13 @@ _SLACK_S: Final = 1e-9
 _MOST_STEPS: Final = 1_000_000
 
 
-@dataclass(frozen=True, slots=True)
-class Frame:
-    """An active function of a program.
+class Debugger(View):
+    """A run under the eyes of a user, who moves it; what he looks at is told by `View`.
 
     Attributes:
-        number: 0 for the innermost.
-        function: its name.
-        location: where it stands.
-        is_library: whether it is one of the C library's, whose source nobody looks at.
-        active: what finds its variables.
-    """
-
-    number: int
-    function: str
-    location: Location
-    is_library: bool
-    active: StackFrame
-
-
-class Debugger:
-    """A run under the eyes of a user.
-
-    Attributes:
-        run: the run.
         breakpoints: all breakpoints, watchpoints and catchpoints.
         branches: the courses of events that the user has tried.
         stop: the last stop.
-        robot: the robot that the user looks at.
-        frame: the number of the active function that he looks at.
     """
 
     def __init__(
@@ -84,112 +58,22 @@ class Debugger:
         client: Client = "nclient",
     ) -> None:
         """Puts the programs into the robots; nothing has run yet. For the arguments see `Crew`."""
-        self.run = Run(
-            world,
-            programs,
-            seed,
-            Console(output, read),
-            History(),
-            arguments=arguments,
-            files=files,
-            client=client,
+        super().__init__(
+            Run(
+                world,
+                programs,
+                seed,
+                Console(output, read),
+                History(robots=len(programs)),
+                arguments=arguments,
+                files=files,
+                client=client,
+            )
         )
         self.breakpoints = Breakpoints()
         self._traveller = Traveller(self.run, self.breakpoints, self._accepts)
         self.branches = Branches(self.run)
-        self.robot = 0
-        self.frame = 0
         self.stop = self._traveller.stop("start")
-
-    # -- where it is ---------------------------------------------------------------------------
-
-    @property
-    def session(self) -> Session:
-        """The session; to be looked at only."""
-        return self.run.session
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """The robots' names, by number."""
-        return tuple(robot.id for robot in self.session.environment.world.robots)
-
-    @property
-    def position(self) -> Position:
-        """Where the run is."""
-        return self.run.position
-
-    @property
-    def time_s(self) -> float:
-        """The clock of the program that is looked at, or the world's when it does not run [s]."""
-        return self.run.time_s(self.robot)
-
-    @property
-    def is_over(self) -> bool:
-        """Whether no program is left."""
-        return not self.run.goes_on
-
-    def frames(self, robot: int | None = None) -> list[Frame]:
-        """Gives a program's active functions, the innermost first."""
-        robot = self.robot if robot is None else robot
-        if not self.session.alive[robot] and not self.run.has_failed(robot):
-            return []
-        site = self.run.site(robot)
-        frames: list[Frame] = []
-        for active in self.run.failed_stack(robot) or self.run.stopped(robot).stack:
-            location, is_library = active.location, in_library(active.location)
-            if site is not None and not frames:
-                location = site.location
-            name = plain_name(active.function)
-            frames.append(Frame(len(frames), name, location, is_library, active))
-        while frames and frames[-1].is_library:
-            frames.pop()
-        return frames
-
-    def current_frame(self) -> Frame | None:
-        """Gives the active function that the user looks at; None when there is none."""
-        frames = self.frames()
-        return frames[self.frame] if self.frame < len(frames) else None
-
-    def location(self) -> Location | None:
-        """Gives the place in the source that the user looks at."""
-        frame = self.current_frame()
-        return None if frame is None or frame.is_library else frame.location
-
-    def source(self, file: str) -> Sequence[str]:
-        """Gives the lines of a C file; none for a file that is not the user's."""
-        for program in self.run.programs:
-            lines = program.executable.detail().lines
-            if file in lines:
-                return lines[file]
-        return ()
-
-    def select_robot(self, robot: int | str) -> None:
-        """Looks at another robot, by its number or name.
-
-        Raises:
-            DebugError: there is no such one.
-        """
-        names = self.names
-        number = names.index(robot) if robot in names else robot
-        if not isinstance(number, int) or not 0 <= number < len(names):
-            known = ", ".join(names[:20])
-            raise DebugError(f"there is no robot '{robot}': there are {known}")
-        self.robot = number
-        self.frame = self._first_own()
-
-    def select_frame(self, number: int) -> None:
-        """Looks at another active function.
-
-        Raises:
-            DebugError: there is no such one.
-        """
-        if not 0 <= number < len(self.frames()):
-            raise DebugError(f"there is no frame {number}")
-        self.frame = number
-
-    def _first_own(self) -> int:
-        frames = self.frames()
-        return next((each.number for each in frames if not each.is_library), 0)
 
     # -- moving --------------------------------------------------------------------------------
 
@@ -209,20 +93,19 @@ class Debugger:
 
     def step(self, count: int = 1, *, backward: bool = False) -> Stop:
         """Goes to the next line, into calls; or to the start of the line before."""
-        robot = self._steppable()
+        robot = self.robot
         if backward:
             return self._repeat(count, lambda: self._back(BackAim(robot)))
         return self._repeat(count, lambda: self._go(ToLine(robot, self._spot())))
 
     def next(self, count: int = 1, *, backward: bool = False) -> Stop:
         """Goes to the next line, past calls; or to the start of the one before."""
-        self._steppable()
         move = self._next_back if backward else self._next
         return self._repeat(count, move)
 
     def step_statement(self, count: int = 1, *, backward: bool = False) -> Stop:
         """Goes to the next statement, into calls; or to the one before."""
-        robot = self._steppable()
+        robot = self.robot
         if backward:
             return self._repeat(count, lambda: self._back(BackAim(robot, whole_line=False)))
         return self._repeat(count, lambda: self._go(ToStatement(robot)))
@@ -233,7 +116,7 @@ class Debugger:
         Raises:
             DebugError: nobody has called it.
         """
-        robot = self._steppable()
+        robot = self.robot
         own = [each for each in self.frames() if not each.is_library]
         frame = self.current_frame()
         callers = [each for each in own if frame is not None and each.number > frame.number]
@@ -255,7 +138,7 @@ class Debugger:
         Raises:
             DebugError: there is no such place.
         """
-        robot = self._steppable()
+        robot = self.robot
         added = self.add_breakpoint(place, temporary=True, robot=robot)
         try:
             frame = self.current_frame()
@@ -319,10 +202,6 @@ class Debugger:
             raise DebugError(f"{self.names[self.robot]}'s program ends before statement {number}")
         return self._arrive(self._traveller.stop("goto", self.robot))
 
-    def _steppable(self) -> int:
-        """Gives the robot that the user looks at."""
-        return self.robot
-
     def _spot(self) -> Spot | None:
         return self._traveller.spot(self.robot)
 
@@ -371,7 +250,7 @@ class Debugger:
         for number in stop.breakpoints:
             if self.breakpoints.get(number).temporary:
                 self.breakpoints.remove(number)
-        self.frame = self._first_own()
+        self.frame = self.first_own_frame()
         return stop
 
     # -- branches ------------------------------------------------------------------------------

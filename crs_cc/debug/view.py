@@ -1,0 +1,141 @@
+"""What the user looks at: a robot, one of its active functions, and what is known of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.position import Position
+from crs_cc.debug.run import Run
+from crs_cc.ir.names import in_library, plain_name
+from crs_cc.runtime.diagnosis.inspect import StackFrame
+from crs_cc.source import Location
+
+if TYPE_CHECKING:
+    from crs_cc.session.session import Session
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """An active function of a program.
+
+    Attributes:
+        number: 0 for the innermost.
+        function: its name.
+        location: where it stands.
+        is_library: whether it is one of the C library's, whose source nobody looks at.
+        active: what finds its variables.
+    """
+
+    number: int
+    function: str
+    location: Location
+    is_library: bool
+    active: StackFrame
+
+
+class View:
+    """A run that has stopped, seen from one robot and one active function.
+
+    Attributes:
+        run: the run.
+        robot: the robot that the user looks at.
+        frame: the number of the active function that he looks at.
+    """
+
+    def __init__(self, run: Run) -> None:
+        """Looks at the first robot."""
+        self.run = run
+        self.robot = 0
+        self.frame = 0
+
+    @property
+    def session(self) -> Session:
+        """The session; to be looked at only."""
+        return self.run.session
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The robots' names, by number."""
+        return tuple(robot.id for robot in self.session.environment.world.robots)
+
+    @property
+    def position(self) -> Position:
+        """Where the run is."""
+        return self.run.position
+
+    @property
+    def time_s(self) -> float:
+        """The clock of the program that is looked at, or the world's when it does not run [s]."""
+        return self.run.time_s(self.robot)
+
+    @property
+    def is_over(self) -> bool:
+        """Whether no program is left."""
+        return not self.run.goes_on
+
+    def frames(self, robot: int | None = None) -> list[Frame]:
+        """Gives a program's active functions, the innermost first."""
+        robot = self.robot if robot is None else robot
+        if not self.session.alive[robot] and not self.run.has_failed(robot):
+            return []
+        site = self.run.site(robot)
+        frames: list[Frame] = []
+        for active in self.run.failed_stack(robot) or self.run.stopped(robot).stack:
+            location, is_library = active.location, in_library(active.location)
+            if site is not None and not frames:
+                location = site.location
+            name = plain_name(active.function)
+            frames.append(Frame(len(frames), name, location, is_library, active))
+        while frames and frames[-1].is_library:
+            frames.pop()
+        return frames
+
+    def current_frame(self) -> Frame | None:
+        """Gives the active function that the user looks at; None when there is none."""
+        frames = self.frames()
+        return frames[self.frame] if self.frame < len(frames) else None
+
+    def location(self) -> Location | None:
+        """Gives the place in the source that the user looks at."""
+        frame = self.current_frame()
+        return None if frame is None or frame.is_library else frame.location
+
+    def source(self, file: str) -> Sequence[str]:
+        """Gives the lines of a C file; none for a file that is not the user's."""
+        for program in self.run.programs:
+            lines = program.executable.detail().lines
+            if file in lines:
+                return lines[file]
+        return ()
+
+    def select_robot(self, robot: int | str) -> None:
+        """Looks at another robot, by its number or name.
+
+        Raises:
+            DebugError: there is no such one.
+        """
+        names = self.names
+        number = names.index(robot) if robot in names else robot
+        if not isinstance(number, int) or not 0 <= number < len(names):
+            known = ", ".join(names[:20])
+            raise DebugError(f"there is no robot '{robot}': there are {known}")
+        self.robot = number
+        self.frame = self.first_own_frame()
+
+    def select_frame(self, number: int) -> None:
+        """Looks at another active function.
+
+        Raises:
+            DebugError: there is no such one.
+        """
+        if not 0 <= number < len(self.frames()):
+            raise DebugError(f"there is no frame {number}")
+        self.frame = number
+
+    def first_own_frame(self) -> int:
+        """Gives the number of the innermost active function of the user's own."""
+        frames = self.frames()
+        return next((each.number for each in frames if not each.is_library), 0)
