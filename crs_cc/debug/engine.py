@@ -8,6 +8,7 @@ forgotten, what was before it stays.
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Final
 
@@ -23,6 +24,7 @@ from crs_cc.debug.position import BEGINNING, Position
 from crs_cc.debug.run import Run
 from crs_cc.debug.stop import Stop
 from crs_cc.debug.travel import Traveller
+from crs_cc.debug.values import Value
 from crs_cc.debug.view import Frame, View
 from crs_cc.session.host import Client, Input, Output, discard, no_input
 
@@ -34,6 +36,7 @@ Move = Callable[[], Stop]
 
 _SLACK_S: Final = 1e-9
 _MOST_STEPS: Final = 1_000_000
+_BRACES: Final = re.compile(r"\{([^{}]*)\}")
 
 
 class Debugger(View):
@@ -43,6 +46,7 @@ class Debugger(View):
         breakpoints: all breakpoints, watchpoints and catchpoints.
         branches: the courses of events that the user has tried.
         stop: the last stop.
+        say: takes what log points say.
     """
 
     def __init__(
@@ -74,6 +78,7 @@ class Debugger(View):
         self._traveller = Traveller(self.run, self.breakpoints, self._accepts)
         self.branches = Branches(self.run)
         self.stop = self._traveller.stop("start")
+        self.say: Callable[[str], None] = _unheard
 
     # -- moving --------------------------------------------------------------------------------
 
@@ -253,6 +258,31 @@ class Debugger(View):
         self.frame = self.first_own_frame()
         return stop
 
+    # -- changing ------------------------------------------------------------------------------
+
+    def evaluate(self, text: str, *, robot: int | None = None, frame: int | None = None) -> Value:
+        """Evaluates a C expression, which may change the program: then the run is another.
+
+        Args:
+            text: the expression.
+            robot: whose program; by default that of the robot that the user looks at.
+            frame: the number of the active function that it is looked at from; by default the one
+                that the user looks at.
+
+        Raises:
+            DebugError: it means nothing there, or cannot be evaluated; then nothing has changed.
+        """
+        robot = self.robot if robot is None else robot
+        found = self.evaluator(robot).evaluate(text, self._active(robot, frame))
+        if found.changed:
+            self._changed()
+        return found.value
+
+    def _changed(self) -> None:
+        """Lets the run go on from here as another one."""
+        self.run.changed()
+        self.branches.changed()
+
     # -- branches ------------------------------------------------------------------------------
 
     def checkpoint(self, name: str = "") -> Checkpoint:
@@ -317,6 +347,7 @@ class Debugger(View):
     def _add(
         self, kind: Kind, text: str, place: Place | None, options: Mapping[str, Any]
     ) -> Breakpoint:
+        self._check(place, options.get("condition", ""))
         return self.breakpoints.add(lambda number: Breakpoint(number, kind, text, place, **options))
 
     def remove(self, number: int) -> None:
@@ -343,12 +374,56 @@ class Debugger(View):
         """
         self.breakpoints.get(number).ignore = max(0, count)
 
+    def set_condition(self, number: int, condition: str) -> None:
+        """Lets a breakpoint stop only where a condition is true; an empty one always is.
+
+        Raises:
+            DebugError: there is no such one, or the condition is no expression there.
+        """
+        own = self.breakpoints.get(number)
+        self._check(own.place, condition)
+        own.condition = condition
+
+    def _check(self, place: Place | None, condition: str) -> None:
+        """Finds out whether a condition will mean something where it is asked for."""
+        if not condition or place is None:
+            return
+        for robot, numbers in place.statements.items():
+            sites = self.run.programs[robot].executable.detail().compiled.statements
+            for number in numbers:
+                site = sites[number]
+                self.evaluator(robot).check(condition, site.function, site.location)
+
     def _accepts(self, hit: Hit, counts: bool) -> tuple[bool, str]:
         """Tells whether a breakpoint that was met stops the run, and what to say then."""
         own = hit.breakpoint
+        if own.condition:
+            try:
+                if not self.holds(own.condition, hit.robot):
+                    return False, ""
+            except DebugError as error:
+                return True, f"the condition of breakpoint {own.number} has no value: {error}"
         if counts:
             own.hits += 1
             if own.ignore:
                 own.ignore -= 1
                 return False, ""
-        return True, ""
+            if own.log:
+                self.say(self._logged(own.log, hit.robot))
+        return not own.log, ""
+
+    def _logged(self, text: str, robot: int) -> str:
+        """Gives a log point's text with the values of the expressions in braces."""
+
+        def value(match: re.Match[str]) -> str:
+            try:
+                frame = self.first_own_frame(robot)
+                return self.look_up(match[1], robot=robot, frame=frame).text
+            except DebugError as error:
+                return f"<{error}>"
+
+        return _BRACES.sub(value, text)
+
+
+def _unheard(_text: str) -> None:
+    """Takes what nobody wants to hear."""

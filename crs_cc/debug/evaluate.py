@@ -140,6 +140,10 @@ class Evaluator:
             raise DebugError(str(wrong)) from None
         return Evaluation(value, self._memory.has_changed())
 
+    def undo(self) -> None:
+        """Takes back what the last expression changed."""
+        self._memory.undo()
+
     def holds(self, text: str, frame: StackFrame | None = None) -> bool:
         """Tells whether a condition is true; whatever it does is taken back.
 
@@ -151,6 +155,14 @@ class Evaluator:
         result = self._run(prepared, frame)
         self._memory.undo()
         return bool(result)
+
+    def check(self, text: str, function: str, place: Location) -> None:
+        """Finds out whether an expression will mean something at a place.
+
+        Raises:
+            DebugError: it does not.
+        """
+        self._prepare_at(text, function, place)
 
     def place(self, text: str, frame: StackFrame | None = None) -> Place:
         """Gives where the object lies that an expression names.
@@ -175,9 +187,12 @@ class Evaluator:
         return next((each for each in stack if not in_library(each.location)), None)
 
     def _prepare(self, text: str, frame: StackFrame | None) -> _Prepared:
+        function, place = ("", _NOWHERE) if frame is None else (frame.function, frame.location)
+        return self._prepare_at(text, function, place)
+
+    def _prepare_at(self, text: str, function: str, place: Location) -> _Prepared:
         if len(text) > LONGEST:
             raise DebugError("the expression is too long")
-        function, place = ("", _NOWHERE) if frame is None else (frame.function, frame.location)
         key = text, function, place
         found = self._prepared.get(key)
         if found is None:

@@ -287,14 +287,9 @@ class Run:
 
     def stopped(self, robot: int) -> Stopped:
         """Gives a program's memory and active functions as they are."""
-        return self.session.fleet.stopped(robot)
-
-    def failed_stack(self, robot: int) -> tuple[StackFrame, ...]:
-        """Gives the active functions of a program that an error has stopped; else nothing."""
-        if not self.has_failed(robot):
-            return ()
-        stopped = self.session.fleet.failure(robot).stopped
-        return () if stopped is None else stopped.stack
+        fleet = self.session.fleet
+        failed = fleet.failure(robot).stopped if self.has_failed(robot) else None
+        return fleet.stopped(robot) if failed is None else failed
 
     def site(self, robot: int) -> StatementSite | None:
         """Gives the statement that a program has stopped before, if it has."""

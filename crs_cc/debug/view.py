@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.evaluate import Evaluator, Names
 from crs_cc.debug.position import Position
 from crs_cc.debug.run import Run
+from crs_cc.debug.values import Value
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.runtime.diagnosis.inspect import StackFrame
 from crs_cc.source import Location
@@ -50,6 +53,8 @@ class View:
         self.run = run
         self.robot = 0
         self.frame = 0
+        self._names: dict[int, Names] = {}
+        self._evaluators: dict[tuple[int, int], Evaluator] = {}
 
     @property
     def session(self) -> Session:
@@ -83,7 +88,7 @@ class View:
             return []
         site = self.run.site(robot)
         frames: list[Frame] = []
-        for active in self.run.failed_stack(robot) or self.run.stopped(robot).stack:
+        for active in self.run.stopped(robot).stack:
             location, is_library = active.location, in_library(active.location)
             if site is not None and not frames:
                 location = site.location
@@ -135,7 +140,50 @@ class View:
             raise DebugError(f"there is no frame {number}")
         self.frame = number
 
-    def first_own_frame(self) -> int:
+    def first_own_frame(self, robot: int | None = None) -> int:
         """Gives the number of the innermost active function of the user's own."""
-        frames = self.frames()
+        frames = self.frames(robot)
         return next((each.number for each in frames if not each.is_library), 0)
+
+    def look_up(self, text: str, *, robot: int | None = None, frame: int | None = None) -> Value:
+        """Evaluates a C expression that must change nothing.
+
+        Raises:
+            DebugError: it means nothing here, cannot be evaluated, or changes the program.
+        """
+        robot = self.robot if robot is None else robot
+        evaluator = self.evaluator(robot)
+        found = evaluator.evaluate(text, self._active(robot, frame))
+        if found.changed:
+            evaluator.undo()
+            raise DebugError(f"'{text}' would change the program")
+        return found.value
+
+    def holds(self, condition: str, robot: int) -> bool:
+        """Tells whether a condition is true in the innermost function of a program.
+
+        Raises:
+            DebugError: it means nothing there, or cannot be evaluated.
+        """
+        return self.evaluator(robot).holds(condition)
+
+    def evaluator(self, robot: int) -> Evaluator:
+        """Gives what evaluates expressions in a robot's program."""
+        program = self.run.programs[robot]
+        memory = id(self.session.fleet.memory(robot))  # another one in another build
+        if (robot, memory) not in self._evaluators:
+            names = self._names.setdefault(id(program), Names(program))
+            stopped = functools.partial(self.run.stopped, robot)
+            self._evaluators[robot, memory] = Evaluator(stopped, names)
+        return self._evaluators[robot, memory]
+
+    def _active(self, robot: int, frame: int | None) -> StackFrame | None:
+        """Gives an active function by its number; by default the one that is looked at."""
+        frames = self.frames(robot)
+        if frame is None:
+            frame = self.frame if robot == self.robot else self.first_own_frame(robot)
+        if not frames:
+            return None
+        if not 0 <= frame < len(frames):
+            raise DebugError(f"there is no frame {frame}")
+        return frames[frame].active

@@ -32,20 +32,6 @@ def counting(tmp_path: Path) -> Debugger:
     return debugger
 
 
-def change(debugger: Debugger, address_of_i: int, value: int) -> None:
-    debugger.session.fleet.memory(0)[address_of_i] = value
-    debugger.run.changed()
-    debugger.branches.changed()
-
-
-def address_of_i(debugger: Debugger) -> int:
-    stopped = debugger.run.stopped(0)
-    frame = stopped.stack[0]
-    layout = stopped.compiled.info("main").frame
-    place = next(p for p in layout.offsets if p.variable and p.variable.name == "i")
-    return frame.fp - layout.size + layout.offsets[place]
-
-
 def text(debugger: Debugger) -> bytes:
     return debugger.run.console.text()
 
@@ -53,7 +39,7 @@ def text(debugger: Debugger) -> bytes:
 def test_a_change_makes_another_future_and_the_past_stays(counting: Debugger) -> None:
     counting.add_breakpoint("7")
     here = counting.position
-    change(counting, address_of_i(counting), 4)
+    counting.evaluate("i = 4")
     counting.enable(1, on=False)
     counting.resume()
     assert text(counting) == b"0\n4\n"
@@ -70,7 +56,7 @@ def test_a_change_makes_another_future_and_the_past_stays(counting: Debugger) ->
 def test_a_branch_leaves_the_other_as_it_was(counting: Debugger) -> None:
     counting.add_breakpoint("7")
     counting.branch("short")
-    change(counting, address_of_i(counting), 4)
+    counting.evaluate("i = 4")
     counting.enable(1, on=False)
     counting.resume()
     assert text(counting) == b"0\n4\n"
@@ -97,6 +83,6 @@ def test_checkpoints_are_gone_back_to_unless_a_change_has_undone_them(counting: 
     counting.restart(2)
     assert text(counting) == b"0\n1\n"
     counting.restart(1)
-    change(counting, address_of_i(counting), 4)
+    counting.evaluate("i = 4")
     with pytest.raises(DebugError):
         counting.restart(2)

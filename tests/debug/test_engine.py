@@ -140,3 +140,41 @@ def test_advance_stops_at_its_place_or_in_the_caller(loop: Debugger) -> None:
     assert not list(loop.breakpoints)
     loop.advance("16")
     assert line(loop) == 14
+
+
+def test_a_condition_decides_forward_and_backward(loop: Debugger) -> None:
+    loop.add_breakpoint("6", condition="what == 1 && total < 10")
+    assert loop.resume().reason == "breakpoint"
+    assert loop.look_up("what").number == 1
+    here = loop.position
+    assert loop.resume().reason == "end"
+    assert loop.resume(backward=True).position == here
+    assert loop.resume(backward=True).reason == "beginning"
+
+
+def test_a_condition_must_mean_something_at_its_place(loop: Debugger) -> None:
+    with pytest.raises(DebugError):
+        loop.add_breakpoint("6", condition="i == 1")
+    point = loop.add_breakpoint("13", condition="i == 1")
+    with pytest.raises(DebugError):
+        loop.set_condition(point.number, "what")
+    assert loop.resume().reason == "breakpoint"
+    assert loop.look_up("i").number == 1
+
+
+def test_hits_are_passed_over_and_log_points_speak(loop: Debugger) -> None:
+    said: list[str] = []
+    loop.say = said.append
+    loop.add_breakpoint("14", ignore=1)
+    loop.add_breakpoint("7", log="{what} twice is {result}, not {nothing}")
+    loop.resume()
+    assert loop.look_up("i").number == 1
+    assert [text.partition(", ")[0] for text in said] == ["0 twice is 0", "1 twice is 2"]
+
+
+def test_looking_changes_nothing(loop: Debugger) -> None:
+    with pytest.raises(DebugError):
+        loop.look_up("total = 3")
+    assert loop.look_up("total").number == 0
+    loop.evaluate("total = 3")
+    assert loop.look_up("total").number == 3
