@@ -14,6 +14,7 @@ from crs_cc.debug.position import Position
 from crs_cc.sim.unknown import unknown
 
 if TYPE_CHECKING:
+    from crs_cc.debug.chronicle import Chronicle
     from crs_cc.debug.console import Console
     from crs_cc.debug.history import History
     from crs_cc.debug.run import Run
@@ -47,6 +48,7 @@ class Branch:
         name: what the user calls it.
         history: its snapshots.
         console: what was written and read.
+        chronicle: what happened.
         position: where the user was in it, unless he is in it now.
         checkpoints: instants in it.
     """
@@ -54,6 +56,7 @@ class Branch:
     name: str
     history: History
     console: Console
+    chronicle: Chronicle
     position: Position
     checkpoints: list[Checkpoint] = field(default_factory=list)
 
@@ -67,7 +70,7 @@ class Branches:
 
     def __init__(self, run: Run) -> None:
         self._run = run
-        self.current = Branch(FIRST, run.history, run.console, run.position)
+        self.current = Branch(FIRST, run.history, run.console, run.chronicle, run.position)
         self._all = {FIRST: self.current}
 
     def names(self) -> tuple[str, ...]:
@@ -84,10 +87,13 @@ class Branches:
             raise DebugError(f"there is a branch '{name}' already" if name else "it needs a name")
         run, here = self._run, self._run.position
         history, console = run.history.fork(here), run.console.fork()
+        chronicle = run.chronicle.fork(here.timestep)
         checkpoints = [each for each in self.current.checkpoints if each.position <= here]
         self.current.position = here
-        self.current = self._all[name] = Branch(name, history, console, here, checkpoints)
-        run.enter(history, console)
+        self.current = self._all[name] = Branch(
+            name, history, console, chronicle, here, checkpoints
+        )
+        run.enter(history, console, chronicle)
         return self.current
 
     def switch(self, name: str) -> Branch:
@@ -110,7 +116,8 @@ class Branches:
             raise DebugError(unknown("branch", name, self.names()))
         self.current.position = self._run.position
         self.current = self._all[name]
-        self._run.enter(self.current.history, self.current.console)
+        own = self.current
+        self._run.enter(own.history, own.console, own.chronicle)
 
     def changed(self) -> None:
         """Forgets checkpoints behind a change."""

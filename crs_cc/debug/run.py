@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 
 import numpy as np
 
+from crs_cc.debug.chronicle import Chronicle
 from crs_cc.debug.console import Console
 from crs_cc.debug.history import History, Kept
 from crs_cc.debug.position import BEGINNING, Position
@@ -82,6 +83,7 @@ class Run:
         session: the run as it is now; nothing but this class makes it go on.
         console: what the programs wrote and read.
         history: snapshots of it.
+        chronicle: what happened in it.
         programs: by robot, its program.
         interrupted: set by whoever wants `advance` to raise `InterruptedRunError`.
     """
@@ -108,6 +110,7 @@ class Run:
         self.programs = programs
         self.console = console
         self.history = history
+        self.chronicle = Chronicle()
         self.interrupted = False
         self._step: Step | None = None
         self._marks = Marks()
@@ -246,6 +249,8 @@ class Run:
 
     def _end_cycle(self) -> Instant:
         goes_on = self.session.end_cycle()
+        assert self._step is not None
+        self.chronicle.hear(self._step, self.session.environment)
         return Instant("timestep", step=self._step, over=not goes_on)
 
     # -- going anywhere ----------------------------------------------------------------------
@@ -269,15 +274,16 @@ class Run:
         self.console.restore(kept.console)
         self._set_slots()
 
-    def enter(self, history: History, console: Console) -> None:
+    def enter(self, history: History, console: Console, chronicle: Chronicle) -> None:
         """Takes up another course of events; where in it, is said by `seek`."""
         console.is_live = self.console.is_live
-        self.history, self.console = history, console
+        self.history, self.console, self.chronicle = history, console, chronicle
         self._astray = True
 
     def changed(self) -> None:
         """Takes note that the user has changed something: from here on the run is another."""
         self.console.truncate()
+        self.chronicle.forget(self.position.timestep)
         self.history.branch(self.position, self._kept())
 
     def _kept(self) -> Kept:
