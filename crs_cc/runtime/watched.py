@@ -19,8 +19,9 @@ import numpy as np
 
 RANGES: Final = 16
 CALLERS: Final = 8
-READ, WRITE, RETURN = 1, 2, 4
-"""Kinds of access; a function's return is one to its header, see `layout`."""
+READ, WRITE, ENTER, RETURN = 1, 2, 4, 8
+"""Kinds of access; the last two are those of a function that is entered, or ends, to the first byte
+of its header (`layout`)."""
 
 LONGEST: Final = 8
 """The longest access apart from copies [bytes]."""

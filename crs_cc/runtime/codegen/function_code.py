@@ -258,6 +258,8 @@ class _FunctionCode:
             self._load_parameter(parameter, offset)
         if self.shadowed:
             code += frame_states.enter(self.function, self.frame)
+        if self.selector.watching is not None:
+            code += self.selector.watching.entering()
         node.jump(self.nodes[self.function.blocks[0]])
         return node
 

@@ -7,8 +7,8 @@ the slower one. The ranges lie in front of the marks, see `runtime.watched`.
 The first access that counts makes the program stop before its next statement, whatever its slot
 says of where to stop, and changes nothing there: who steps and who watches do not disturb each
 other. A variable that lives in a register is watched at its place in the frame, where it is found
-when the program has stopped. A function that returns, or that a `longjmp` leaves, tells of its
-header, so that a watch on a local variable can end with its frame.
+when the program has stopped. The user's functions tell of their headers when they are entered and
+when they end, by `longjmp` too, so that a watch on a local variable lasts as long as its frame.
 
 Each access of the user's files has a number, see `accesses`; of one of the library's the calls that
 led there are kept (in checked builds, which know them).
@@ -48,7 +48,7 @@ from crs_cc.runtime.codegen.indices import (
 from crs_cc.runtime.layout import RESULT
 from crs_cc.runtime.sites import FRAME_BITS, FRAME_UNIT, SITE_BITS, StatementSite
 from crs_cc.runtime.wasm import UNLIKELY, Code, FuncType, Instr
-from crs_cc.runtime.watched import CALLERS, RANGE, READ, RETURN, WRITE, offset, range_offset
+from crs_cc.runtime.watched import CALLERS, ENTER, RANGE, READ, RETURN, WRITE, offset, range_offset
 
 if TYPE_CHECKING:
     from crs_cc.runtime.codegen.writer import Writer
@@ -108,9 +108,13 @@ class Watching:
         if result is not None:
             self._register(result, WRITE)
 
+    def entering(self) -> list[Instr]:
+        """Tells that the function's frame begins."""
+        return [] if self._library else [("local.get", FP), *self._compared(1, ENTER)]
+
     def returning(self) -> list[Instr]:
         """Tells that the function's frame ends."""
-        return [("local.get", FP), *self._compared(1, RETURN)]
+        return [] if self._library else [("local.get", FP), *self._compared(1, RETURN)]
 
     def _register(self, register: Register, access: int) -> None:
         if register.variable is not None:

@@ -1,0 +1,266 @@
+"""Watches objects in one robot's memory: which accesses there were since the program stopped last.
+
+While something is watched, the robot's program runs in its watching build (`codegen.watching`),
+else in the debug build; the frames are the same, and `Watches.arm` moves it from one to the other.
+What is watched, and what was found, lies outside of the program's state: no snapshot has it, and
+slots are left alone. So `stop_before_all`, `stop_from` and the marks belong to who steps. A program
+that touches what is watched stops before its next statement even if its slot does not ask for that;
+`take` then tells what happened, and nothing when the program has stopped for another reason, or for
+an access that does not count (a `change` that changes nothing): then whoever makes the program run
+lets it go on, unless he wanted to stop there.
+
+The program stops before the first statement that begins after the access. So the statement that
+began last, one before, is the place to go back to; where it was the last one of a function whose
+value the access took, `Access.location` tells of the access itself.
+
+A watch on a variable of a function lasts as long as the function's activation, which is known by
+its frame and by how many statements had begun when it was entered (`StackFrame.entered`). So it is
+there again when the run goes back into it, and waits where the run goes back to before it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final, Literal, TypeAlias
+
+from crs_cc.debug.errors import DebugError
+from crs_cc.ir.names import in_library, plain_name
+from crs_cc.runtime.codegen.watching import accesses
+from crs_cc.runtime.watched import (
+    ENTER,
+    LONGEST,
+    RANGE,
+    RANGES,
+    READ,
+    RETURN,
+    WRITE,
+    offset,
+)
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
+    from crs_cc.runtime.diagnosis.inspect import StackFrame
+    from crs_cc.runtime.executable import Executable
+    from crs_cc.runtime.fleet import Fleet
+    from crs_cc.source import Location
+
+MOST: Final = RANGES // 2
+"""Most objects of one robot that can be watched at once: each needs a range, some one more."""
+
+Kind = Literal["write", "read", "access", "change"]
+KINDS: Final[dict[Kind, int]] = {
+    "write": WRITE,
+    "read": READ,
+    "access": READ | WRITE,
+    "change": WRITE,
+}
+
+Content: TypeAlias = tuple[bytes, bytes]
+"""The bytes of an object, and their `ByteState`s (none in unchecked builds)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Watched:
+    """An object that is watched.
+
+    Attributes:
+        number: its number.
+        kind: which accesses count.
+        address: its first byte.
+        size: [bytes].
+        frame: the activation that it is a variable of; None when it lasts.
+    """
+
+    number: int
+    kind: Kind
+    address: int
+    size: int
+    frame: StackFrame | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Access:
+    """What happened to an object that is watched.
+
+    Attributes:
+        watched: the object.
+        what: it was written, or only read, or the function that it is a variable of has returned.
+        old: what was there before.
+        new: what is there now.
+        location: the place in the user's files, of the call if the library did it; None if unknown.
+        function: the user's function there; empty if unknown.
+        library: the function of the library that was called there, if it was one.
+    """
+
+    watched: Watched
+    what: Literal["write", "read", "return"]
+    old: Content
+    new: Content
+    location: Location | None = None
+    function: str = ""
+    library: str = ""
+
+
+class Watches:
+    """What is watched in one robot's memory."""
+
+    def __init__(
+        self, fleet: Fleet, robot: int, watching: Callable[[Executable], Executable]
+    ) -> None:
+        """Takes the robot with its debug build, and what makes the watching build of that."""
+        self._fleet = fleet
+        self._robot = robot
+        self._plain = fleet.executable(robot)
+        self._watching = watching
+        self._wanted: tuple[Watched, ...] = ()
+        self._over: set[int] = set()
+        self._before: dict[int, Content] = {}
+        self._rows: list[tuple[int, bool]] = []  # the number of each range, whether it is a header
+        self._places: list[tuple[Location, str]] = []
+
+    def arm(self, wanted: Sequence[Watched]) -> None:
+        """Watches these objects and no others; what was found of the same ones before is kept.
+
+        Raises:
+            DebugError: there are too many.
+        """
+        if len(wanted) > MOST:
+            raise DebugError(f"at most {MOST} objects of a robot's program can be watched at once")
+        if tuple(wanted) == self._wanted:
+            return
+        self._wanted = tuple(wanted)
+        build = self._watching(self._plain) if wanted else self._plain
+        self._fleet.exchange(self._robot, build)
+        self.forget()
+
+    def forget(self) -> None:
+        """Begins anew where the program's memory has been changed by others: it was restored."""
+        if not self._wanted:
+            return
+        self._over = self._ended()
+        self._before = {each.number: self._content(each) for each in self._wanted}
+        self._enter()
+
+    def is_pending(self) -> bool:
+        """Tells whether there is something to `take`."""
+        return bool(self._wanted) and bool(self._ranges()["hits"].any())
+
+    def take(self) -> list[Access]:
+        """Gives what happened since the last time, and forgets it."""
+        if not self.is_pending():
+            return []
+        found = [self._access(each) for each in self._wanted if each.number not in self._over]
+        self._fleet.watched[self._robot]["pending"] = 0
+        self._ranges()["hits"] = 0
+        gone = {each.watched.number for each in found if each and each.what == "return"}
+        if gone:
+            self._over |= gone
+            self._enter()
+        return [each for each in found if each is not None]
+
+    # -- the ranges ----------------------------------------------------------------------------
+
+    def _ranges(self) -> npt.NDArray[np.void]:
+        ranges: npt.NDArray[np.void] = self._fleet.watched[self._robot]["ranges"][0]
+        return ranges[: len(self._rows)]
+
+    def _enter(self) -> None:
+        """Writes what is watched to where the program finds it."""
+        rows: list[tuple[int, int, int, int]] = []
+        self._rows = []
+        for each in self._wanted:
+            if each.number in self._over:
+                continue
+            since = 0 if each.frame is None else each.frame.entered
+            rows.append((each.address, each.size, KINDS[each.kind], since))
+            self._rows.append((each.number, False))
+            if each.frame is not None:
+                rows.append((each.frame.fp, 1, ENTER | RETURN, since))
+                self._rows.append((each.number, True))
+        watched = self._fleet.watched[self._robot]
+        watched["first"] = watched["span"] = watched["pending"] = 0
+        watched["end"] = offset("ranges") + len(rows) * RANGE.itemsize
+        ranges = self._ranges()
+        ranges["hits"] = 0
+        for row, (first, size, kinds, since) in zip(ranges, rows, strict=True):
+            row["first"], row["size"], row["kinds"], row["since"] = first, size, kinds, since
+        if rows:
+            first = min(each[0] for each in rows) - (LONGEST - 1)
+            watched["first"] = first
+            watched["span"] = max(each[0] + each[1] for each in rows) - first
+
+    def _hits(self, number: int, *, header: bool) -> npt.NDArray[np.void] | None:
+        """Gives the range of an object, or of its frame's header, if it was hit."""
+        if (number, header) not in self._rows:
+            return None
+        row: npt.NDArray[np.void] = self._ranges()[self._rows.index((number, header))]
+        return row if row["hits"] else None
+
+    # -- what happened -------------------------------------------------------------------------
+
+    def _access(self, watched: Watched) -> Access | None:
+        """Gives what happened to an object, None for nothing that counts."""
+        number, frame = watched.number, watched.frame
+        old, new = self._before[number], self._content(watched)
+        if frame is not None:
+            if self._begun() <= frame.entered:  # no statement of the function has begun yet
+                self._before[number] = new
+                return None
+            header = self._hits(number, header=True)
+            if header is not None and int(header["hits"]) & RETURN:
+                return Access(watched, "return", old, new, *self._place(header))
+        row = self._hits(number, header=False)
+        if row is None:
+            return None
+        self._before[number] = new
+        if watched.kind == "change" and old == new:
+            return None
+        what: Literal["write", "read"] = "write" if int(row["hits"]) & WRITE else "read"
+        return Access(watched, what, old, new, *self._place(row))
+
+    def _place(self, row: npt.NDArray[np.void]) -> tuple[Location | None, str, str]:
+        """Gives where an access was made: the place, the function, and the library's function."""
+        detail = self._plain.detail()
+        number = int(row["place"])
+        if number:
+            if not self._places:
+                sites = accesses(detail.program)
+                self._places = [(each.location, plain_name(each.function)) for each in sites]
+            return *self._places[number - 1], ""
+        for call in row["callers"].tolist():
+            site = detail.compiled.call_sites[call - 1] if call else None
+            if site is not None and not in_library(site.location):
+                info = detail.compiled.info(site.function)
+                callee = info.callees.get(info.calls[call], "")
+                name = plain_name(callee) if isinstance(callee, str) else ""
+                return site.location, plain_name(site.function), name
+        return None, "", ""
+
+    # -- the program ---------------------------------------------------------------------------
+
+    def _begun(self) -> int:
+        return int(self._fleet.slots["statements"][self._robot])
+
+    def _content(self, watched: Watched) -> Content:
+        part = slice(watched.address, watched.address + watched.size)
+        robot = self._robot
+        return self._fleet.memory(robot)[part].tobytes(), self._fleet.shadow(robot)[part].tobytes()
+
+    def _ended(self) -> set[int]:
+        """Gives the numbers of the variables whose functions have returned."""
+        own = [each for each in self._wanted if each.frame is not None]
+        if not own:
+            return set()
+        stack = self._fleet.stopped(self._robot).stack
+        active = {(each.fp, each.function, each.entered) for each in stack}
+        begun = self._begun()
+        return {
+            each.number
+            for each in own
+            if each.frame
+            and each.frame.entered < begun
+            and (each.frame.fp, each.frame.function, each.frame.entered) not in active
+        }
