@@ -75,7 +75,7 @@ _OPTIONS = (
 )  # fmt: skip
 
 
-def compiler_options(command: Callable[..., int]) -> Callable[..., int]:
+def compiler_options(command: Callable[..., Any]) -> Callable[..., Any]:
     """Gives a command the options of the compiler, which it takes as `compiler`."""
 
     @functools.wraps(command)
@@ -86,7 +86,7 @@ def compiler_options(command: Callable[..., int]) -> Callable[..., int]:
         standard: str,
         dialect: Dialect | None,
         **others: Any,
-    ) -> int:
+    ) -> Any:
         return command(
             compiler=CompilerOptions(include_paths, defines, undefines, standard, dialect),
             **others,

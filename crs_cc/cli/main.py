@@ -25,6 +25,7 @@ import click
 from crs_cc import __version__
 from crs_cc.cli.check import check
 from crs_cc.cli.compile import compile_
+from crs_cc.cli.debug import debug
 from crs_cc.cli.messages import say, show
 from crs_cc.cli.new import new
 from crs_cc.cli.run import run
@@ -37,6 +38,7 @@ Examples:
   crs run wander.c                               in an empty world, until Ctrl-C
   crs run wander.c room.xml --max-time 60        a minute of simulated time
   crs run wander.c room.xml --plot path.svg      draws where the robot went
+  crs debug wander.c room.xml                    steps through it, forward and backward
   crs check wander.c room.xml                    only says what is wrong
   crs new world room                             a commented start of a world
   crs compile --emit wat wander.c                shows the WebAssembly
@@ -84,7 +86,7 @@ def crs() -> None:
     """Runs real C control programs of the Nomadic Scout in a simulated world."""
 
 
-for command in (run, check, compile_, new):
+for command in (run, debug, check, compile_, new):
     crs.add_command(command)
 
 

@@ -72,9 +72,7 @@ class WithProgramArguments(click.Command):
             raise click.UsageError(text, ctx) from None
 
 
-_FILES: Final = click.argument(
-    "files", nargs=-1, required=True, metavar="PROGRAM.c... [WORLD.xml] [-- ARGS...]"
-)
+_FILES: Final = "PROGRAM.c... [WORLD.xml] [-- ARGS...]"
 
 _OPTIONS: Final = (
     click.option(
@@ -116,10 +114,12 @@ _OPTIONS: Final = (
 )  # fmt: skip
 
 
-def program_options(command: Callable[..., int]) -> Callable[..., int]:
+def program_options(command: Callable[..., Any], *, needs_files: bool = True) -> Callable[..., Any]:
     """Gives a command these arguments and options, which it takes as fields of `ProgramOptions`.
 
-    The command has to be a `WithProgramArguments`.
+    Args:
+        command: the function of a `WithProgramArguments`.
+        needs_files: whether at least one file has to be named.
     """
 
     @functools.wraps(command)
@@ -133,7 +133,7 @@ def program_options(command: Callable[..., int]) -> Callable[..., int]:
         unchecked: bool,
         outputs: Path | None,
         **others: Any,
-    ) -> int:
+    ) -> Any:
         inputs, inputs_on_disk = sort_files(files), name_files(named_files)
         if outputs is not None:
             make_folder(outputs)
@@ -149,4 +149,4 @@ def program_options(command: Callable[..., int]) -> Callable[..., int]:
     wrapped = compiler_options(with_options)
     for option in reversed(_OPTIONS):
         wrapped = option(wrapped)
-    return _FILES(wrapped)
+    return click.argument("files", nargs=-1, required=needs_files, metavar=_FILES)(wrapped)

@@ -1,0 +1,92 @@
+"""`crs debug`: the options of a run that is stepped through; what it does stands in `debugging`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Final
+
+import click
+
+from crs_cc.cli.program_options import ProgramOptions, WithProgramArguments, program_options
+
+_EXAMPLES: Final = """
+\b
+Examples:
+  crs debug wander.c room.xml
+  crs debug wander.c room.xml -- 500
+  crs debug --batch -x crash.dbg wander.c room.xml
+  crs debug -ex "break turn if speed > 100" -ex continue wander.c room.xml
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class DebugOptions(ProgramOptions):
+    """What to debug, and how.
+
+    Attributes:
+        scripts: files of commands that are done first.
+        commands: commands that are done behind them.
+        batch: end when these are done.
+        input: what the programs read from their standard input; None for what is typed.
+    """
+
+    scripts: tuple[Path, ...] = ()
+    commands: tuple[str, ...] = ()
+    batch: bool = False
+    input: Path | None = None
+
+
+_OPTIONS: Final = (
+    click.option(
+        "-x", "scripts", multiple=True, metavar="FILE",
+        type=click.Path(exists=True, dir_okay=False, path_type=Path),
+        help="Do the commands in a file first; may be given again.",
+    ),
+    click.option(
+        "-ex", "commands", multiple=True, metavar="COMMAND",
+        help="Do a command first, behind those of -x; may be given again.",
+    ),
+    click.option(
+        "--batch", is_flag=True,
+        help="End when the commands of -x and -ex are done: with 0 if all could be done, else 1.",
+    ),
+    click.option(
+        "--input", metavar="FILE",
+        type=click.Path(exists=True, dir_okay=False, path_type=Path),
+        help="What the programs read from their standard input; by default what is typed, and "
+        "with --batch our own standard input.",
+    ),
+    click.option("-q", "--quiet", is_flag=True, help="Leave out the compiler's warnings."),
+)  # fmt: skip
+
+
+def _debug_options(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Gives a command all arguments and options of `crs debug`."""
+    command = program_options(command, needs_files=False)
+    for option in reversed(_OPTIONS):
+        command = option(command)
+    return command
+
+
+@click.command(
+    cls=WithProgramArguments,
+    epilog=_EXAMPLES,
+    short_help="Step through C programs and their world, forward and backward.",
+    options_metavar="[OPTIONS]",
+)
+@_debug_options
+def debug(**options: Any) -> int:
+    """Compiles a C control program, and steps through its run in a simulated world.
+
+    Programs and world go together, forward and backward: reverse-step, reverse-continue, goto.
+    Programs, worlds and options are those of crs run. At the prompt, commands have gdb's names;
+    help lists them.
+    """
+    wanted = DebugOptions(**options)
+    if not wanted.inputs.sources and wanted.inputs.world is None:
+        raise click.UsageError("name a C file to debug.")
+    from crs_cc.cli.debugging import debug_programs
+
+    return debug_programs(wanted)

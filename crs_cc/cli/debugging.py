@@ -1,0 +1,119 @@
+"""What `crs debug` does: makes a debugger of files, and hands it to a screen or to an editor."""
+
+from __future__ import annotations
+
+import io
+import sys
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, BinaryIO
+
+from crs_cc.cli.keep import keep
+from crs_cc.cli.load import load
+from crs_cc.cli.messages import is_coloured, show_before_run
+from crs_cc.debug.engine import Debugger
+from crs_cc.debug.program import DebugProgram
+from crs_cc.debug.repl.keyboard import Keyboard
+from crs_cc.debug.repl.repl import Repl, Scripts
+from crs_cc.debug.repl.terminal import Terminal
+from crs_cc.frontend.dialect import dialect_of
+from crs_cc.frontend.options import Options
+from crs_cc.session.host import no_input
+from crs_cc.session.library import HEADERS
+from crs_cc.source import Diagnostics
+
+if TYPE_CHECKING:
+    from crs_cc.cli.compiler_options import CompilerOptions
+    from crs_cc.cli.debug import DebugOptions
+    from crs_cc.cli.load import Loaded
+    from crs_cc.frontend.options import Dialect
+    from crs_cc.session.host import Input, Output
+
+
+def debug_programs(options: DebugOptions) -> int:
+    """Lets a user debug programs, and gives the exit status.
+
+    Raises:
+        CrsError: what keeps the programs from starting.
+        click.UsageError: a robot has no program.
+        OSError: the programs' files cannot be written.
+    """
+    loaded = _load(options)
+    names = [robot.id for robot in loaded.world.robots]
+    terminal = Terminal(sys.stdout.buffer, names, is_coloured=is_coloured(sys.stdout))
+    keyboard = Keyboard(terminal)
+    debugger = _debugger(loaded, options, terminal.program, _input(options, keyboard))
+    scripts = Scripts(options.scripts, options.commands)
+    failed = Repl(debugger, terminal, keyboard).run(scripts, batch=options.batch)
+    _keep_files(debugger, options)
+    return int(bool(failed)) if options.batch else 0
+
+
+def _input(options: DebugOptions, keyboard: Keyboard) -> Input:
+    """Gives what the programs read: never a script of ours."""
+    if options.input is not None:
+        return _lines(io.BytesIO(options.input.read_bytes()))
+    if keyboard.is_typed or options.batch:
+        return keyboard.read
+    return no_input  # commands come from there
+
+
+def _lines(stream: BinaryIO) -> Input:
+    """Gives the lines of a stream in as large pieces as programs want them."""
+    return lambda _robot, wanted: stream.readline(wanted)
+
+
+def _keep_files(debugger: Debugger, options: DebugOptions) -> None:
+    """Writes what the programs have written up to here to where the user wants it."""
+    if options.outputs is None:
+        return
+    for number, name in enumerate(debugger.names):
+        folder = options.outputs / name if len(debugger.names) > 1 else options.outputs
+        keep(folder, debugger.session.files(number))
+
+
+def _load(options: DebugOptions) -> Loaded:
+    diagnostics = Diagnostics()
+    loaded = load(options, diagnostics, debug=True)
+    if not options.quiet:
+        show_before_run(diagnostics.messages)
+    return loaded
+
+
+def _debugger(loaded: Loaded, options: DebugOptions, output: Output, read: Input) -> Debugger:
+    return Debugger(
+        loaded.world,
+        _programs(loaded, options),
+        options.seed if options.seed is not None else loaded.world.seed or 0,
+        arguments=loaded.arguments,
+        output=output,
+        read=read,
+        files=loaded.files,
+        client=options.client,
+    )
+
+
+def _programs(loaded: Loaded, options: DebugOptions) -> list[DebugProgram]:
+    """Gives each robot's program; robots with the same program share it."""
+    made: dict[int, DebugProgram] = {}
+    rows = zip(loaded.executables, loaded.sources, loaded.dialects, strict=True)
+    for executable, sources, dialect in rows:
+        if id(executable) not in made:
+            front_end = _front_end(options.compiler, sources, dialect)
+            made[id(executable)] = DebugProgram(executable, sources, front_end)
+    return [made[id(executable)] for executable in loaded.executables]
+
+
+def _front_end(
+    compiler: CompilerOptions, sources: Sequence[Path], dialect: Dialect | None
+) -> Options:
+    """Gives what the files were compiled with, so that expressions mean what they mean there."""
+    options = Options(
+        compiler.include_paths,
+        (HEADERS,),
+        compiler.defines,
+        compiler.undefines,
+        compiler.standard,
+    )
+    return replace(options, dialect=dialect or dialect_of(sources, options))

@@ -1,0 +1,184 @@
+"""What stands behind a command's name, taken apart."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from crs_cc.debug.errors import DebugError
+
+MOST: Final = 1_000_000_000
+
+_FORMAT: Final = re.compile(r"/(-?\d*)([a-z]*)\s*")
+_LETTERS: Final = "xduotcfsai"
+_SIZES: Final = {"b": 1, "h": 2, "w": 4, "g": 8}
+_IF: Final = re.compile(r"(?:^|\s)if\b\s*(.*)$", re.DOTALL)
+_OF_ROBOT: Final = re.compile(r"(?:^|\s)(?:robot|thread)\s+(\S+)\s*$")
+
+
+@dataclass(frozen=True, slots=True)
+class Format:
+    """How to show a value: what stands behind the `/` of `print/x` and `x/4xw`.
+
+    Attributes:
+        letter: `x` hexadecimal, `d` signed, `u` unsigned, `o` octal, `t` binary, `c` character,
+            `f` floating, `s` string, `a` address; empty for what the type says.
+        count: how many [units], for `x`.
+        size: bytes of a unit, 0 for what the type says.
+    """
+
+    letter: str = ""
+    count: int = 1
+    size: int = 0
+
+
+def take_format(text: str) -> tuple[Format, str]:
+    """Takes `/FMT` off the front of an argument.
+
+    Raises:
+        DebugError: it is no format.
+
+    >>> take_format("/4xw &count")
+    (Format(letter='x', count=4, size=4), '&count')
+    """
+    if not text.startswith("/"):
+        return Format(), text
+    found = _FORMAT.match(text)
+    assert found
+    digits, letters = found[1], found[2]
+    sizes = [each for each in letters if each in _SIZES]
+    shapes = [each for each in letters if each in _LETTERS]
+    if len(sizes) > 1 or len(shapes) > 1 or len(sizes) + len(shapes) < len(letters):
+        raise DebugError(f'"/{digits}{letters}" is no format: try "help x".')
+    return (
+        Format("".join(shapes), _count(digits or "1"), _SIZES[sizes[0]] if sizes else 0),
+        text[found.end() :],
+    )
+
+
+def take_count(text: str) -> int:
+    """Gives how often to do something: 1 if nothing is said.
+
+    Raises:
+        DebugError: it is no such number.
+
+    >>> take_count("3"), take_count("")
+    (3, 1)
+    """
+    return _count(text.strip() or "1")
+
+
+def _count(digits: str) -> int:
+    if not re.fullmatch(r"0*[1-9]\d{0,9}", digits) or int(digits) > MOST:
+        raise DebugError(f'"{digits}" is no count: it has to be a number from 1 to {MOST:,}.')
+    return int(digits)
+
+
+def take_numbers(text: str) -> list[int]:
+    """Gives numbers, and those of ranges, in their order.
+
+    Raises:
+        DebugError: there is something else.
+
+    >>> take_numbers("1 4-6")
+    [1, 4, 5, 6]
+    """
+    numbers: list[int] = []
+    for word in text.replace(",", " ").split():
+        found = re.fullmatch(r"(\d{1,9})(?:-(\d{1,9}))?", word)
+        if not found:
+            raise DebugError(f'"{word}" is no number: numbers are listed by "info breakpoints".')
+        first, last = int(found[1]), int(found[2] or found[1])
+        if not first <= last < first + 1000:
+            raise DebugError(f'"{word}" is no range of numbers.')
+        numbers += range(first, last + 1)
+    return numbers
+
+
+@dataclass(frozen=True, slots=True)
+class Where:
+    """Where to stop: what stands behind `break`.
+
+    Attributes:
+        place: the place, or the expression that is watched.
+        robot: the robot's name or number, empty for all of them.
+        condition: the condition, empty for none.
+    """
+
+    place: str
+    robot: str = ""
+    condition: str = ""
+
+
+def take_where(text: str) -> Where:
+    """Gives place, robot and condition.
+
+    >>> take_where("wander.c:12 robot 1 if x > 3")
+    Where(place='wander.c:12', robot='1', condition='x > 3')
+    """
+    condition = ""
+    if found := _IF.search(text):
+        text, condition = text[: found.start()], found[1].strip()
+        if not condition:
+            raise DebugError('"if" needs a condition: a C expression.')
+    robot = ""
+    if found := _OF_ROBOT.search(text):
+        text, robot = text[: found.start()], found[1]
+    return Where(text.strip(), robot, condition)
+
+
+def take_robot(text: str, names: Sequence[str]) -> int:
+    """Gives the number of a robot from its name or number.
+
+    Raises:
+        DebugError: there is no such robot.
+
+    >>> take_robot("left", ["left", "right"]), take_robot("1", ["left", "right"])
+    (0, 1)
+    """
+    text = text.strip()
+    if text in names:
+        return names.index(text)
+    if text.isascii() and text.isdigit() and len(text) < 9 and int(text) < len(names):
+        return int(text)
+    shown = ", ".join(names[:5]) + (", ..." if len(names) > 5 else "")
+    raise DebugError(f'There is no robot "{text}": there are {shown}.')
+
+
+def demand(text: str, what: str) -> str:
+    """Gives an argument that has to be there.
+
+    Raises:
+        DebugError: it is empty.
+    """
+    text = text.strip()
+    if not text:
+        raise DebugError(f"Argument required ({what}).")
+    return text
+
+
+def demand_none(text: str) -> None:
+    """Makes sure that nothing stands behind a command.
+
+    Raises:
+        DebugError: something does.
+    """
+    if text.strip():
+        raise DebugError(f'"{text.strip()}" is too much: this command takes no argument.')
+
+
+def split_arguments(text: str) -> list[str]:
+    r"""Splits at commas outside of parentheses, brackets, strings and characters.
+
+    >>> split_arguments('"a, b", f(x, y), z')
+    ['"a, b"', 'f(x, y)', 'z']
+    """
+    parts, depth, start = [], 0, 0
+    for token in re.finditer(r'"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\'|.', text, re.DOTALL):
+        depth += (token[0] in "([{") - (token[0] in ")]}")
+        if token[0] == "," and depth == 0:
+            parts.append(text[start : token.start()].strip())
+            start = token.end()
+    return [*parts, text[start:].strip()]

@@ -1,0 +1,83 @@
+"""Commands about instants to come back to, and runs that the user has changed."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.commands.arguments import demand, demand_none, take_numbers
+from crs_cc.debug.commands.command import Answer, Command, Group
+from crs_cc.debug.commands.stops import position_text
+from crs_cc.debug.errors import DebugError
+
+if TYPE_CHECKING:
+    from crs_cc.debug.branches import Checkpoint
+    from crs_cc.debug.commands.shell import Shell
+
+
+def _checkpoint(shell: Shell, text: str) -> Answer:
+    made = shell.debugger.checkpoint(text)
+    yield f"Checkpoint {made.number}: {_shown(made)}"
+
+
+def _restart(shell: Shell, text: str) -> Answer:
+    numbers = take_numbers(demand(text, "a checkpoint's number"))
+    if len(numbers) != 1:
+        raise DebugError("say one checkpoint's number")
+    return shell.move(partial(shell.debugger.restart, numbers[0]))
+
+
+def _info_checkpoints(shell: Shell, text: str) -> Answer:
+    demand_none(text)
+    found = shell.debugger.branches.current.checkpoints
+    for each in found:
+        yield f"{each.number:<3} {_shown(each)}"
+    if not found:
+        yield "There are no checkpoints."
+
+
+def _branch(shell: Shell, text: str) -> Answer:
+    name = demand(text, "a name for the branch")
+    shell.debugger.branch(name)
+    yield f"The run goes on as branch '{name}'."
+
+
+def _switch(shell: Shell, text: str) -> Answer:
+    return shell.move(partial(shell.debugger.switch, demand(text, "a branch's name")))
+
+
+def _info_branches(shell: Shell, text: str) -> Answer:
+    demand_none(text)
+    branches = shell.debugger.branches
+    for name in branches.names():
+        yield f"{'=>' if name == branches.current.name else '  '} {name}"
+
+
+def _shown(made: Checkpoint) -> str:
+    name = f"'{made.name}' " if made.name else ""
+    return f"{name}at t = {made.time_s:.3f} s, {position_text(made.position)}"
+
+
+BRANCHES: Final = Group(
+    "branches",
+    "Instants to come back to, and runs that go on in different ways.",
+    (
+        Command(
+            "checkpoint", "[NAME]", "Keep this instant, to come back to.", _checkpoint,
+        ),
+        Command(
+            "restart", "N", "Go to a checkpoint.", _restart, completes="checkpoint",
+        ),
+        Command("info checkpoints", "", "List the checkpoints.", _info_checkpoints),
+        Command(
+            "branch", "NAME", "Let the run go on as another one from here, and keep this one.",
+            _branch,
+            text="What is changed from here on (variables, the world) belongs to the new branch.",
+        ),
+        Command(
+            "switch", "NAME", "Go to another branch, to where it was left.", _switch,
+            completes="branch",
+        ),
+        Command("info branches", "", "List the branches.", _info_branches),
+    ),
+)  # fmt: skip

@@ -1,0 +1,223 @@
+"""Commands about where to stop: lines, functions, values, and what happens in the world."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.breakpoints import Breakpoint
+from crs_cc.debug.commands.arguments import (
+    demand,
+    split_arguments,
+    take_count,
+    take_numbers,
+    take_robot,
+    take_where,
+)
+from crs_cc.debug.commands.command import Answer, Command, Group
+from crs_cc.debug.commands.log_text import log_text
+from crs_cc.debug.errors import DebugError
+
+if TYPE_CHECKING:
+    from crs_cc.debug.commands.shell import Shell
+
+
+def _robot(shell: Shell, text: str) -> int | None:
+    return take_robot(text, shell.debugger.names) if text else None
+
+
+def _made(made: Breakpoint) -> Answer:
+    yield f"{name_of(made)}: {described(made)}"
+    if made.place and made.place.note:
+        yield made.place.note
+
+
+def name_of(one: Breakpoint) -> str:
+    """Gives what a breakpoint is called.
+
+    >>> name_of(Breakpoint(3, "watchpoint", "speed", temporary=True))
+    'Temporary watchpoint 3'
+    """
+    return f"{'temporary ' * one.temporary}{one.kind} {one.number}".capitalize()
+
+
+def described(one: Breakpoint) -> str:
+    """Gives where a breakpoint is, in words."""
+    location = one.place.location if one.place else None
+    if one.place is None or location is None:
+        return one.text
+    return f"{one.place.function} at {location.file}:{location.line}"
+
+
+def _break(shell: Shell, text: str, *, temporary: bool = False) -> Answer:
+    where = take_where(text)
+    made = shell.debugger.add_breakpoint(
+        where.place or _here(shell),
+        condition=where.condition,
+        temporary=temporary,
+        robot=_robot(shell, where.robot),
+    )
+    return _made(made)
+
+
+def _here(shell: Shell) -> str:
+    """Gives the line where the user looks."""
+    place = shell.debugger.location()
+    if place is None:
+        raise DebugError("no program stands at a line here: say where to stop")
+    return f"{place.file}:{place.line}"
+
+
+def _catch(shell: Shell, text: str) -> Answer:
+    where = take_where(demand(text, "what to stop at, such as error or collision"))
+    made = shell.debugger.add_catchpoint(
+        where.place, condition=where.condition, robot=_robot(shell, where.robot)
+    )
+    return _made(made)
+
+
+def _dprintf(shell: Shell, text: str) -> Answer:
+    place, *rest = split_arguments(demand(text, 'PLACE,"FORMAT",EXPRESSION...'))
+    if not rest:
+        raise DebugError('say what to print behind the place: dprintf PLACE,"FORMAT",...')
+    made = shell.debugger.add_breakpoint(_place(shell, place), log=log_text(rest[0], rest[1:]))
+    return _made(made)
+
+
+def _log(shell: Shell, text: str) -> Answer:
+    place, _, message = demand(text, "PLACE TEXT").partition(" ")
+    made = shell.debugger.add_breakpoint(place, log=demand(message, "PLACE TEXT"))
+    return _made(made)
+
+
+def _place(shell: Shell, text: str) -> str:
+    return text or _here(shell)
+
+
+def _all_or(shell: Shell, text: str) -> list[int]:
+    return take_numbers(text) or [each.number for each in shell.debugger.breakpoints]
+
+
+def _delete(shell: Shell, text: str) -> Answer:
+    for number in _all_or(shell, text):
+        shell.debugger.remove(number)
+        shell.scripts.pop(number, None)
+    yield from ()
+
+
+def _enable(shell: Shell, text: str, *, on: bool) -> Answer:
+    for number in _all_or(shell, text):
+        shell.debugger.enable(number, on=on)
+    yield from ()
+
+
+def _ignore(shell: Shell, text: str) -> Answer:
+    number, _, count = demand(text, "a breakpoint's number, and how often").partition(" ")
+    times = 0 if count.strip() == "0" else take_count(demand(count, "how often to ignore it"))
+    for each in take_numbers(number):
+        shell.debugger.ignore(each, times)
+        yield f"Will ignore next {times} crossings of breakpoint {each}."
+
+
+def _commands(shell: Shell, text: str) -> Answer:
+    known = [each.number for each in shell.debugger.breakpoints]
+    numbers = take_numbers(text) or known[-1:]
+    if not numbers:
+        raise DebugError("there is no breakpoint yet")
+    missing = [each for each in numbers if each not in known]
+    if missing:
+        raise DebugError(f"there is no breakpoint {missing[0]}")
+    shell.collect(numbers)
+    shown = ", ".join(map(str, numbers))
+    yield f"Type commands for breakpoint {shown}, one per line, and a line saying just 'end'."
+
+
+def _info(shell: Shell, text: str) -> Answer:
+    wanted = set(take_numbers(text))
+    rows = [each for each in shell.debugger.breakpoints if not wanted or each.number in wanted]
+    if not rows:
+        yield "There are no breakpoints." if not wanted else "There is no such breakpoint."
+    for one in rows:
+        yield f"{one.number:<3} {_state(one):11} {described(one)}{_of_robot(shell, one)}"
+        if one.condition:
+            yield f"    only if {one.condition}"
+        if one.log:
+            yield f"    logs {one.log}"
+        if one.hits or one.ignore:
+            times = f"{one.hits} time{'s' * (one.hits != 1)}"
+            yield f"    hit {times}" + (f", ignored {one.ignore} more" if one.ignore else "")
+        yield from (f"        {line}" for line in shell.scripts.get(one.number, ()))
+
+
+def _state(one: Breakpoint) -> str:
+    kind = "log" if one.log else one.kind
+    return kind if one.enabled else f"({kind})"
+
+
+def _of_robot(shell: Shell, one: Breakpoint) -> str:
+    return f" of {shell.debugger.names[one.robot]}" if one.robot is not None else ""
+
+
+_PLACES: Final = (
+    "PLACE is a line (12), a line of a file (turn.c:12), a function of the program (turn), or one"
+    " of the robot (ws, get_sn): then it stops when the robot is asked. A line without code stands"
+    " for the next one with code. Without a place, the line where the program stands. With"
+    " several robots it stops any of them, unless one is named. CONDITION is a C expression."
+)
+_NUMBERS: Final = "N is a number, or a range such as 2-4; without one, all."
+
+BREAKPOINTS: Final = Group(
+    "breakpoints",
+    "Where and when to stop, going forward or backward.",
+    (
+        Command(
+            "break", "[PLACE] [robot NAME] [if CONDITION]", "Stop at a line or a function.",
+            _break, ("b", "br"), text=_PLACES, completes="place",
+        ),
+        Command(
+            "tbreak", "[PLACE] [robot NAME] [if CONDITION]", "Stop there once.",
+            partial(_break, temporary=True), ("tb",), text=_PLACES, completes="place",
+        ),
+        Command(
+            "catch", "WHAT [robot NAME]", "Stop when something happens to a program or a robot.",
+            _catch, completes="catch",
+        ),
+        Command(
+            "dprintf", 'PLACE,"FORMAT",EXPRESSION...', "Print there, and do not stop.", _dprintf,
+            text="The format is printf's: %d %u %x %o %c %s %f %g %p and %%; every value is shown"
+            " as its type says, or in hexadecimal or octal.",
+            completes="place",
+        ),
+        Command(
+            "log", "PLACE TEXT", "Print TEXT there, and do not stop.", _log,
+            text="Expressions in braces are replaced by their values: log 12 speed is {speed}.",
+            completes="place",
+        ),
+        Command(
+            "delete", "[N...]", "Delete breakpoints.", _delete, ("d",),
+            text=_NUMBERS, completes="breakpoint",
+        ),
+        Command(
+            "disable", "[N...]", "Let breakpoints do nothing.", partial(_enable, on=False),
+            text=_NUMBERS, completes="breakpoint",
+        ),
+        Command(
+            "enable", "[N...]", "Let breakpoints stop again.", partial(_enable, on=True),
+            ("en",), text=_NUMBERS, completes="breakpoint",
+        ),
+        Command(
+            "ignore", "N COUNT", "Pass a breakpoint so many times.", _ignore,
+            completes="breakpoint",
+        ),
+        Command(
+            "commands", "[N...]", "Let commands be done when a breakpoint is hit.", _commands,
+            text='The commands follow, a line each, up to a line "end". If the first is "silent",'
+            " nothing is said of the stop. Without a number, those of the newest breakpoint.",
+            completes="breakpoint",
+        ),
+        Command(
+            "info breakpoints", "[N...]", "List the breakpoints, watchpoints and catchpoints.",
+            _info, ("info b", "info watchpoints"), completes="breakpoint",
+        ),
+    ),
+)  # fmt: skip

@@ -1,0 +1,41 @@
+r"""From printf's words to those of log points: `"x is %d\n", x` becomes `x is {x}`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from typing import Final
+
+from crs_cc.debug.errors import DebugError
+
+_CONVERSION: Final = re.compile(
+    r"%(?:%|[-+ #0]*\d*(?:\.\d+)?(?:hh|h|ll|l|L|z|t|j)?([diouxXcsfFeEgGap]))"
+)
+_ESCAPES: Final = {"n": "\n", "t": "\t", '"': '"', "\\": "\\", "'": "'"}
+
+
+def log_text(literal: str, expressions: Sequence[str]) -> str:
+    r"""Gives the text of a log point with the expressions in braces.
+
+    Raises:
+        DebugError: the format is no string, or there are too few or too many expressions.
+
+    >>> log_text(r'"%d of %s\n"', ["left + 1", "name"])
+    '{left + 1} of {name}'
+    """
+    if not re.fullmatch(r'"(?:[^"\\]|\\.)*"', literal):
+        raise DebugError(f"{literal} is no format: it has to be a string in double quotes")
+    text = re.sub(r"\\(.)", lambda found: _ESCAPES.get(found[1], found[0]), literal[1:-1])
+    left = list(expressions)
+
+    def value(found: re.Match[str]) -> str:
+        if not found[1]:
+            return "%"
+        if not left:
+            raise DebugError("the format asks for more expressions than there are")
+        return f"{{{left.pop(0)}}}"
+
+    made = _CONVERSION.sub(value, text.removesuffix("\n"))
+    if left:
+        raise DebugError(f"the format does not ask for {', '.join(left)}")
+    return made

@@ -1,0 +1,191 @@
+"""Commands that move the run: forward, backward, and to an instant."""
+
+from __future__ import annotations
+
+import re
+from functools import partial
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.commands.arguments import demand, demand_none, take_count
+from crs_cc.debug.commands.command import Answer, Command, Group
+from crs_cc.debug.commands.stops import when_text
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.position import BEGINNING
+
+if TYPE_CHECKING:
+    from crs_cc.debug.commands.shell import Shell
+
+
+def _start(shell: Shell, text: str) -> Answer:
+    demand_none(text)
+    return shell.move(shell.debugger.start)
+
+
+def _run(shell: Shell, text: str) -> Answer:
+    demand_none(text)
+    shell.debugger.goto(BEGINNING)
+    return shell.move(shell.debugger.resume)
+
+
+def _continue(shell: Shell, text: str) -> Answer:
+    count = take_count(text)
+    if count > 1:
+        hit = shell.debugger.stop.breakpoints
+        if not hit:
+            raise DebugError('"continue N" passes a breakpoint N - 1 times; it is at none here.')
+        shell.debugger.ignore(hit[0], count - 1)
+        yield f"Will ignore next {count - 1} crossings of breakpoint {hit[0]}.  Continuing."
+    yield from shell.move(shell.debugger.resume)
+
+
+def _reverse_continue(shell: Shell, text: str) -> Answer:
+    demand_none(text)
+    return shell.move(partial(shell.debugger.resume, backward=True))
+
+
+def _step(shell: Shell, text: str, *, backward: bool = False) -> Answer:
+    return shell.move(partial(shell.debugger.step, take_count(text), backward=backward))
+
+
+def _next(shell: Shell, text: str, *, backward: bool = False) -> Answer:
+    return shell.move(partial(shell.debugger.next, take_count(text), backward=backward))
+
+
+def _stepi(shell: Shell, text: str, *, backward: bool = False) -> Answer:
+    return shell.move(partial(shell.debugger.step_statement, take_count(text), backward=backward))
+
+
+def _tick(shell: Shell, text: str, *, backward: bool = False) -> Answer:
+    return shell.move(partial(shell.debugger.tick, take_count(text), backward=backward))
+
+
+def _finish(shell: Shell, text: str, *, backward: bool = False) -> Answer:
+    demand_none(text)
+    return shell.move(partial(shell.debugger.finish, backward=backward))
+
+
+def _until(shell: Shell, text: str) -> Answer:
+    if text:
+        return _advance(shell, text)
+    return shell.move(shell.debugger.until)
+
+
+def _advance(shell: Shell, text: str) -> Answer:
+    return shell.move(partial(shell.debugger.advance, demand(text, "a line or a function")))
+
+
+_INSTANT: Final = re.compile(
+    r"(?P<kind>t|time|tick|timestep|stmt|statement)?\s*[= ]?\s*(?P<number>\d+(?:\.\d*)?|\.\d+)\s*s?"
+)
+
+
+def _goto(shell: Shell, text: str) -> Answer:
+    text = demand(text, "an instant, such as 12.3 or tick 120")
+    if text == "start":
+        return shell.move(partial(shell.debugger.goto, BEGINNING))
+    found = _INSTANT.fullmatch(text)
+    if not found:
+        raise DebugError(
+            f'"{text}" is no instant: write a time in seconds as "12.3", or "tick 120",'
+            ' "stmt 40210", "start".'
+        )
+    kind, number = found["kind"] or "t", found["number"]
+    if kind in {"t", "time"}:
+        return shell.move(partial(shell.debugger.goto_time, float(number)))
+    if not number.isdigit():
+        raise DebugError(f'"{kind}" needs a whole number.')
+    is_tick = kind.startswith("ti")
+    go = shell.debugger.goto_timestep if is_tick else shell.debugger.goto_statement
+    return shell.move(partial(go, int(number)))
+
+
+def _when(shell: Shell, text: str) -> Answer:
+    demand_none(text)
+    yield when_text(shell.debugger)
+
+
+_BACKWARD_TEXT: Final = (
+    "Programs and world go back together: what was there is there again, to the byte."
+)
+
+MOVING: Final = Group(
+    "moving",
+    "Going forward and backward through the run.",
+    (
+        Command(
+            "start", "", "Go to the first statement of the first program.", _start,
+            text="Breakpoints stay. What was done after an earlier moment is forgotten only when"
+            " something is changed there.",
+        ),
+        Command("run", "", "Go to the beginning, then on to the first breakpoint.", _run, ("r",)),
+        Command(
+            "continue", "[N]", "Go on to the next breakpoint, watchpoint or catchpoint.",
+            _continue, ("c", "fg"),
+            text="With N, pass the breakpoint at which the program stands N - 1 times. Ctrl-C"
+            " stops.",
+            repeats="on",
+        ),
+        Command(
+            "step", "[N]", "Go to the next line, into functions that it calls.", _step, ("s",),
+            text="With N, N times. Functions of the C library count as one line.",
+            repeats="same",
+        ),
+        Command(
+            "next", "[N]", "Go to the next line of this function, over those that it calls.",
+            _next, ("n",), repeats="same",
+        ),
+        Command(
+            "stepi", "[N]", "Go to the next statement, in the same line or another.",
+            _stepi, ("si",), repeats="same",
+        ),
+        Command(
+            "finish", "", "Go on until this function has returned.", _finish, ("fin",),
+            repeats="same",
+        ),
+        Command(
+            "until", "[PLACE]", "Go to the next line, but out of loops instead of round again.",
+            _until, ("u",),
+            text='With a place, the same as "advance".',
+            repeats="same", completes="place",
+        ),
+        Command(
+            "advance", "PLACE", "Go on to a line or a function, as if a breakpoint were there.",
+            _advance, completes="place",
+        ),
+        Command(
+            "tick", "[N]", "Go on to the beginning of the next timestep of the world.", _tick,
+            repeats="same",
+        ),
+        Command(
+            "reverse-continue", "", "Go back to the breakpoint, watchpoint or catchpoint before.",
+            _reverse_continue, ("rc", "rewind"), text=_BACKWARD_TEXT, repeats="on",
+        ),
+        Command(
+            "reverse-step", "[N]", "Go back to the line before, into functions that were called.",
+            partial(_step, backward=True), ("rs",), text=_BACKWARD_TEXT, repeats="same",
+        ),
+        Command(
+            "reverse-next", "[N]", "Go back to the line before of this function.",
+            partial(_next, backward=True), ("rn",), repeats="same",
+        ),
+        Command(
+            "reverse-stepi", "[N]", "Go back by a statement.",
+            partial(_stepi, backward=True), ("rsi",), repeats="same",
+        ),
+        Command(
+            "reverse-finish", "", "Go back to where this function was called.",
+            partial(_finish, backward=True), repeats="same",
+        ),
+        Command(
+            "reverse-tick", "[N]", "Go back to the beginning of the timestep before.",
+            partial(_tick, backward=True), ("rt",), repeats="same",
+        ),
+        Command(
+            "goto", "TIME|tick N|stmt N|start", "Go to an instant, forward or backward.", _goto,
+            text="TIME is in seconds, such as 12.3; tick N the beginning of timestep N; stmt N"
+            ' where the robot\'s program has begun N statements, as "when" tells. Breakpoints on'
+            " the way do not stop it.",
+        ),
+        Command("when", "", "Tell the instant: time, timestep, statement.", _when),
+    ),
+)  # fmt: skip

@@ -1,0 +1,129 @@
+"""Commands from files, and into files."""
+
+from __future__ import annotations
+
+import os
+import stat
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.commands.arguments import demand
+from crs_cc.debug.commands.command import Answer, Command, Group
+from crs_cc.debug.errors import DebugError
+
+if TYPE_CHECKING:
+    from crs_cc.debug.breakpoints import Breakpoint
+    from crs_cc.debug.commands.shell import Shell
+
+LARGEST_SCRIPT: Final = 1 << 20
+_DEEPEST: Final = 16
+_HEAD: Final = "# breakpoints of crs debug"
+_ENDING: Final = ".dbg"
+
+
+def read_script(path: Path) -> list[str]:
+    """Gives the lines of a file of commands.
+
+    Raises:
+        DebugError: it cannot be read, or is no text.
+    """
+    try:
+        with os.fdopen(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as file:  # or a pipe waits
+            if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+                raise DebugError(f"'{path}' is no file of commands")
+            content = file.read(LARGEST_SCRIPT + 1)
+        if len(content) > LARGEST_SCRIPT:
+            raise DebugError(f"'{path}' is larger than {LARGEST_SCRIPT >> 20} MiB")
+        return content.decode().splitlines()
+    except OSError as error:
+        raise DebugError(f"'{path}' cannot be read: {error.strerror}") from None
+    except ValueError:
+        raise DebugError(f"'{path}' is no text") from None
+
+
+def _source(shell: Shell, text: str) -> Answer:
+    if shell.depth >= _DEEPEST:
+        raise DebugError(f"scripts read each other {_DEEPEST} times: that has no end")
+    lines = read_script(Path(demand(text, "a file of commands")))
+    shell.depth += 1
+    try:
+        for line in lines:
+            if shell.has_ended:
+                return
+            yield from shell.execute(line or "#")
+    finally:
+        shell.depth -= 1
+
+
+def _save_breakpoints(shell: Shell, text: str) -> Answer:
+    path = Path(demand(text, "a file"))
+    breakpoints = list(shell.debugger.breakpoints)
+    lines = [_HEAD, *(line for each in breakpoints for line in _written(shell, each))]
+    _write(path, "\n".join(lines) + "\n")
+    yield f"Saved to '{path}': {len(breakpoints)} breakpoint{'s' * (len(breakpoints) != 1)}."
+
+
+def _written(shell: Shell, one: Breakpoint) -> Iterator[str]:
+    """Gives the commands that make a breakpoint again."""
+    yield _command(shell, one)
+    if one.ignore:
+        yield f"ignore $ {one.ignore}"
+    if not one.enabled:
+        yield "disable $"
+    if commands := shell.scripts.get(one.number):
+        yield from ("commands", *(f"  {each}" for each in commands), "end")
+
+
+def _command(shell: Shell, one: Breakpoint) -> str:
+    robot = f" robot {shell.debugger.names[one.robot]}" if one.robot is not None else ""
+    condition = f" if {one.condition}" if one.condition else ""
+    if one.log:
+        return f"log {one.text} {one.log}"
+    word = {"breakpoint": "tbreak" if one.temporary else "break", "catchpoint": "catch"}
+    return f"{word.get(one.kind, 'watch')} {one.text}{robot}{condition}"
+
+
+def _write(path: Path, content: str) -> None:
+    """Writes a file of breakpoints, over nothing but such a file.
+
+    A script may ask for it that came with somebody else's program, so no other file is at risk.
+    """
+    if path.suffix != _ENDING:
+        raise DebugError(f"breakpoints are saved to a file whose name ends with {_ENDING}")
+    flags = os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_NONBLOCK
+    try:
+        with os.fdopen(os.open(path, flags, 0o666), "r+b") as file:
+            if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+                raise DebugError(f"'{path}' is no file")
+            head = file.read(len(_HEAD))
+            if head and head != _HEAD.encode():
+                raise DebugError(f"'{path}' holds something else than saved breakpoints: kept")
+            file.seek(0)
+            file.truncate()
+            file.write(content.encode("utf-8", "surrogateescape"))
+    except OSError as error:
+        raise DebugError(f"'{path}' cannot be written: {error.strerror}") from None
+
+
+def _echo(_shell: Shell, text: str) -> Answer:
+    yield text
+
+
+SCRIPTS: Final = Group(
+    "scripts",
+    "Commands from files.",
+    (
+        Command(
+            "source", "FILE", "Do the commands in a file.", _source,
+            text="A command that fails does not keep the next ones from being done.",
+            completes="file",
+        ),
+        Command(
+            "save breakpoints", "FILE.dbg", "Write the breakpoints to a file for source.",
+            _save_breakpoints, text="No file is overwritten but one with saved breakpoints.",
+            completes="file",
+        ),
+        Command("echo", "TEXT", "Show a text."  , _echo),
+    ),
+)  # fmt: skip

@@ -1,0 +1,134 @@
+"""A command line over a debugger: takes lines, answers with lines, and keeps what lies between.
+
+It knows no screen. A screen hands over what the user types, and shows the answer as it comes: what
+programs print while a command runs goes its own way, so that both appear in their order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.commands.command import Answer, Command, Line, SourceLine
+from crs_cc.debug.commands.listing import Listing
+from crs_cc.debug.commands.stops import Standing, standing, stop_lines
+from crs_cc.debug.commands.table import find
+from crs_cc.debug.errors import DebugError
+
+if TYPE_CHECKING:
+    from crs_cc.debug.engine import Debugger
+    from crs_cc.debug.stop import Stop
+
+PROMPT: Final = "(crs) "
+_MORE: Final = ">"
+
+
+@dataclass(slots=True)
+class _Collected:
+    """Commands of breakpoints that are being typed in."""
+
+    breakpoints: list[int]
+    lines: list[str] = field(default_factory=list)
+
+
+class Shell:
+    """A command line.
+
+    Attributes:
+        debugger: what it is about.
+        scripts: by breakpoint, the commands that are done when it is hit.
+        listing: what `list` showed last; None since the last stop.
+        has_ended: the user wants no more.
+        failures: how many commands could not be done.
+        depth: how many scripts are being read inside each other.
+    """
+
+    def __init__(self, debugger: Debugger) -> None:
+        self.debugger = debugger
+        self.scripts: dict[int, tuple[str, ...]] = {}
+        self.listing: Listing | None = None
+        self.has_ended = False
+        self.failures = 0
+        self.depth = 0
+        self._again = ""
+        self._due: list[str] = []
+        self._collected: _Collected | None = None
+        self._stood: Standing | None = None
+
+    @property
+    def prompt(self) -> str:
+        """Gives what asks for the next line."""
+        return PROMPT if self._collected is None else _MORE
+
+    def execute(self, text: str) -> Iterator[Line | SourceLine]:
+        """Does what a line says; an empty one does the last command again, if that makes sense."""
+        if self._collected is not None:
+            self._collect(text.strip())
+            return
+        text = text.strip() or self._again
+        if text.startswith("#") or not text:
+            return
+        yield from self._perform(text, by_user=True)
+        while self._due and not self.has_ended:
+            yield from self._perform(self._due.pop(0))
+
+    def greet(self) -> Iterator[Line | SourceLine]:
+        """Goes to where the run begins, and says where that is."""
+        yield from _as_lines(self.move(self.debugger.start))
+
+    def move(self, go: Callable[[], Stop]) -> Answer:
+        """Lets the run go somewhere else, and says why it stopped there."""
+        known = {each.number: each for each in self.debugger.breakpoints}
+        stop = go()
+        self.listing = None
+        self._due = [line for number in stop.breakpoints for line in self.scripts.get(number, ())]
+        now = standing(self.debugger)
+        if "silent" in self._due[:1]:
+            del self._due[0]
+        else:
+            yield from stop_lines(self.debugger, stop, known, self._stood)
+        self._stood = now
+
+    def look(self) -> Answer:
+        """Says where the frame is that the user looks at, after he has chosen another one."""
+        self.listing = None
+        self._stood = standing(self.debugger)
+        yield from self._stood.lines(self.debugger)
+
+    def collect(self, breakpoints: list[int]) -> None:
+        """Lets the next lines, up to `end`, be the commands of breakpoints."""
+        self._collected = _Collected(breakpoints)
+
+    def _collect(self, line: str) -> None:
+        assert self._collected is not None
+        if line != "end":
+            self._collected.lines.append(line)
+            return
+        for number in self._collected.breakpoints:
+            self.scripts[number] = tuple(each for each in self._collected.lines if each)
+        self._collected = None
+
+    def _perform(self, text: str, *, by_user: bool = False) -> Iterator[Line | SourceLine]:
+        try:
+            command, arguments = find(text)
+            if by_user:
+                self._again = _again(command, text)
+            yield from _as_lines(command.run(self, arguments))
+        except DebugError as error:
+            self.failures += 1
+            self._due.clear()
+            yield Line(str(error), "error")
+
+
+def _again(command: Command, text: str) -> str:
+    """Gives what an empty line after a command does."""
+    return {"": "", "same": text, "on": command.name}[command.repeats]
+
+
+def _as_lines(answer: Answer) -> Iterator[Line | SourceLine]:
+    for each in answer:
+        if isinstance(each, str):
+            yield from map(Line, each.split("\n"))
+        else:
+            yield each

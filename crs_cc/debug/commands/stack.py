@@ -1,0 +1,243 @@
+"""Commands about where programs stand: active functions, and lines of C."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.commands.arguments import demand, demand_none, take_count
+from crs_cc.debug.commands.command import Answer, Command, Group, SourceLine
+from crs_cc.debug.commands.listing import Listing
+from crs_cc.debug.commands.stops import frame_text
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.places import find_place
+from crs_cc.ir.names import in_library, plain_name
+
+if TYPE_CHECKING:
+    from crs_cc.debug.commands.shell import Shell
+    from crs_cc.debug.view import Frame
+    from crs_cc.source import Location
+
+_LINES: Final = 10
+_MOST_FRAMES: Final = 100
+_MOST_FUNCTIONS: Final = 200
+
+
+def frames(shell: Shell) -> list[Frame]:
+    """Gives the active functions of the robot that the user looks at.
+
+    Raises:
+        DebugError: there are none.
+    """
+    found = shell.debugger.frames()
+    if not found:
+        name = shell.debugger.names[shell.debugger.robot]
+        raise DebugError(f"no function of {name}'s program is active: it has not begun, or ended")
+    return found
+
+
+def frame(shell: Shell) -> Frame:
+    """Gives the active function that the user looks at.
+
+    Raises:
+        DebugError: there is none.
+    """
+    found = frames(shell)
+    return next((each for each in found if each.number == shell.debugger.frame), found[0])
+
+
+def _backtrace(shell: Shell, text: str) -> Answer:
+    found = frames(shell)
+    most = take_count(text) if text else _MOST_FRAMES
+    here = frame(shell).number
+    for each in found[:most]:
+        yield f"{'=>' if each.number == here else '  '} #{each.number}  {frame_text(each)}"
+    if len(found) > most:
+        yield f"(more active functions follow: {len(found) - most})"
+
+
+def _frame(shell: Shell, text: str) -> Answer:
+    if text:
+        wanted = 0 if text == "0" else take_count(text)
+        if wanted not in [each.number for each in frames(shell)]:
+            raise DebugError(f'there is no active function #{wanted}: see "backtrace"')
+        shell.debugger.select_frame(wanted)
+    frame(shell)
+    return shell.look()
+
+
+def _up(shell: Shell, text: str) -> Answer:
+    return _move_frame(shell, take_count(text))
+
+
+def _down(shell: Shell, text: str) -> Answer:
+    return _move_frame(shell, -take_count(text))
+
+
+def _move_frame(shell: Shell, by: int) -> Answer:
+    numbers = [each.number for each in frames(shell)]
+    place = numbers.index(frame(shell).number)
+    target = min(max(place + by, 0), len(numbers) - 1)
+    if target == place:
+        end = "outermost" if by > 0 else "innermost"
+        raise DebugError(f"this is the {end} active function")
+    shell.debugger.select_frame(numbers[target])
+    return shell.look()
+
+
+def _info_frame(shell: Shell, text: str) -> Answer:
+    demand_none(text)
+    found, here = frames(shell), frame(shell)
+    yield f"#{here.number}  {frame_text(here)}"
+    place = [each.number for each in found].index(here.number)
+    if place + 1 < len(found):
+        yield f"called by #{found[place + 1].number}  {frame_text(found[place + 1])}"
+
+
+def _list(shell: Shell, text: str) -> Answer:
+    file, first, last = _range(shell, text)
+    lines = shell.debugger.source(file)
+    if not lines:
+        raise DebugError(f"the lines of '{file}' are not known")
+    if first > len(lines):
+        raise DebugError(f"'{file}' has {len(lines)} lines only")
+    last = min(last, len(lines))
+    shell.listing = Listing(file, first, last)
+    here = shell.debugger.location()
+    current = here.line if here is not None and here.file == file else 0
+    stops = _lines_with_breakpoints(shell, file)
+    for number in range(first, last + 1):
+        yield SourceLine(number, lines[number - 1], number == current, number in stops)
+
+
+def _lines_with_breakpoints(shell: Shell, file: str) -> set[int]:
+    places = [each.place.location for each in shell.debugger.breakpoints if each.place]
+    return {each.line for each in places if each is not None and each.file == file}
+
+
+def _range(shell: Shell, text: str) -> tuple[str, int, int]:
+    """Gives the file, and the first and the last line, that are wanted."""
+    listed = shell.listing
+    if not text and listed is not None:
+        return listed.file, listed.last + 1, listed.last + _LINES
+    if text == "-" and listed is not None:
+        if listed.first == 1:
+            raise DebugError(f"line 1 of '{listed.file}' has been shown")
+        return listed.file, max(1, listed.first - _LINES), listed.first - 1
+    first, _, last = text.partition(",")
+    if not text or text == "-":
+        middle = _here(shell)
+        return _around(middle.file, middle.line)
+    if not first.strip():
+        raise DebugError("say where the lines begin: list FIRST,LAST")
+    begin = find_line(shell, first)
+    if not last.strip():
+        return _around(begin.file, begin.line)
+    end = find_line(shell, last)
+    if end.file != begin.file or end.line < begin.line:
+        raise DebugError(f"{end} does not stand behind {begin}")
+    return begin.file, begin.line, end.line
+
+
+def _around(file: str, line: int) -> tuple[str, int, int]:
+    first = max(1, line - _LINES // 2)
+    return file, first, first + _LINES - 1
+
+
+def _here(shell: Shell) -> Location:
+    place = shell.debugger.location()
+    if place is None:
+        raise DebugError("no program stands at a line here: say which lines, such as list main")
+    return place
+
+
+def find_line(shell: Shell, text: str) -> Location:
+    """Gives the line that a place means.
+
+    Raises:
+        DebugError: there is no such line, or function.
+    """
+    debugger = shell.debugger
+    here = debugger.location()
+    file = here.file if here else str(debugger.run.programs[debugger.robot].paths[0])
+    found = find_place(text, debugger.run.programs, [debugger.robot], file).location
+    if found is None:
+        raise DebugError(f"'{text}' is the robot's, and stands in no file of the program")
+    return found
+
+
+def functions(shell: Shell) -> Iterator[tuple[str, Location]]:
+    """Gives the names of the functions of the user's that this robot runs, and where they are."""
+    program = shell.debugger.run.programs[shell.debugger.robot].executable.program
+    for name, function in program.functions.items():
+        if not in_library(function.location):
+            yield plain_name(name), function.location
+
+
+def _info_functions(shell: Shell, text: str) -> Answer:
+    found = sorted((place, name) for name, place in functions(shell) if text in name)
+    if not found:
+        raise DebugError(f"no function has '{text}' in its name")
+    for place, name in found[:_MOST_FUNCTIONS]:
+        yield f"{place.file}:{place.line}: {name}"
+    if len(found) > _MOST_FUNCTIONS:
+        yield f"(and {len(found) - _MOST_FUNCTIONS} more)"
+
+
+def _info_line(shell: Shell, text: str) -> Answer:
+    place = find_line(shell, demand(text, "a line or a function"))
+    lines = shell.debugger.source(place.file)
+    yield f"{place.file}:{place.line}"
+    if 0 < place.line <= len(lines):
+        yield SourceLine(place.line, lines[place.line - 1])
+
+
+def _info_source(shell: Shell, text: str) -> Answer:
+    demand_none(text)
+    robot = shell.debugger.robot
+    here = shell.debugger.location()
+    for path in shell.debugger.run.programs[robot].paths:
+        lines = len(shell.debugger.source(str(path)))
+        mark = "=>" if here is not None and here.file == str(path) else "  "
+        yield f"{mark} {path}, {lines} lines"
+
+
+_LIST_TEXT: Final = (
+    "Ten lines around the place, or from FIRST to LAST. Without a place those around where the"
+    ' program stands, then those that follow; "list -" shows those before.'
+)
+
+STACK: Final = Group(
+    "stack",
+    "Active functions, and lines of C.",
+    (
+        Command(
+            "backtrace", "[N]", "Show the active functions, the innermost first.", _backtrace,
+            ("bt", "where"), text="With N, the innermost N.",
+        ),
+        Command(
+            "frame", "[N]", "Look at active function N, or say which one it is.", _frame, ("f",),
+            text="Expressions and lists are about the function that is looked at.",
+        ),
+        Command("up", "[N]", "Look at the function that called this one.", _up, repeats="same"),
+        Command(
+            "down", "[N]", "Look at the function that this one has called.", _down,
+            repeats="same",
+        ),
+        Command("info frame", "", "Tell about the function that is looked at.", _info_frame,
+                ("info f",)),
+        Command(
+            "list", "[PLACE|FIRST,LAST|-]", "Show lines of C.", _list, ("l",), text=_LIST_TEXT,
+            repeats="on", completes="place",
+        ),
+        Command(
+            "info line", "PLACE", "Tell where a line or a function is.", _info_line,
+            completes="place",
+        ),
+        Command(
+            "info functions", "[TEXT]", "List the functions with TEXT in their names.",
+            _info_functions, completes="place",
+        ),
+        Command("info source", "", "List the files of the program.", _info_source),
+    ),
+)  # fmt: skip

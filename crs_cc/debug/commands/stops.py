@@ -1,0 +1,117 @@
+"""Where a run has stopped, and why, in lines."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.commands.breakpoints import name_of
+from crs_cc.debug.commands.command import Answer, Line, SourceLine
+
+if TYPE_CHECKING:
+    from crs_cc.debug.breakpoints import Breakpoint
+    from crs_cc.debug.engine import Debugger
+    from crs_cc.debug.position import Position
+    from crs_cc.debug.stop import Reason, Stop
+    from crs_cc.debug.view import Frame
+
+_SAID: Final[dict[Reason, str]] = {
+    "start": "The run is at its beginning.",
+    "beginning": "The run is at its beginning: nothing was before.",
+    "interrupt": "Interrupted.",
+    "end": "All programs have ended; what can be done is to go back.",
+}
+"""What is said of a stop that has no text of its own."""
+
+_QUIET: Final = frozenset({"step", "goto"})
+"""Reasons of which nothing is said: the user asked for just this."""
+
+
+@dataclass(frozen=True, slots=True)
+class Standing:
+    """Where the user looks: at which function of which robot, and how deep in its calls."""
+
+    robot: int
+    function: str
+    depth: int
+    frame: Frame | None
+
+    def head(self, debugger: Debugger) -> str:
+        """Gives the place in words: `robot0 in turn (left=3) at wander.c:40`."""
+        name = f"{debugger.names[self.robot]} in " if len(debugger.names) > 1 else ""
+        return name + frame_text(self.frame) if self.frame else ""
+
+    def lines(self, debugger: Debugger, *, with_head: bool = True) -> Answer:
+        """Gives the place, and the line of C there."""
+        if self.frame is None:
+            return
+        if with_head:
+            yield Line(f"#{self.frame.number}  {self.head(debugger)}", "place")
+        yield from current_line(debugger, self.frame)
+
+
+def standing(debugger: Debugger) -> Standing:
+    """Gives where the user looks now."""
+    frames = debugger.frames()
+    frame = next((each for each in frames if each.number == debugger.frame), None)
+    return Standing(debugger.robot, frame.function if frame else "", len(frames), frame)
+
+
+def stop_lines(
+    debugger: Debugger,
+    stop: Stop,
+    known: Mapping[int, Breakpoint],
+    before: Standing | None,
+) -> Answer:
+    """Says why a run stopped, and where.
+
+    Args:
+        debugger: it.
+        stop: the stop.
+        known: the breakpoints that there were on the way, by number.
+        before: where the user looked before.
+    """
+    now = standing(debugger)
+    hit = ", ".join(name_of(known[number]) for number in stop.breakpoints if number in known)
+    text = stop.text or ("" if hit else _SAID.get(stop.reason, ""))
+    if text:
+        yield Line(f"{hit}: {text}" if hit else text, "stop")
+        hit = ""
+    if now.frame is None or stop.reason == "end":
+        return
+    is_same = before is not None and _call(before) == _call(now)
+    if hit or text or stop.reason not in _QUIET or not is_same:
+        at = f", t = {stop.time_s:.3f} s"
+        yield Line(f"{hit}{', ' * bool(hit)}{now.head(debugger)}{at}", "place")
+    yield from now.lines(debugger, with_head=False)
+
+
+def _call(place: Standing) -> tuple[int, str, int]:
+    return place.robot, place.function, place.depth
+
+
+def frame_text(frame: Frame) -> str:
+    """Gives an active function with its arguments, and the place in it."""
+    place = frame.location
+    at = f" at {place.file}:{place.line}" if not frame.is_library else ""
+    return f"{frame.function} (){at}"
+
+
+def current_line(debugger: Debugger, frame: Frame) -> Answer:
+    """Gives the line of C where a function stands."""
+    lines, number = debugger.source(frame.location.file), frame.location.line
+    if 0 < number <= len(lines):
+        yield SourceLine(number, lines[number - 1], is_current=True)
+
+
+def when_text(debugger: Debugger) -> str:
+    """Gives the instant where a run is."""
+    begun = debugger.run.begun(debugger.robot)
+    stmt = f"{debugger.names[debugger.robot]} before stmt {begun + 1}"
+    return f"t = {debugger.time_s:.3f} s, {position_text(debugger.position)}, {stmt}"
+
+
+def position_text(position: Position) -> str:
+    """Gives an instant without the statement."""
+    return f"tick {position.timestep}, round {position.round}"

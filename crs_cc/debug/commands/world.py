@@ -1,0 +1,79 @@
+"""Commands about robots and their world."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.commands.arguments import demand_none, take_count, take_robot
+from crs_cc.debug.commands.command import Answer, Command, Group
+from crs_cc.debug.robot_rows import HEADINGS, robot_rows, summary
+from crs_cc.debug.rows import lines
+from crs_cc.debug.world_rows import world_rows
+
+if TYPE_CHECKING:
+    from crs_cc.debug.commands.shell import Shell
+
+
+def _robots(shell: Shell, text: str) -> Answer:
+    demand_none(text)
+    session = shell.debugger.session
+    rows = [HEADINGS, *(summary(session, each) for each in range(len(shell.debugger.names)))]
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    for number, row in enumerate(rows, -1):
+        mark = "=>" if number == shell.debugger.robot else "  "
+        cells = (cell.ljust(width) for cell, width in zip(row, widths, strict=True))
+        yield f"{mark} {'  '.join(cells)}".rstrip()
+
+
+def _robot(shell: Shell, text: str) -> Answer:
+    if text:
+        shell.debugger.select_robot(take_robot(text, shell.debugger.names))
+    yield f"{shell.debugger.names[shell.debugger.robot]} (robot {shell.debugger.robot})"
+    yield from shell.look()
+
+
+def _info_robot(shell: Shell, text: str) -> Answer:
+    debugger = shell.debugger
+    robot = take_robot(text, debugger.names) if text else debugger.robot
+    yield from lines(robot_rows(debugger.session, robot))
+
+
+def _info_world(shell: Shell, text: str) -> Answer:
+    demand_none(text)
+    yield from lines(world_rows(shell.debugger.session.environment))
+
+
+def _output(shell: Shell, text: str) -> Answer:
+    debugger, words = shell.debugger, text.split()
+    most = take_count(words.pop()) if words and words[-1].isdigit() else 0
+    robot = take_robot(" ".join(words), debugger.names) if words else None
+    written = debugger.run.console.text(robot).decode(errors="replace").splitlines()
+    yield from written[-most:] if most else written
+
+
+WORLD: Final = Group(
+    "world",
+    "Robots, and the world around them.",
+    (
+        Command(
+            "robots", "", "List the robots: what they do, and where.", _robots,
+            ("info robots", "info threads"),
+        ),
+        Command(
+            "robot", "[NAME]", "Look at another robot's program, or say which one it is.", _robot,
+            ("thread", "t"),
+            text="A robot is named as in the world, or by its number.",
+            completes="robot",
+        ),
+        Command(
+            "info robot", "[NAME]", "Tell about a robot: its pose, its sensors, its command.",
+            _info_robot, completes="robot",
+        ),
+        Command("info world", "", "Tell about the world: its time, and what is in it.",
+                _info_world),
+        Command(
+            "output", "[ROBOT] [LINES]", "Show what the programs have written up to here.",
+            _output, completes="robot",
+        ),
+    ),
+)  # fmt: skip

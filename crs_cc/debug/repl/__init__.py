@@ -1,0 +1,1 @@
+"""The debugger's plain screen: lines in, lines out."""

@@ -1,0 +1,131 @@
+"""What a user types, or a stream that stands for him: commands, and lines that programs read."""
+
+from __future__ import annotations
+
+import signal
+import sys
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from types import FrameType
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.commands.command import Line
+from crs_cc.debug.commands.complete import complete
+
+if TYPE_CHECKING:
+    from crs_cc.debug.commands.shell import Shell
+    from crs_cc.debug.repl.terminal import Terminal
+
+_DELIMITERS: Final = " \t\n!@#$%^&*()=+[{]}|;'\",<>?"
+
+
+def _ignore() -> None:
+    """Hears of Ctrl-C where nothing runs."""
+
+
+class Keyboard:
+    """Our standard input.
+
+    Attributes:
+        is_typed: whether somebody types there.
+        on_interrupt: what Ctrl-C does while something runs.
+    """
+
+    def __init__(self, terminal: Terminal) -> None:
+        """Takes what is written to, so that both keep out of each other's way."""
+        self.is_typed = sys.stdin is not None and not sys.stdin.closed and sys.stdin.isatty()
+        self.on_interrupt: Callable[[], None] = _ignore
+        self._terminal = terminal
+        self._is_asking = False
+
+    def command(self, prompt: str) -> str | None:
+        """Asks for a command; None when there are no more. Ctrl-C drops what was typed."""
+        self._terminal.settle()
+        while True:
+            try:
+                with self._asking():
+                    return self._typed(prompt) if self.is_typed else self._piped(prompt)
+            except KeyboardInterrupt:
+                self._terminal.broken()
+                self._terminal.line(Line('Type "quit" or Ctrl-D to end the debugger.'))
+
+    def read(self, _robot: int, wanted: int) -> bytes:
+        """Gives what a program reads: at most so many bytes, at most one line.
+
+        Ctrl-C ends the input, and lets the program stop behind that.
+        """
+        self._terminal.settle()
+        try:
+            with self._asking():
+                return sys.stdin.buffer.readline(wanted)
+        except KeyboardInterrupt:
+            self._terminal.broken()
+            self.on_interrupt()
+            return b""
+
+    @contextmanager
+    def listening(self) -> Iterator[None]:
+        """Lets Ctrl-C break what waits for the user, and interrupt what runs."""
+        if threading.current_thread() is not threading.main_thread():
+            yield
+            return
+        before = signal.signal(signal.SIGINT, self._hear)
+        try:
+            yield
+        finally:
+            signal.signal(signal.SIGINT, before)
+
+    def _hear(self, _signal: int, _frame: FrameType | None) -> None:
+        if self._is_asking:
+            raise KeyboardInterrupt
+        self.on_interrupt()
+
+    @contextmanager
+    def _asking(self) -> Iterator[None]:
+        self._is_asking = True
+        try:
+            yield
+        finally:
+            self._is_asking = False
+
+    def _typed(self, prompt: str) -> str | None:
+        try:
+            return input(prompt)
+        except EOFError:
+            self._terminal.broken()
+            return None
+
+    def _piped(self, prompt: str) -> str | None:
+        line = sys.stdin.buffer.readline() if sys.stdin is not None else b""
+        if not line:
+            return None
+        text = line.decode(errors="replace").rstrip("\r\n")
+        self._terminal.echo(prompt, text)
+        return text
+
+
+def offer_completion(shell: Shell) -> None:
+    """Lets the tabulator key complete what is typed, where Python has `readline`."""
+    try:
+        import readline
+    except ImportError:
+        return
+    readline.set_completer(completer(shell, readline.get_line_buffer))
+    readline.set_completer_delims(_DELIMITERS)
+    readline.parse_and_bind("tab: complete")
+
+
+def completer(shell: Shell, line: Callable[[], str]) -> Callable[[str, int], str | None]:
+    """Gives what readline asks for the first, second, ... word that may stand in a place."""
+    found: list[str] = []
+
+    def give(word: str, number: int) -> str | None:
+        if number == 0:
+            text = line()
+            completion = complete(shell, text)
+            skipped = len(text) - len(word) - completion.start  # readline splits words elsewhere
+            found[:] = [each[max(0, skipped) :] for each in completion.words]
+        return found[number] if number < len(found) else None
+
+    return give

@@ -1,0 +1,99 @@
+"""The plain screen: a prompt, what is typed there or stands in scripts, and the answers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from crs_cc.debug.commands.command import Line
+from crs_cc.debug.commands.scripts import read_script
+from crs_cc.debug.commands.shell import Shell
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.repl.keyboard import Keyboard, offer_completion
+
+if TYPE_CHECKING:
+    from crs_cc.debug.engine import Debugger
+    from crs_cc.debug.repl.terminal import Terminal
+
+
+@dataclass(frozen=True, slots=True)
+class Scripts:
+    """What is done before anybody is asked.
+
+    Attributes:
+        files: files of commands.
+        commands: commands behind them.
+    """
+
+    files: Sequence[Path] = ()
+    commands: Sequence[str] = ()
+
+    def lines(self) -> Iterator[str]:
+        """Gives their lines; an empty one does not repeat the one before, as it would if typed.
+
+        Raises:
+            DebugError: a file cannot be read.
+        """
+        for path in self.files:
+            yield from (line or "#" for line in read_script(path))
+        yield from self.commands
+
+
+class Repl:
+    """A debugger at a prompt.
+
+    Attributes:
+        shell: its command line.
+    """
+
+    def __init__(self, debugger: Debugger, terminal: Terminal, keyboard: Keyboard) -> None:
+        self.shell = Shell(debugger)
+        self._terminal = terminal
+        self._keyboard = keyboard
+        keyboard.on_interrupt = debugger.interrupt
+
+    def run(self, scripts: Scripts, *, batch: bool = False) -> int:
+        """Does what scripts say, then what the user says.
+
+        Args:
+            scripts: these come first.
+            batch: whether to end behind them.
+
+        Returns:
+            How many commands could not be done.
+        """
+        with self._keyboard.listening():
+            for line in self.shell.greet():
+                self._terminal.line(line)
+            self._script(scripts)
+            if not batch:
+                self._converse()
+        self._terminal.settle()
+        return self.shell.failures
+
+    def _script(self, scripts: Scripts) -> None:
+        try:
+            for text in scripts.lines():
+                if self.shell.has_ended:
+                    return
+                if text != "#":
+                    self._terminal.echo(self.shell.prompt, text)
+                self._do(text)
+        except DebugError as error:
+            self.shell.failures += 1
+            self._terminal.line(Line(str(error), "error"))
+
+    def _converse(self) -> None:
+        if self._keyboard.is_typed:
+            offer_completion(self.shell)
+        while not self.shell.has_ended:
+            text = self._keyboard.command(self.shell.prompt)
+            if text is None:
+                return
+            self._do(text)
+
+    def _do(self, text: str) -> None:
+        for line in self.shell.execute(text):
+            self._terminal.line(line)

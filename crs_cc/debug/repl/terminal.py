@@ -1,0 +1,121 @@
+r"""What the plain screen writes: answers with colours where they are wanted, and programs' output.
+
+Both go to one stream in their order. What a program prints begins a line of its own, and so does an
+answer; with several robots each of their lines begins with the robot's name.
+
+>>> import io
+>>> stream = io.BytesIO()
+>>> terminal = Terminal(stream, ["left", "right"])
+>>> for robot, piece in ((0, b"go"), (1, b"stop\n"), (0, b"ing\n"), (1, b"no end")):
+...     terminal.program(robot, 1, piece)
+>>> terminal.line(Line("Breakpoint 1"))
+>>> print(stream.getvalue().decode(), end="")
+[right] stop
+[left] going
+[right] no end
+Breakpoint 1
+"""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Sequence
+from typing import BinaryIO, Final
+
+from rich.console import Console
+from rich.syntax import Syntax
+from rich.text import Text
+
+from crs_cc.debug.commands.command import Kind, Line, SourceLine
+
+_LONGEST_LINE: Final = 4096
+_STYLES: Final[dict[Kind, str]] = {
+    "text": "", "stop": "bold yellow", "place": "cyan", "log": "green", "error": "bold red",
+}  # fmt: skip
+_THEME: Final = "ansi_dark"
+_WIDTH: Final = 10_000
+_BIDIRECTIONAL: Final = (*range(0x202A, 0x202F), *range(0x2066, 0x206A))
+_CONTROLS: Final = dict.fromkeys(
+    (*range(9), *range(10, 32), *range(127, 160), *_BIDIRECTIONAL), "?"
+)
+
+
+class Terminal:
+    """A stream of text that somebody, or a test, reads."""
+
+    def __init__(
+        self, stream: BinaryIO, names: Sequence[str], *, is_coloured: bool = False
+    ) -> None:
+        """Takes the stream, the robots' names, and whether to write colours."""
+        self._stream = stream
+        self._names = names
+        self._is_coloured = is_coloured
+        self._begun: dict[tuple[int, int], bytes] = {}
+        self._at_start = True  # of a line
+
+    def program(self, robot: int, stream: int, content: bytes) -> None:
+        """Takes what a program writes; with one robot as it is, else in whole lines."""
+        if len(self._names) == 1:
+            self._write(content)
+            return
+        *lines, rest = (self._begun.get((robot, stream), b"") + content).split(b"\n")
+        while len(rest) >= _LONGEST_LINE:
+            lines.append(rest[:_LONGEST_LINE])
+            rest = rest[_LONGEST_LINE:]
+        self._begun[robot, stream] = rest
+        head = f"[{self._names[robot]}] ".encode()
+        self._write(b"".join(head + line + b"\n" for line in lines))
+
+    def line(self, line: Line | SourceLine) -> None:
+        """Writes a line of an answer."""
+        self.settle()
+        text = self._coloured(line) if self._is_coloured else _clean(line.text)
+        self._write(text.encode(errors="replace") + b"\n")
+
+    def settle(self) -> None:
+        """Ends lines that programs have begun, and lets the reader have all of it."""
+        for (robot, _), rest in sorted(self._begun.items()):
+            if rest:
+                self._write(f"[{self._names[robot]}] ".encode() + rest + b"\n")
+        self._begun.clear()
+        if not self._at_start:
+            self._write(b"\n")
+        self._stream.flush()
+
+    def broken(self) -> None:
+        """Hears that somebody else has left a line without an end."""
+        self._at_start = False
+
+    def echo(self, prompt: str, line: str) -> None:
+        """Writes a line that nobody typed as if somebody had."""
+        self.settle()
+        self._write(f"{prompt}{_clean(line)}\n".encode(errors="replace"))
+
+    def _write(self, content: bytes) -> None:
+        if content:
+            self._stream.write(content)
+            self._at_start = content.endswith(b"\n")
+
+    def _coloured(self, line: Line | SourceLine) -> str:
+        if isinstance(line, Line):
+            return _rendered(Text(_clean(line.text), style=_STYLES[line.kind]))
+        head = Text(line.head, style="bold yellow" if line.is_current else "dim")
+        code = Syntax("", "c", theme=_THEME, background_color="default")
+        text = code.highlight(_clean(line.code.expandtabs()))
+        text.rstrip()
+        return _rendered(head + text)
+
+
+def _clean(text: str) -> str:
+    """Gives a line without characters that would do harm on a terminal."""
+    return text.expandtabs().translate(_CONTROLS)
+
+
+def _rendered(text: Text) -> str:
+    console = Console(
+        file=io.StringIO(), force_terminal=True, color_system="standard", width=_WIDTH,
+        legacy_windows=False, no_color=False,
+    )  # fmt: skip
+    with console.capture() as captured:
+        console.print(text, end="", soft_wrap=True)
+    return captured.get()

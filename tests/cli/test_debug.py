@@ -1,0 +1,65 @@
+"""`crs debug` as a user calls it; what its commands answer is held by `tests/debug`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from crs_cc.cli.main import main
+
+COUNT = """#include <stdio.h>
+int main(void)
+{
+    int i, sum = 0;
+    for (i = 0; i < 3; i++)
+        sum += i;
+    printf("%d", sum);
+    return sum;
+}
+"""
+
+
+@pytest.fixture
+def program(tmp_path: Path) -> str:
+    path = tmp_path / "count.c"
+    path.write_text(COUNT)
+    return str(path)
+
+
+def test_commands_of_the_command_line_are_done_and_shown(
+    program: str, capfd: pytest.CaptureFixture[str]
+) -> None:
+    words = ["debug", "--batch", "-ex", "break 6", "-ex", "continue", "-ex", "rs", program]
+    assert main(words) == 0
+    shown = capfd.readouterr().out.splitlines()
+    assert shown[2] == "(crs) break 6"
+    assert shown[4:6] == ["(crs) continue", f"Breakpoint 1, main () at {program}:6, t = 0.000 s"]
+    assert shown[-1] == "=>    5      for (i = 0; i < 3; i++)"
+
+
+def test_a_command_that_cannot_be_done_is_one_line_and_the_status_says_so(
+    program: str, capfd: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["debug", "--batch", "-ex", "foo", "-ex", "next", program]) == 1
+    shown = capfd.readouterr()
+    assert 'Undefined command: "foo".  Try "help".' in shown.out.splitlines()
+    assert "=>    5  " in shown.out
+    assert not shown.err
+
+
+def test_behind_the_end_the_way_leads_back(program: str, capfd: pytest.CaptureFixture[str]) -> None:
+    main(["debug", "--batch", "-ex", "continue", "-ex", "reverse-step", program])
+    shown = capfd.readouterr().out.splitlines()
+    end = shown.index("All programs have ended; what can be done is to go back.")
+    assert shown[end - 1] == "3"
+    assert shown[-1] == "=>    9  }" or shown[-1] == "=>    8      return sum;"
+
+
+def test_what_is_no_command_line_is_refused(
+    program: str, capfd: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["debug"]) == 2
+    assert main(["debug", "-x", "none.dbg", program]) == 2
+    assert main(["debug", "none.c"]) == 121
+    assert "Traceback" not in capfd.readouterr().err
