@@ -4,6 +4,9 @@ A variable whose every read comes after an assignment, on whatever way the progr
 nothing. For the others a flag is kept beside the register, and the reads that may come too early
 test it. To move such a value, or to store it, is no use of it: flag or state go along.
 
+A debugger may look at a variable wherever the program can stop. Mostly it is known whether it has a
+value there; where that depends on the way that the program took, the variable has a flag, too.
+
 >>> from crs_cc.ir.program import *
 >>> from crs_cc.ir.types import INT
 >>> from crs_cc.source import Location
@@ -19,9 +22,25 @@ test it. To move such a value, or to store it, is no use of it: flag or state go
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
-from crs_cc.ir.program import Block, Function, Instruction, Move, Register, Store, Variable
+from crs_cc.ir.program import (
+    Block,
+    Call,
+    Function,
+    Instruction,
+    Move,
+    Register,
+    Request,
+    SetJump,
+    Statement,
+    Store,
+    Variable,
+)
 from crs_cc.ir.uses import all_instructions, reads, writes
+
+_STOPS: Final = (Statement, Call, Request, SetJump)
+"""Where a program can stop, beside the beginnings of blocks."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,13 +64,17 @@ class Assignments:
         tests: the registers to test before an instruction, each with the variable to blame.
         changes: what an instruction changes.
         stored: the flag of the value that a store writes, where it may have none.
+        unset: the variables that surely have no value before an instruction where a debugger may
+            look at them.
     """
 
-    def __init__(self, function: Function) -> None:
+    def __init__(self, function: Function, *, steps: bool = False) -> None:
+        """Looks through a function; `steps` if a debugger may stop in it."""
         self.flags: dict[Register, Register] = {}
         self.tests: dict[Instruction, list[tuple[Register, Variable]]] = {}
         self.changes: dict[Instruction, FlagChange] = {}
         self.stored: dict[Store, Register] = {}
+        self.unset: dict[Instruction, frozenset[Register]] = {}
         self._variables: dict[Register, Variable] = {}
         passed = {each.place for each in function.parameters}
         start = 0
@@ -60,12 +83,34 @@ class Assignments:
                 start |= 1 << register.index
                 self._variables[register] = register.variable
         if start and function.blocks:
-            self._find(function, _solve(function, start))
+            at_start, wanted = _solve(function, start), dict[Register, None]()
+            if steps:
+                self._look(function, at_start, wanted)
+            self._find(function, at_start, wanted)
 
-    def _find(self, function: Function, at_start: dict[Block, int]) -> None:
+    def _look(
+        self, function: Function, at_start: dict[Block, int], wanted: dict[Register, None]
+    ) -> None:
+        """Finds what a debugger sees, and wants flags for what is not known beforehand."""
+        assigned = _assigned(function)
+        for block in function.blocks:
+            unset, given = at_start[block], assigned[block]
+            for number, it in enumerate(all_instructions(block)):
+                if unset and (number == 0 or isinstance(it, _STOPS)):
+                    seen = [
+                        (register, given >> register.index & 1)
+                        for register, variable in self._variables.items()
+                        if unset >> register.index & 1 and variable.is_visible(it.location)
+                    ]
+                    self.unset[it] = frozenset(each for each, doubt in seen if not doubt)
+                    wanted.update((each, None) for each, doubt in seen if doubt)
+                unset, given = _behind(it, unset), given | _written(it)
+
+    def _find(
+        self, function: Function, at_start: dict[Block, int], wanted: dict[Register, None]
+    ) -> None:
         """Collects the reads that may come too early, and all that leads to them."""
         moves: dict[Instruction, Register] = {}
-        wanted: dict[Register, None] = {}
         for block in function.blocks:
             unset = at_start[block]
             for it in all_instructions(block):
@@ -144,6 +189,28 @@ def _behind(it: Instruction, unset: int) -> int:
         if moves_nothing:
             unset |= 1 << target.index
     return unset
+
+
+def _written(it: Instruction) -> int:
+    """Gives the bit of the register that an instruction writes; 0 for none."""
+    target = writes(it)
+    return 0 if target is None else 1 << target.index
+
+
+def _assigned(function: Function) -> dict[Block, int]:
+    """Gives the bit set of registers that may have been written where each block begins."""
+    at_start = dict.fromkeys(function.blocks, 0)
+    work = list(function.blocks)
+    while work:
+        block = work.pop()
+        given = at_start[block]
+        for it in all_instructions(block):
+            given |= _written(it)
+        for target in block.successors():
+            if given & ~at_start[target]:
+                at_start[target] |= given
+                work.append(target)
+    return at_start
 
 
 def _solve(function: Function, start: int) -> dict[Block, int]:

@@ -22,6 +22,8 @@ class FunctionInfo:
         callees: for landings at calls, by the landing's number, the callee: its name, or the
             register that holds the function pointer.
         calls: the landing of each call, by the number of its call site (checked builds only).
+        flags: for registers that may have no value, the register that tells: not zero if one does.
+        unset: in debug builds, by the landing's number, the variables that have no value there.
     """
 
     function: Function
@@ -29,6 +31,8 @@ class FunctionInfo:
     landings: dict[int, Location]
     callees: dict[int, str | Register]
     calls: dict[int, int]
+    flags: dict[Register, Register] = field(default_factory=dict)
+    unset: dict[int, frozenset[Register]] = field(default_factory=dict)
 
 
 @dataclass(slots=True)

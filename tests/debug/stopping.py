@@ -9,7 +9,6 @@ from crs_cc.debug.program import DebugProgram
 from crs_cc.frontend.options import Options
 from crs_cc.requests import SUSPENDED
 from crs_cc.runtime.fleet import Fleet
-from crs_cc.runtime.layout import MEMORY_BYTES
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Host, HostRequest
 from crs_cc.session.library import HEADERS
@@ -54,4 +53,4 @@ class Stopping:
 
     def state(self) -> tuple[bytes, bytes]:
         """Gives all bytes of the program, and of its shadow."""
-        return self.fleet.memory(0).tobytes(), self.fleet._shadows[0][:MEMORY_BYTES].tobytes()
+        return self.fleet.memory(0).tobytes(), self.fleet.stopped(0).shadow.tobytes()

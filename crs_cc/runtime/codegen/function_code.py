@@ -22,6 +22,7 @@ from crs_cc.ir.program import (
     Call,
     Constant,
     Function,
+    Instruction,
     Jump,
     LongJump,
     Operand,
@@ -82,7 +83,6 @@ from crs_cc.runtime.layout import (
 )
 from crs_cc.runtime.sites import CallSite, Site, StatementSite, call_word
 from crs_cc.runtime.wasm import TYPE_CALL, UNLIKELY, Code, Instr
-from crs_cc.source import Location
 
 MESSAGE_OFFSET = slot_offset("message")
 RESULT_OFFSET = MESSAGE_OFFSET + int(MESSAGE.fields["result"][1])  # type: ignore[index]
@@ -123,10 +123,13 @@ class _FunctionCode:
         liveness = Liveness(function)
         more: list[Register] = []
         charge = 0
+        self.flags: dict[Register, Register] = {}
+        self.unset: dict[Instruction, frozenset[Register]] = {}
         if self.shadowed:
-            self.assignments = Assignments(function)
+            assigned = Assignments(function, steps=self.steps)
+            self.flags, self.unset = assigned.flags, assigned.unset
             carried = Carried(function, liveness, keep=debug)
-            more = [*self.assignments.flags.values(), *(carried.registers if debug else [])]
+            more = [*self.flags.values(), *(carried.registers if debug else [])]
             charge = 0 if debug else carried.charge
         self.registers = Registers(function, liveness, more, debug=debug)
         self.saved = self.registers.saved
@@ -139,14 +142,14 @@ class _FunctionCode:
         if checked:
             selector.memory = PlainMemory(selector, shadowed=True)
         if self.shadowed:
-            selector.memory = CheckedMemory(selector, carried, self.assignments)
+            selector.memory = CheckedMemory(selector, carried, assigned)
             traps = build.trap_overflow
             selector.arithmetic = CheckedArithmetic(selector, traps_overflow=traps)
         if build.watch and not function.trusted:
             library = in_library(function.location)
             selector.watching = Watching(selector, build.watch, library=library)
         self.nodes = {block: Node() for block in function.blocks}
-        self.landings: list[tuple[Landing, Location, str | Register | None]] = []
+        self.landings: list[tuple[Landing, Instruction]] = []
         self.calls: dict[int, Landing] = {}
 
     def _arguments_size(self) -> int:
@@ -206,13 +209,11 @@ class _FunctionCode:
 
     def info(self) -> FunctionInfo:
         places = {0: self.function.location}
-        callees: dict[int, str | Register] = {}
-        for landing, location, callee in self.landings:
-            places[landing.number] = location
-            if callee is not None:
-                callees[landing.number] = callee
+        places.update((landing.number, it.location) for landing, it in self.landings)
+        callees = {each.number: it.callee for each, it in self.landings if isinstance(it, Call)}
+        unset = {each.number: self.unset[it] for each, it in self.landings if it in self.unset}
         calls = {site: landing.number for site, landing in self.calls.items()}
-        return FunctionInfo(self.function, self.frame, places, callees, calls)
+        return FunctionInfo(self.function, self.frame, places, callees, calls, self.flags, unset)
 
     def entry(self) -> Node:
         """Sets up the frame."""
@@ -240,7 +241,7 @@ class _FunctionCode:
         for register in self.saved:
             self.selector.load_at(SP, self.frame.offsets[register], register.type)
             self.selector.pop(register)
-        landings = [landing for landing, _, _ in self.landings]
+        landings = [landing for landing, _ in self.landings]
         add_dispatchers(node, start, landings, LABEL, damaged)
         return node
 
@@ -287,9 +288,9 @@ class _FunctionCode:
 
     # -- suspending ---------------------------------------------------------------------------
 
-    def land(self, node: Node, location: Location, callee: str | Register | None = None) -> Landing:
+    def land(self, node: Node, it: Instruction) -> Landing:
         landing = Landing(node)
-        self.landings.append((landing, location, callee))
+        self.landings.append((landing, it))
         return landing
 
     def suspend(self, landing: Landing) -> list[Instr]:
@@ -306,7 +307,7 @@ class _FunctionCode:
         selector.forget()
         code = selector.code = node.code
         if block in self.registers.headers:
-            landing = self.land(node, all_instructions(block)[0].location)
+            landing = self.land(node, all_instructions(block)[0])
             code += [("local.get", FUEL), ("i64.const", 0), ("i64.lt_s",), UNLIKELY]
             code += [*self.suspend(landing), ("end",)]
         code += [("local.get", FUEL), ("i64.const", block.fuel), ("i64.sub",), ("local.set", FUEL)]
@@ -328,7 +329,7 @@ class _FunctionCode:
     def statement(self, node: Node, statement: Statement) -> Node:
         """Debug density: stops before a marked statement, when enough others have begun."""
         following = Node()
-        landing = self.land(following, statement.location)
+        landing = self.land(following, statement)
         number = self.names.statement_number(StatementSite(self.function.name, statement.location))
         watching, suspend = self.selector.watching is not None, self.suspend(landing)
         node.code += stop_if_marked(self.marks, number, suspend, watching=watching)
@@ -404,7 +405,7 @@ class _FunctionCode:
     def _enter(self, call: Call, after: Node) -> None:
         """Enters the callee, fresh or again: this is where a suspended caller goes on."""
         selector = self.selector
-        landing = self.land(after, call.location, call.callee)
+        landing = self.land(after, call)
         self.calls[len(self.names.call_sites)] = landing
         if isinstance(call.callee, Register):
             self._check_pointer(call, call.callee)
@@ -449,7 +450,7 @@ class _FunctionCode:
         """Copies the message to the slot and stops; copies the reply back when resumed."""
         selector = self.selector
         after = Node()
-        landing = self.land(after, request.location)
+        landing = self.land(after, request)
         selector.memory.check_message(request.message, MESSAGE_SIZE, request.location)
         to_slot = [("global.get", SLOT_GLOBAL), ("i32.const", MESSAGE_OFFSET), ("i32.add",)]
         node.code += to_slot
@@ -475,7 +476,7 @@ class _FunctionCode:
         """Notes where to come back to; whoever does finds the value in this function's result."""
         selector = self.selector
         landed, after = Node(), self.nodes[jump.then]
-        landing = self.land(landed, jump.location)
+        landing = self.land(landed, jump)
         zero = Constant("i32", 0)
         selector.memory.store(Store(jump.location, jump.buffer, 0, zero, "i32"))
         node.code += [selector.value(jump.buffer), (LANDING, landing), ("i32.store", MEMORY, 0)]
