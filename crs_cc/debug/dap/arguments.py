@@ -1,0 +1,130 @@
+"""What a request says, checked: every value has the type that is expected of it.
+
+>>> arguments = Arguments({"threadId": 2, "breakpoints": [{"line": 7}]})
+>>> arguments.integer("threadId"), arguments.text("condition", "")
+(2, '')
+>>> [each.integer("line") for each in arguments.objects("breakpoints")]
+[7]
+>>> arguments.text("threadId")
+Traceback (most recent call last):
+...
+crs_cc.debug.dap.arguments.RefusalError: 'threadId' must be a string
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Final, Self, TypeVar
+
+_Value = TypeVar("_Value", int, bool, str)
+
+LARGEST: Final = 2**53  # of integers; beyond it JSON's numbers are no integers in most clients
+MOST_ITEMS: Final = 10_000  # of a list; chosen by us
+
+_NAMES: Final = {int: "an integer", bool: "true or false", str: "a string"}
+
+
+class RefusalError(Exception):
+    """A request cannot be fulfilled; the message is for people.
+
+    Attributes:
+        word: the protocol's own word for it, if it has one.
+    """
+
+    def __init__(self, text: str, word: str = "") -> None:
+        super().__init__(text)
+        self.word = word
+
+
+class Arguments:
+    """The arguments of a request, or an object among them."""
+
+    def __init__(self, values: Mapping[str, Any]) -> None:
+        self._values = values
+
+    @classmethod
+    def of(cls, values: Any) -> Self:
+        """Gives arguments as they came.
+
+        Raises:
+            RefusalError: they are no object.
+        """
+        if not isinstance(values, dict):
+            raise RefusalError("'arguments' must be an object")
+        return cls(values)
+
+    def __contains__(self, name: str) -> bool:
+        return self._values.get(name) is not None
+
+    def names(self) -> list[str]:
+        """Gives the names of what is there."""
+        return [name for name, value in self._values.items() if value is not None]
+
+    def integer(self, name: str, default: int | None = None) -> int:
+        """Gives an integer.
+
+        Raises:
+            RefusalError: it is something else, too large, or not there and there is no default.
+        """
+        value = self._value(name, int, default)
+        if abs(value) > LARGEST:
+            raise RefusalError(f"'{name}' is too large")
+        return value
+
+    def natural(self, name: str, default: int | None = None) -> int:
+        """Gives an integer that is not negative; like `integer`."""
+        value = self.integer(name, default)
+        if value < 0:
+            raise RefusalError(f"'{name}' must not be negative")
+        return value
+
+    def flag(self, name: str, *, default: bool | None = None) -> bool:
+        """Gives a truth value; raises like `integer`."""
+        return self._value(name, bool, default)
+
+    def text(self, name: str, default: str | None = None) -> str:
+        """Gives a string; raises like `integer`."""
+        return self._value(name, str, default)
+
+    def texts(self, name: str) -> list[str]:
+        """Gives a list of strings, of one where a string stands; raises like `integer`."""
+        if isinstance(self._values.get(name), str):
+            return [self.text(name)]
+        values = self._list(name)
+        if not all(isinstance(value, str) for value in values):
+            raise RefusalError(f"'{name}' must be a list of strings")
+        return values
+
+    def objects(self, name: str) -> list[Arguments]:
+        """Gives a list of objects, empty where there is none; raises like `integer`."""
+        values = self._list(name)
+        if not all(isinstance(value, dict) for value in values):
+            raise RefusalError(f"'{name}' must be a list of objects")
+        return [Arguments(value) for value in values]
+
+    def object(self, name: str) -> Arguments:
+        """Gives an object, an empty one where there is none; raises like `integer`."""
+        value = self._values.get(name)
+        if value is not None and not isinstance(value, dict):
+            raise RefusalError(f"'{name}' must be an object")
+        return Arguments(value or {})
+
+    def _list(self, name: str) -> list[Any]:
+        values = self._values.get(name)
+        if values is None:
+            return []
+        if not isinstance(values, list):
+            raise RefusalError(f"'{name}' must be a list")
+        if len(values) > MOST_ITEMS:
+            raise RefusalError(f"'{name}' has more than {MOST_ITEMS} items")
+        return values
+
+    def _value(self, name: str, kind: type[_Value], default: _Value | None) -> _Value:
+        value = self._values.get(name)
+        if value is None:
+            if default is None:
+                raise RefusalError(f"'{name}' is missing")
+            return default
+        if not isinstance(value, kind) or (kind is int and isinstance(value, bool)):
+            raise RefusalError(f"'{name}' must be {_NAMES[kind]}")
+        return value

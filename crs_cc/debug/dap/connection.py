@@ -1,0 +1,68 @@
+"""What goes to the client: responses and events, numbered, by any thread, one after the other."""
+
+from __future__ import annotations
+
+import threading
+from typing import Any, BinaryIO, Final
+
+from crs_cc.debug.dap.framing import Message, encode
+from crs_cc.debug.dap.inbox import Request
+
+NOBODY = Request(0, "", {})
+"""Whom to answer when a message says not what it wants."""
+
+
+LOOKING: Final = frozenset(
+    {"completions", "dataBreakpointInfo", "evaluate", "scopes", "stackTrace", "variables"}
+)
+"""Requests that clients make by themselves; nobody wants a window for each that fails."""
+
+
+class ClientGoneError(Exception):
+    """Nobody reads any longer what is said."""
+
+
+class Connection:
+    """The way to the client."""
+
+    def __init__(self, sink: BinaryIO) -> None:
+        self._sink = sink
+        self._lock = threading.Lock()
+        self._seq = 0
+
+    def respond(self, request: Request, body: Message | None = None) -> None:
+        """Says that a request is fulfilled; raises like `event`."""
+        self._answer(request, {"success": True, **({"body": body} if body else {})})
+
+    def refuse(self, request: Request, text: str, word: str = "") -> None:
+        """Says that a request cannot be fulfilled; raises like `event`.
+
+        Args:
+            request: the request.
+            text: why, for people.
+            word: why, for the client: `cancelled` or `notStopped`.
+        """
+        shown = request.command not in LOOKING
+        error = {"id": 1, "format": "{why}", "variables": {"why": text}, "showUser": shown}
+        self._answer(request, {"success": False, "message": word or text, "body": {"error": error}})
+
+    def event(self, name: str, body: Message | None = None) -> None:
+        """Says that something happened.
+
+        Raises:
+            ClientGoneError: nobody listens.
+        """
+        self._send({"type": "event", "event": name, **({"body": body} if body else {})})
+
+    def _answer(self, request: Request, answer: dict[str, Any]) -> None:
+        head = {"type": "response", "request_seq": request.seq, "command": request.command}
+        self._send(head | answer)
+
+    def _send(self, message: Message) -> None:
+        with self._lock:
+            self._seq += 1
+            try:
+                self._sink.write(encode({"seq": self._seq, **message}))
+                self._sink.flush()
+            except (OSError, ValueError):  # the latter of a closed stream
+                raise ClientGoneError from None

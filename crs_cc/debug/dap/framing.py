@@ -1,0 +1,99 @@
+"""Messages on a stream of bytes: a header with `Content-Length`, an empty line, JSON.
+
+A stream whose headers cannot be understood is of no more use, as nobody knows where the next
+message begins: `BrokenStreamError`. Where just one message is no JSON the next can be read:
+`BadMessageError`.
+
+>>> import io
+>>> stream = io.BytesIO(encode({"seq": 1, "type": "request", "command": "threads"}))
+>>> read_message(stream)
+{'seq': 1, 'type': 'request', 'command': 'threads'}
+>>> read_message(stream) is None
+True
+"""
+
+from __future__ import annotations
+
+import json
+from typing import Any, BinaryIO, Final, NoReturn
+
+LONGEST_LINE: Final = 1024  # of a header [bytes]; chosen by us, real ones have 25
+MOST_LINES: Final = 16  # of a header; chosen by us, real ones have one
+LARGEST_MESSAGE: Final = 8 * 2**20  # that is read [bytes]; chosen by us, real ones have some kB
+
+Message = dict[str, Any]
+
+
+class BrokenStreamError(Exception):
+    """What comes is not the protocol; nothing that follows can be read."""
+
+
+class BadMessageError(Exception):
+    """One message is not what it should be."""
+
+
+def encode(message: Message) -> bytes:
+    """Gives a message as it goes over the stream.
+
+    JSON is kept to ASCII, so that whatever a program prints or a file is named can be sent.
+    """
+    body = json.dumps(message, separators=(",", ":")).encode("ascii")
+    return b"Content-Length: %d\r\n\r\n%b" % (len(body), body)
+
+
+def read_message(stream: BinaryIO) -> Message | None:
+    """Reads the next message; gives None where the stream ends between two.
+
+    Raises:
+        BrokenStreamError: the header is not the protocol's, or the stream ends within a message.
+        BadMessageError: the message is not a JSON object.
+    """
+    size = _read_size(stream)
+    if size is None:
+        return None
+    body = stream.read(size)
+    if len(body) < size:
+        raise BrokenStreamError(f"the stream ended {size - len(body)} bytes before its message did")
+    return _decode(body)
+
+
+def _read_size(stream: BinaryIO) -> int | None:
+    """Reads a header; gives its `Content-Length`, or None at the end of the stream."""
+    size: int | None = None
+    for number in range(MOST_LINES):
+        line = stream.readline(LONGEST_LINE)
+        if not line and number == 0:
+            return None
+        if not line.endswith(b"\n"):
+            raise BrokenStreamError("the stream ended in a header, or has none")
+        field = line.strip()
+        if not field:
+            if size is None:
+                raise BrokenStreamError("a header has no Content-Length")
+            return size
+        name, colon, value = field.partition(b":")
+        if not colon:
+            raise BrokenStreamError("a line of a header has no colon")
+        if name.strip().lower() == b"content-length":
+            size = _size(value.strip())
+    raise BrokenStreamError(f"a header has more than {MOST_LINES} lines")
+
+
+def _size(digits: bytes) -> int:
+    if not digits.isdigit() or len(digits) > 10 or int(digits) > LARGEST_MESSAGE:
+        raise BrokenStreamError(f"Content-Length must be a number up to {LARGEST_MESSAGE}")
+    return int(digits)
+
+
+def _decode(body: bytes) -> Message:
+    try:
+        message = json.loads(body.decode("utf-8"), parse_constant=_refuse_constant)
+    except (ValueError, RecursionError) as error:  # of decoding bytes, JSON, or too many digits
+        raise BadMessageError(f"a message is no JSON: {error}") from None
+    if not isinstance(message, dict):
+        raise BadMessageError("a message is no JSON object")
+    return message
+
+
+def _refuse_constant(name: str) -> NoReturn:
+    raise ValueError(f"{name} is no number in JSON")

@@ -1,0 +1,50 @@
+"""Numbers under which a client asks for more: of things that are there while nothing moves.
+
+>>> handles = Handles()
+>>> handles.give("a scope"), handles.give("a struct")
+(1, 2)
+>>> handles.take(2)
+'a struct'
+"""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+from crs_cc.debug.dap.arguments import RefusalError
+
+MOST: Final = 100_000  # that are given out at one stop; chosen by us
+
+
+class Handles:
+    """Things by number. A number is never given a second time, so old ones are found out."""
+
+    def __init__(self) -> None:
+        self._first = 1
+        self._things: list[Any] = []
+
+    def clear(self) -> None:
+        """Forgets all things: what they were has moved on."""
+        self._first += len(self._things)
+        self._things.clear()
+
+    def give(self, thing: Any) -> int:
+        """Gives a number to a thing.
+
+        Raises:
+            RefusalError: too many have one.
+        """
+        if len(self._things) >= MOST:
+            raise RefusalError("too much is unfolded: let the program go on, or close something")
+        self._things.append(thing)
+        return self._first + len(self._things) - 1
+
+    def take(self, number: int) -> Any:
+        """Gives the thing with a number.
+
+        Raises:
+            RefusalError: there is none, or no longer.
+        """
+        if not self._first <= number < self._first + len(self._things):
+            raise RefusalError("what this number stood for is gone: the programs have moved on")
+        return self._things[number - self._first]

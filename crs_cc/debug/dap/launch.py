@@ -1,0 +1,203 @@
+"""What an editor says of a run: the attributes of `launch`, one table.
+
+Those that say what is run, and how, become a command line of `crs debug`, so that they mean what
+they mean there and are checked by the same code.
+
+>>> values = {"program": "wander.c", "world": "room.xml", "seed": 3, "cwd": "/home/me"}
+>>> launch = read_launch(Arguments(values))
+>>> launch.command_line, launch.folder
+(('--seed=3', 'wander.c', 'room.xml'), '/home/me')
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Final, Literal
+
+from crs_cc.debug.dap.arguments import Arguments, RefusalError
+
+Kind = Literal["string", "integer", "boolean", "array"]
+
+
+@dataclass(frozen=True, slots=True)
+class Attribute:
+    """An attribute of `launch`.
+
+    Attributes:
+        name: its name.
+        kind: its type in JSON; an `array` is one of strings, for which a single one may stand.
+        meaning: what it says, for people.
+        option: the option of `crs debug` that it becomes; empty for those of the editor alone,
+            and for what stands in a command line without an option.
+        default: what holds where it is not given.
+        choices: what it may be; all, if empty.
+    """
+
+    name: str
+    kind: Kind
+    meaning: str
+    option: str = ""
+    default: Any = None
+    choices: tuple[str, ...] = ()
+
+
+ATTRIBUTES: Final = (
+    Attribute(
+        "program",
+        "array",
+        "The C file, or several that make one program. It can be left out where the world names "
+        "a program for each robot.",
+    ),
+    Attribute("world", "string", "The world file; an empty world by default."),
+    Attribute("args", "array", "What the program's `main` finds behind `argv[0]`."),
+    Attribute(
+        "cwd", "string", "The folder in which files are looked for; by default where `crs` runs."
+    ),
+    Attribute(
+        "stopOnEntry", "boolean", "Stop before the first statement of the program.", default=False
+    ),
+    Attribute(
+        "stopAtEnd",
+        "boolean",
+        "Stop when all programs have ended, so that one can step back; to continue then ends the "
+        "session.",
+        default=True,
+    ),
+    Attribute("seed", "integer", "Start of all random numbers; by default the world's.", "--seed"),
+    Attribute("robot", "string", "The kind of robot where the world says none.", "--robot"),
+    Attribute("setup", "string", "The setup of all robots, such as `noisy`.", "--setup"),
+    Attribute(
+        "link",
+        "string",
+        "Let commands take their time on the line to the robot, or next to none.",
+        "--link",
+        choices=("serial", "ideal"),
+    ),
+    Attribute(
+        "client",
+        "string",
+        "Behave like the vendor's library for the simulator, or for the robot itself.",
+        "--client",
+        choices=("nclient", "ndirect"),
+    ),
+    Attribute(
+        "files",
+        "array",
+        "Files that the programs can read, each as `FILE` or `NAME=FILE`.",
+        "--file",
+    ),
+    Attribute(
+        "outputs", "string", "The folder that takes the files that the programs write.", "--files"
+    ),
+    Attribute("include", "array", "Folders in which `#include` looks.", "--include"),
+    Attribute("define", "array", "Macros, each as `NAME` or `NAME=VALUE`.", "--define"),
+    Attribute("undefine", "array", "Macros that are not to be defined.", "--undefine"),
+    Attribute("standard", "string", "The C that the program is written in, as `gnu17`.", "-std"),
+    Attribute(
+        "dialect",
+        "string",
+        "Whose functions the program calls.",
+        "--dialect",
+        choices=("nomad", "report"),
+    ),
+    Attribute(
+        "unchecked",
+        "boolean",
+        "Leave out the checks of memory accesses.",
+        "--unchecked",
+        default=False,
+    ),
+    Attribute(
+        "trapOverflow",
+        "boolean",
+        "Stop a program whose signed arithmetic overflows.",
+        "--trap-overflow",
+        default=False,
+    ),
+)
+
+_OF_THE_PROTOCOL: Final = frozenset({"noDebug", "__restart"})
+_OF_EDITORS: Final = frozenset(
+    {
+        *("type", "name", "request", "debugServer", "preLaunchTask", "postDebugTask"),
+        *("internalConsoleOptions", "presentation", "serverReadyAction", "console"),
+        *("suppressMultipleSessionWarning", "consoleMode"),
+    }
+)
+"""What editors leave in a configuration that they pass on."""
+
+
+@dataclass(frozen=True, slots=True)
+class Launch:
+    """What to run, and where to stop by itself.
+
+    Attributes:
+        command_line: arguments of `crs debug`.
+        folder: where they hold, empty for where we are.
+        stop_on_entry: whether to stop before the first statement.
+        stop_at_end: whether to stop when all programs have ended.
+        debugs: whether to stop anywhere at all.
+    """
+
+    command_line: tuple[str, ...]
+    folder: str = ""
+    stop_on_entry: bool = False
+    stop_at_end: bool = True
+    debugs: bool = True
+
+
+def read_launch(arguments: Arguments) -> Launch:
+    """Reads the arguments of `launch`.
+
+    Raises:
+        RefusalError: an attribute is unknown, or of the wrong type.
+    """
+    known = {attribute.name for attribute in ATTRIBUTES}
+    unknown = sorted(
+        name
+        for name in set(arguments.names()) - known - _OF_THE_PROTOCOL - _OF_EDITORS
+        if not name.startswith("_")
+    )
+    if unknown:
+        names = ", ".join(attribute.name for attribute in ATTRIBUTES)
+        raise RefusalError(f"launch has no attribute '{unknown[0]}'; it has {names}")
+    by_name = {each.name: _values(arguments, each) for each in ATTRIBUTES}
+    files = by_name["program"] + by_name["world"]
+    if not files:
+        raise RefusalError("launch names neither a program nor a world")
+    line = [
+        f"{each.option}={value}" if value else each.option
+        for each in ATTRIBUTES
+        for value in by_name[each.name]
+        if each.option
+    ]
+    line += [f"./{file}" if file.startswith("-") else file for file in files]  # no option
+    if by_name["args"]:
+        line += ["--", *by_name["args"]]
+    folder = arguments.text("cwd", "")
+    if any("\0" in word for word in (*line, folder)):
+        raise RefusalError("launch has a NUL character in an attribute")
+    return Launch(
+        tuple(line),
+        folder,
+        arguments.flag("stopOnEntry", default=False),
+        arguments.flag("stopAtEnd", default=True),
+        not arguments.flag("noDebug", default=False),
+    )
+
+
+def _values(arguments: Arguments, attribute: Attribute) -> list[str]:
+    """Gives what an attribute says, as words of a command line."""
+    name = attribute.name
+    if name not in arguments:
+        return []
+    if attribute.kind == "boolean":
+        return [""] if arguments.flag(name) else []
+    if attribute.kind == "integer":
+        return [str(arguments.natural(name))]
+    values = arguments.texts(name) if attribute.kind == "array" else [arguments.text(name)]
+    if "" in values and name != "args":
+        raise RefusalError(f"'{name}' is empty")
+    if attribute.choices and values[0] not in attribute.choices:
+        raise RefusalError(f"'{name}' must be {' or '.join(attribute.choices)}")
+    return values

@@ -1,0 +1,170 @@
+"""The way in: sessions with editors on standard streams, or on a port of this computer alone."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import socket
+import sys
+import threading
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING, BinaryIO, Final
+
+from crs_cc.debug.dap.arguments import LARGEST, Arguments, RefusalError
+from crs_cc.debug.dap.connection import NOBODY, ClientGoneError, Connection
+from crs_cc.debug.dap.framing import BadMessageError, BrokenStreamError, Message, read_message
+from crs_cc.debug.dap.inbox import Inbox, Request
+from crs_cc.debug.dap.requests import HANDLERS
+from crs_cc.debug.dap.server import Server, explain
+from crs_cc.debug.dap.session import EditorSession
+
+if TYPE_CHECKING:
+    from crs_cc.debug.dap.session import OpenRun
+
+_STACK_BYTES: Final = 64 * 2**20
+"""Of the thread in which programs run; they may use 6 MiB of it, see `runtime.executable`. It is
+taken as it is used."""
+
+
+def serve_stdio(open_run: OpenRun) -> None:
+    """Serves the editor that has started this process, until it ends the session.
+
+    Args:
+        open_run: makes a debugger of a command line of `crs debug`.
+    """
+    sys.stdout.flush()
+    with (
+        contextlib.suppress(ConnectionError),  # what is unwritten is for nobody
+        os.fdopen(os.dup(1), "wb") as sink,
+        os.fdopen(os.dup(0), "rb") as source,
+    ):
+        os.dup2(2, 1)  # whatever else is printed must not come between messages
+        serve(source, sink, open_run)
+
+
+def serve_port(port: int, open_run: OpenRun, announce: Callable[[str], None]) -> None:
+    """Serves one editor after the other on a port of the loopback interface, until interrupted.
+
+    Args:
+        port: its number; 0 for any that is free.
+        open_run: makes a debugger of a command line of `crs debug`.
+        announce: is told where editors can connect.
+
+    Raises:
+        OSError: the port is taken.
+    """
+    folder = os.getcwd()  # noqa: PTH109
+    with socket.create_server(("127.0.0.1", port)) as listener:
+        announce(f"waiting for an editor on 127.0.0.1:{listener.getsockname()[1]}")
+        while True:
+            client, _ = listener.accept()
+            with (
+                contextlib.suppress(ConnectionError),
+                client,
+                client.makefile("rb") as source,
+                client.makefile("wb") as sink,
+            ):
+                serve(source, sink, open_run, partial(_hang_up, client))
+            os.chdir(folder)
+
+
+def _hang_up(client: socket.socket) -> None:
+    with contextlib.suppress(OSError):  # the client was first
+        client.shutdown(socket.SHUT_RDWR)
+
+
+def serve(
+    source: BinaryIO,
+    sink: BinaryIO,
+    open_run: OpenRun,
+    hang_up: Callable[[], None] = lambda: None,
+) -> None:
+    """Serves one session.
+
+    Args:
+        source: what the client says.
+        sink: what it is told.
+        open_run: makes a debugger of a command line of `crs debug`.
+        hang_up: lets a read from the client end.
+    """
+    connection, inbox = Connection(sink), Inbox()
+    session = EditorSession(connection, open_run)
+
+    def work() -> None:
+        try:
+            Server(session, inbox, HANDLERS).serve()
+        except ClientGoneError:
+            pass  # then nobody is left to be told
+        except Exception as error:
+            sys.stderr.write(f"crs: {explain(error)}\n")
+        finally:
+            session.over = True
+            hang_up()
+
+    size = threading.stack_size(_STACK_BYTES)
+    worker = threading.Thread(target=work, name="engine")
+    worker.start()
+    threading.stack_size(size)
+    try:
+        with contextlib.suppress(ClientGoneError):
+            _read(source, connection, inbox, session)
+    finally:
+        inbox.close()
+        worker.join()
+
+
+def _read(source: BinaryIO, connection: Connection, inbox: Inbox, session: EditorSession) -> None:
+    """Puts what the client wants into the inbox, until it says no more.
+
+    Raises:
+        ClientGoneError: nobody listens.
+    """
+    while not session.over:
+        try:
+            message = read_message(source)
+            if message is None:
+                return
+            request = _request(message)
+        except BadMessageError as error:
+            connection.refuse(NOBODY, str(error))
+            continue
+        except (BrokenStreamError, ConnectionError) as error:
+            connection.refuse(NOBODY, str(error))
+            return
+        if request is not None:
+            _sort(request, connection, inbox)
+            if request.command == "disconnect":
+                return
+
+
+def _request(message: Message) -> Request | None:
+    """Gives the request that a message is; None for one that answers something.
+
+    Raises:
+        BadMessageError: it is neither.
+    """
+    seq, command = message.get("seq"), message.get("command")
+    if message.get("type") == "response":
+        return None
+    if message.get("type") != "request" or not isinstance(command, str):
+        raise BadMessageError("a message is no request")
+    if not isinstance(seq, int) or isinstance(seq, bool) or abs(seq) > LARGEST:
+        raise BadMessageError("a request has no number")
+    arguments = message.get("arguments")
+    return Request(seq, command, {} if arguments is None else arguments)
+
+
+def _sort(request: Request, connection: Connection, inbox: Inbox) -> None:
+    """Lets a request wait for its turn; one that withdraws another is fulfilled at once."""
+    try:
+        if request.command != "cancel":
+            inbox.put(request)
+            return
+        withdrawn = inbox.withdraw(Arguments.of(request.arguments).integer("requestId", 0))
+    except RefusalError as error:
+        connection.refuse(request, str(error), error.word)
+        return
+    if withdrawn is not None:
+        connection.refuse(withdrawn, "withdrawn", "cancelled")
+    connection.respond(request)

@@ -1,0 +1,140 @@
+"""The loop that answers requests: one after the other, and between them what they set in motion.
+
+The thread that reads puts requests into the inbox; this one, the engine's, takes them out. While
+programs run it is busy. Then what comes in interrupts the run and is answered, and the run goes on,
+so that a breakpoint can be set at any time and nobody waits; steps are too short for that, and
+are interrupted only by those who want them to end.
+"""
+
+from __future__ import annotations
+
+import os
+import traceback
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.dap.arguments import Arguments, RefusalError
+from crs_cc.debug.dap.connection import ClientGoneError
+from crs_cc.debug.dap.framing import Message
+from crs_cc.debug.dap.stops import tell_stop
+from crs_cc.debug.errors import DebugError
+from crs_cc.errors import CrsError
+
+if TYPE_CHECKING:
+    from crs_cc.debug.dap.inbox import Inbox, Request
+    from crs_cc.debug.dap.session import EditorSession, Motion
+    from crs_cc.debug.engine import Debugger
+    from crs_cc.debug.stop import Stop
+
+Handler = Callable[["EditorSession", Arguments], "Message | None"]
+"""Fulfils a request: gives the body of the response; raises `RefusalError` or `DebugError`."""
+
+ENDING: Final = frozenset({"pause", "terminate", "disconnect", "restart"})
+"""Requests that want the programs to stop."""
+
+
+class Server:
+    """Answers the requests of one session."""
+
+    def __init__(
+        self, session: EditorSession, inbox: Inbox, handlers: Mapping[str, Handler]
+    ) -> None:
+        self._session = session
+        self._inbox = inbox
+        self._handlers = handlers
+
+    def serve(self) -> None:
+        """Answers requests until the session is over, or no more can come.
+
+        Raises:
+            ClientGoneError: nobody listens.
+        """
+        session = self._session
+        while not session.over and (request := self._inbox.take()) is not None:
+            self._answer(request)
+            while session.motion is not None and not session.over:
+                motion, session.motion = session.motion, None
+                self._move(motion)
+
+    def _answer(self, request: Request) -> None:
+        """Fulfils a request, or says why not."""
+        connection = self._session.connection
+        handler = self._handlers.get(request.command)
+        if handler is None:
+            connection.refuse(request, f"there is no request '{request.command}'")
+            return
+        try:
+            body = handler(self._session, Arguments.of(request.arguments))
+        except ClientGoneError:
+            raise
+        except RefusalError as error:
+            connection.refuse(request, str(error), error.word)
+        except Exception as error:
+            connection.refuse(request, explain(error))
+        else:
+            connection.respond(request, body)
+            self._tell_more()
+
+    def _tell_more(self) -> None:
+        """Tells what a request has brought about."""
+        session = self._session
+        afterwards, session.afterwards = session.afterwards, None
+        if afterwards is not None:
+            afterwards()
+
+    def _move(self, motion: Motion) -> None:
+        """Lets the programs run, and tells where they stop."""
+        session = self._session
+        debugger = session.opened()
+        session.handles.clear()
+        session.moves, session.paused = True, False
+        try:
+            stop = self._run(motion, debugger)
+        except ClientGoneError:
+            raise
+        except Exception as error:
+            session.output.say(explain(error), "stderr")
+            stop = debugger.stop
+        session.moves = False
+        if session.debugger is debugger:
+            session.output.flush()
+            tell_stop(session, stop)
+
+    def _run(self, motion: Motion, debugger: Debugger) -> Stop:
+        """Lets the programs run until they stop, or a request wants them to."""
+        go = motion.go
+
+        def interrupt(request: Request | None) -> None:
+            if request is None or motion.go_on is not None or request.command in ENDING:
+                debugger.interrupt()
+
+        while True:
+            with self._inbox.watched(interrupt):
+                stop = go()
+            debugger.run.interrupted = False  # by what came when it had stopped
+            if stop.reason != "interrupt" or motion.go_on is None:
+                return stop
+            while not self._wants_end(debugger):
+                request = self._inbox.take(wait=False)
+                if request is None:
+                    break
+                self._answer(request)
+            if self._wants_end(debugger):
+                return stop
+            go = motion.go_on
+
+    def _wants_end(self, debugger: Debugger) -> bool:
+        session = self._session
+        return session.paused or session.debugger is not debugger or self._inbox.closed
+
+
+def explain(error: Exception) -> str:
+    """Gives an error in words for people."""
+    if isinstance(error, DebugError | CrsError | OSError):
+        return str(error)
+    if os.environ.get("CRS_DEBUG"):
+        traceback.print_exception(error)
+    return (
+        f"internal error: {type(error).__name__}: {error}. This is a mistake in crs, not in your "
+        "program. Please report it; CRS_DEBUG=1 in the environment shows where it happened."
+    )

@@ -1,0 +1,157 @@
+"""A session with an editor: what is known of the client, of the run, and of what it asked for."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from crs_cc.debug.dap.arguments import Arguments, RefusalError
+from crs_cc.debug.dap.breakpoints import EditorBreakpoints
+from crs_cc.debug.dap.handles import Handles
+from crs_cc.debug.dap.output import OutputEvents
+from crs_cc.debug.dap.places import ClientPlaces
+from crs_cc.debug.engine import Debugger
+
+if TYPE_CHECKING:
+    from crs_cc.debug.dap.connection import Connection
+    from crs_cc.debug.dap.launch import Launch
+    from crs_cc.debug.stop import Stop
+    from crs_cc.session.host import Output
+
+OpenRun = Callable[[Sequence[str], "Output", Callable[[str], None]], Debugger]
+"""Makes a debugger of a command line of `crs debug`: what its programs write goes to the output,
+what the compiler has to say is told line by line. It raises `CrsError`, or `DebugError` where the
+command line is wrong."""
+
+
+@dataclass(frozen=True, slots=True)
+class Motion:
+    """Something that lets the programs run, forward or backward.
+
+    Attributes:
+        go: starts it.
+        go_on: goes on when it was interrupted by a request that did not mean it; None when it
+            cannot, so that such requests wait.
+    """
+
+    go: Callable[[], Stop]
+    go_on: Callable[[], Stop] | None = None
+
+
+class EditorSession:
+    """What requests are answered with.
+
+    Attributes:
+        connection: the way to the client.
+        client: what the client says of itself.
+        places: how it names places.
+        launch: what it wants to run; None before it has said so.
+        breakpoints: where it wants to stop.
+        handles: what it can ask more of, while nothing moves.
+        output: where the programs' output goes.
+        motion: what is to be done when the current request has been answered; None for nothing.
+        afterwards: what is to be told then.
+        has_begun: whether the run has.
+        moves: whether the client thinks that the programs run.
+        paused: whether it wants them to stop.
+        over: whether the session is to end.
+    """
+
+    def __init__(self, connection: Connection, open_run: OpenRun) -> None:
+        self.connection = connection
+        self.client = Arguments({})
+        self.places = ClientPlaces(self.client)
+        self.launch: Launch | None = None
+        self.breakpoints = EditorBreakpoints()
+        self.handles = Handles()
+        self.output = OutputEvents(connection)
+        self.motion: Motion | None = None
+        self.afterwards: Callable[[], None] | None = None
+        self.has_begun = False
+        self.moves = False
+        self.paused = False
+        self.over = False
+        self._open_run = open_run
+        self._debugger: Debugger | None = None
+        self._folder = os.getcwd()  # noqa: PTH109
+
+    def meet(self, client: Arguments) -> None:
+        """Learns what a client says of itself.
+
+        Raises:
+            RefusalError: it wants what there is not.
+        """
+        self.client, self.places = client, ClientPlaces(client)
+
+    @property
+    def debugger(self) -> Debugger | None:
+        """The debugger; None where nothing is launched."""
+        return self._debugger
+
+    def opened(self) -> Debugger:
+        """Gives the debugger.
+
+        Raises:
+            RefusalError: nothing is launched.
+        """
+        if self._debugger is None:
+            raise RefusalError("nothing is launched")
+        return self._debugger
+
+    def standing(self) -> Debugger:
+        """Gives the debugger of programs that stand still.
+
+        Raises:
+            RefusalError: they run, or nothing is launched.
+        """
+        debugger = self.opened()
+        if self.moves:
+            raise RefusalError("the programs run: pause them first", "notStopped")
+        return debugger
+
+    def robot(self, arguments: Arguments) -> int:
+        """Gives the robot that a request means as a thread.
+
+        Raises:
+            RefusalError: there is no such robot.
+        """
+        robot = arguments.integer("threadId") - 1
+        if not 0 <= robot < len(self.opened().names):
+            raise RefusalError("'threadId' is that of no robot")
+        return robot
+
+    def open(self, launch: Launch) -> None:
+        """Makes a run, instead of the one before if there is one.
+
+        Raises:
+            RefusalError: its folder is none.
+            DebugError: the command line is wrong.
+            CrsError: a program or the world is.
+        """
+        try:
+            os.chdir(os.path.join(self._folder, launch.folder))  # noqa: PTH118
+        except OSError as error:
+            raise RefusalError(f"'cwd' cannot be used: {error.strerror}") from None
+        debugger = self._open_run(launch.command_line, self.output.write, self.output.say)
+        self.launch, self._debugger, self.has_begun = launch, debugger, False
+        self.output.begin(debugger.names)
+        self.handles.clear()
+        for program in debugger.run.programs:
+            self.places.know(program.executable.detail().lines)
+
+    def begin(self) -> None:
+        """Lets the run begin: up to its first statement, or its first breakpoint."""
+        launch, debugger = self.launch, self.opened()
+        assert launch is not None
+        self.has_begun = True
+        if launch.stop_on_entry and launch.debugs:
+            self.motion = Motion(lambda: replace(debugger.start(), reason="start"))
+        else:
+            self.motion = Motion(debugger.resume, go_on=debugger.resume)
+
+    def close(self) -> None:
+        """Forgets the run."""
+        self._debugger = None
+        self.handles.clear()

@@ -1,0 +1,140 @@
+"""Clients that are broken, or mean no good: they get an answer or the end, and nothing else."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from crs_cc.debug.dap.framing import LARGEST_MESSAGE
+from crs_cc.debug.dap.requests import HANDLERS
+from tests.debug.dap.client import Client
+from tests.debug.dap.programs import LOOP, open_run
+
+
+@pytest.fixture
+def client() -> Iterator[Client]:
+    with Client(open_run) as made:
+        yield made
+
+
+def framed(body: bytes) -> bytes:
+    return b"Content-Length: %d\r\n\r\n%b" % (len(body), body)
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"GET / HTTP/1.1\r\nHost: localhost\r\n\r\n",
+        b"Content-Length: 12x\r\n\r\n",
+        b"Content-Length: -1\r\n\r\n",
+        b"Content-Length: \xd9\xa3\r\n\r\n",
+        b"Content-Length: %d\r\n\r\n" % (LARGEST_MESSAGE + 1),
+        b"Content-Length: " + b"9" * 5000,
+        b"X: y\r\n" * 1000,
+        b"Content-Type: json\r\n\r\n{}",
+        b"\r\n\r\n",
+        b"\x00" * 5000,
+    ],
+)
+def test_what_is_not_the_protocol_is_told_so_and_ends_the_session(
+    client: Client, content: bytes
+) -> None:
+    client.send(content)
+    client.hang_up()
+    message = client.hear()
+    assert message is not None
+    assert not message["success"]
+    assert client.hear() is None
+
+
+def test_a_stream_that_ends_within_a_message_ends_the_session(client: Client) -> None:
+    client.send(b"Content-Length: 1000\r\n\r\n{")
+    client.hang_up()
+    message = client.hear()
+    assert message is not None
+    assert "999 bytes" in message["message"]
+    assert client.hear() is None
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        b"",
+        b"{",
+        b"[]",
+        b'"seq"',
+        b"\xff\xfe",
+        b"[" * 200_000,
+        b'{"seq": ' + b"1" * 5000 + b"}",
+        b'{"seq": NaN, "type": "request", "command": "threads"}',
+        b'{"seq": 1.5, "type": "request", "command": "threads"}',
+        b'{"seq": 1e400, "type": "request", "command": "threads"}',
+        b'{"seq": 1, "type": "request", "command": ["threads"]}',
+        b'{"seq": 1, "type": "request"}',
+        b'{"seq": 1, "type": "event", "event": "stopped"}',
+        b"{}",
+    ],
+)
+def test_a_message_that_is_none_is_refused_and_the_session_goes_on(
+    client: Client, body: bytes
+) -> None:
+    client.send(framed(body))
+    message = client.hear()
+    assert message is not None
+    assert not message["success"]
+    assert client.ask("threads") == {"threads": []}
+
+
+@pytest.mark.parametrize("arguments", [[], "x", 3, False])
+@pytest.mark.parametrize("command", ["setBreakpoints", "cancel", "launch"])
+def test_arguments_that_are_no_object_are_refused(
+    client: Client, command: str, arguments: object
+) -> None:
+    body = {"seq": 900, "type": "request", "command": command, "arguments": arguments}
+    client.send(framed(json.dumps(body).encode()))
+    assert not client.answer(900)["success"]
+
+
+def test_responses_are_passed_over(client: Client) -> None:
+    client.send(framed(b'{"seq": 1, "type": "response", "request_seq": 3, "success": true}'))
+    assert client.ask("threads") == {"threads": []}
+
+
+def test_unknown_requests_are_refused(client: Client) -> None:
+    assert client.refused("modules\ud800") == "there is no request 'modules\ud800'"
+
+
+AWKWARD = [None, True, -1, 0, 2**70, 1.5, "", "\0\ud800", "x" * 10_000, [], {}, [[]], [{}]]
+NAMES = [
+    "accessType", "breakpoints", "column", "condition", "context", "count", "data", "dataId",
+    "expression", "filter", "filterOptions", "filters", "frameId", "granularity",
+    "instructionCount", "levels", "line", "linesStartAt1", "memoryReference", "name", "offset",
+    "path", "pathFormat", "program", "requestId", "source", "sourceReference", "start",
+    "startFrame", "targetId", "text", "threadId", "value", "variablesReference", "world",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("command", sorted(set(HANDLERS) - {"disconnect", "terminate", "restart"}))
+@pytest.mark.parametrize("launched", [False, True])
+def test_values_of_wrong_types_get_an_answer(
+    client: Client, tmp_path: Path, command: str, launched: bool
+) -> None:
+    if launched:
+        (tmp_path / "loop.c").write_text(LOOP)
+        client.launch(tmp_path / "loop.c", stopOnEntry=True)
+        client.begin()
+    for value in AWKWARD:
+        inner = dict.fromkeys(NAMES, value)
+        whole = [
+            inner,
+            {**inner, "source": inner, "breakpoints": [inner], "filterOptions": [inner]},
+        ]
+        if value in (-1, []):
+            whole += [{name: value} for name in NAMES]
+        for arguments in whole:
+            answer = client.answer(client.post(command, **arguments))
+            assert "internal error" not in json.dumps(answer), (arguments, answer)
+    client.ask("threads")
