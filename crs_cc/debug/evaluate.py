@@ -17,10 +17,10 @@ from typing import Any, Final
 
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.interpret import SCRATCH, EvaluationError, Interpreter
-from crs_cc.debug.memory import Saved, StoppedMemory
+from crs_cc.debug.memory import StoppedMemory
 from crs_cc.debug.operators import unsigned
 from crs_cc.debug.program import DebugProgram
-from crs_cc.debug.scope import Home, Scopes
+from crs_cc.debug.scope import Frame, Home, Kind, Scopes
 from crs_cc.debug.sight import Sight
 from crs_cc.debug.values import Value
 from crs_cc.errors import CompileError
@@ -66,6 +66,23 @@ class Place:
     size: int
     type: CType
     frame: StackFrame | None
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """A variable of a stopped program.
+
+    Attributes:
+        name: its name.
+        value: its value.
+        scope: "parameter", "local", "static" (of a function) or "global".
+        is_hidden: whether its name means another one where the function stands.
+    """
+
+    name: str
+    value: Value
+    scope: Kind
+    is_hidden: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -180,6 +197,33 @@ class Evaluator:
         is_local = any(home.in_frame for home in prepared.homes)
         return Place(address, compiled.type.size, compiled.type, frame if is_local else None)
 
+    def variables(self, frame: StackFrame | None = None) -> list[Variable]:
+        """Gives the variables of an active function, those of the innermost block first.
+
+        Parameters come last; variables that are declared behind the place are left out.
+        """
+        frame = frame or self._innermost()
+        if frame is None or in_library(frame.location):
+            return []
+        names = self._names.of(frame.function, frame.location.file)
+        known, sight, seen = Frame.of(self._stopped(), frame), self.sight(), set[str]()
+        found = []
+        for home in self._scopes.of(frame.function):
+            variable = home.variable
+            if variable.is_visible(frame.location):
+                value = sight.value(known.address(home), names.type_of(variable))
+                found.append(Variable(variable.name, value, home.kind, variable.name in seen))
+                seen.add(variable.name)
+        return sorted(found, key=lambda each: each.scope == "parameter")
+
+    def globals_(self) -> list[Variable]:
+        """Gives the global variables of the user's own files, by their names."""
+        sight = self.sight()
+        return [
+            Variable(home.variable.name, sight.value(home.at, home.variable.ctype), home.kind)
+            for home in self._scopes.globals_()
+        ]
+
     # -- compiling ---------------------------------------------------------------------------
 
     def _innermost(self) -> StackFrame | None:
@@ -237,15 +281,9 @@ class Evaluator:
     # -- running -----------------------------------------------------------------------------
 
     def _run(self, prepared: _Prepared, frame: StackFrame | None) -> Any:
-        sp = 0
-        if frame is not None:
-            sp = frame.fp - self._compiled.info(frame.function).frame.size
-        arguments, saved = [], []
-        for home in prepared.homes:
-            address = sp + home.at if home.in_frame else home.at
-            arguments.append(address)
-            if home.is_register:
-                saved.append(Saved(home.variable.name, home.variable.ctype, address))
+        known = Frame.of(self._stopped(), frame)
+        arguments = [known.address(home) for home in prepared.homes]
+        saved = [each for each in map(known.saved, prepared.homes) if each is not None]
         self._memory.begin(saved)
         try:
             return self._interpreter.evaluate(prepared.compiled.program, EXPRESSION, arguments)

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
+import numpy.typing as npt
 
 from crs_cc.debug.interpret import EvaluationError
 from crs_cc.ir.program import MEMORY_SIZE, VALUE_TYPE, ByteState
@@ -33,11 +34,21 @@ class Saved:
         name: the variable.
         ctype: its type.
         address: where it lies.
+        flag: where it stands whether it has a value; None when it needs no telling.
+        is_unset: whether it surely has none.
     """
 
     name: str
     ctype: CType
     address: int
+    flag: int | None = None
+    is_unset: bool = False
+
+    def has_value(self, memory: npt.NDArray[np.uint8]) -> bool:
+        """Tells whether it has a value."""
+        if self.flag is None:
+            return not self.is_unset
+        return not self.is_unset and bool(memory[self.flag : self.flag + 4].any())
 
     def widened(self, content: bytes) -> bytes:
         """Gives the whole register with a value, as the program keeps it."""
@@ -93,7 +104,11 @@ class StoppedMemory:
             EvaluationError: C may not read them.
         """
         content = self._memory[address : address + size].tobytes()
-        if self._saved_at(address, size) is None:
+        saved = self._saved_at(address, size)
+        if saved is not None:
+            if judged and not saved.has_value(self._memory):
+                raise EvaluationError(f"'{saved.name}' is uninitialised")
+        else:
             states = self.states(address, size)
             if states != _VALUED * size and not self.trusting:
                 self._refuse(address, size, states, judged=judged)
@@ -130,6 +145,8 @@ class StoppedMemory:
             whole = self._memory[found.address : found.address + found.ctype.size].copy()
             whole[address - found.address :][:size] = np.frombuffer(content, np.uint8)
             self._change(found.address, found.widened(whole.tobytes()), b"")
+            if found.flag is not None:
+                self._change(found.flag, b"\1\0\0\0", b"")
             return
         known = self.states(address, size)
         if not self.trusting and (len(known) < size or ByteState.INACCESSIBLE in known):

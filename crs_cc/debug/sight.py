@@ -10,9 +10,11 @@ from functools import cached_property
 from typing import Final
 
 from crs_cc.debug.interpret import SCRATCH
+from crs_cc.debug.memory import Saved
+from crs_cc.debug.scope import Frame, homes
 from crs_cc.debug.values import Value
 from crs_cc.ir.names import in_library
-from crs_cc.ir.program import ByteState, Register, Variable
+from crs_cc.ir.program import ByteState
 from crs_cc.ir.types import CType
 from crs_cc.runtime.diagnosis.diagnose import diagnose
 from crs_cc.runtime.diagnosis.inspect import Stopped
@@ -36,6 +38,7 @@ FULL: Final = Style(
 
 
 _GONE: Final = bytes([ByteState.INACCESSIBLE])
+_WITHOUT: Final = bytes([ByteState.WITHOUT_VALUE])
 
 
 class Sight:
@@ -75,9 +78,10 @@ class Sight:
         if address >= SCRATCH:
             return b""
         states = self._variables.states(address, size)
-        if not states.strip(_GONE) and self._register(address, size) is not None:
-            return b""
-        return states
+        saved = None if states.strip(_GONE) else self._saved(address, size)
+        if saved is None:
+            return states
+        return b"" if saved.has_value(self.stopped.memory) else _WITHOUT * size
 
     def is_accessible(self, address: int, size: int) -> bool:
         """Tells whether C may look at bytes, with values or not."""
@@ -95,7 +99,7 @@ class Sight:
 
     def name_of(self, address: int, target: CType) -> str:
         """Says what a pointer to a type points to."""
-        known = self._register(address)
+        known = self._saved(address)
         if known is not None:
             return f"&{known.name}"
         named = self._variables.values.object_at(address, target)
@@ -112,18 +116,18 @@ class Sight:
         found = find_object(self.stopped, address)
         return found is None or (found.state == "alive" and found.distance(address) == 0)
 
-    def _register(self, address: int, size: int = 1) -> Variable | None:
+    def _saved(self, address: int, size: int = 1) -> Saved | None:
         """Gives the variable whose register is saved at an address."""
         if address >= STACK_TOP:
             return None
         for each in self.stopped.stack:
-            frame = self.stopped.compiled.info(each.function).frame
-            offset = address - (each.fp - frame.size)
-            if 0 <= offset < frame.size:
-                for place, at in frame.offsets.items():
-                    known = place.variable if isinstance(place, Register) else None
-                    if known is not None and at == offset and size <= known.ctype.size:
-                        return known
+            info = self.stopped.compiled.info(each.function)
+            if 0 <= address - (each.fp - info.frame.size) < info.frame.size:
+                frame = Frame.of(self.stopped, each)
+                for home in homes(info):
+                    saved = frame.saved(home)
+                    if saved and saved.address == address and size <= saved.ctype.size:
+                        return saved
         return None
 
     def explain(self, address: int, size: int, reading: bool) -> str:

@@ -220,3 +220,67 @@ def test_places(evaluator: Evaluator) -> None:
     for text in ("1 + 2", '"abc"', "twice", "&total"):
         with pytest.raises(DebugError, match="is a value and no object in memory"):
             evaluator.place(text)
+
+
+def shown(evaluator: Evaluator) -> list[tuple[str, str, str]]:
+    found = evaluator.variables()
+    return [(each.name, each.value.text, each.scope + " hidden" * each.is_hidden) for each in found]
+
+
+def test_variables_are_those_of_the_open_blocks(tmp_path: Path) -> None:
+    source = """\
+static int calls = 3;
+int work(int a, char *name)
+{
+    static int count = 4;
+    int later, i = 0, sum;
+    if (a > 5) sum = 1;
+    for (int k = 0; k < 2; k++) { /* HEAD */
+        double a = 0.5;
+        i += 1; /* INNER */
+        int behind = 2; int *p = &i; i += behind + *p;
+    }
+    later = i;
+    sum = 2; count++; calls++; /* END */
+    return later + sum;
+}
+int main(void) { return work(1, "x") + work(9, 0); }
+"""
+    stopping = Stopping(tmp_path, source).run("INNER")
+    evaluator = stopping.evaluator()
+    outer = [("count", "4", "static"), ("later", "uninitialised", "local")]
+    assert shown(evaluator) == [
+        ("a", "0.5", "local"), ("k", "0", "local"), *outer, ("i", "0", "local"),
+        ("sum", "uninitialised", "local"),
+        ("a", "1", "parameter hidden"), ("name", '"x"', "parameter"),
+    ]  # fmt: skip
+    assert [each.name for each in evaluator.globals_()] == ["calls"]
+    stopping.run("END")
+    assert shown(evaluator)[3:5] == [("sum", "uninitialised", "local"), ("a", "1", "parameter")]
+    stopping.run("END").run("END")
+    stopping.run("HEAD")
+    assert shown(evaluator)[-3:] == [
+        ("sum", "1", "local"), ("a", "9", "parameter"), ("name", "null", "parameter"),
+    ]  # fmt: skip
+    assert evaluator.evaluate("sum = 4").changed
+    stopping.run("INNER")
+    assert evaluator.evaluate("later").value.text == "uninitialised"
+    assert evaluator.evaluate("sum + behind * 0 == 4 || 1").value.text == "1"
+    with pytest.raises(DebugError, match="'later' is uninitialised"):
+        evaluator.evaluate("later + 1")
+
+
+def test_a_variable_that_is_declared_behind_the_place_may_be_named(tmp_path: Path) -> None:
+    source = """\
+int x = 5;
+int main(void)
+{
+    int a = x; /* STOP */
+    int x = 2, y = 3;
+    return x + y + a;
+}
+"""
+    evaluator = Stopping(tmp_path, source).run().evaluator()
+    assert evaluator.evaluate("x").value.text == "5"
+    assert evaluator.evaluate("y").value.text == "uninitialised"
+    assert [each.name for each in evaluator.variables()] == ["a"]

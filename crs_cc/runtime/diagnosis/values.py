@@ -34,6 +34,7 @@ from crs_cc.ir.types import (
     PointerType,
     RecordType,
     VoidType,
+    spell,
     unqualified,
 )
 
@@ -223,7 +224,7 @@ def place_name(name: str, ctype: CType, offset: int, wanted: CType | None = None
     >>> place_name("order", ArrayType(INT, 4), 16)
     'order[4]'
     """
-    if offset == 0 and wanted is not None and unqualified(ctype) == unqualified(wanted):
+    if offset == 0 and wanted is not None and _is_same(ctype, wanted):
         return name
     if isinstance(ctype, ArrayType) and ctype.element.size:
         index, rest = divmod(offset, ctype.element.size)
@@ -235,6 +236,12 @@ def place_name(name: str, ctype: CType, offset: int, wanted: CType | None = None
                 inner = f"{name}.{member.name}" if member.name else name
                 return place_name(inner, member.type, offset - start, wanted)
     return name
+
+
+def _is_same(ctype: CType, wanted: CType) -> bool:
+    """Tells whether two types are one to a programmer, be they of different files."""
+    ctype, wanted = unqualified(ctype), unqualified(wanted)
+    return ctype == wanted or (ctype.size == wanted.size and spell(ctype) == spell(wanted))
 
 
 def _integer(content: bytes, *, signed: bool) -> int:
