@@ -181,6 +181,14 @@ class Evaluator:
         """
         self._prepare_at(text, function, place)
 
+    def type_of(self, text: str, frame: StackFrame | None = None) -> CType:
+        """Gives the type of an expression, which is not evaluated.
+
+        Raises:
+            DebugError: it means nothing here.
+        """
+        return self._prepare(text, frame or self._innermost()).compiled.type
+
     def place(self, text: str, frame: StackFrame | None = None) -> Place:
         """Gives where the object lies that an expression names.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import functools
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -17,6 +18,7 @@ from crs_cc.runtime.diagnosis.inspect import StackFrame
 from crs_cc.source import Location
 
 if TYPE_CHECKING:
+    from crs_cc.ir.types import CType
     from crs_cc.session.session import Session
 
 
@@ -158,6 +160,20 @@ class View:
             evaluator.undo()
             raise DebugError(f"'{text}' would change the program")
         return found.value
+
+    def type_of(self, text: str) -> CType:
+        """Gives the type that an expression has, or that it names.
+
+        Raises:
+            DebugError: it is neither an expression nor a type here.
+        """
+        evaluator, frame = self.evaluator(self.robot), self._active(self.robot, None)
+        try:
+            return evaluator.type_of(text, frame)
+        except DebugError:
+            with contextlib.suppress(DebugError):
+                return evaluator.type_of(f"*(__typeof__({text}) *)0", frame)
+            raise
 
     def holds(self, condition: str, robot: int) -> bool:
         """Tells whether a condition is true in the innermost function of a program.

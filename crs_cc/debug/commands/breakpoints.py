@@ -111,6 +111,14 @@ def _enable(shell: Shell, text: str, *, on: bool) -> Answer:
     yield from ()
 
 
+def _condition(shell: Shell, text: str) -> Answer:
+    number, _, condition = demand(text, "a breakpoint's number, and a condition").partition(" ")
+    for each in take_numbers(number):
+        shell.debugger.set_condition(each, condition.strip())
+        if not condition.strip():
+            yield f"Breakpoint {each} is unconditional now."
+
+
 def _ignore(shell: Shell, text: str) -> Answer:
     number, _, count = demand(text, "a breakpoint's number, and how often").partition(" ")
     times = 0 if count.strip() == "0" else take_count(demand(count, "how often to ignore it"))
@@ -204,6 +212,10 @@ BREAKPOINTS: Final = Group(
         Command(
             "enable", "[N...]", "Let breakpoints stop again.", partial(_enable, on=True),
             ("en",), text=_NUMBERS, completes="breakpoint",
+        ),
+        Command(
+            "condition", "N [CONDITION]", "Let a breakpoint stop only if a C expression is true.",
+            _condition, text="Without a condition it always stops.", completes="breakpoint",
         ),
         Command(
             "ignore", "N COUNT", "Pass a breakpoint so many times.", _ignore,

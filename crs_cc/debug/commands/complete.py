@@ -72,12 +72,20 @@ def _files_of(shell: Shell) -> Iterator[str]:
         yield f"{path.name}:"
 
 
+def _expressions(shell: Shell, _word: str) -> Iterator[str]:
+    yield from (name for name, _ in functions(shell))
+
+
 def _robots(shell: Shell, _word: str) -> Iterable[str]:
     return shell.debugger.names
 
 
 def _breakpoints(shell: Shell, _word: str) -> Iterable[str]:
     return [str(each.number) for each in shell.debugger.breakpoints]
+
+
+def _displays(shell: Shell, _word: str) -> Iterable[str]:
+    return map(str, shell.displays)
 
 
 def _files(_shell: Shell, word: str) -> Iterator[str]:
@@ -100,8 +108,10 @@ def _branches(shell: Shell, _word: str) -> Iterable[str]:
 _ARGUMENTS: Final[dict[Completes, Callable[[Shell, str], Iterable[str]]]] = {
     "command": _commands,
     "place": _places,
+    "expression": _expressions,
     "robot": _robots,
     "breakpoint": _breakpoints,
+    "display": _displays,
     "file": _files,
     "catch": _catches,
     "checkpoint": _checkpoints,

@@ -10,7 +10,9 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.debug.commands.arguments import Format
 from crs_cc.debug.commands.command import Answer, Command, Line, SourceLine
+from crs_cc.debug.commands.display import Display
 from crs_cc.debug.commands.listing import Listing
 from crs_cc.debug.commands.stops import Standing, standing, stop_lines
 from crs_cc.debug.commands.table import find
@@ -37,8 +39,10 @@ class Shell:
 
     Attributes:
         debugger: what it is about.
+        displays: by number, what is shown at every stop.
         scripts: by breakpoint, the commands that are done when it is hit.
         listing: what `list` showed last; None since the last stop.
+        examined: the address where `x` goes on, and in which form; None for nowhere.
         has_ended: the user wants no more.
         failures: how many commands could not be done.
         depth: how many scripts are being read inside each other.
@@ -46,8 +50,10 @@ class Shell:
 
     def __init__(self, debugger: Debugger) -> None:
         self.debugger = debugger
+        self.displays: dict[int, Display] = {}
         self.scripts: dict[int, tuple[str, ...]] = {}
         self.listing: Listing | None = None
+        self.examined: tuple[int, Format] | None = None
         self.has_ended = False
         self.failures = 0
         self.depth = 0
@@ -88,6 +94,7 @@ class Shell:
             del self._due[0]
         else:
             yield from stop_lines(self.debugger, stop, known, self._stood)
+            yield from self.show_displays()
         self._stood = now
 
     def look(self) -> Answer:
@@ -95,6 +102,14 @@ class Shell:
         self.listing = None
         self._stood = standing(self.debugger)
         yield from self._stood.lines(self.debugger)
+
+    def show_displays(self) -> Answer:
+        """Shows every display, those that mean nothing here without a word."""
+        for number, display in self.displays.items():
+            try:
+                yield f"{number}: {display.text(self.debugger)}"
+            except DebugError:
+                continue
 
     def collect(self, breakpoints: list[int]) -> None:
         """Lets the next lines, up to `end`, be the commands of breakpoints."""

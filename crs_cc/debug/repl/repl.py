@@ -53,6 +53,7 @@ class Repl:
         self._terminal = terminal
         self._keyboard = keyboard
         keyboard.on_interrupt = debugger.interrupt
+        debugger.say = self._log
 
     def run(self, scripts: Scripts, *, batch: bool = False) -> int:
         """Does what scripts say, then what the user says.
@@ -93,6 +94,9 @@ class Repl:
             if text is None:
                 return
             self._do(text)
+
+    def _log(self, text: str) -> None:
+        self._terminal.line(Line(text, "log"))
 
     def _do(self, text: str) -> None:
         for line in self.shell.execute(text):

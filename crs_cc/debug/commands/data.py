@@ -1,0 +1,178 @@
+"""Commands about values: of expressions, of variables, of memory."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.commands.arguments import (
+    Format,
+    demand,
+    demand_none,
+    take_format,
+    take_numbers,
+)
+from crs_cc.debug.commands.command import Answer, Command, Group
+from crs_cc.debug.commands.display import Display
+from crs_cc.debug.commands.formats import LONGEST_TEXT, dump, formatted, quoted
+from crs_cc.debug.commands.type_text import declared
+from crs_cc.debug.errors import DebugError
+from crs_cc.ir.types import ArrayType, RecordType
+
+if TYPE_CHECKING:
+    from crs_cc.debug.commands.shell import Shell
+    from crs_cc.debug.values import Value
+
+_MOST_STRINGS: Final = 100
+
+
+def _print(shell: Shell, text: str) -> Answer:
+    wanted, expression = take_format(text)
+    value = shell.debugger.evaluate(demand(expression, "an expression"))
+    yield formatted(value, wanted)
+
+
+def _call(shell: Shell, text: str) -> Answer:
+    value = shell.debugger.evaluate(demand(text, "an expression"))
+    if value.text != "void":
+        yield value.full
+
+
+def _set(shell: Shell, text: str) -> Answer:
+    words = demand(text, "an assignment, such as speed = 3").split(maxsplit=1)
+    if words[0] in {"var", "variable"}:
+        text = demand(words[1] if len(words) > 1 else "", "an assignment, such as speed = 3")
+    if "=" not in text:
+        raise DebugError("say what it is to be: set VARIABLE = EXPRESSION")
+    shell.debugger.evaluate(text)
+    yield from ()
+
+
+def _whatis(shell: Shell, text: str) -> Answer:
+    yield str(shell.debugger.type_of(demand(text, "an expression or a type")))
+
+
+def _ptype(shell: Shell, text: str) -> Answer:
+    yield from declared(shell.debugger.type_of(demand(text, "an expression or a type")))
+
+
+def _examine(shell: Shell, text: str) -> Answer:
+    wanted, expression = take_format(text)
+    if expression:
+        value = shell.debugger.look_up(expression)
+        address = _address(value)
+    elif shell.examined is not None:
+        address, known = shell.examined
+        wanted = replace(known, count=wanted.count)
+    else:
+        raise DebugError("say where to look: x ADDRESS")
+    if wanted.letter == "s":
+        yield from _strings(shell, address, wanted)
+        return
+    read = shell.debugger.evaluator(shell.debugger.robot).sight().read
+    yield from dump(read, address, wanted)
+    shell.examined = address + (wanted.size or 4) * wanted.count, wanted
+
+
+def _address(value: Value) -> int:
+    """Gives the address that a value stands for: a pointer's, a number, or that of an object."""
+    if isinstance(value.type, ArrayType | RecordType):
+        if value.address is None:
+            raise DebugError("this lies nowhere in memory")
+        return value.address
+    if not isinstance(value.number, int):
+        raise DebugError(f"{value.text} is no address")
+    return value.number & 0xFFFF_FFFF
+
+
+def _strings(shell: Shell, address: int, wanted: Format) -> Answer:
+    sight = shell.debugger.evaluator(shell.debugger.robot).sight()
+    for _ in range(min(wanted.count, _MOST_STRINGS)):
+        content = sight.read(address, LONGEST_TEXT + 1)
+        if not content:
+            raise DebugError(f"there is no memory at {address:#x}")
+        yield f"{address:#010x}: {quoted(content)}"
+        address += min(len(content.partition(b"\0")[0]), LONGEST_TEXT) + 1
+    shell.examined = address, wanted
+
+
+def _display(shell: Shell, text: str) -> Answer:
+    if not text:
+        yield from shell.show_displays()
+        return
+    wanted, expression = take_format(text)
+    display = Display(demand(expression, "an expression"), wanted)
+    shown = display.text(shell.debugger)
+    number = max(shell.displays, default=0) + 1
+    shell.displays[number] = display
+    yield f"{number}: {shown}"
+
+
+def _undisplay(shell: Shell, text: str) -> Answer:
+    for number in take_numbers(text) or list(shell.displays):
+        if shell.displays.pop(number, None) is None:
+            raise DebugError(f"there is no display {number}")
+    yield from ()
+
+
+def _info_display(shell: Shell, text: str) -> Answer:
+    demand_none(text)
+    if not shell.displays:
+        yield "There are no displays."
+    for number, display in shell.displays.items():
+        yield f"{number}: {display.expression}"
+
+
+_FORMATS: Final = (
+    "FMT is a letter: x hexadecimal, d signed, u unsigned, o octal, t binary, c character,"
+    " f floating, s string, a address."
+)
+_CHANGES: Final = (
+    "Assignments and calls of functions change the program: from here on the run is another one."
+)
+
+DATA: Final = Group(
+    "data",
+    "Values of expressions, variables and memory.",
+    (
+        Command(
+            "print", "[/FMT] EXPRESSION", "Show the value of a C expression.", _print,
+            ("p", "inspect"),
+            text="All operators, casts, macros and calls of the program's own functions."
+            f" {_FORMATS} {_CHANGES}",
+            completes="expression",
+        ),
+        Command(
+            "call", "EXPRESSION", "Evaluate a C expression, and show its value if it has one.",
+            _call, text=_CHANGES, completes="expression",
+        ),
+        Command(
+            "set", "[var] VARIABLE = EXPRESSION", "Change a variable, or memory.", _set,
+            text=_CHANGES, completes="expression",
+        ),
+        Command(
+            "display", "[/FMT] [EXPRESSION]", "Show a value now and at every stop.", _display,
+            text=f"Where it means nothing it is left out. {_FORMATS}",
+            completes="expression",
+        ),
+        Command(
+            "undisplay", "[N...]", "Show these values no more; without a number, none.",
+            _undisplay, completes="display",
+        ),
+        Command("info display", "", "List what is shown at every stop.", _info_display),
+        Command(
+            "whatis", "EXPRESSION", "Tell the type of an expression.", _whatis,
+            completes="expression",
+        ),
+        Command(
+            "ptype", "EXPRESSION|TYPE", "Tell how a type is declared.", _ptype,
+            completes="expression",
+        ),
+        Command(
+            "x", "[/NFU] [ADDRESS]", "Show memory.", _examine,
+            text="N units, in format F, of U: b one byte, h two, w four, g eight. "
+            + _FORMATS + " Without an address, what follows.",
+            repeats="on", completes="expression",
+        ),
+    ),
+)  # fmt: skip

@@ -1,0 +1,28 @@
+"""An expression that is shown at every stop."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from crs_cc.debug.commands.arguments import Format
+from crs_cc.debug.commands.formats import formatted
+
+if TYPE_CHECKING:
+    from crs_cc.debug.engine import Debugger
+
+
+@dataclass(frozen=True, slots=True)
+class Display:
+    """An expression, and how to show its value."""
+
+    expression: str
+    format: Format
+
+    def text(self, debugger: Debugger) -> str:
+        """Gives it as it is now.
+
+        Raises:
+            DebugError: it means nothing here.
+        """
+        return f"{self.expression} = {formatted(debugger.look_up(self.expression), self.format)}"

@@ -1,0 +1,167 @@
+"""Values in the form that a letter stands for: `print/x`, `x/4xw`."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.commands.arguments import Format
+from crs_cc.debug.errors import DebugError
+from crs_cc.ir.types import ArrayType, FloatType, PointerType, RecordType
+
+if TYPE_CHECKING:
+    from crs_cc.debug.values import Value
+
+_FLOATS: Final = {4: "<f", 8: "<d"}
+_MOST_PARTS: Final = 200
+LONGEST_TEXT: Final = 200
+_IN_A_LINE: Final = {1: 8, 2: 8, 4: 4, 8: 2}
+_MOST_BYTES: Final = 4096
+
+
+def formatted(value: Value, wanted: Format) -> str:
+    """Gives a value in a form; that of an array or struct for each of its parts.
+
+    Raises:
+        DebugError: there is no such value in that form.
+    """
+    if not wanted.letter:
+        return value.full
+    if isinstance(value.type, ArrayType | RecordType) and wanted.letter != "s":
+        is_array = isinstance(value.type, ArrayType)
+        parts = [
+            formatted(part, wanted) if is_array else f"{name} = {formatted(part, wanted)}"
+            for name, part in value.children(0, _MOST_PARTS)
+        ]
+        rest = ["..."] if value.child_count > len(parts) else []
+        return "{" + ", ".join(parts + rest) + "}"
+    if not value.is_initialised or not value.content:
+        return value.full
+    if wanted.letter == "s":
+        return text_at(value)
+    if isinstance(value.type, FloatType) and wanted.letter not in "fa":
+        whole = int(value.number) if _is_whole(value) else None  # type: ignore[arg-type]
+        if whole is None:
+            raise DebugError(f"{value.full} is no whole number: print it without /{wanted.letter}")
+        return letters(whole.to_bytes(16, "little", signed=True), wanted.letter, 8)
+    if wanted.letter == "a" and isinstance(value.type, PointerType):
+        return f"{value.number:#x} {value.full}"
+    return letters(value.content, wanted.letter)
+
+
+def _is_whole(value: Value) -> bool:
+    number = value.number
+    return isinstance(number, float) and abs(number) < 2**63 and number == int(number)
+
+
+def letters(content: bytes, letter: str, size: int = 0) -> str:
+    r"""Gives bytes in the form of a letter.
+
+    >>> [letters(b"\xff\0\0\0", letter) for letter in "xduot"]
+    ['0xff', '255', '255', '0377', '11111111']
+    >>> letters(b"\xfe", "d"), letters(b"A", "c"), letters(struct.pack("<f", 0.5), "f")
+    ('-2', "65 'A'", '0.5')
+    """
+    content = content[:size] if size else content
+    return _LETTERS[letter](content)
+
+
+def _unsigned(content: bytes) -> int:
+    return int.from_bytes(content, "little")
+
+
+def _signed(content: bytes) -> int:
+    return int.from_bytes(content, "little", signed=True)
+
+
+def _octal(content: bytes) -> str:
+    number = _unsigned(content)
+    return f"0{number:o}" if number else "0"
+
+
+def _character(content: bytes) -> str:
+    number = _signed(content[:1])
+    shown = chr(number) if 32 <= number < 127 else f"\\{number & 255:03o}"
+    return f"{number} '{shown}'"
+
+
+def _floating(content: bytes) -> str:
+    if len(content) not in _FLOATS:
+        return str(_signed(content))
+    number = struct.unpack(_FLOATS[len(content)], content)[0]
+    return f"{number:.9g}" if len(content) == 4 else f"{number:.17g}"
+
+
+_LETTERS: Final[dict[str, Callable[[bytes], str]]] = {
+    "x": lambda content: f"{_unsigned(content):#x}",
+    "d": lambda content: str(_signed(content)),
+    "u": lambda content: str(_unsigned(content)),
+    "o": _octal,
+    "t": lambda content: f"{_unsigned(content):b}",
+    "c": _character,
+    "f": _floating,
+    "a": lambda content: f"{_unsigned(content):#x}",
+}
+
+
+def text_at(value: Value) -> str:
+    """Gives the string that an array holds, or that a pointer points to.
+
+    Raises:
+        DebugError: it is neither an array nor a pointer.
+    """
+    if isinstance(value.type, ArrayType):
+        content = value.content
+    elif isinstance(value.type, PointerType):
+        assert isinstance(value.number, int)
+        content = value.sight.read(value.number, LONGEST_TEXT)
+    else:
+        raise DebugError("only an array or a pointer can be shown as a string")
+    return quoted(content)
+
+
+def quoted(content: bytes) -> str:
+    r"""Gives the string that begins some bytes, as C writes it.
+
+    >>> print(quoted(b'a "b"\n\0c'))
+    "a \"b\"\n"
+    """
+    text, end, _ = content.partition(b"\0")
+    shown = "".join(_QUOTED.get(each, chr(each)) for each in text[:LONGEST_TEXT])
+    return f'"{shown}"' + ("" if end and len(text) <= LONGEST_TEXT else "...")
+
+
+_QUOTED: Final = {
+    **{each: f"\\{each:03o}" for each in (*range(32), *range(127, 256))},
+    10: "\\n",
+    9: "\\t",
+    13: "\\r",
+    34: '\\"',
+    92: "\\\\",
+}
+
+
+def dump(read: Callable[[int, int], bytes], address: int, wanted: Format) -> Iterator[str]:
+    """Gives memory in lines: the address, and the units from there on.
+
+    Args:
+        read: gives the bytes at an address, as many as there are.
+        address: where to begin.
+        wanted: the form, the number of units, and their size.
+
+    Raises:
+        DebugError: there is no such memory.
+    """
+    size, end = wanted.size or 4, address + (wanted.size or 4) * wanted.count
+    if end - address > _MOST_BYTES:
+        raise DebugError(f"at most {_MOST_BYTES} bytes are shown at once")
+    a_line = size * _IN_A_LINE[size]
+    for start in range(address, end, a_line):
+        content = read(start, min(a_line, end - start))
+        units = [content[at : at + size] for at in range(0, len(content), size)]
+        whole = [letters(unit, wanted.letter or "x") for unit in units if len(unit) == size]
+        if whole:
+            yield f"{start:#010x}: " + "  ".join(whole)
+        if len(whole) * size < min(a_line, end - start):
+            raise DebugError(f"there is no memory at {start + len(whole) * size:#x}")
