@@ -13,7 +13,7 @@ What changes:
 
 - `state`: all of it, an array or more for each device, of which each has a file in `states/`;
   `growth`: how a robot is added to it.
-- `setting`: all that follows from it; `presence`: who comes and goes.
+- `setting`: all that follows from it; `presence`: who comes and goes; `relocation`: who is carried.
 
 What happens in a timestep:
 

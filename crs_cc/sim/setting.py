@@ -37,13 +37,16 @@ from crs_cc.sim.growth import grown
 from crs_cc.sim.instants import ROUNDING_S
 from crs_cc.sim.link import SerialLine
 from crs_cc.sim.messages.control import CommunicationControl
-from crs_cc.sim.model import Robot, Solid, WorldModel
+from crs_cc.sim.model import Pose, Robot, Solid, WorldModel
 from crs_cc.sim.physics.bodies import PhysicsSnapshot
 from crs_cc.sim.physics.simulation import Physics
 from crs_cc.sim.presence import Timetable, complaint, in_the_way, leave
+from crs_cc.sim.relocation import carry_robot, carry_thing
 from crs_cc.sim.sensors.bumper import Bumpers
 from crs_cc.sim.state import EnvState
+from crs_cc.sim.states.obstacles import without
 from crs_cc.sim.step import Served
+from crs_cc.sim.unknown import unknown
 
 IndexArray = npt.NDArray[np.intp]
 
@@ -123,6 +126,10 @@ class Setting:
         return CommunicationControl(self)
 
     @property
+    def _robot_ids(self) -> tuple[str, ...]:
+        return self._names[: len(self.world.robots)]
+
+    @property
     def timestep_s(self) -> float:
         """Gives the length of a cycle [s]."""
         return self.world.timestep_s
@@ -176,12 +183,67 @@ class Setting:
         leave(self.state, np.array([number]), self.time_s, self._log)
         self._come_and_go()
 
+    def dismiss_robot(self, number: int) -> None:
+        """Lets a robot leave at the end of the current cycle, wherever in the cycle this is said.
+
+        Raises:
+            ValueError: it has left before.
+        """
+        if np.isfinite(self.state.presence.left_s[number]):
+            raise ValueError(f"robot {self.world.robots[number].id!r} has left before")
+        robots = list(self.world.robots)
+        robots[number] = replace(robots[number], leave_s=self.end_s)
+        self._equip(replace(self.world, robots=tuple(robots)))
+
+    def carry(self, name: str, place: Pose) -> None:
+        """Puts a robot, or something that can be pushed, down somewhere else.
+
+        A robot is turned as a whole, and its odometry does not hear of it; see `relocation`.
+
+        Raises:
+            ValueError: it cannot be there, or is nothing that can be carried.
+        """
+        number = self._names.index(name) if name in self._names else -1
+        if number in range(len(self.world.robots)):
+            if not self.state.presence.present[number]:
+                raise ValueError(f"robot {name!r} is not in the world")
+            thing = carry_robot(self.state, self._equipment, number, place)
+        else:
+            if wrong := self._immovable(name):
+                raise ValueError(wrong)
+            thing = carry_thing(self.state, self._equipment, number, place)
+        if thing:
+            raise ValueError(f"{name!r} cannot be there: {thing} is in its place")
+        self._refurnish(moved=True)
+
+    def take_away(self, name: str) -> None:
+        """Takes a thing that a robot can run into out of the world.
+
+        Raises:
+            ValueError: there is no such thing, or it is the edge of the world or a robot.
+        """
+        self.state.obstacles = without(self.state.obstacles, self.world, name)
+        self._refurnish(moved=False)
+
     def charges(self, number: int) -> tuple[float, float]:
         """Gives what is left in the batteries of a robot's computers and motors, 0 to 1."""
         rows = np.array([number], dtype=np.intp)
         batteries = self._devices.instruments.batteries
         computers, motors = batteries.left(self.state, rows, self.time_s)[0].tolist()
         return computers, motors
+
+    def charge(self, number: int, share: float) -> None:
+        """Lets so much be left in the battery of a robot's motors, 0 to 1.
+
+        Raises:
+            ValueError: it lasts for ever.
+        """
+        batteries = self._devices.instruments.batteries
+        batteries.charge(self.state, number, self.time_s, share)
+
+    def warm(self, name: str, heat: float) -> None:
+        """Lets a robot or a thing be so hot from now on, 0 or more."""
+        self.state.heat.left[self._names.index(name)] = heat
 
     def snapshot(self) -> Snapshot:
         """Gives all that is needed to come back to this instant."""
@@ -208,6 +270,16 @@ class Setting:
     def hash(self) -> str:
         """Gives the SHA-256 of the whole state."""
         return self.state.sha256()
+
+    def _immovable(self, name: str) -> str:
+        """Gives why a thing cannot be carried away; empty if it can."""
+        if name not in self.pushables:
+            return unknown("robot or movable thing", name, (*self._robot_ids, *self.pushables))
+        number = self.pushables.index(name)
+        if self._equipment.scene.pushables[number].part_of:
+            return f"{name!r} is a part of {self._equipment.scene.pushables[number].part_of!r}"
+        holders = np.flatnonzero((self.state.bodies.holds.thing == number).any(axis=1)).tolist()
+        return f"{self._robot_ids[holders[0]]!r} holds {name!r}" if holders else ""
 
     def _equip(self, world: WorldModel) -> None:
         """Makes all that follows from which robots there are."""

@@ -58,18 +58,19 @@ def degradations(
         place, model = known[name]
         if place.broken:  # and so, perhaps, without its devices
             continue
-        degradation = _degradation(element, model, reader)
-        if degradation is None:
+        one = degradation(element, model, reader)
+        if one is None:
             continue
-        room -= memory_size(degradation)
+        room -= memory_size(one)
         if room < 0:
             reader.error(element, "too many degradations: delays of many elements need much memory")
             break
-        found.append(degradation)
+        found.append(one)
     return tuple(found)
 
 
-def _degradation(element: Element, model: RobotModel, reader: Reader) -> Degradation | None:
+def degradation(element: Element, model: RobotModel, reader: Reader) -> Degradation | None:
+    """Gives what an element says is wrong with a robot of a kind; None after a mistake."""
     device = DEVICES.get(element.attributes["device"])
     if device is None:
         name = element.attributes["device"]
@@ -83,7 +84,7 @@ def _degradation(element: Element, model: RobotModel, reader: Reader) -> Degrada
     stuck = element.attributes.get("stuck")
     holds = stuck is not None and stuck.strip() == HOLD
     fixed = None if stuck is None or holds else reader.quantity(element, "stuck", kind)
-    degradation = Degradation(
+    found = Degradation(
         element.attributes["robot"],
         device.name,
         number,
@@ -98,11 +99,11 @@ def _degradation(element: Element, model: RobotModel, reader: Reader) -> Degrada
         onset_s=reader.quantity(element, "onset", TIME),
         duration_s=_duration_s(element, reader),
         recovery_s=reader.quantity(element, "recovery", TIME),
-        id=element.attributes["id"],
+        id=element.attributes.get("id", ""),
     )
-    if not element.broken and (wrong := complaint(degradation, model)):
+    if not element.broken and (wrong := complaint(found, model)):
         reader.refuse(element, wrong)
-    return None if element.broken else degradation
+    return None if element.broken else found
 
 
 def _element(element: Element, device: Device, model: RobotModel, reader: Reader) -> int | None:

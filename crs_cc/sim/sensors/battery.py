@@ -103,6 +103,19 @@ class Batteries:
             [self._computers.charge(kinds, for_s, 0.0), self._motors.charge(kinds, for_s, moved_j)]
         )
 
+    def charge(self, state: EnvState, robot: int, at_s: float, share: float) -> None:
+        """Lets a share of its energy be left in the battery of a robot's motors.
+
+        Raises:
+            ValueError: it lasts for ever.
+        """
+        motors, kind = self._motors, self._kind[robot]
+        if not np.isfinite(motors.capacity_j[kind]):
+            raise ValueError("the battery of its motors lasts for ever")
+        for_s = at_s - float(state.presence.joined_s[robot])
+        used_j = (motors.start[kind] - share) * motors.capacity_j[kind]
+        state.battery.moved_j[robot] = used_j - motors.power_w[kind] * for_s
+
     def told(
         self, state: EnvState, equipment: Equipment, rows: IndexArray, at_s: FloatArray
     ) -> tuple[npt.NDArray[np.int32], npt.NDArray[np.int32]]:
@@ -150,9 +163,9 @@ class _Supply:
     """One battery of each kind of robot."""
 
     def __init__(self, batteries: list[Battery], factor: float) -> None:
-        self._start = np.array([battery.charge for battery in batteries])
-        self._power_w = np.array([battery.power_w for battery in batteries])
-        self._capacity_j = np.array([battery.capacity_j for battery in batteries])
+        self.start = np.array([battery.charge for battery in batteries])
+        self.power_w = np.array([battery.power_w for battery in batteries])
+        self.capacity_j = np.array([battery.capacity_j for battery in batteries])
         self._curve_v = [battery.curve_v for battery in batteries]
         self._bytes = np.array([_bytes(curve_v, factor) for curve_v in self._curve_v])
 
@@ -160,8 +173,8 @@ class _Supply:
         self, kinds: IndexArray, for_s: FloatArray, moved_j: FloatArray | float
     ) -> FloatArray:
         """Gives the share of its energy that each has left, on for some time."""
-        used_j = self._power_w[kinds] * for_s + moved_j
-        left = self._start[kinds] - used_j / self._capacity_j[kinds]
+        used_j = self.power_w[kinds] * for_s + moved_j
+        left = self.start[kinds] - used_j / self.capacity_j[kinds]
         return np.asarray(np.maximum(left, 0.0))
 
     def bytes(self, kinds: IndexArray, charge: FloatArray) -> npt.NDArray[np.int32]:

@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.handling.carrying import release
 from crs_cc.sim.model import Pose
 from crs_cc.sim.presence import in_the_way
+from crs_cc.sim.relocation import put_robot
 from crs_cc.units import tenths_deg_to_rad, tenths_inch_to_m
 
 if TYPE_CHECKING:
@@ -50,20 +50,9 @@ def place_robot(
 
 
 def _put(state: EnvState, equipment: Equipment, robot: int, place: Pose, turret_rad: float) -> None:
-    drives, drive, odometry = equipment.drives, state.drive, state.odometry
-    heading_rad = place.heading_rad
-    state.bodies.position_m[robot] = place.x_m, place.y_m
-    state.bodies.velocity_mps[robot] = 0.0
-    release(state, np.array([robot], dtype=np.intp))
-    state.bodies.slipping[robot] = state.bodies.touching[robot] = False
-    drive.hindered[robot] = False
-    drive.moved_m[robot] = 0.0
-    drive.facing_rad[robot] = state.heading_rad[robot] = heading_rad
-    drive.turret_rad[robot] = turret_rad
-    if not drives.synchro[robot]:
-        state.base_rad[robot] = heading_rad
-    own_rad = turret_rad if drives.turret[robot] else float(state.base_rad[robot])
-    state.mount_rad[robot] = own_rad
+    drives, odometry = equipment.drives, state.odometry
+    base_rad = float(state.base_rad[robot]) if drives.synchro[robot] else place.heading_rad
+    put_robot(state, equipment, robot, place, base_rad=base_rad, turret_rad=turret_rad)
     odometry.x_m[robot], odometry.y_m[robot] = place.x_m, place.y_m
-    odometry.heading_rad[robot] = heading_rad
+    odometry.heading_rad[robot] = place.heading_rad
     odometry.turret_rad[robot] = turret_rad if drives.turret[robot] else 0.0

@@ -94,7 +94,7 @@ def new_world(
 ) -> None:
     """Takes away everything but the edge of the world and the robots."""
     nothing = np.zeros(0, dtype=np.intp)
-    left = _take(state.obstacles, nothing)
+    left = state.obstacles.take(nothing)
     state.obstacles = replace(left, standing=np.zeros_like(left.standing))
 
 
@@ -162,20 +162,10 @@ def _find(
 def _without(obstacles: ObstacleState, place: int) -> ObstacleState:
     """Gives the obstacles without the one that was found at a place."""
     if place >= 0:
-        return _take(obstacles, np.delete(np.arange(len(obstacles.sizes)), place))
+        return obstacles.take(np.delete(np.arange(len(obstacles.sizes)), place))
     standing = obstacles.standing.copy()
     standing[~place] = False
     return replace(obstacles, standing=standing)
-
-
-def _take(obstacles: ObstacleState, rows: IndexArray) -> ObstacleState:
-    return replace(
-        obstacles,
-        corners=obstacles.corners[rows],
-        sizes=obstacles.sizes[rows],
-        numbers=obstacles.numbers[rows],
-        owners=obstacles.owners[rows],
-    )
 
 
 def _tenths_inch(solid: Solid) -> Corners:

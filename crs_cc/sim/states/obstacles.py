@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.model import Polygon, Solid, WorldModel
+from crs_cc.sim.unknown import unknown
 from crs_cc.units import tenths_inch_to_m
 
 BoolArray = npt.NDArray[np.bool_]
@@ -18,6 +19,8 @@ Corners = npt.NDArray[np.int32]
 
 MAX_VERTICES: Final = 10
 """The most corners that the vendor's interface gives to a polygon (`MAX_VERTICES`)."""
+
+_ADDED: Final = "obstacle-"
 
 
 @dataclass(slots=True)
@@ -55,6 +58,16 @@ class ObstacleState:
         """Gives the corners of an added polygon, shape (corners, 2)."""
         return self.corners[added, : self.sizes[added]]
 
+    def take(self, rows: npt.NDArray[np.intp]) -> Self:
+        """Gives the same with some of the added polygons only."""
+        return replace(
+            self,
+            corners=self.corners[rows],
+            sizes=self.sizes[rows],
+            numbers=self.numbers[rows],
+            owners=self.owners[rows],
+        )
+
     def same_as(self, other: ObstacleState) -> bool:
         """Tells whether the same things stand at the same places."""
         return (
@@ -77,6 +90,23 @@ class ObstacleState:
         )
 
 
+def without(obstacles: ObstacleState, world: WorldModel, name: str) -> ObstacleState:
+    """Gives the obstacles without a thing, whether of the world file or added by a program.
+
+    Raises:
+        ValueError: there is no such thing.
+    """
+    added = [f"{_ADDED}{number}" for number in obstacles.numbers.tolist()]
+    if name in added:
+        return obstacles.take(np.delete(np.arange(len(added)), added.index(name)))
+    names = [thing.id for thing in things_of(world)]
+    there = list(compress(names, obstacles.standing.tolist()))
+    if name not in there:
+        raise ValueError(unknown("thing", name, (*there, *added)))
+    standing = obstacles.standing & (np.arange(len(names)) != names.index(name))
+    return replace(obstacles, standing=standing)
+
+
 def things_of(world: WorldModel) -> tuple[Solid, ...]:
     """Gives all things of a world file, its edge and its robots apart."""
     return (*world.walls, *world.boxes, *world.cylinders, *world.polygons)
@@ -95,4 +125,4 @@ def polygon_of(number: int, corners: Corners) -> Polygon:
 @lru_cache(maxsize=4096)  # the world is made anew with each that comes or goes
 def _polygon(number: int, corners: tuple[tuple[int, int], ...]) -> Polygon:
     places = [(tenths_inch_to_m(float(x)), tenths_inch_to_m(float(y))) for x, y in corners]
-    return Polygon.of(f"obstacle-{number}", places)
+    return Polygon.of(f"{_ADDED}{number}", places)
