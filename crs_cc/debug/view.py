@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.evaluate import Evaluator, Names
+from crs_cc.debug.evaluate import Evaluator, Names, Variable
 from crs_cc.debug.position import Position
 from crs_cc.debug.run import Run
 from crs_cc.debug.values import Value
@@ -160,6 +160,16 @@ class View:
             evaluator.undo()
             raise DebugError(f"'{text}' would change the program")
         return found.value
+
+    def variables(self, *, robot: int | None = None, frame: int | None = None) -> list[Variable]:
+        """Gives the variables of an active function, those of the innermost block first."""
+        robot = self.robot if robot is None else robot
+        active = self._active(robot, frame)
+        return [] if active is None else self.evaluator(robot).variables(active)
+
+    def globals_(self, *, robot: int | None = None) -> list[Variable]:
+        """Gives the global variables of a program, by their names."""
+        return self.evaluator(self.robot if robot is None else robot).globals_()
 
     def type_of(self, text: str) -> CType:
         """Gives the type that an expression has, or that it names.
