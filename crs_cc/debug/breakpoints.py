@@ -142,7 +142,6 @@ class Breakpoints:
                     if any(plain_name(frame.function) == each.place.function for frame in stack):
                         name = run.name(robot)
                         hits.append(Hit(each, robot, f"{name} called '{each.place.function}'"))
-                        break
         return hits + self._at_ends(run, instant.ended)
 
     def _at_ends(self, run: Run, ended: Sequence[int]) -> list[Hit]:

@@ -119,7 +119,8 @@ class Traveller:
             return None
         first = hits[0]
         stop = self.stop(first.breakpoint.kind, first.robot, "; ".join(texts))
-        return replace(stop, breakpoints=tuple(each.breakpoint.number for each in hits))
+        numbers = dict.fromkeys(each.breakpoint.number for each in hits)
+        return replace(stop, breakpoints=tuple(numbers))
 
     def spot(self, robot: int) -> Spot | None:
         """Gives where a program stands that has stopped before a statement."""
