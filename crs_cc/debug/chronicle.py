@@ -49,16 +49,17 @@ class Chronicle:
         self.timesteps = step.cycle + 1
         if _is_eventful(step):
             for each in happenings(step, environment.world, _KINDS):
-                self.note(step.cycle, each)
+                self._add(step.cycle, each)
         if step.cycle % self._stride == 0:
             self._take_poses(step.cycle, environment)
 
     def note(self, timestep: int, happening: Happening) -> None:
-        """Takes something that happened in a timestep, once."""
-        entry = timestep, happening
-        if entry in self._happened[-64:]:
-            return
-        self._happened.append(entry)
+        """Takes something else that happened in a timestep, once."""
+        if (timestep, happening) not in self._happened:
+            self._add(timestep, happening)
+
+    def _add(self, timestep: int, happening: Happening) -> None:
+        self._happened.append((timestep, happening))
         if len(self._happened) > _MOST_HAPPENINGS:
             del self._happened[: _MOST_HAPPENINGS // 2]
 

@@ -113,24 +113,22 @@ class Frame:
 
     Attributes:
         sp: its lower end.
-        place: where the function stands: variables that are declared behind it have no values.
-        unset: the registers that surely have none either.
+        unset: the registers that surely have no value where the function stands.
     """
 
     sp: int
-    place: Location
     unset: frozenset[Register] = frozenset()
 
     @classmethod
     def of(cls, stopped: Stopped, active: StackFrame | None) -> Frame:
         """Finds the frame; that of no function has nothing in it."""
         if active is None:
-            return cls(0, Location(""))
+            return cls(0)
         info = stopped.compiled.info(active.function)
         landing = int(stopped.memory[active.fp + RESUME :][:4].view("<u4")[0])
         stands_there = info.landings.get(landing) == active.location  # or else it has failed
         unset = info.unset.get(landing, frozenset()) if stands_there else frozenset()
-        return cls(active.fp - info.frame.size, active.location, unset)
+        return cls(active.fp - info.frame.size, unset)
 
     def address(self, home: Home) -> int:
         """Gives the address of a variable."""
@@ -146,5 +144,5 @@ class Frame:
             return None
         flag = None if home.flag is None else self.sp + home.flag
         variable = home.variable
-        is_unset = home.register in self.unset or not variable.is_visible(self.place)
+        is_unset = home.register in self.unset
         return Saved(variable.name, variable.ctype, self.address(home), flag, is_unset)

@@ -90,7 +90,14 @@ def test_memory_is_bounded() -> None:
         chronicle._take_poses(timestep, environment) if timestep % chronicle._stride == 0 else None
     assert len(chronicle.paths(9_000)[0]) <= 2_000
     for number in range(25_000):
-        chronicle.note(number, Happening(float(number), "collision", 0, "it touched a wall"))
+        chronicle._add(number, Happening(float(number), "collision", 0, "it touched a wall"))
     assert len(chronicle.happenings()) <= 20_000
     chronicle.hear(step, environment)
     assert chronicle.timesteps == 1
+
+
+def test_what_is_noted_again_is_known() -> None:
+    chronicle = Chronicle()
+    for _ in range(2):
+        chronicle.note(3, Happening(0.15, "stop", 0, "breakpoint 1"))
+    assert len(chronicle.happenings()) == 1

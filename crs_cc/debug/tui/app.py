@@ -23,7 +23,7 @@ from crs_cc.debug.tui.choices import Choices
 from crs_cc.debug.tui.command_line import CommandLine
 from crs_cc.debug.tui.help_page import HelpPage
 from crs_cc.debug.tui.keys import SHORTCUTS
-from crs_cc.debug.tui.look import Key, Look
+from crs_cc.debug.tui.look import OPEN, Look
 from crs_cc.debug.tui.panes import Panes
 from crs_cc.debug.tui.source_pane import SourcePane
 from crs_cc.debug.tui.texts import Console
@@ -31,6 +31,7 @@ from crs_cc.debug.tui.time_line import TimeLine
 from crs_cc.debug.tui.variables_pane import VariablesPane
 from crs_cc.debug.tui.work import Done, Order, Work
 
+_PROMPT: Final = "(crs) "
 _WAIT_S: Final = 0.15  # before it is said that something runs: most orders are done sooner
 
 
@@ -40,6 +41,13 @@ class Finished(Message):
 
     order: Order
     done: Done
+
+
+@dataclass
+class Asked(Message):
+    """A robot's program waits for a line of input."""
+
+    robot: str
 
 
 class DebugApp(App[int]):
@@ -77,10 +85,11 @@ class DebugApp(App[int]):
         self._orders: deque[Order] = deque()
         self._current: Order | None = None
         self._slow: Timer | None = None
-        self._unfolded: set[Key] = set()
+        self._unfolded = set(OPEN)
         self._chart_size = (0, 0)
         self._look = Look()
         self._leaving = False
+        self._asks = ""  # the robot whose program waits for input
 
     def compose(self) -> ComposeResult:
         """Makes the screen."""
@@ -88,7 +97,7 @@ class DebugApp(App[int]):
         yield Panes(id="panes")
         yield TimeLine(id="time")
         with Horizontal(id="prompt"):
-            yield Label("(crs) ")
+            yield Label(_PROMPT)
             yield CommandLine(self._work.complete, id="command")
         yield ButtonBar(id="keys")
 
@@ -100,6 +109,7 @@ class DebugApp(App[int]):
             if each.label
         )
         self.query_one(CommandLine).focus()
+        self._work.listen(self._hear)
         self._order(Order())
 
     @property
@@ -127,6 +137,10 @@ class DebugApp(App[int]):
         """Does an order; in the debugger's thread."""
         self.post_message(Finished(order, self._work.do(order)))
 
+    def _hear(self, robot: str) -> None:
+        """Hears that a program waits for input; in the debugger's thread."""
+        self.post_message(Asked(robot))
+
     def on_finished(self, message: Finished) -> None:
         """Shows what came of an order."""
         order, done = message.order, message.done
@@ -143,7 +157,7 @@ class DebugApp(App[int]):
 
     def _tell(self, order: Order, done: Done) -> None:
         console = self.query_one("#console", Console)
-        if order.line is not None:
+        if order.line is not None and (order.is_typed or done.answer.plain or done.errors):
             console.echo(order.line)
         console.answer(done.answer)
         for line in done.errors:
@@ -176,6 +190,7 @@ class DebugApp(App[int]):
         """Stops what runs; else copies what is marked."""
         if self._current is not None:
             self._orders.clear()
+            self._ask_for("")
             self._work.interrupt()
         elif marked := self.screen.get_selected_text():
             self.copy_to_clipboard(marked)
@@ -241,12 +256,33 @@ class DebugApp(App[int]):
     # -- what the panes say --------------------------------------------------------------------
 
     def on_command_line_typed(self, message: CommandLine.Typed) -> None:
-        """Takes a command."""
-        self._order(Order(message.line, is_typed=True))
+        """Takes a command, or a line that a program waits for."""
+        if self._asks:
+            self._give(message.line)
+        else:
+            self._order(Order(message.line, is_typed=True))
 
     async def on_command_line_finished(self) -> None:
-        """Leaves."""
-        await self.action_quit()
+        """Leaves, or ends the input of a program that waits for more."""
+        if self._asks:
+            self._give(None)
+        else:
+            await self.action_quit()
+
+    def on_asked(self, message: Asked) -> None:
+        """Lets the user type what a program reads."""
+        self._ask_for(message.robot)
+        self.query_one(CommandLine).focus()
+
+    def _ask_for(self, robot: str) -> None:
+        """Takes what is typed as the input of a robot's program; as commands for an empty name."""
+        self._asks = robot
+        self.query_one("#prompt Label", Label).update(_reads(robot) if robot else _PROMPT)
+
+    def _give(self, line: str | None) -> None:
+        self.query_one("#console", Console).echo(line or "", _reads(self._asks))
+        self._ask_for("")
+        self._work.give(line)
 
     def on_source_pane_toggle(self, message: SourcePane.Toggle) -> None:
         """Sets or removes a breakpoint."""
@@ -278,3 +314,8 @@ class DebugApp(App[int]):
     def on_time_line_move(self, message: TimeLine.Move) -> None:
         """Goes to a time."""
         self.action_press(f"goto {message.time_s:.6f}")
+
+
+def _reads(robot: str) -> str:
+    """Gives the prompt for what a program reads."""
+    return f"{robot} reads: "

@@ -50,8 +50,8 @@ class CommandLine(Input):
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Passes a line on, and remembers it."""
         event.stop()
-        line = event.value.strip()
-        if line and self._history[-1:] != [line]:
+        line = event.value
+        if line.strip() and self._history[-1:] != [line]:
             self._history.append(line)
         self._at = len(self._history)
         self.value = ""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Final
 
 from rich.text import Text
 
@@ -11,6 +12,9 @@ from crs_cc.debug.happenings import Happening
 
 Key = tuple[str, ...]
 """Names a row of the variables for good: robot, function, and the way to it through the values."""
+
+OPEN: Final[frozenset[Key]] = frozenset({("locals",), ("watched",)})
+"""The groups of variables that are unfolded at first."""
 
 
 @dataclass(frozen=True, slots=True)

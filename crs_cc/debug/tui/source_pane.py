@@ -174,12 +174,13 @@ def _colour(file: str, lines: tuple[str, ...]) -> list[Text]:
         return [Text(line) for line in plain]
     syntax = Syntax("", "c", theme="monokai", background_color="default")
     text = syntax.highlight("\n".join(plain))
+    text.style = ""  # the background is that of the line
     text.spans = [Span(each.start, each.end, _foreground(each.style)) for each in text.spans]
     return list(text.split("\n", allow_blank=True)[: len(plain)])
 
 
 def _foreground(style: Style | str) -> Style:
-    """Gives a style that leaves the background to the line that it is in."""
+    """Gives a style without its background."""
     if isinstance(style, str):
         return Style()
     return Style(color=style.color, bold=style.bold, italic=style.italic)

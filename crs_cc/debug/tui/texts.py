@@ -29,9 +29,9 @@ class Console(RichLog):
         )
         self.border_title = "console"
 
-    def echo(self, line: str) -> None:
-        """Shows a command that is being run."""
-        self.write(Text(f"(crs) {printable(line)}", _ECHO))
+    def echo(self, line: str, prompt: str = "(crs) ") -> None:
+        """Shows what was typed."""
+        self.write(Text(prompt + printable(line), _ECHO))
 
     def answer(self, text: Text) -> None:
         """Shows what a command says."""
@@ -67,5 +67,6 @@ class Output(RichLog):
 
 
 def _written(line: Written) -> Text:
-    text = Text(f"{line.who}: " if line.who else "", _WHO, no_wrap=True)
+    text = Text(no_wrap=True)
+    text.append(f"{line.who}: " if line.who else "", _WHO)
     return text.append(printable(line.text.expandtabs()), _ERROR if line.is_error else "")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
@@ -48,13 +48,19 @@ class Done:
 
 
 class Work(Protocol):
-    """The debugger's side of the screen; all but `interrupt` and `complete` in its own thread."""
+    """The debugger's side of the screen; `do` is called in a thread of its own."""
 
     def do(self, order: Order) -> Done:
         """Does an order; raises nothing."""
 
     def interrupt(self) -> None:
         """Makes what is being done come to an end; from any thread."""
+
+    def listen(self, asked: Callable[[str], None]) -> None:
+        """Says whom to tell that a robot's program, by its name, waits for a line of input."""
+
+    def give(self, line: str | None) -> None:
+        """Gives the program that waits a line; None for the end of its input."""
 
     def complete(self, line: str) -> Sequence[str]:
         """Gives what a line that has been begun may become; does not touch the run."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from rich.text import Text
 
@@ -35,6 +35,7 @@ class FakeWork:
         self.count = 0
         self.breakpoints = {9: Breakmark(1)}
         self.go_on = threading.Event()
+        self.given: list[str | None] = []
 
     @property
     def lines(self) -> list[str]:
@@ -48,7 +49,9 @@ class FakeWork:
             return Done(self.look(order), moved=True)
         if line == "print sum":
             return Done(self.look(order), Text("$1 = 285"))
-        if line == "continue":
+        if line == "until":
+            self.asked("scout")
+        if line in {"continue", "until"}:
             self.go_on.wait(5.0)
             self.go_on.clear()
             return Done(self.look(order), Text("interrupted"), moved=True)
@@ -64,6 +67,13 @@ class FakeWork:
         return Done(self.look(order))
 
     def interrupt(self) -> None:
+        self.go_on.set()
+
+    def listen(self, asked: Callable[[str], None]) -> None:
+        self.asked = asked
+
+    def give(self, line: str | None) -> None:
+        self.given.append(line)
         self.go_on.set()
 
     def complete(self, line: str) -> Sequence[str]:

@@ -219,3 +219,21 @@ def test_ctrl_d_and_the_command_quit_leave() -> None:
 
     assert drive(FakeWork(), with_key).return_value == 0
     assert drive(FakeWork(), with_command).return_value == 0
+
+
+def test_what_a_program_reads_is_typed_where_commands_are() -> None:
+    work = FakeWork()
+
+    async def session(pilot: Pilot[int], app: DebugApp) -> None:
+        for answer in ("enter", "ctrl+d"):
+            await enter(pilot, "until")
+            await pilot.pause(0.05)
+            assert "scout reads: " in text_of(app)
+            app.query_one(CommandLine).value = "" if answer == "ctrl+d" else " 42"
+            await pilot.press(answer)
+            await settle(pilot)
+            assert "(crs) a command" in text_of(app)
+
+    drive(work, session)
+    assert work.given == [" 42", None]
+    assert work.lines == ["until", "until"]

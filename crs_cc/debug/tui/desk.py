@@ -1,0 +1,135 @@
+"""The debugger's side of the screen: does commands, and takes a look at where the run stands then.
+
+Commands are those of the one table; the screen has none of its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import TYPE_CHECKING, Final
+
+from rich.style import Style
+from rich.text import Text
+
+from crs_cc.debug.commands.command import Line, SourceLine
+from crs_cc.debug.commands.complete import complete
+from crs_cc.debug.commands.shell import Shell
+from crs_cc.debug.commands.table import matching
+from crs_cc.debug.happenings import Happening
+from crs_cc.debug.tui.gather import gather, why
+from crs_cc.debug.tui.look import Look
+from crs_cc.debug.tui.printable import printable
+from crs_cc.debug.tui.program_input import ProgramInput
+from crs_cc.debug.tui.work import Done, Order
+
+if TYPE_CHECKING:
+    from crs_cc.debug.engine import Debugger
+
+_STYLES: Final = {
+    "stop": Style(bold=True),
+    "place": Style(color="cyan"),
+    "log": Style(color="magenta"),
+}
+"""By kind of line; others are plain."""
+
+_MOST_LINES: Final = 1000
+"""Lines of an answer that are shown; chosen by us: more than anybody reads."""
+
+
+class Desk:
+    """Works on a debugger for the screen.
+
+    Attributes:
+        shell: the debugger's command line.
+    """
+
+    def __init__(
+        self, debugger: Debugger, reads: ProgramInput, scripts: Sequence[str] = ()
+    ) -> None:
+        """Takes a debugger.
+
+        Args:
+            debugger: the debugger.
+            reads: what its programs read from.
+            scripts: commands to be done before anybody is asked.
+        """
+        self.shell = Shell(debugger)
+        self._reads = reads
+        self._scripts = tuple(scripts)
+        self._has_begun = False
+        self._works = False
+        self._look = Look()
+
+    def interrupt(self) -> None:
+        """Makes what is being done come to an end; from any thread."""
+        self.shell.debugger.interrupt()
+        self._reads.end()
+
+    def listen(self, asked: Callable[[str], None]) -> None:
+        """Says whom to tell that a robot's program, by its name, waits for a line of input."""
+        self._reads.asks = lambda robot: asked(self.shell.debugger.names[robot])
+
+    def give(self, line: str | None) -> None:
+        """Gives the program that waits a line; None for the end of its input."""
+        self._reads.give(b"" if line is None else f"{line}\n".encode())
+
+    def complete(self, line: str) -> Sequence[str]:
+        """Gives what a line may become; while something runs, by the names of commands alone."""
+        if self._works:
+            return list(matching(line))
+        completion = complete(self.shell, line)
+        return [line[: completion.start] + word for word in completion.words]
+
+    def do(self, order: Order) -> Done:
+        """Does an order; whatever goes wrong is a line of the answer."""
+        self._works = True
+        debugger = self.shell.debugger
+        before = debugger.position, debugger.robot, debugger.frame
+        answer, errors = Text(), list[str]()
+        try:
+            self._answer(order, answer, errors)
+            self._note_stop()
+            self._look = gather(self.shell, order)
+        except Exception as error:
+            errors.append(f"internal error: {type(error).__name__}: {error}; please report it")
+        finally:
+            self._works = False
+        now = debugger.position, debugger.robot, debugger.frame
+        return Done(self._look, answer, tuple(errors), now != before, self.shell.has_ended)
+
+    def _note_stop(self) -> None:
+        """Lets the time line show where the run stopped by itself."""
+        stop = self.shell.debugger.stop
+        if stop.breakpoints or stop.reason == "error":
+            kind = "error" if stop.reason == "error" else "stop"
+            happening = Happening(stop.time_s, kind, stop.robot, why(stop))
+            self.shell.debugger.run.chronicle.note(stop.position.timestep, happening)
+
+    def _answer(self, order: Order, answer: Text, errors: list[str]) -> None:
+        count = 0
+        for line in self._lines(order):
+            count += 1
+            if isinstance(line, Line) and line.kind == "error":
+                errors.append(line.text)
+            elif isinstance(line, SourceLine) and line.is_current and not order.is_typed:
+                continue  # the source is on the screen
+            elif count <= _MOST_LINES:
+                answer.append("\n" if answer.plain else "")
+                answer.append(_text(line))
+        if count > _MOST_LINES:
+            answer.append(f"\n... and {count - _MOST_LINES} lines more")
+
+    def _lines(self, order: Order) -> Iterator[Line | SourceLine]:
+        if not self._has_begun:
+            self._has_begun = True
+            yield from self.shell.greet()
+            for line in self._scripts:
+                yield from self.shell.execute(line)
+        if order.line is not None:
+            yield from self.shell.execute(order.line)
+
+
+def _text(line: Line | SourceLine) -> Text:
+    if isinstance(line, SourceLine):
+        return Text(printable(line.text))
+    return Text(printable(line.text.expandtabs()), _STYLES.get(line.kind, Style()))

@@ -1,0 +1,173 @@
+"""Takes a look at a stopped run: all that the screen shows of it, as plain data."""
+
+from __future__ import annotations
+
+import math
+from pathlib import PurePath
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+from rich.text import Text
+
+from crs_cc.debug.chart import Chart, View
+from crs_cc.debug.commands.stops import frame_text, standing
+from crs_cc.debug.robot_rows import activity
+from crs_cc.debug.tui.look import Breakmark, Choice, Look, SourceLook, Written
+from crs_cc.debug.tui.values import variables
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from crs_cc.debug.commands.shell import Shell
+    from crs_cc.debug.engine import Debugger
+    from crs_cc.debug.stop import Reason, Stop
+    from crs_cc.debug.tui.work import Order
+    from crs_cc.session.session import Session
+
+_WHY: Final[dict[Reason, str]] = {
+    "start": "at the beginning",
+    "step": "",
+    "goto": "",
+    "tick": "at the start of a timestep",
+    "exit": "the program has ended",
+    "end": "all programs have ended",
+    "beginning": "at the beginning, nothing was before",
+    "interrupt": "interrupted",
+}
+"""Why a run has stopped, where it has no words of its own."""
+
+_MOST_PIECES: Final = 4000  # of output, from the end
+_MOST_ROBOTS: Final = 200
+_MOST_PATHS: Final = 30
+_LEAST_COLUMNS, _LEAST_ROWS = 10, 4
+
+
+def gather(shell: Shell, order: Order) -> Look:
+    """Takes a look.
+
+    Args:
+        shell: whose run it is.
+        order: which values are unfolded, and how large the map is.
+    """
+    debugger = shell.debugger
+    position, chronicle = debugger.position, debugger.run.chronicle
+    return Look(
+        state=_state(debugger),
+        is_over=debugger.is_over,
+        time_s=debugger.time_s,
+        end_s=max(chronicle.timesteps * _timestep_s(debugger), debugger.time_s),
+        place=f"timestep {position.timestep}" + _statement(debugger),
+        source=_source(debugger),
+        frames=tuple(_frames(debugger)),
+        robots=tuple(_robots(debugger)),
+        variables=variables(shell, order.unfolded),
+        chart=_chart(debugger, *order.chart_size),
+        output=tuple(_output(debugger)),
+        events=tuple(chronicle.happenings()),
+    )
+
+
+def why(stop: Stop) -> str:
+    """Gives why a run has stopped, in a line; nothing for a step that went as far as was asked."""
+    if stop.text:
+        return stop.text.partition("\n")[0]
+    if stop.breakpoints:
+        return f"{stop.reason} {', '.join(map(str, stop.breakpoints))}"
+    return _WHY.get(stop.reason, stop.reason)
+
+
+def _state(debugger: Debugger) -> str:
+    stop = debugger.stop
+    where = "" if stop.reason == "end" else standing(debugger).head(debugger)
+    return ": ".join(filter(None, [why(stop), where]))
+
+
+def _statement(debugger: Debugger) -> str:
+    return f", statement {debugger.run.begun(debugger.robot)}"
+
+
+def _timestep_s(debugger: Debugger) -> float:
+    return debugger.session.environment.world.timestep_s
+
+
+def _chart(debugger: Debugger, columns: int, rows: int) -> Text:
+    """Draws the map, with what the robot that is looked at senses; none where there is no room."""
+    if columns < _LEAST_COLUMNS or rows < _LEAST_ROWS:
+        return Text()
+    environment, state = debugger.session.environment, debugger.session.environment.state
+    here = np.column_stack([state.x_m, state.y_m])
+    known = debugger.run.chronicle.paths(debugger.position.timestep)
+    paths = [
+        np.concatenate([path, here[robot : robot + 1]])
+        for robot, path in enumerate(known[:_MOST_PATHS])
+    ]
+    view = View.whole(environment, columns, rows)
+    return Chart(environment, view, robot=debugger.robot, paths=paths).text
+
+
+def _source(debugger: Debugger) -> SourceLook:
+    place, frame = debugger.location(), debugger.frame
+    frames = debugger.frames()
+    if place is None:
+        own = [each for each in frames if not each.is_library]
+        file = own[0].location.file if own else _first_file(debugger)
+        return SourceLook(file, debugger.source(file), breakpoints=_breakpoints(debugger, file))
+    innermost = all(each.is_library for each in frames[:frame])
+    lines, marks = debugger.source(place.file), _breakpoints(debugger, place.file)
+    return SourceLook(place.file, lines, place.line, innermost, marks)
+
+
+def _first_file(debugger: Debugger) -> str:
+    return str(debugger.run.programs[debugger.robot].paths[0])
+
+
+def _breakpoints(debugger: Debugger, file: str) -> dict[int, Breakmark]:
+    marks = {}
+    for each in debugger.breakpoints:
+        place = each.place.location if each.place else None
+        if place is not None and place.file == file:
+            marks[place.line] = Breakmark(each.number, each.enabled)
+    return marks
+
+
+def _frames(debugger: Debugger) -> Iterator[Choice]:
+    for each in debugger.frames():
+        head = frame_text(each).partition(" at ")[0]
+        place = f"{PurePath(each.location.file).name}:{each.location.line}"
+        is_current = each.number == debugger.frame
+        yield Choice(each.number, head, "C library" if each.is_library else place, is_current)
+
+
+def _robots(debugger: Debugger) -> Iterator[Choice]:
+    session = debugger.session
+    for number, name in enumerate(debugger.names[:_MOST_ROBOTS]):
+        text = f"{name}  {activity(session, number)}"
+        yield Choice(number, text, _pose(session, number), number == debugger.robot)
+
+
+def _pose(session: Session, robot: int) -> str:
+    state = session.environment.state
+    if not state.presence.present[robot]:
+        return ""
+    heading_deg = round(math.degrees(state.heading_rad[robot])) % 360
+    return f"{state.x_m[robot]:.2f}, {state.y_m[robot]:.2f} m, {heading_deg}°"
+
+
+def _output(debugger: Debugger) -> Iterator[Written]:
+    """Gives the last lines that were written; a line ends where another program goes on."""
+    console, names = debugger.run.console, debugger.names
+    writer, begun = (-1, -1), ""
+    for robot, stream, piece in console.pieces(max(0, console.at - _MOST_PIECES)):
+        if (robot, stream) != writer and begun:
+            yield Written(_who(names, writer[0]), begun, writer[1] == 2)
+            begun = ""
+        writer = robot, stream
+        *lines, begun = (begun + piece.decode("utf-8", "replace")).split("\n")
+        for line in lines:
+            yield Written(_who(names, robot), line, stream == 2)
+    if begun:
+        yield Written(_who(names, writer[0]), begun, writer[1] == 2)
+
+
+def _who(names: tuple[str, ...], robot: int) -> str:
+    return names[robot] if len(names) > 1 else ""

@@ -1,0 +1,165 @@
+"""What the screen is told of a real run."""
+
+from __future__ import annotations
+
+import threading
+
+import pytest
+
+from crs_cc.debug.engine import Debugger
+from crs_cc.debug.program import DebugProgram
+from crs_cc.debug.tui.desk import Desk
+from crs_cc.debug.tui.look import OPEN, Row
+from crs_cc.debug.tui.program_input import ProgramInput
+from crs_cc.debug.tui.work import Done, Order
+from crs_cc.sim.files.world_xml import empty_world, load_world
+from tests.debug.debuggee import ROOT, debug_program
+
+SOURCE = """\
+#include <stdio.h>
+#include "Nclient.h"
+struct point { int x, y; } at = { 3, 4 };
+int many[250];
+static int square(int n)
+{
+    return n * n;
+}
+int main(void)
+{
+    int sum = 0;
+    sum = square(at.x);
+    printf("%d\\033[2J\\n", sum);
+    fprintf(stderr, "hm");
+    scanf("%d", &many[0]);
+    many[State[0] * 0 + sum + 241] = 1;
+    return 0;
+}
+"""
+
+
+@pytest.fixture(scope="module")
+def program(tmp_path_factory: pytest.TempPathFactory) -> DebugProgram:
+    path = tmp_path_factory.mktemp("desk") / "point.c"
+    path.write_text(SOURCE)
+    return debug_program(path)
+
+
+@pytest.fixture
+def desk(program: DebugProgram) -> Desk:
+    reads = ProgramInput()
+    desk = Desk(Debugger(empty_world(), [program], read=reads.read), reads)
+    desk.do(Order())
+    return desk
+
+
+def press(desk: Desk, line: str, *unfolded: tuple[str, ...]) -> Done:
+    return desk.do(Order(line, unfolded=OPEN | set(unfolded)))
+
+
+def group(done: Done, name: str) -> Row:
+    return next(each for each in done.look.variables if each.key == (name,))
+
+
+def texts(row: Row) -> dict[str, str]:
+    return {each.name: each.text for each in row.parts}
+
+
+def test_it_begins_before_the_first_statement(desk: Desk) -> None:
+    done = desk.do(Order(unfolded=OPEN))
+    assert done.look.source.file.endswith("point.c")
+    assert done.look.source.line == 11
+    assert not done.moved
+    assert [each.text for each in done.look.frames] == ["main ()"]
+    assert texts(group(done, "locals")) == {"sum": "uninitialised"}
+
+
+def test_steps_show_stack_values_and_where_the_caller_stands(desk: Desk) -> None:
+    done = press(desk, "break square")
+    assert done.answer.plain.startswith("Breakpoint 1: square")
+    assert done.look.source.breakpoints[7].number == 1
+    done = press(desk, "continue")
+    assert done.moved
+    assert done.look.state.startswith("breakpoint 1: square (")
+    assert [each.place for each in done.look.frames] == ["point.c:7", "point.c:12"]
+    assert texts(group(done, "locals")) == {"n": "3"}
+    assert [each.text for each in done.look.events] == ["breakpoint 1"]
+    done = press(desk, "up")
+    assert (done.look.source.line, done.look.source.innermost) == (12, False)
+    done = press(desk, "reverse-next")
+    assert done.look.source.line == 11
+
+
+def test_values_are_unfolded_and_long_ones_in_pieces(desk: Desk) -> None:
+    key = ("globals", "0", "many")
+    done = press(desk, "next", ("globals",), key, (*key, "100..."), (*key, "200..."))
+    many = next(each for each in group(done, "globals").parts if each.name == "many")
+    assert many.parts[99].name == "[99]"
+    assert many.parts[100].name == "150 more"
+    assert many.parts[100].parts[0].name == "[100]"
+    assert many.parts[100].parts[100].parts[-1].name == "[249]"
+    done = press(desk, "next", ("globals",), ("globals", "0", "at"))
+    at = next(each for each in group(done, "globals").parts if each.name == "at")
+    assert texts(at) == {"x": "3", "y": "4"}
+
+
+def test_what_is_displayed_state_robot_and_world_are_there(desk: Desk) -> None:
+    press(desk, "display at.x * 2")
+    done = press(desk, "next", ("state",), ("robot",), ("world",))
+    assert texts(group(done, "watched")) == {"at.x * 2": "6"}
+    assert "[34] STATE_CONF_X" in texts(group(done, "state"))
+    assert "pose" in texts(group(done, "robot"))
+    assert group(done, "world").parts
+
+
+def test_what_a_program_reads_is_asked_for_and_its_output_cannot_move_the_cursor(
+    desk: Desk,
+) -> None:
+    asked = threading.Event()
+    desk.listen(lambda robot: asked.set())
+    results: list[Done] = []
+    worker = threading.Thread(target=lambda: results.append(press(desk, "advance 16")))
+    worker.start()
+    assert asked.wait(10.0)
+    assert desk.complete("reverse-n") == ["reverse-next"]  # while it waits
+    desk.give("17")
+    worker.join(10.0)
+    (done,) = results
+    assert done.look.source.line == 16
+    written = [(each.text, each.is_error) for each in done.look.output]
+    assert written == [("9\x1b[2J", False), ("hm", True)]
+    done = press(desk, "continue")
+    assert "out of bounds" in done.look.state
+    assert done.look.events[-1].kind == "error"
+    assert done.look.source.line == 16
+
+
+def test_what_is_wrong_is_a_line_and_the_run_stays_where_it_is(desk: Desk) -> None:
+    for line in ("foo", "print nothing", "break 4711", "frame 7", "goto -1", "robot x"):
+        done = press(desk, line)
+        assert len(done.errors) == 1, line
+        assert "\n" not in done.errors[0]
+        assert "internal" not in done.errors[0], done.errors
+        assert not done.moved
+
+
+def test_an_internal_error_is_a_line_too(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail() -> None:
+        raise ZeroDivisionError("oh")
+
+    monkeypatch.setattr(desk.shell.debugger, "frames", fail)
+    done = desk.do(Order())
+    assert done.errors == ("internal error: ZeroDivisionError: oh; please report it",)
+    assert done.look.source.line == 11
+
+
+def test_several_robots_have_their_own_output_and_places(program: DebugProgram) -> None:
+    world = load_world(ROOT / "worlds" / "pair.xml")
+    desk = Desk(Debugger(world, [program] * 2), ProgramInput())
+    done = desk.do(Order(chart_size=(40, 10)))
+    names = [robot.id for robot in world.robots]
+    assert [each.text.split()[0] for each in done.look.robots] == names
+    assert len(done.look.chart.plain.split("\n")) == 10
+    done = press(desk, "continue")
+    assert {each.who for each in done.look.output} == set(names)
+    done = press(desk, "robot 1")
+    assert [each.is_current for each in done.look.robots] == [False, True]
