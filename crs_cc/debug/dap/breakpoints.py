@@ -131,6 +131,11 @@ class EditorBreakpoints:
         kinds = {each.number: each.wish.kind for each in self._all()}
         return {kinds.get(number) for number in numbers} == {"function"}
 
+    def kind_of(self, numbers: Iterable[int]) -> str:
+        """Gives the kind of happenings that the first of these wants."""
+        kinds = {each.number: each.wish.what for each in self._all()}
+        return next((kinds[number] for number in numbers if number in kinds), "happening")
+
     def _all(self) -> list[_Set]:
         return [each for group in self._groups.values() for each in group]
 

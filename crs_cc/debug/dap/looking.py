@@ -1,46 +1,21 @@
-"""Requests that look: robots as threads, active functions, scopes, and what stands in these."""
+"""Requests that look around: robots as threads, active functions, scopes, what has happened."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from crs_cc.debug.dap.arguments import RefusalError
 from crs_cc.debug.dap.listing import address_of
 from crs_cc.debug.dap.places import NO_PLACE
 from crs_cc.debug.dap.stops import thread_of
-from crs_cc.debug.robot_rows import activity, robot_rows
-from crs_cc.debug.world_rows import world_rows
+from crs_cc.debug.dap.variables import FrameHandle, frame_handle, scopes_at
+from crs_cc.debug.robot_rows import activity
 
 if TYPE_CHECKING:
     from crs_cc.debug.dap.arguments import Arguments
     from crs_cc.debug.dap.framing import Message
     from crs_cc.debug.dap.session import EditorSession
-    from crs_cc.debug.rows import Row
     from crs_cc.debug.view import Frame
-
-
-@dataclass(frozen=True, slots=True)
-class FrameHandle:
-    """An active function of a robot's program.
-
-    Attributes:
-        robot: the robot's number.
-        frame: the function's; None for a program without one.
-        function: its name; empty without one.
-    """
-
-    robot: int
-    frame: int | None = None
-    function: str = ""
-
-
-@dataclass(frozen=True, slots=True)
-class Rows:
-    """Rows of text."""
-
-    rows: Sequence[Row]
 
 
 def threads(session: EditorSession, _arguments: Arguments) -> Message:
@@ -84,45 +59,23 @@ def _frame(session: EditorSession, robot: int, frame: Frame) -> Message:
 
 def scopes(session: EditorSession, arguments: Arguments) -> Message:
     """Gives what can be looked at from an active function."""
-    frame = frame_handle(session, arguments)
-    environment = session.opened().session.environment
-    made: list[tuple[str, Any]] = [
-        ("Robot", Rows(robot_rows(session.opened().session, frame.robot))),
-        ("World", Rows(world_rows(environment))),
-    ]
+    session.standing()
+    arguments.integer("frameId")
+    return {"scopes": list(scopes_at(session, frame_handle(session, arguments)))}
+
+
+def exception_info(session: EditorSession, arguments: Arguments) -> Message:
+    """Tells more of the error, or of the happening, that has stopped the run."""
+    debugger, robot = session.standing(), session.robot(arguments)
+    stop = debugger.stop
+    if stop.reason not in {"error", "catchpoint"} or robot != max(stop.robot, 0):
+        raise RefusalError("nothing has happened to this robot")
+    kind = "run-time error"
+    if stop.reason == "catchpoint":
+        kind = session.breakpoints.kind_of(stop.breakpoints)
     return {
-        "scopes": [
-            {"name": name, "variablesReference": session.handles.give(of), "expensive": False}
-            for name, of in made
-        ]
+        "exceptionId": kind,
+        "description": stop.text,
+        "breakMode": "always",
+        "details": {"message": stop.text, "typeName": kind},
     }
-
-
-def variables(session: EditorSession, arguments: Arguments) -> Message:
-    """Gives what stands in a scope, or the parts of something that stands there."""
-    thing = session.handles.take(arguments.integer("variablesReference"))
-    if isinstance(thing, Rows):
-        return {"variables": [_row(session, row) for row in thing.rows]}
-    raise RefusalError("'variablesReference' is that of nothing with parts")
-
-
-def _row(session: EditorSession, row: Row) -> Message:
-    parts = session.handles.give(Rows(row.children)) if row.children else 0
-    return {
-        "name": row.name,
-        "value": row.text,
-        "variablesReference": parts,
-        "presentationHint": {"attributes": ["readOnly"]},
-    }
-
-
-def frame_handle(session: EditorSession, arguments: Arguments) -> FrameHandle:
-    """Gives the active function that a request means.
-
-    Raises:
-        RefusalError: it is gone.
-    """
-    found = session.handles.take(arguments.integer("frameId"))
-    if not isinstance(found, FrameHandle):
-        raise RefusalError("'frameId' is that of no frame")
-    return found

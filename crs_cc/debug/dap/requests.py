@@ -4,7 +4,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.debug.dap import lifecycle, looking, motion, sources, wishes
+from crs_cc.debug.dap import (
+    evaluation,
+    lifecycle,
+    looking,
+    memory,
+    motion,
+    sources,
+    variables,
+    wishes,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -35,7 +44,14 @@ HANDLERS: Final[Mapping[str, Handler]] = {
     "threads": looking.threads,
     "stackTrace": looking.stack_trace,
     "scopes": looking.scopes,
-    "variables": looking.variables,
+    "variables": variables.variables,
+    "exceptionInfo": looking.exception_info,
+    "evaluate": evaluation.evaluate,
+    "setVariable": evaluation.set_variable,
+    "setExpression": evaluation.set_expression,
+    "completions": evaluation.completions,
+    "readMemory": memory.read_memory,
+    "writeMemory": memory.write_memory,
     "loadedSources": sources.loaded_sources,
     "source": sources.source,
     "disassemble": sources.disassemble,

@@ -89,7 +89,7 @@ def serve(
         hang_up: lets a read from the client end.
     """
     connection, inbox = Connection(sink), Inbox()
-    session = EditorSession(connection, open_run)
+    session = EditorSession(connection, inbox, open_run)
 
     def work() -> None:
         try:

@@ -11,7 +11,7 @@ from __future__ import annotations
 import os
 import traceback
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from crs_cc.debug.dap.arguments import Arguments, RefusalError
 from crs_cc.debug.dap.connection import ClientGoneError
@@ -28,9 +28,6 @@ if TYPE_CHECKING:
 
 Handler = Callable[["EditorSession", Arguments], "Message | None"]
 """Fulfils a request: gives the body of the response; raises `RefusalError` or `DebugError`."""
-
-ENDING: Final = frozenset({"pause", "terminate", "disconnect", "restart"})
-"""Requests that want the programs to stop."""
 
 
 class Server:
@@ -102,16 +99,11 @@ class Server:
 
     def _run(self, motion: Motion, debugger: Debugger) -> Stop:
         """Lets the programs run until they stop, or a request wants them to."""
+        session = self._session
         go = motion.go
-
-        def interrupt(request: Request | None) -> None:
-            if request is None or motion.go_on is not None or request.command in ENDING:
-                debugger.interrupt()
-
         while True:
-            with self._inbox.watched(interrupt):
+            with session.interruptible(by_all=motion.go_on is not None):
                 stop = go()
-            debugger.run.interrupted = False  # by what came when it had stopped
             if stop.reason != "interrupt" or motion.go_on is None:
                 return stop
             while not self._wants_end(debugger):

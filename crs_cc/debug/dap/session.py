@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
+from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.dap.arguments import Arguments, RefusalError
 from crs_cc.debug.dap.breakpoints import EditorBreakpoints
 from crs_cc.debug.dap.handles import Handles
@@ -16,9 +18,13 @@ from crs_cc.debug.engine import Debugger
 
 if TYPE_CHECKING:
     from crs_cc.debug.dap.connection import Connection
+    from crs_cc.debug.dap.inbox import Inbox, Request
     from crs_cc.debug.dap.launch import Launch
     from crs_cc.debug.stop import Stop
     from crs_cc.session.host import Output
+
+ENDING: Final = frozenset({"pause", "terminate", "disconnect", "restart"})
+"""Requests that want the programs to stop."""
 
 OpenRun = Callable[[Sequence[str], "Output", Callable[[str], None]], Debugger]
 """Makes a debugger of a command line of `crs debug`: what its programs write goes to the output,
@@ -56,10 +62,11 @@ class EditorSession:
         has_begun: whether the run has.
         moves: whether the client thinks that the programs run.
         paused: whether it wants them to stop.
+        shell: what does commands; None where nothing is launched.
         over: whether the session is to end.
     """
 
-    def __init__(self, connection: Connection, open_run: OpenRun) -> None:
+    def __init__(self, connection: Connection, inbox: Inbox, open_run: OpenRun) -> None:
         self.connection = connection
         self.client = Arguments({})
         self.places = ClientPlaces(self.client)
@@ -73,6 +80,8 @@ class EditorSession:
         self.moves = False
         self.paused = False
         self.over = False
+        self.shell: Shell | None = None
+        self._inbox = inbox
         self._open_run = open_run
         self._debugger: Debugger | None = None
         self._folder = os.getcwd()  # noqa: PTH109
@@ -136,6 +145,7 @@ class EditorSession:
             raise RefusalError(f"'cwd' cannot be used: {error.strerror}") from None
         debugger = self._open_run(launch.command_line, self.output.write, self.output.say)
         self.launch, self._debugger, self.has_begun = launch, debugger, False
+        self.shell = Shell(debugger)
         self.output.begin(debugger.names)
         self.handles.clear()
         for program in debugger.run.programs:
@@ -153,5 +163,34 @@ class EditorSession:
 
     def close(self) -> None:
         """Forgets the run."""
-        self._debugger = None
+        self._debugger = self.shell = None
         self.handles.clear()
+
+    @contextmanager
+    def interruptible(self, *, by_all: bool) -> Iterator[None]:
+        """Lets a request that comes in interrupt what runs in the block.
+
+        Args:
+            by_all: whether every request does; else only those that want the programs to stop.
+        """
+        debugger = self.opened()
+
+        def interrupt(request: Request | None) -> None:
+            if request is None or by_all or request.command in ENDING:
+                debugger.interrupt()
+
+        with self._inbox.watched(interrupt):
+            yield
+        debugger.run.interrupted = False  # by what came when it had stopped
+
+    def tell_changed(self) -> None:
+        """Tells that whatever the client knows of the programs may be another now."""
+        if self.client.flag("supportsInvalidatedEvent", default=False):
+            self.connection.event("invalidated", {"areas": ["all"]})
+
+    def tell_written(self, reference: str, count: int) -> None:
+        """Tells that bytes of a program's memory are others now."""
+        if self.client.flag("supportsMemoryEvent", default=False):
+            where = {"memoryReference": reference, "offset": 0, "count": count}
+            self.connection.event("memory", where)
+        self.tell_changed()

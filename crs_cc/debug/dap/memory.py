@@ -1,0 +1,70 @@
+"""Requests for bytes of a program's memory. An address is told together with the robot."""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import re
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.dap.arguments import RefusalError
+
+if TYPE_CHECKING:
+    from crs_cc.debug.dap.arguments import Arguments
+    from crs_cc.debug.dap.framing import Message
+    from crs_cc.debug.dap.session import EditorSession
+
+_REFERENCE: Final = re.compile(r"(\d{1,9}):0x([0-9a-f]{1,8})")
+_MOST_READ: Final = 2**20  # bytes in one answer; chosen by us
+_MOST_WRITTEN: Final = 128  # bytes at once, as each is a part of one expression; chosen by us
+
+
+def reference_of(robot: int, address: int) -> str:
+    """Gives what a client calls an address.
+
+    >>> reference_of(1, 4096)
+    '1:0x1000'
+    """
+    return f"{robot}:{address:#x}"
+
+
+def _address(session: EditorSession, arguments: Arguments) -> tuple[int, int]:
+    """Gives the robot and the address that a request means.
+
+    Raises:
+        RefusalError: it means none.
+    """
+    found = _REFERENCE.fullmatch(arguments.text("memoryReference"))
+    if found is None or int(found[1]) >= len(session.opened().names):
+        raise RefusalError("'memoryReference' is none that was given out")
+    return int(found[1]), int(found[2], 16) + arguments.integer("offset", 0)
+
+
+def read_memory(session: EditorSession, arguments: Arguments) -> Message:
+    """Gives bytes, as many as there are."""
+    robot, address = _address(session, arguments)
+    count = arguments.natural("count")
+    memory = session.standing().session.fleet.memory(robot)
+    if not 0 <= address < len(memory):
+        return {"address": f"{max(address, 0):#x}", "unreadableBytes": count}
+    content = memory[address : address + min(count, _MOST_READ)].tobytes()
+    body: Message = {"address": f"{address:#x}", "data": base64.b64encode(content).decode()}
+    if len(content) < count:
+        body["unreadableBytes"] = count - len(content)
+    return body
+
+
+def write_memory(session: EditorSession, arguments: Arguments) -> Message:
+    """Changes bytes that C may change; from there on the run is another."""
+    robot, address = _address(session, arguments)
+    try:
+        content = base64.b64decode(arguments.text("data"), validate=True)
+    except (binascii.Error, ValueError):
+        raise RefusalError("'data' is not in base64") from None
+    if len(content) > _MOST_WRITTEN:
+        raise RefusalError(f"more than {_MOST_WRITTEN} bytes cannot be written at once")
+    if content and address >= 0:
+        parts = (f"((unsigned char *){address}u)[{n}] = {byte}" for n, byte in enumerate(content))
+        session.standing().evaluate(", ".join(parts), robot=robot)
+        session.tell_written(reference_of(robot, address), len(content))
+    return {"bytesWritten": len(content)}
