@@ -15,7 +15,9 @@ from typing import TYPE_CHECKING, Any, Final
 from crs_cc.debug.aims import Aim, BackAim, Spot, ToCaller, ToLine, ToStatement
 from crs_cc.debug.branches import Branch, Branches, Checkpoint
 from crs_cc.debug.breakpoints import Breakpoint, Breakpoints, Hit, Kind
+from crs_cc.debug.comparison import Difference, differences, facts
 from crs_cc.debug.console import Console
+from crs_cc.debug.edits import edit
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.happenings import checked_kind
 from crs_cc.debug.history import History
@@ -278,6 +280,19 @@ class Debugger(View):
             self._changed()
         return found.value
 
+    def edit_world(self, text: str) -> str:
+        """Changes the world, so that the run is another from here; gives what was done, in words.
+
+        Args:
+            text: what to do, see `edits.EDITS`.
+
+        Raises:
+            DebugError: it means nothing, or cannot be done; then nothing has changed.
+        """
+        done = edit(self.session.environment, text)
+        self._changed()
+        return done
+
     def _changed(self) -> None:
         """Lets the run go on from here as another one."""
         self.run.changed()
@@ -313,6 +328,28 @@ class Debugger(View):
         """
         self.branches.switch(name)
         return self._arrive(self._traveller.stop("goto"))
+
+    def compare(self, name: str) -> list[Difference]:
+        """Compares this branch with another one, at the start of this timestep in both.
+
+        The other one runs on if it has not come so far.
+
+        Raises:
+            DebugError: there is no such one.
+        """
+        own, here = self.branches.current.name, self.position
+        self.goto_timestep(here.timestep)
+        facts_here = facts(self)
+        try:
+            self.branches.switch(name)
+            there = self.position
+            self.goto_timestep(here.timestep)
+            facts_there = facts(self)
+            self.run.seek(there)
+        finally:
+            self.branches.switch(own)
+            self.goto(here)
+        return differences(facts_here, facts_there)
 
     # -- breakpoints ---------------------------------------------------------------------------
 

@@ -86,3 +86,56 @@ def test_checkpoints_are_gone_back_to_unless_a_change_has_undone_them(counting: 
     counting.evaluate("i = 4")
     with pytest.raises(DebugError):
         counting.restart(2)
+
+
+DRIVE = """\
+#include "Nclient.h"
+int speed = 50;
+int main(void)
+{
+    int i;
+    connect_robot(1, MODEL_SCOUT, "", 38400);
+    for (i = 0; i < 100; i++)
+        scout_vm(speed, 0);
+    return 0;
+}
+"""
+
+
+def test_branches_are_compared_at_the_same_instant(tmp_path: Path) -> None:
+    debugger = debugger_of(DRIVE, folder=tmp_path)
+    debugger.add_breakpoint("8")
+    debugger.resume()
+    debugger.enable(1, on=False)
+    debugger.branch("fast")
+    assert debugger.compare("main") == []
+    debugger.evaluate("speed = 100")
+    debugger.goto_time(1.0)
+    here = debugger.position
+    found = {each.name: (each.here, each.there) for each in debugger.compare("main")}
+    assert found["speed"] == ("100", "50")
+    assert "true pose" in found or "pose" in found
+    assert debugger.position == here
+    assert debugger.branches.current.name == "fast"
+    with pytest.raises(DebugError):
+        debugger.compare("slow")
+    assert debugger.position == here
+
+
+def east_m(debugger: Debugger) -> float:
+    return float(debugger.session.environment.state.x_m[0])
+
+
+def test_an_edit_of_the_world_is_part_of_the_run(tmp_path: Path) -> None:
+    debugger = debugger_of(DRIVE, folder=tmp_path)
+    debugger.goto_time(1.0)
+    assert "robot0 is at 1.000, 2.000 m" in debugger.edit_world("move robot0 to 1 2")
+    debugger.tick(5)
+    x_m = east_m(debugger)
+    assert 1.0 < x_m < 2.0
+    debugger.goto_time(0.75)
+    assert 0.0 < east_m(debugger) < 0.5
+    debugger.goto_time(1.25)
+    assert east_m(debugger) == x_m
+    with pytest.raises(DebugError):
+        debugger.edit_world("move robot9 to 1 2")

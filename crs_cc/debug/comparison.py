@@ -1,0 +1,70 @@
+"""What differs between two branches at the same instant.
+
+Both are taken to the start of the same timestep; there all that screens show of each robot, its
+program's global variables, and how much it has written are laid side by side.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from crs_cc.debug.robot_rows import robot_rows
+
+if TYPE_CHECKING:
+    from crs_cc.debug.rows import Row
+    from crs_cc.debug.view import View
+
+Facts = dict[tuple[str, str], str]
+"""What is so, by robot and by what it is about."""
+
+
+@dataclass(frozen=True, slots=True)
+class Difference:
+    """Something that is otherwise in another branch.
+
+    Attributes:
+        robot: the robot's name.
+        name: what it is about.
+        here: how it is in this branch; empty where there is no such thing.
+        there: how it is in the other one.
+    """
+
+    robot: str
+    name: str
+    here: str
+    there: str
+
+
+def facts(view: View) -> Facts:
+    """Gives what is so where the run stands."""
+    found = {}
+    for number, robot in enumerate(view.names):
+        for name, text in _of_robot(view, number):
+            found[robot, name] = text
+    return found
+
+
+def _of_robot(view: View, robot: int) -> Iterator[tuple[str, str]]:
+    yield from _flat(robot_rows(view.session, robot), "")
+    for variable in view.globals_(robot=robot):
+        yield variable.name, variable.value.text
+    yield "bytes written", f"{len(view.run.console.text(robot)):,}"
+
+
+def _flat(rows: Sequence[Row], above: str) -> Iterator[tuple[str, str]]:
+    for row in rows:
+        name = f"{above} {row.name}".strip()
+        yield name, row.text
+        yield from _flat(row.children, name)
+
+
+def differences(here: Facts, there: Facts) -> list[Difference]:
+    """Gives what is not the same, in the order of this branch."""
+    keys = dict.fromkeys([*here, *there])
+    return [
+        Difference(robot, name, here.get((robot, name), ""), there.get((robot, name), ""))
+        for robot, name in keys
+        if here.get((robot, name)) != there.get((robot, name))
+    ]
