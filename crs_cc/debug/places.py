@@ -1,7 +1,8 @@
 """Where a program can stop, in the words of a user: a line, a function, a call of the robot.
 
 A line without code stands for the next one that has some. A line or a function stops before its
-first statement; a function of the robot (`ws`, `get_sn`) when its request is posted.
+first statement; a function of the robot (`ws`, `get_sn`) when its request is posted; another one of
+the library before each statement that calls it.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.debug.calls import calling
 from crs_cc.debug.errors import DebugError
 from crs_cc.ir.names import plain_name
 from crs_cc.requests import CODES
@@ -42,7 +44,7 @@ class Place:
     Attributes:
         statements: by robot, the numbers of the statements before which it stops.
         codes: the requests that it stops behind, when it is a function of the robot.
-        location: the place in the source; None for a function of the robot.
+        location: the place in the source; None for a function of the library.
         function: the name of the function.
         note: what the user should know: that it is not where he said.
     """
@@ -75,7 +77,7 @@ def find_place(
     sites = {robot: _sites(programs[robot]) for robot in robots}
     if match["line"]:
         return _line(sites, file or here, int(match["line"]))
-    return _function(sites, file, match["function"])
+    return _function(sites, file, match["function"], programs)
 
 
 _Sites = Mapping[int, Sequence["StatementSite"]]
@@ -120,7 +122,9 @@ def _firsts(sites: Sequence[StatementSite], numbers: Sequence[int]) -> frozenset
     return frozenset(first.values())
 
 
-def _function(sites: _Sites, file: str | None, name: str) -> Place:
+def _function(
+    sites: _Sites, file: str | None, name: str, programs: Sequence[DebugProgram]
+) -> Place:
     statements, location = {}, None
     for robot, rows in sites.items():
         numbers = [
@@ -136,6 +140,11 @@ def _function(sites: _Sites, file: str | None, name: str) -> Place:
         return Place(statements, frozenset(), location, name)
     if name in POSTS and file is None:
         return Place({}, POSTS[name], None, name)
+    calls = {robot: calling(programs[robot], name) for robot in sites}
+    if file is None and any(calls.values()):
+        return Place(
+            calls, frozenset(), None, name, f"stops before each statement that calls '{name}'"
+        )
     names = sorted({plain_name(site.function) for rows in sites.values() for site in rows})
     raise DebugError(unknown("function with code", name, names))
 

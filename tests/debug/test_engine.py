@@ -178,3 +178,14 @@ def test_looking_changes_nothing(loop: Debugger) -> None:
     assert loop.look_up("total").number == 0
     loop.evaluate("total = 3")
     assert loop.look_up("total").number == 3
+
+
+def test_a_function_of_the_library_stops_before_the_statements_that_call_it(
+    loop: Debugger,
+) -> None:
+    point = loop.add_breakpoint("printf")
+    assert loop.resume().breakpoints == (point.number,)
+    assert line(loop) == 14
+    assert [loop.resume().reason for _ in range(3)] == ["breakpoint", "breakpoint", "end"]
+    with pytest.raises(DebugError):
+        loop.add_breakpoint("scanf")

@@ -1,0 +1,50 @@
+"""Which statements call a function: where a program stops for one of the C library's.
+
+Such a function has no statements of the user's, so a breakpoint on it stops before each statement
+that calls it by its name, whether the call comes to be made or not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from crs_cc.debug.program import DebugProgram
+from crs_cc.ir.names import in_library
+from crs_cc.ir.program import Block, Call, Function, Statement
+from crs_cc.source import Location
+
+
+def calling(program: DebugProgram, name: str) -> frozenset[int]:
+    """Gives the numbers of the user's statements that call a function by its name."""
+    detail = program.executable.detail()
+    sites = {
+        (site.function, site.location): number
+        for number, site in enumerate(detail.compiled.statements)
+    }
+    return frozenset(
+        sites[function.name, place]
+        for function in detail.program.functions.values()
+        if not in_library(function.location)
+        for place in _places(function, name)
+        if (function.name, place) in sites
+    )
+
+
+def _places(function: Function, name: str) -> Iterator[Location]:
+    """Gives the places of a function's statements that call another one."""
+    entry = function.blocks[0]
+    begun: dict[Block, Location | None] = {entry: None}
+    waiting = [entry]
+    while waiting:
+        block = waiting.pop()
+        place = begun[block]
+        for instruction in block.instructions:
+            if isinstance(instruction, Statement):
+                place = instruction.location
+        end = block.terminator
+        if isinstance(end, Call) and end.callee == name and place is not None:
+            yield place
+        for follower in block.successors():
+            if follower not in begun:
+                begun[follower] = place
+                waiting.append(follower)
