@@ -45,19 +45,24 @@ _VALUES: Final = (
     "bias", "gain", "noise", "step", "stuck", "delay", "dropouts", "onset", "duration", "recovery",
 )  # fmt: skip
 
+FAULTS: Final = (*_VALUES, "dead", "for")
+"""The words that say what is wrong with a device, and when."""
+
 
 @dataclass(frozen=True, slots=True)
 class Edit:
     """A kind of change.
 
     Attributes:
-        usage: how it is written, what may be left out in brackets.
-        meaning: what it does, for people.
+        syntax: the words behind its name, those that may be left out in brackets.
+        summary: what it does, in a line.
+        text: what else there is to say.
         do: does it with the words behind its name; gives what it did, in a sentence.
     """
 
-    usage: str
-    meaning: str
+    syntax: str
+    summary: str
+    text: str
     do: Callable[[Environment, Words], str]
 
 
@@ -86,11 +91,11 @@ def edit(environment: Environment, text: str) -> str:
 
 
 def _choice() -> str:
-    return "; ".join(each.usage for each in EDITS.values())
+    return f"write {', '.join(EDITS)}"
 
 
 def _wrong_words(name: str) -> ValueError:
-    return ValueError(f"write {EDITS[name].usage}")
+    return ValueError(f"write {name} {EDITS[name].syntax}")
 
 
 # -- who stands where ------------------------------------------------------------------------------
@@ -170,14 +175,13 @@ def _degrade(environment: Environment, words: Words) -> str:
 
 def _faults(words: Words) -> dict[str, str]:
     """Gives the attributes of a `<degradation>` that words stand for."""
-    known = (*_VALUES, "dead", "for")
     attributes: dict[str, str] = {}
     left = list(words)
     while left:
         word = left.pop(0)
-        if word not in known:
-            raise ValueError(unknown("fault", word, known))
-        has_value = bool(left) and left[0] not in known
+        if word not in FAULTS:
+            raise ValueError(unknown("fault", word, FAULTS))
+        has_value = bool(left) and left[0] not in FAULTS
         if word in _FLAGS and not has_value:
             attributes[word] = _FLAGS[word]
         elif word == "dead" or not has_value:
@@ -298,42 +302,50 @@ def _way_text(way: dict[str, str]) -> str:
 
 EDITS: Final = {
     "move": Edit(
-        "move NAME to X Y [HEADING]",
-        "carries a robot, or a thing that can be pushed, to a place that is free, by hand: a"
-        " robot's odometry does not hear of it, its motors go on, what it holds stays behind",
+        "NAME to X Y [HEADING]",
+        "Carry a robot, or what can be pushed, to a free place.",
+        "It is done as by hand: a robot's odometry does not hear of it, its motors go on, and what"
+        " it holds stays behind. X and Y are in metres, HEADING in degrees, counter-clockwise from"
+        " x; all may have units.",
         _move,
     ),
-    "turn": Edit("turn NAME to HEADING", "turns it on the spot, by hand", _turn),
+    "turn": Edit(
+        "NAME to HEADING", "Turn a robot, or what can be pushed, on the spot.", "As by hand.", _turn
+    ),
     "remove": Edit(
-        "remove NAME",
-        "takes a thing out of the world at once; a robot leaves at the end of the timestep, its"
-        " program ends",
+        "NAME",
+        "Take a thing, or a robot, out of the world.",
+        "A thing is gone at once; a robot leaves at the end of the timestep, and its program ends.",
         _remove,
     ),
     "degrade": Edit(
-        "degrade ROBOT DEVICE[.ELEMENT] FAULT ...",
-        "lets a device be wrong, in the words of world files: dead, stuck [VALUE], bias VALUE,"
-        " gain VALUE, noise VALUE, step VALUE, delay TIME, dropouts SHARE; and onset TIME, for"
-        " TIME, recovery TIME",
+        "ROBOT DEVICE[.ELEMENT] FAULT...",
+        "Let a device of a robot be wrong: degrade robot0 sonar.3 dead.",
+        "Faults and units are those of world files: dead, stuck [VALUE], bias VALUE, gain VALUE,"
+        " noise VALUE, step VALUE, delay TIME, dropouts SHARE; when: onset TIME, for TIME, recovery"
+        " TIME.",
         _degrade,
     ),
     "heal": Edit(
-        "heal ROBOT [DEVICE[.ELEMENT]]",
-        "takes what is wrong away: all of a robot, of a device, of an element; or one by its name",
+        "ROBOT [DEVICE[.ELEMENT]]",
+        "Take away what is wrong with a robot, or with one of its devices.",
+        "Or one degradation, by its name.",
         _heal,
     ),
     "charge": Edit(
-        "charge ROBOT PERCENT", "lets so much be left in the battery of its motors", _charge
+        "ROBOT PERCENT", "Let so much be left in the battery of a robot's motors.", "", _charge
     ),
-    "heat": Edit("heat NAME HEAT", "lets a robot or a thing be so hot", _heat),
+    "heat": Edit("NAME HEAT", "Let a robot or a thing be so hot.", "", _heat),
     "shut": Edit(
-        "shut [CHANNEL] [from ROBOT] [to ROBOT]",
-        "lets no messages pass that begin there from now on; shut all is everything",
+        "[CHANNEL] [from ROBOT] [to ROBOT]",
+        "Let no messages pass that begin there from now on.",
+        "shut all is every way.",
         _shut,
     ),
     "open": Edit(
-        "open [CHANNEL] [from ROBOT] [to ROBOT]",
-        "opens a way that was shut in the same words",
+        "[CHANNEL] [from ROBOT] [to ROBOT]",
+        "Open a way of messages that was shut in the same words.",
+        "",
         _open,
     ),
 }

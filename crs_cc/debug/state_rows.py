@@ -16,11 +16,16 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Final, Literal
+from typing import TYPE_CHECKING, Final, Literal
 
+from crs_cc.debug.errors import DebugError
 from crs_cc.debug.rows import Row, angle, length
 from crs_cc.robot_api import STATE
 from crs_cc.units import inch_to_m, tenths_deg_to_rad, tenths_inch_to_m
+
+if TYPE_CHECKING:
+    from crs_cc.debug.view import View
+    from crs_cc.sim.robot_model import RobotModel
 
 Dialect = Literal["nomad", "report"]
 
@@ -104,6 +109,34 @@ def state_rows(
         Row(f"[{each.index}] {each.name}", each.text(value))
         for each, value in zip(fields, values, strict=False)
     ]
+
+
+def told_state(view: View, robot: int) -> list[Row]:
+    """Gives what a robot's program has in its `State[]`; nothing for a program without one.
+
+    What the robot has no device for is left out, unless it is not 0.
+    """
+    try:
+        parts = view.look_up("State", robot=robot).children()
+    except DebugError:
+        return []
+    numbers = [part.number for _, part in parts]
+    values = [int(number) if number is not None else 0 for number in numbers]
+    model = view.session.environment.world.robots[robot].model
+    dialect, synchro = view.run.programs[robot].options.dialect, model.drive.steering is not None
+    missing = [name for name, device in _devices(model).items() if not device]
+    rows = zip(state_rows(values, dialect, synchro=synchro), values, strict=False)
+    return [row for row, value in rows if value or not any(name in row.name for name in missing)]
+
+
+def _devices(model: RobotModel) -> dict[str, object]:
+    """Gives what some robots do not have, by a part of the names of its numbers."""
+    return {
+        "STATE_IR_": model.infrared,
+        "_TURRET": model.drive.turret,
+        "STATE_LASER": model.laser,
+        "STATE_COMPASS": model.compass,
+    }
 
 
 def _fields() -> Iterator[StateField]:

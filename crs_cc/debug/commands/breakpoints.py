@@ -17,6 +17,7 @@ from crs_cc.debug.commands.arguments import (
 from crs_cc.debug.commands.command import Answer, Command, Group
 from crs_cc.debug.commands.log_text import log_text
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.happenings import KINDS
 
 if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell
@@ -174,6 +175,13 @@ _PLACES: Final = (
 )
 _NUMBERS: Final = "N is a number, or a range such as 2-4; without one, all."
 
+
+def _kinds() -> str:
+    """Gives the kinds of happenings that can be caught, each with its meaning."""
+    *first, last = (f"{kind} ({meaning})" for kind, meaning in KINDS.items())
+    return f"{', '.join(first)} or {last}"
+
+
 BREAKPOINTS: Final = Group(
     "breakpoints",
     "Where and when to stop, going forward or backward.",
@@ -188,7 +196,7 @@ BREAKPOINTS: Final = Group(
         ),
         Command(
             "catch", "WHAT [robot NAME]", "Stop when something happens to a program or a robot.",
-            _catch, completes="catch",
+            _catch, text=f"WHAT is exit (a program ended) or {_kinds()}.", completes="catch",
         ),
         Command(
             "dprintf", 'PLACE,"FORMAT",EXPRESSION...', "Print there, and do not stop.", _dprintf,

@@ -12,8 +12,10 @@ from typing import TYPE_CHECKING, Final
 from crs_cc.debug.commands.command import Completes
 from crs_cc.debug.commands.stack import functions
 from crs_cc.debug.commands.table import find, matching
+from crs_cc.debug.edits import FAULTS
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.happenings import KINDS
+from crs_cc.sim.degradation.model import DEVICES
 
 if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell
@@ -105,6 +107,11 @@ def _branches(shell: Shell, _word: str) -> Iterable[str]:
     return shell.debugger.branches.names()
 
 
+def _edits(shell: Shell, _word: str) -> Iterable[str]:
+    """Gives what changes of the world are about: names, devices and faults."""
+    return (*shell.debugger.session.environment.names, *DEVICES, *FAULTS, "to", "from", "all")
+
+
 _ARGUMENTS: Final[dict[Completes, Callable[[Shell, str], Iterable[str]]]] = {
     "command": _commands,
     "place": _places,
@@ -116,5 +123,5 @@ _ARGUMENTS: Final[dict[Completes, Callable[[Shell, str], Iterable[str]]]] = {
     "catch": _catches,
     "checkpoint": _checkpoints,
     "branch": _branches,
-    "edit": _robots,
+    "edit": _edits,
 }

@@ -17,6 +17,7 @@ from crs_cc.debug.commands.branches import BRANCHES
 from crs_cc.debug.commands.breakpoints import BREAKPOINTS
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.data import DATA
+from crs_cc.debug.commands.edits import CHANGES
 from crs_cc.debug.commands.moving import MOVING
 from crs_cc.debug.commands.scripts import SCRIPTS
 from crs_cc.debug.commands.stack import STACK
@@ -25,7 +26,7 @@ from crs_cc.debug.commands.world import WORLD
 from crs_cc.debug.errors import DebugError
 
 GROUPS: Final[tuple[Group, ...]] = (
-    MOVING, BREAKPOINTS, DATA, STACK, WORLD, BRANCHES, SCRIPTS, WORDS,
+    MOVING, BREAKPOINTS, DATA, STACK, WORLD, CHANGES, BRANCHES, SCRIPTS, WORDS,
 )  # fmt: skip
 
 COMMANDS: Final[tuple[Command, ...]] = tuple(each for group in GROUPS for each in group.commands)

@@ -6,12 +6,20 @@ from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.commands.arguments import demand_none, take_count, take_robot
 from crs_cc.debug.commands.command import Answer, Command, Group
+from crs_cc.debug.errors import DebugError
 from crs_cc.debug.robot_rows import HEADINGS, robot_rows, summary
 from crs_cc.debug.rows import lines
+from crs_cc.debug.state_rows import told_state
 from crs_cc.debug.world_rows import world_rows
+from crs_cc.sim.quantity import LENGTH
 
 if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell
+
+_COLUMNS: Final = 78
+_ROWS: Final = 24
+_AROUND_M: Final = 6.0
+"""The size of a map, which is the same on every terminal, as scripts have it; chosen by us."""
 
 
 def _robots(shell: Shell, text: str) -> Answer:
@@ -43,6 +51,47 @@ def _info_world(shell: Shell, text: str) -> Answer:
     yield from lines(world_rows(shell.debugger.session.environment))
 
 
+def _info_state(shell: Shell, text: str) -> Answer:
+    debugger = shell.debugger
+    robot = take_robot(text, debugger.names) if text else debugger.robot
+    rows = told_state(debugger, robot)
+    if not rows:
+        raise DebugError(f"the program of {debugger.names[robot]} has no State[]")
+    yield from lines(rows)
+
+
+def _map(shell: Shell, text: str) -> Answer:
+    from crs_cc.debug.chart import Chart, View  # what draws needs more than most commands
+
+    debugger, words = shell.debugger, text.split()
+    environment, timestep = debugger.session.environment, debugger.position.timestep
+    across_m = _across_m(words.pop()) if len(words) > 1 else _AROUND_M
+    robot = take_robot(" ".join(words), debugger.names) if words else debugger.robot
+    paths = debugger.run.chronicle.paths(timestep)
+    view = View.whole(environment, _COLUMNS, _ROWS, paths)
+    if words:
+        view = View.around(environment, robot, _COLUMNS, _ROWS, across_m)
+    chart = Chart(environment, view, robot=robot if words else -1, paths=paths)
+    rows = ["".join(piece for piece, _ in row).rstrip() for row in chart.pieces]
+    drawn = [number for number, row in enumerate(rows) if row]
+    yield from rows[drawn[0] : drawn[-1] + 1] if drawn else ()
+
+
+def _across_m(text: str) -> float:
+    """Gives how much of a world is to be seen.
+
+    Raises:
+        DebugError: it is no length.
+    """
+    try:
+        across_m = LENGTH.parse(text)
+    except ValueError as wrong:
+        raise DebugError(str(wrong)) from None
+    if not across_m > 0.0:
+        raise DebugError("what is to be seen must be longer than 0")
+    return across_m
+
+
 def _output(shell: Shell, text: str) -> Answer:
     debugger, words = shell.debugger, text.split()
     most = take_count(words.pop()) if words and words[-1].isdigit() else 0
@@ -69,8 +118,19 @@ WORLD: Final = Group(
             "info robot", "[NAME]", "Tell about a robot: its pose, its sensors, its command.",
             _info_robot, completes="robot",
         ),
+        Command(
+            "info state", "[NAME]",
+            "Show what a robot's program has in State[], by names and in units.",
+            _info_state, ("info State",), completes="robot",
+        ),
         Command("info world", "", "Tell about the world: its time, and what is in it.",
                 _info_world),
+        Command(
+            "map", "[NAME [METRES]]", "Draw the world, or what is around a robot.", _map,
+            text="Around a robot, what its sonars heard last is drawn too; METRES is how much is"
+            " seen, from the top to the bottom.",
+            completes="robot",
+        ),
         Command(
             "output", "[ROBOT] [LINES]", "Show what the programs have written up to here.",
             _output, completes="robot",

@@ -1,0 +1,29 @@
+"""Commands that change the world: those of `debug.edits`."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.commands.command import Answer, Command, Group
+from crs_cc.debug.edits import EDITS
+
+if TYPE_CHECKING:
+    from crs_cc.debug.commands.shell import Shell
+
+
+def _change(shell: Shell, text: str, *, name: str) -> Answer:
+    yield f"{shell.debugger.edit_world(f'{name} {text}')}."
+
+
+CHANGES: Final = Group(
+    "changes",
+    "Changes of the world, which let the run go on as another one.",
+    tuple(
+        Command(
+            name, each.syntax, each.summary, partial(_change, name=name),
+            text=each.text, completes="edit",
+        )
+        for name, each in EDITS.items()
+    ),
+)  # fmt: skip
