@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import functools
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
@@ -18,7 +19,10 @@ Examples:
   crs debug wander.c room.xml -- 500
   crs debug --batch -x crash.dbg wander.c room.xml
   crs debug -ex "break turn if speed > 100" -ex continue wander.c room.xml
+  crs debug --dap stdio                          for an editor, see docs/editors.md
 """
+
+_PORTS: Final = 65536
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,12 +34,21 @@ class DebugOptions(ProgramOptions):
         commands: commands that are done behind them.
         batch: end when these are done.
         input: what the programs read from their standard input; None for what is typed.
+        dap: serve an editor instead: `stdio`, or the number of a port.
     """
 
     scripts: tuple[Path, ...] = ()
     commands: tuple[str, ...] = ()
     batch: bool = False
     input: Path | None = None
+    dap: str | None = None
+
+
+def _dap(_ctx: click.Context, _option: click.Parameter, where: str | None) -> str | None:
+    is_number = where is not None and where.isascii() and where.isdigit() and len(where) < 6
+    if where is None or where == "stdio" or (is_number and int(where) < _PORTS):
+        return where
+    raise click.BadParameter(f"'{where}' is neither stdio nor the number of a port.")
 
 
 _OPTIONS: Final = (
@@ -57,6 +70,11 @@ _OPTIONS: Final = (
         type=click.Path(exists=True, dir_okay=False, path_type=Path),
         help="What the programs read from their standard input; by default what is typed, and "
         "with --batch our own standard input.",
+    ),
+    click.option(
+        "--dap", metavar="stdio|PORT", callback=_dap,
+        help="Serve an editor by the Debug Adapter Protocol, on our standard streams or on a port "
+        "of this computer; 0 is any free one.",
     ),
     click.option("-q", "--quiet", is_flag=True, help="Leave out the compiler's warnings."),
 )  # fmt: skip
@@ -85,8 +103,30 @@ def debug(**options: Any) -> int:
     help lists them.
     """
     wanted = DebugOptions(**options)
+    if wanted.dap is not None:
+        from crs_cc.cli.editor import serve_editor
+
+        return serve_editor(wanted.dap, read_options)
     if not wanted.inputs.sources and wanted.inputs.world is None:
         raise click.UsageError("name a C file to debug.")
     from crs_cc.cli.debugging import debug_programs
 
     return debug_programs(wanted)
+
+
+def read_options(arguments: Sequence[str]) -> DebugOptions:
+    """Gives what a command line of `crs debug` says.
+
+    Raises:
+        click.ClickException: it is wrong.
+    """
+    options = _reader().main(list(arguments), prog_name="crs debug", standalone_mode=False)
+    assert isinstance(options, DebugOptions)
+    return options
+
+
+@functools.cache
+def _reader() -> click.Command:
+    """Gives a command that does nothing but to read its options."""
+    command = click.command(cls=WithProgramArguments, add_help_option=False)
+    return command(_debug_options(DebugOptions))

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, BinaryIO
+from typing import TYPE_CHECKING
 
 from crs_cc.cli.keep import keep
 from crs_cc.cli.load import load
@@ -43,7 +43,7 @@ def debug_programs(options: DebugOptions) -> int:
     names = [robot.id for robot in loaded.world.robots]
     terminal = Terminal(sys.stdout.buffer, names, is_coloured=is_coloured(sys.stdout))
     keyboard = Keyboard(terminal)
-    debugger = _debugger(loaded, options, terminal.program, _input(options, keyboard))
+    debugger = make_debugger(loaded, options, terminal.program, _input(options, keyboard))
     scripts = Scripts(options.scripts, options.commands)
     failed = Repl(debugger, terminal, keyboard).run(scripts, batch=options.batch)
     _keep_files(debugger, options)
@@ -53,14 +53,19 @@ def debug_programs(options: DebugOptions) -> int:
 def _input(options: DebugOptions, keyboard: Keyboard) -> Input:
     """Gives what the programs read: never a script of ours."""
     if options.input is not None:
-        return _lines(io.BytesIO(options.input.read_bytes()))
+        return file_input(options.input)
     if keyboard.is_typed or options.batch:
         return keyboard.read
     return no_input  # commands come from there
 
 
-def _lines(stream: BinaryIO) -> Input:
-    """Gives the lines of a stream in as large pieces as programs want them."""
+def file_input(path: Path) -> Input:
+    """Gives the lines of a file in as large pieces as programs want them.
+
+    Raises:
+        OSError: it cannot be read.
+    """
+    stream = io.BytesIO(path.read_bytes())
     return lambda _robot, wanted: stream.readline(wanted)
 
 
@@ -81,7 +86,15 @@ def _load(options: DebugOptions) -> Loaded:
     return loaded
 
 
-def _debugger(loaded: Loaded, options: DebugOptions, output: Output, read: Input) -> Debugger:
+def make_debugger(loaded: Loaded, options: DebugOptions, output: Output, read: Input) -> Debugger:
+    """Gives a debugger of what has been loaded.
+
+    Args:
+        loaded: the world and the programs, in their debug builds.
+        options: how to run them.
+        output: takes what they write.
+        read: gives what they read.
+    """
     return Debugger(
         loaded.world,
         _programs(loaded, options),

@@ -86,9 +86,7 @@ ATTRIBUTES: Final = (
         "Files that the programs can read, each as `FILE` or `NAME=FILE`.",
         "--file",
     ),
-    Attribute(
-        "outputs", "string", "The folder that takes the files that the programs write.", "--files"
-    ),
+    Attribute("input", "string", "The file that the programs read as standard input.", "--input"),
     Attribute("include", "array", "Folders in which `#include` looks.", "--include"),
     Attribute("define", "array", "Macros, each as `NAME` or `NAME=VALUE`.", "--define"),
     Attribute("undefine", "array", "Macros that are not to be defined.", "--undefine"),

@@ -1,0 +1,58 @@
+"""`crs debug --dap`: an editor says what to debug, and gets a debugger of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+import click
+
+from crs_cc.cli.debugging import file_input, make_debugger
+from crs_cc.cli.load import load
+from crs_cc.cli.messages import WARNINGS_BEFORE_RUN, render, say
+from crs_cc.debug.dap.serve import serve_port, serve_stdio
+from crs_cc.debug.errors import DebugError
+from crs_cc.session.host import no_input
+from crs_cc.source import Diagnostics
+
+if TYPE_CHECKING:
+    from crs_cc.cli.debug import DebugOptions
+    from crs_cc.debug.engine import Debugger
+    from crs_cc.session.host import Output
+
+
+def serve_editor(where: str, read: Callable[[Sequence[str]], DebugOptions]) -> int:
+    """Serves an editor, and gives the exit status.
+
+    Args:
+        where: `stdio`, or the number of a port, on which one editor after the other is served.
+        read: reads a command line of `crs debug`.
+
+    Raises:
+        OSError: the port is taken.
+    """
+
+    def open_run(line: Sequence[str], output: Output, tell: Callable[[str], None]) -> Debugger:
+        try:
+            return _open(read(line), output, tell)
+        except click.ClickException as error:
+            raise DebugError(error.format_message()) from None
+
+    if where == "stdio":
+        serve_stdio(open_run)
+    else:
+        serve_port(int(where), open_run, say)
+    return 0
+
+
+def _open(options: DebugOptions, output: Output, tell: Callable[[str], None]) -> Debugger:
+    diagnostics = Diagnostics()
+    loaded = load(options, diagnostics, debug=True)
+    messages = diagnostics.messages
+    for message in messages[:WARNINGS_BEFORE_RUN]:
+        tell(render(message, coloured=False))
+    if len(messages) > WARNINGS_BEFORE_RUN:
+        left_out = len(messages) - WARNINGS_BEFORE_RUN
+        tell(f"... and {left_out} more warnings; crs check shows them all")
+    given = no_input if options.input is None else file_input(options.input)
+    return make_debugger(loaded, options, output, given)
