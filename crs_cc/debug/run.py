@@ -155,10 +155,12 @@ class Run:
         return self.session.environment.world.robots[robot].id
 
     def time_s(self, robot: int = -1) -> float:
-        """Gives a program's clock [s]; the world's when it does not run, or waits."""
+        """Gives a program's clock [s], for ever that of its end; the world's while it waits."""
         session = self.session
-        if robot < 0 or not session.alive[robot]:
+        if robot < 0:
             return session.time_s
+        if not session.alive[robot]:
+            return session.robot_result(robot).time_s
         now_s = session.now_s(robot)
         return now_s if math.isfinite(now_s) else session.time_s
 

@@ -86,7 +86,7 @@ def test_steps_show_stack_values_and_where_the_caller_stands(desk: Desk) -> None
     done = press(desk, "up")
     assert (done.look.source.line, done.look.source.innermost) == (12, False)
     done = press(desk, "reverse-next")
-    assert done.look.source.line == 11
+    assert (done.look.source.line, done.look.source.innermost) == (12, True)
 
 
 def test_values_are_unfolded_and_long_ones_in_pieces(desk: Desk) -> None:
