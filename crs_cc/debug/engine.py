@@ -7,9 +7,11 @@ forgotten, what was before it stays.
 
 from __future__ import annotations
 
+import contextlib
 import math
 import re
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Final
 
 from crs_cc.debug.aims import Aim, BackAim, Spot, ToCaller, ToLine, ToStatement
@@ -38,6 +40,8 @@ Move = Callable[[], Stop]
 
 _SLACK_S: Final = 1e-9
 _MOST_STEPS: Final = 1_000_000
+_MOST_LINES: Final = 10
+_RETURN: Final = re.compile(r"return\b\s*([^;]+);")
 _BRACES: Final = re.compile(r"\{([^{}]*)\}")
 
 
@@ -118,7 +122,7 @@ class Debugger(View):
         return self._repeat(count, lambda: self._go(ToStatement(robot)))
 
     def finish(self, *, backward: bool = False) -> Stop:
-        """Goes to where the function has returned, or back to where it was called.
+        """Goes to where the function has returned, and tells what; or back to where it was called.
 
         Raises:
             DebugError: nobody has called it.
@@ -133,7 +137,29 @@ class Debugger(View):
         fp = frame.active.fp
         if backward:
             return self._back(BackAim(robot, functions, lowest_fp=fp + 1, whole_line=False))
-        return self._go(ToCaller(robot, functions, fp))
+        stop = self._go(ToCaller(robot, functions, fp))
+        if stop.reason != "step":
+            return stop
+        value = self._returned(frame)
+        text = f"{frame.function} returned {value}" if value else ""
+        self.stop = replace(stop, text=text)
+        return self.stop
+
+    def _returned(self, frame: Frame) -> str:
+        """Gives what a call that has ended returned, if its last statement tells; else nothing."""
+        here, robot = self.position, self.robot
+        spots = self._traveller.spots_back(robot, frozenset({frame.active.function}))
+        last = next((spot for spot in spots if spot.fp == frame.active.fp), None)
+        value = ""
+        if last is not None:
+            lines = self.source(last.location.file)[last.location.line - 1 :][:_MOST_LINES]
+            match = _RETURN.match(" ".join(lines)[last.location.column - 1 :])
+            if match and self._traveller.to_statement(robot, last.statements):
+                with contextlib.suppress(DebugError):
+                    value = self.evaluator(robot).evaluate(match[1]).value.text
+                    self.evaluator(robot).undo()
+        self.run.seek(here)
+        return value
 
     def until(self) -> Stop:
         """Goes to the next line past calls that stands further down, so out of loops."""

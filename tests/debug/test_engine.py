@@ -76,7 +76,8 @@ def test_finish_goes_to_the_caller_and_back(loop: Debugger) -> None:
     loop.resume()
     before = loop.position
     assert [each.function for each in loop.frames()] == ["twice", "main"]
-    loop.finish()
+    loop.resume()
+    assert loop.finish().text == "twice returned 2"
     assert line(loop) == 14
     loop.goto(before)
     loop.finish(backward=True)
