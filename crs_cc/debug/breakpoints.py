@@ -101,6 +101,13 @@ class Breakpoints:
         places = [each.place for each in self._all.values() if each.concerns(robot)]
         return frozenset().union(*(each.statements.get(robot, ()) for each in places if each))
 
+    def need_world(self) -> bool:
+        """Tells whether any of them waits for what happens in the world."""
+        return any(
+            each.kind == "catchpoint" and each.enabled and each.text != "exit"
+            for each in self._all.values()
+        )
+
     def met(self, run: Run, instant: Instant) -> list[Hit]:
         """Gives the breakpoints that an instant meets, whatever their conditions."""
         match instant.kind:
@@ -135,7 +142,6 @@ class Breakpoints:
                     if any(plain_name(frame.function) == each.place.function for frame in stack):
                         name = run.name(robot)
                         hits.append(Hit(each, robot, f"{name} called '{each.place.function}'"))
-                        break
         return hits + self._at_ends(run, instant.ended)
 
     def _at_ends(self, run: Run, ended: Sequence[int]) -> list[Hit]:

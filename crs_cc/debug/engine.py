@@ -205,7 +205,7 @@ class Debugger(View):
         if timestep < 0:
             raise DebugError("time begins at 0")
         target = Position(timestep, 0)
-        if target <= self.position:
+        if target <= max(self.position, self.run.history.latest()):
             return self.goto(target)
         self._traveller.to_timestep(timestep)
         return self._arrive(self._traveller.stop("goto" if self.position == target else "end"))

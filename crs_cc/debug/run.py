@@ -12,17 +12,19 @@ there; the history keeps it, and running on through that instant means to restor
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Final, Literal
 
 import numpy as np
+import numpy.typing as npt
 
 from crs_cc.debug.chronicle import Chronicle
 from crs_cc.debug.console import Console
 from crs_cc.debug.history import History, Kept
 from crs_cc.debug.position import BEGINNING, Position
-from crs_cc.requests import FAILED
+from crs_cc.debug.tape import Tape
+from crs_cc.requests import CODES, FAILED, SUSPENDED
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 from crs_cc.session.session import Session
 
@@ -31,6 +33,9 @@ if TYPE_CHECKING:
     from crs_cc.runtime.sites import StatementSite
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.step import Step
+
+
+IndexArray = npt.NDArray[np.intp]
 
 
 class InterruptedRunError(Exception):
@@ -84,6 +89,7 @@ class Run:
         console: what the programs wrote and read.
         history: snapshots of it.
         chronicle: what happened in it.
+        tape: what the programs were given in it.
         programs: by robot, its program.
         interrupted: set by whoever wants `advance` to raise `InterruptedRunError`.
     """
@@ -111,6 +117,7 @@ class Run:
         self.console = console
         self.history = history
         self.chronicle = Chronicle()
+        self.tape = Tape()
         self.interrupted = False
         self._step: Step | None = None
         self._marks = Marks()
@@ -204,14 +211,14 @@ class Run:
         Raises:
             InterruptedRunError: the user wants it.
         """
-        if self.interrupted:
-            self.interrupted = False
-            raise InterruptedRunError
+        self._answer_interrupt()
         before = self.position
         edit = self.history.next_edit(before)
         if not self.session.begin_round():
             instant = self._end_cycle()
         else:
+            if before.robot < 0:
+                self.tape.note(before, self.session.pending, self.session.fleet)
             self.session.run_programs()
             if edit is not None and self._has_passed(edit):
                 self.restore(self.history.at(edit))
@@ -227,6 +234,79 @@ class Run:
             self.history.keep(position, self._kept())
         return instant
 
+    def again(
+        self, begin: Position, limit: Position, *, needs_world: bool = False
+    ) -> Iterator[Instant]:
+        """Goes through a piece of the past again, up to an instant.
+
+        As far as it is known what the programs were given, only they run, and the world stays where
+        it is. Whatever is looked at on the way, the run is astray behind it: `seek` comes next.
+
+        Args:
+            begin: where it begins; there is a snapshot.
+            limit: where it ends; programs may run a little further.
+            needs_world: whether the steps of the world are asked for, too.
+
+        Raises:
+            InterruptedRunError: the user wants it.
+        """
+        edit = self.history.next_edit(begin)
+        is_plain = edit is None or edit >= limit
+        if needs_world or not is_plain or not self.tape.knows(begin, limit):
+            self.restore(self.history.at(begin))
+            while self.position < limit:
+                yield self.advance(limit)
+            self._astray = True
+            return
+        self._astray = True
+        self._recall(begin)
+        while self.position < limit:
+            self._answer_interrupt()
+            instant = self._again(limit)
+            if instant is None:
+                return
+            yield instant
+
+    def _recall(self, begin: Position) -> None:
+        """Takes the programs, and nothing else, back to a snapshot."""
+        session = self.session
+        kept = self.history.at(begin).session
+        for robot, program in enumerate(kept.programs):
+            session.fleet.restore(robot, program)
+        session.timesteps, session.rounds, session.halted = begin.timestep, begin.round, kept.halted
+        self._set_slots()
+
+    def _again(self, limit: Position) -> Instant | None:
+        """Lets programs go through one more round, or a piece of it; None at the limit."""
+        session, place = self.session, self.position
+        round_ = self.tape.round_at(place)
+        if place.robot < 0:
+            if place.round == self.tape.rounds_in(place.timestep):
+                session.timesteps, session.rounds = place.timestep + 1, 0
+                return Instant("timestep")
+            assert round_ is not None
+            round_.give(session.fleet)
+        session.run_programs()
+        if self._has_passed(limit) and self.position != limit:
+            return None
+        if session.halted is not None:
+            return _STATEMENT
+        session.rounds += 1
+        assert round_ is not None
+        return self._answered(round_.robots)
+
+    def _answered(self, robots: IndexArray) -> Instant:
+        """Gives what came of a round of which only the programs have run."""
+        slots = self.session.fleet.slots
+        codes = slots["code"][robots]
+        over = (slots["status"][robots] != SUSPENDED) | (codes == CODES["EXIT"])
+        return Instant("round", _posted(robots, codes), tuple(robots[over].tolist()))
+
+    def _answer_interrupt(self) -> None:
+        if self.interrupted:
+            self.interrupted = False
+            raise InterruptedRunError
+
     def _has_passed(self, place: Position) -> bool:
         """Tells in a round that has just run whether a place in the middle of it is behind."""
         session = self.session
@@ -241,15 +321,13 @@ class Run:
         session = self.session
         slots = session.fleet.slots
         ran = np.flatnonzero(session.pending)
-        codes = slots["code"][ran]
-        posted = tuple(
-            (int(robot), int(code)) for robot, code in zip(ran, codes, strict=True) if code
-        )
+        posted = _posted(ran, slots["code"][ran])
         session.end_round()
         ended = ran[~session.alive[ran]]
         return Instant("round", posted, tuple(ended.tolist()))
 
     def _end_cycle(self) -> Instant:
+        self.tape.end(self.session.timesteps, self.session.rounds)
         goes_on = self.session.end_cycle()
         assert self._step is not None
         self.chronicle.hear(self._step, self.session.environment)
@@ -280,12 +358,14 @@ class Run:
         """Takes up another course of events; where in it, is said by `seek`."""
         console.is_live = self.console.is_live
         self.history, self.console, self.chronicle = history, console, chronicle
+        self.tape = Tape()
         self._astray = True
 
     def changed(self) -> None:
         """Takes note that the user has changed something: from here on the run is another."""
         self.console.truncate()
         self.chronicle.forget(self.position.timestep)
+        self.tape.forget(self.position)
         self.history.branch(self.position, self._kept())
 
     def _kept(self) -> Kept:
@@ -318,3 +398,10 @@ class Run:
     def has_failed(self, robot: int) -> bool:
         """Tells whether a program was stopped by an error."""
         return bool(self.session.fleet.slots["status"][robot] == FAILED)
+
+
+def _posted(robots: IndexArray, codes: npt.NDArray[np.int32]) -> tuple[tuple[int, int], ...]:
+    """Gives robots with the codes of the requests that they have posted, if they have."""
+    return tuple(
+        (robot, code) for robot, code in zip(robots.tolist(), codes.tolist(), strict=True) if code
+    )

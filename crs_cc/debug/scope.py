@@ -113,22 +113,24 @@ class Frame:
 
     Attributes:
         sp: its lower end.
-        unset: the registers that surely have no value where the function stands.
+        place: where the function stands: variables that are declared behind it have no values.
+        unset: the registers that surely have none either.
     """
 
     sp: int
+    place: Location
     unset: frozenset[Register] = frozenset()
 
     @classmethod
     def of(cls, stopped: Stopped, active: StackFrame | None) -> Frame:
         """Finds the frame; that of no function has nothing in it."""
         if active is None:
-            return cls(0)
+            return cls(0, Location(""))
         info = stopped.compiled.info(active.function)
         landing = int(stopped.memory[active.fp + RESUME :][:4].view("<u4")[0])
         stands_there = info.landings.get(landing) == active.location  # or else it has failed
         unset = info.unset.get(landing, frozenset()) if stands_there else frozenset()
-        return cls(active.fp - info.frame.size, unset)
+        return cls(active.fp - info.frame.size, active.location, unset)
 
     def address(self, home: Home) -> int:
         """Gives the address of a variable."""
@@ -144,5 +146,5 @@ class Frame:
             return None
         flag = None if home.flag is None else self.sp + home.flag
         variable = home.variable
-        is_unset = home.register in self.unset
+        is_unset = home.register in self.unset or not variable.is_visible(self.place)
         return Saved(variable.name, variable.ctype, self.address(home), flag, is_unset)

@@ -7,6 +7,7 @@ directions stop at the same instants.
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Final
@@ -118,7 +119,8 @@ class Traveller:
             return None
         first = hits[0]
         stop = self.stop(first.breakpoint.kind, first.robot, "; ".join(texts))
-        return replace(stop, breakpoints=tuple(each.breakpoint.number for each in hits))
+        numbers = dict.fromkeys(each.breakpoint.number for each in hits)
+        return replace(stop, breakpoints=tuple(numbers))
 
     def spot(self, robot: int) -> Spot | None:
         """Gives where a program stands that has stopped before a statement."""
@@ -150,7 +152,7 @@ class Traveller:
                 found = self._last(position, limit, start)
                 if found is not None:
                     run.seek(found.position)
-                    return found
+                    return replace(found, time_s=run.time_s(found.robot))
                 limit = position
         except InterruptedRunError:
             run.seek(start)
@@ -161,12 +163,8 @@ class Traveller:
     def _last(self, begin: Position, limit: Position, start: Position) -> Stop | None:
         """Gives the last reason to stop behind one instant, up to another, but before `start`."""
         run, found = self._run, None
-        run.restore(run.history.at(begin))
         run.arm(self._marks(None))
-        while run.position < limit:
-            instant = run.advance(limit)
-            if instant.kind == "limit":
-                break
+        for instant in run.again(begin, limit, needs_world=self._breakpoints.need_world()):
             stop = self._failure(instant) or self._hit(instant, counts=False)
             if stop is not None and stop.position < start:
                 found = stop
@@ -215,28 +213,28 @@ class Traveller:
     ) -> list[Spot]:
         """Gives those statements of a program that began as numbers `first` to `end` - 1."""
         run, spots = self._run, []
-        self._to_snapshot(robot, first, limit)
         since = {robot: first}
         if functions is None:
             run.arm(Marks(all=frozenset({robot}), since=since))
         else:
             run.arm(Marks({robot: self.inside(robot, functions)}, since=since))
-        while run.begun(robot) < end and run.position < limit:
-            if run.advance(limit).kind == "statement":
-                spot = self.spot(robot)
-                if spot is not None and spot.statements < end:
-                    spots.append(spot)
+        for instant in run.again(self._snapshot(robot, first, limit), limit):
+            if run.begun(robot) >= end:
+                break
+            spot = self.spot(robot) if instant.kind == "statement" else None
+            if spot is not None:
+                spots.append(spot)
         return spots
 
-    def _to_snapshot(self, robot: int, statements: int, before: Position) -> None:
-        """Goes to the latest snapshot before which no more than so many statements had begun."""
+    def _snapshot(self, robot: int, statements: int, before: Position) -> Position:
+        """Gives the latest snapshot before which no more than so many statements had begun."""
         run = self._run
-        for position in run.history.back_from(before):
-            kept = run.history.at(position)
-            if int(kept.session.programs[robot].slot["statements"][0]) <= statements:
-                run.restore(kept)
-                return
-        run.restore(run.history.at(BEGINNING))
+        places = [*run.history.back_from(before)][::-1] or [BEGINNING]
+
+        def begun(place: Position) -> int:
+            return int(run.history.at(place).session.programs[robot].slot["statements"][0])
+
+        return places[max(0, bisect_right(places, statements, key=begun) - 1)]
 
     def to_timestep(self, timestep: int) -> None:
         """Goes forward to the start of a timestep, if the run gets so far."""
@@ -254,7 +252,7 @@ class Traveller:
         if run.session.halted == robot and run.begun(robot) == statements:
             return True
         if run.begun(robot) >= statements:
-            self._to_snapshot(robot, statements, run.position)
+            run.restore(run.history.at(self._snapshot(robot, statements, run.position)))
         run.arm(Marks(all=frozenset({robot}), since={robot: statements}))
         while run.session.alive[robot]:
             if run.advance().kind == "statement" and run.begun(robot) == statements:

@@ -161,6 +161,16 @@ class View:
             raise DebugError(f"'{text}' would change the program")
         return found.value
 
+    def variables(self, *, robot: int | None = None, frame: int | None = None) -> list[Variable]:
+        """Gives the variables of an active function, those of the innermost block first."""
+        robot = self.robot if robot is None else robot
+        active = self._active(robot, frame)
+        return [] if active is None else self.evaluator(robot).variables(active)
+
+    def globals_(self, *, robot: int | None = None) -> list[Variable]:
+        """Gives the global variables of a program, by their names."""
+        return self.evaluator(self.robot if robot is None else robot).globals_()
+
     def type_of(self, text: str) -> CType:
         """Gives the type that an expression has, or that it names.
 
@@ -174,20 +184,6 @@ class View:
             with contextlib.suppress(DebugError):
                 return evaluator.type_of(f"*(__typeof__({text}) *)0", frame)
             raise
-
-    def variables(self, robot: int | None = None, frame: int | None = None) -> list[Variable]:
-        """Gives the variables of an active function, those of the innermost block first.
-
-        Raises:
-            DebugError: there is no such active function.
-        """
-        robot = self.robot if robot is None else robot
-        active = self._active(robot, frame)
-        return [] if active is None else self.evaluator(robot).variables(active)
-
-    def globals_(self, robot: int | None = None) -> list[Variable]:
-        """Gives the global variables of a program."""
-        return self.evaluator(self.robot if robot is None else robot).globals_()
 
     def holds(self, condition: str, robot: int) -> bool:
         """Tells whether a condition is true in the innermost function of a program.
