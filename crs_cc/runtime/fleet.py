@@ -71,6 +71,7 @@ class _Sandbox:
 
     Attributes:
         initial: chunks of its memory that hold objects of the program.
+        begun: how many statements have begun, while it runs; None in builds without statements.
     """
 
     executable: Executable
@@ -79,6 +80,7 @@ class _Sandbox:
     shadow: npt.NDArray[np.uint8]
     marks: npt.NDArray[np.uint8]
     initial: range
+    begun: wasmtime.Global | None
 
 
 class Fleet:
@@ -197,9 +199,11 @@ class Fleet:
         memory = _view(self._store, own["memory"])
         shadow = _view(self._store, own["shadow"]) if "shadow" in own else _NO_SHADOW
         marks = _view(self._store, own["marks"]) if "marks" in own else _NO_MARKS
+        begun = own.get("begun", None)
+        assert begun is None or isinstance(begun, wasmtime.Global)
         end = -(-int(heap.value(self._store)) // CHUNK)
         initial = range(STACK_TOP // CHUNK, end)
-        return _Sandbox(executable, resume, memory, shadow[:MEMORY_BYTES], marks, initial)
+        return _Sandbox(executable, resume, memory, shadow[:MEMORY_BYTES], marks, initial, begun)
 
     def exchange(self, robot: int, executable: Executable) -> None:
         """Moves a robot's program, as it stands, to another build of it with the same frames.
@@ -278,6 +282,9 @@ class Fleet:
         slot = self.slots[robot]
         slot["status"] = FAILED
         slot["fuel"] = min(int(slot["fuel"]), 0)
+        begun = self._sandboxes[robot].begun
+        if begun is not None:
+            slot["statements"] = begun.value(self._store)
         outside = wasmtime.TrapCode.MEMORY_OUT_OF_BOUNDS
         if isinstance(trap, wasmtime.Trap) and trap.trap_code is outside:
             if not len(self.shadow(robot)):
@@ -352,8 +359,10 @@ class Fleet:
         return report(self.failure(robot))
 
     def snapshot(self, robot: int) -> Snapshot:
-        """Gives the whole state of one robot's program."""
+        """Gives the whole state of one robot's program; where it shall stop is no part of it."""
         slot = self.slots[robot : robot + 1].copy()
+        for wish in _WISHES:
+            slot[wish] = 0
         sandbox = self._sandboxes[robot]
         kept = pages.save(sandbox.memory, sandbox.initial)
         return Snapshot(slot, *kept, *pages.save(sandbox.shadow, _NONE))
@@ -363,7 +372,11 @@ class Fleet:
         sandbox = self._sandboxes[robot]
         pages.load(sandbox.memory, sandbox.initial, snapshot.chunks, snapshot.content)
         pages.load(sandbox.shadow, _NONE, snapshot.shadow_chunks, snapshot.shadow_content)
-        self.slots[robot : robot + 1] = snapshot.slot
+        slot = self.slots[robot : robot + 1]
+        wishes = {name: slot[name].copy() for name in _WISHES}
+        slot[:] = snapshot.slot
+        for name, wish in wishes.items():
+            slot[name] = wish
 
 
 @contextlib.contextmanager
@@ -390,6 +403,8 @@ _BYTES: Final = np.dtype(("V", MESSAGE.itemsize))  # numpy copies fields one by 
 _NO_SHADOW: Final = np.zeros(0, np.uint8)
 _NO_MARKS: Final = np.zeros(0, np.uint8)
 _NONE: Final = range(0)
+_WISHES: Final = ("stop_before_all", "stop_from")
+"""Where a program shall stop: no part of its state."""
 
 
 def _view(store: wasmtime.Store, memory: object) -> npt.NDArray[np.uint8]:

@@ -6,6 +6,7 @@ loaded into another instance; none of that may change what it does.
 
 from __future__ import annotations
 
+import hashlib
 import re
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -34,6 +35,7 @@ class Outcome:
         fuel: instructions that it ran.
         rounds: how often it was resumed.
         statements: statements that it began (debug builds).
+        memory: a digest of its memory, and of the states of its bytes, at the end.
     """
 
     output: bytes = b""
@@ -43,6 +45,7 @@ class Outcome:
     fuel: int = 0
     rounds: int = 0
     statements: int = 0
+    memory: str = ""
 
 
 @dataclass
@@ -90,6 +93,7 @@ class Run:
             outcome.status = host.exit_status[0]
             if self.stepping.restore_every and outcome.rounds % self.stepping.restore_every == 0:
                 fleet = _moved(fleet, self.executable)
+        outcome.memory = _digest(fleet)
         return outcome
 
     def _resume(self, fleet: Fleet) -> None:
@@ -109,6 +113,12 @@ class Run:
             self.outcome.output += content
         else:
             self.outcome.errors += content
+
+
+def _digest(fleet: Fleet) -> str:
+    state = fleet.snapshot(0)
+    parts = state.chunks, state.content, state.shadow_chunks, state.shadow_content
+    return hashlib.sha256(b"".join(part.tobytes() for part in parts)).hexdigest()
 
 
 def _moved(fleet: Fleet, executable: Executable) -> Fleet:

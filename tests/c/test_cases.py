@@ -123,6 +123,17 @@ def test_stopping_before_statements_changes_nothing(case: Path) -> None:
     assert same(stepped, whole)
     assert stepped.statements == whole.statements
     assert stepped.rounds >= whole.statements // every
+    assert stepped.memory == whole.memory
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("path", error_cases())
+def test_stopping_leaves_no_trace_in_a_program_that_fails(path: Path) -> None:
+    whole = Run(build(path, debug=True)).to_end()
+    every = whole.statements // STATEMENT_STEPS + 1
+    stepped = Run(build(path, debug=True), Stepping(statements=every)).to_end()
+    assert stepped.statements == whole.statements
+    assert stepped.memory == whole.memory
 
 
 @pytest.mark.slow

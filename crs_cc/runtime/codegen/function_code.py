@@ -39,7 +39,7 @@ from crs_cc.ir.program import (
 )
 from crs_cc.ir.uses import Liveness, all_instructions
 from crs_cc.requests import MESSAGE, SUSPENDED, slot_offset
-from crs_cc.runtime.codegen import frame_states, jumps
+from crs_cc.runtime.codegen import frame_states, homes, jumps
 from crs_cc.runtime.codegen.carried import Carried
 from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
 from crs_cc.runtime.codegen.checked_memory import CheckedMemory
@@ -203,7 +203,8 @@ class _FunctionCode:
         else:
             entry.jump(start)
         fault: list[Instr] = [("local.get", SITE), ("local.get", ADDRESS), ("call", FAULT)]
-        body = emit(entry, [*fault, ("local.set", STATUS)]) + self.epilogue()
+        fault += [("local.set", STATUS), ("i32.const", 0), ("local.set", LABEL)]
+        body = emit(entry, fault) + self.epilogue()
         code = Code(self.function.name, TYPE_CALL, self.selector.local_types, body)
         return code, self.info()
 
@@ -238,9 +239,7 @@ class _FunctionCode:
         site = Site("damaged stack", self.function.location)
         self.selector.fail(site, [("local.get", LABEL)])
         self.selector.code = node.code
-        for register in self.saved:
-            self.selector.load_at(SP, self.frame.offsets[register], register.type)
-            self.selector.pop(register)
+        homes.load(self.selector, self.frame, self.saved, debug=self.debug)
         landings = [landing for landing, _ in self.landings]
         add_dispatchers(node, start, landings, LABEL, damaged)
         return node
@@ -257,6 +256,8 @@ class _FunctionCode:
             code.append(("i64.store", MEMORY, self.frame.entered))
         for parameter, offset in zip(self.function.parameters, self.frame.parameters, strict=True):
             self._load_parameter(parameter, offset)
+        if self.debug and self.landings:
+            code += homes.clear(self.frame, self.saved)
         if self.shadowed:
             code += frame_states.enter(self.function, self.frame)
         if self.selector.watching is not None:
@@ -280,10 +281,7 @@ class _FunctionCode:
             activation = [self.selector.value(each) for each in activations[:1]]
             left = [*self.returning(), *self.left()]
             code += jumps.leave(activation, self.frame.jump_value, left)
-        for register in self.saved:
-            self.selector.store_at(SP, self.frame.offsets[register], register, register.type)
-        code += [("local.get", FP), ("local.get", LABEL), ("i32.store", MEMORY, RESUME)]
-        self.selector.store_at(FP, FUNCTION, Constant("i32", self.number), "i32")
+        homes.save(self.selector, self.frame, self.saved, self.number)
         return [*code, ("local.get", STATUS), ("local.get", FUEL)]
 
     # -- suspending ---------------------------------------------------------------------------
@@ -393,6 +391,7 @@ class _FunctionCode:
             number = self.names.call_number(CallSite(self.function.name, call.location))
             word = call_word(number, self.frame.size, offsets[-1])
             selector.store_at(SP, RESULT, Constant("i64", word), "i64")
+        if self.checked or self.debug:
             selector.store_at(SP, FUNCTION, Constant("i64", 0), "i64")
         else:
             selector.store_at(SP, RESUME, Constant("i32", 0), "i32")

@@ -14,9 +14,10 @@ from crs_cc.runtime.watched import WATCHED
 
 
 def add_marks(module: Module, statements: int) -> None:
-    """Adds the memory `marks` to a module with so many statements."""
+    """Adds the memory `marks` to a module with so many statements, and exports their count."""
     first = WATCHED.itemsize + statements
     module.exports.append(("marks", "memory", len(module.memories) + 1))
+    module.exports.append(("begun", "global", BEGUN_GLOBAL))
     module.memories.append(-(-(first + statements) // PAGE))
     module.data.append((len(module.memories), first, b"\1" * statements))
 

@@ -1,0 +1,57 @@
+"""The homes of a function's registers in its frame: where they are while it is suspended.
+
+In debug builds homes are zero while a function runs, and so is the header's place to go on at. So
+one that has stopped and gone on has the same bytes as one that has not, and leaves the same behind
+on the stack: where a debugger has stopped before changes nothing.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from crs_cc.ir.program import Constant, Register
+from crs_cc.runtime.codegen.indices import FP, LABEL, MEMORY, SP
+from crs_cc.runtime.codegen.selection import Selector
+from crs_cc.runtime.layout import FUNCTION, RESUME, Frame
+from crs_cc.runtime.wasm import Instr
+
+MOST_INLINE: Final = 64
+"""More bytes than this are cleared by `memory.fill`, which is a call into the host."""
+
+_SIZES: Final = {"i32": 4, "f32": 4, "i64": 8, "f64": 8}
+
+
+def save(selector: Selector, frame: Frame, saved: list[Register], function: int) -> None:
+    """Stores registers into their homes, and in the header which function goes on where."""
+    for register in saved:
+        selector.store_at(SP, frame.offsets[register], register, register.type)
+    selector.code += [("local.get", FP), ("local.get", LABEL), ("i32.store", MEMORY, RESUME)]
+    selector.store_at(FP, FUNCTION, Constant("i32", function), "i32")
+
+
+def load(selector: Selector, frame: Frame, saved: list[Register], *, debug: bool) -> None:
+    """Loads registers from their homes; in debug builds nothing stays there or in the header."""
+    for register in saved:
+        selector.load_at(SP, frame.offsets[register], register.type)
+        selector.pop(register)
+    if debug:
+        selector.code += clear(frame, saved)
+        selector.code += [("local.get", FP), ("i64.const", 0), ("i64.store", MEMORY, FUNCTION)]
+
+
+def clear(frame: Frame, saved: list[Register]) -> list[Instr]:
+    """Gives the code that makes homes zero."""
+    if not saved:
+        return []
+    start = min(frame.offsets[register] for register in saved)
+    end = max(frame.offsets[register] + _SIZES[register.type] for register in saved)
+    if end - start > MOST_INLINE:
+        at: list[Instr] = [("local.get", SP), ("i32.const", start), ("i32.add",), ("i32.const", 0)]
+        return [*at, ("i32.const", end - start), ("memory.fill", MEMORY)]
+    code: list[Instr] = []
+    while start < end:
+        size = 8 if start % 8 == 0 and end - start >= 8 else 4
+        kind = f"i{8 * size}"
+        code += [("local.get", SP), (f"{kind}.const", 0), (f"{kind}.store", MEMORY, start)]
+        start += size
+    return code
