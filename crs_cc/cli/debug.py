@@ -34,6 +34,7 @@ class DebugOptions(ProgramOptions):
         commands: commands that are done behind them.
         batch: end when these are done.
         input: what the programs read from their standard input; None for what is typed.
+        tui: show the full screen; None for on a terminal.
         dap: serve an editor instead: `stdio`, or the number of a port.
     """
 
@@ -41,6 +42,7 @@ class DebugOptions(ProgramOptions):
     commands: tuple[str, ...] = ()
     batch: bool = False
     input: Path | None = None
+    tui: bool | None = None
     dap: str | None = None
 
 
@@ -72,6 +74,10 @@ _OPTIONS: Final = (
         "with --batch our own standard input.",
     ),
     click.option(
+        "--tui/--no-tui", default=None,
+        help="Show the full screen, or ask line by line; by default the screen on a terminal.",
+    ),
+    click.option(
         "--dap", metavar="stdio|PORT", callback=_dap,
         help="Serve an editor by the Debug Adapter Protocol, on our standard streams or on a port "
         "of this computer; 0 is any free one.",
@@ -99,8 +105,8 @@ def debug(**options: Any) -> int:
     """Compiles a C control program, and steps through its run in a simulated world.
 
     Programs and world go together, forward and backward: reverse-step, reverse-continue, goto.
-    Programs, worlds and options are those of crs run. At the prompt, commands have gdb's names;
-    help lists them.
+    Programs, worlds and options are those of crs run. Commands have gdb's names, help lists
+    them; on the full screen, F1 tells the keys.
     """
     wanted = DebugOptions(**options)
     if wanted.dap is not None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import io
 import sys
 from collections.abc import Sequence
@@ -9,6 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from crs_cc.cli import full_screen
 from crs_cc.cli.keep import keep
 from crs_cc.cli.load import load
 from crs_cc.cli.messages import is_coloured, show_before_run
@@ -19,7 +21,7 @@ from crs_cc.debug.repl.repl import Repl, Scripts
 from crs_cc.debug.repl.terminal import Terminal
 from crs_cc.frontend.dialect import dialect_of
 from crs_cc.frontend.options import Options
-from crs_cc.session.host import no_input
+from crs_cc.session.host import discard, no_input
 from crs_cc.session.library import HEADERS
 from crs_cc.source import Diagnostics
 
@@ -36,10 +38,16 @@ def debug_programs(options: DebugOptions) -> int:
 
     Raises:
         CrsError: what keeps the programs from starting.
-        click.UsageError: a robot has no program.
+        click.UsageError: a robot has no program, or there is no terminal for the full screen.
         OSError: the programs' files cannot be written.
     """
+    on_screen = full_screen.is_wanted(options)
     loaded = _load(options)
+    if on_screen:
+        given = None if options.input is None else file_input(options.input)
+        make = functools.partial(make_debugger, loaded, options, discard)
+        _keep_files(full_screen.show(options, make, given), options)
+        return 0
     names = [robot.id for robot in loaded.world.robots]
     terminal = Terminal(sys.stdout.buffer, names, is_coloured=is_coloured(sys.stdout))
     keyboard = Keyboard(terminal)

@@ -91,6 +91,16 @@ class DebugApp(App[int]):
         self._leaving = False
         self._asks = ""  # the robot whose program waits for input
 
+    def show(self) -> None:
+        """Shows the screen until the user leaves."""
+        self.run()
+        if self._exception is not None:
+            raise self._exception
+
+    def _fatal_error(self) -> None:
+        """Ends the screen after a mistake of ours, without the traceback that Textual shows."""
+        self._close_messages_no_wait()
+
     def compose(self) -> ComposeResult:
         """Makes the screen."""
         yield StatusBar(id="status")

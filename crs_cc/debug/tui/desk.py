@@ -5,7 +5,7 @@ Commands are those of the one table; the screen has none of its own.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Final
 
 from rich.style import Style
@@ -15,6 +15,7 @@ from crs_cc.debug.commands.command import Line, SourceLine
 from crs_cc.debug.commands.complete import complete
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.commands.table import matching
+from crs_cc.debug.errors import DebugError
 from crs_cc.debug.happenings import Happening
 from crs_cc.debug.tui.gather import gather, why
 from crs_cc.debug.tui.look import Look
@@ -44,7 +45,7 @@ class Desk:
     """
 
     def __init__(
-        self, debugger: Debugger, reads: ProgramInput, scripts: Sequence[str] = ()
+        self, debugger: Debugger, reads: ProgramInput, scripts: Iterable[str] = ()
     ) -> None:
         """Takes a debugger.
 
@@ -55,7 +56,7 @@ class Desk:
         """
         self.shell = Shell(debugger)
         self._reads = reads
-        self._scripts = tuple(scripts)
+        self._scripts = scripts
         self._has_begun = False
         self._works = False
         self._look = Look()
@@ -119,12 +120,18 @@ class Desk:
         if count > _MOST_LINES:
             answer.append(f"\n... and {count - _MOST_LINES} lines more")
 
+    def _begin(self) -> Iterator[Line | SourceLine]:
+        try:
+            for line in self._scripts:
+                yield from self.shell.execute(line or "#")
+        except DebugError as error:  # a script that cannot be read
+            yield Line(str(error), "error")
+
     def _lines(self, order: Order) -> Iterator[Line | SourceLine]:
         if not self._has_begun:
             self._has_begun = True
             yield from self.shell.greet()
-            for line in self._scripts:
-                yield from self.shell.execute(line)
+            yield from self._begin()
         if order.line is not None:
             yield from self.shell.execute(order.line)
 
