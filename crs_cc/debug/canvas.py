@@ -14,6 +14,7 @@ its style.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import groupby
 from typing import Final
 
@@ -22,6 +23,9 @@ import numpy.typing as npt
 
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]
+
+Styles = str | Sequence[str]
+"""One style for all, or one for each."""
 
 Pieces = list[list[tuple[str, str]]]
 """Rows of pieces: each a text and its style."""
@@ -34,6 +38,9 @@ _BITS: Final = np.array([[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]]
 """The bit of each dot in a braille pattern (Unicode 15, 21.1), by row and column."""
 
 _BLANK: Final = 0x2800
+_POINT: Final = 0.5  # a smaller circle is a dot
+_FEWEST_CORNERS: Final = 8
+_MOST_CORNERS: Final = 1024
 _MOST_DOTS: Final = 2_000_000  # of one call; more than that nobody can tell apart
 
 
@@ -50,31 +57,24 @@ class Canvas:
         self._bits = np.zeros((rows, columns), np.uint8)
         self._rank = np.full((rows, columns), -1, np.int64)
         self._style = np.zeros((rows, columns), np.intp)
-        self._styles = [""]
+        self._known = {"": 0}
         self._characters: dict[tuple[int, int], str] = {}
 
-    def dots(self, x: FloatArray, y: FloatArray, style: str, rank: int) -> None:
-        """Draws dots, shape (n,) each."""
-        column, row = np.floor(x).astype(np.intp), np.floor(y).astype(np.intp)
-        inside = (column >= 0) & (column < ACROSS * self.columns)
-        inside &= (row >= 0) & (row < DOWN * self.rows)
-        column, row = column[inside], row[inside]
-        cells = (row // DOWN, column // ACROSS)
-        np.bitwise_or.at(self._bits, cells, _BITS[row % DOWN, column % ACROSS])
-        higher = self._rank[cells] <= rank
-        cells = (cells[0][higher], cells[1][higher])
-        self._rank[cells], self._style[cells] = rank, self._number(style)
+    def dots(self, x: FloatArray, y: FloatArray, style: Styles, rank: int) -> None:
+        """Draws dots, shape (n,) each, in one style or each in its own."""
+        self._dots(x, y, self._numbers(style, len(x)), rank)
 
-    def lines(self, ends: FloatArray, style: str, rank: int, *, gap: int = 1) -> None:
+    def lines(self, ends: FloatArray, style: Styles, rank: int, *, gap: int = 1) -> None:
         """Draws lines.
 
         Args:
             ends: x and y of both ends of each, (n, 4).
-            style: their style.
+            style: their style, or that of each.
             rank: their rank.
             gap: one of so many dots is drawn.
         """
-        ends = clipped(ends, ACROSS * self.columns, DOWN * self.rows)
+        seen, ends = clipped(ends, ACROSS * self.columns, DOWN * self.rows)
+        numbers = self._numbers(style, len(seen))[seen]
         spans = ends[:, 2:] - ends[:, :2]
         counts = np.ceil(np.abs(spans).max(axis=1, initial=0.0)).astype(np.intp) + 1
         line = np.repeat(np.arange(len(ends)), counts)[:_MOST_DOTS]
@@ -83,18 +83,32 @@ class Canvas:
         line, number = line[drawn], number[drawn]
         share = number / np.maximum(counts[line] - 1, 1)
         places = ends[line, :2] + share[:, None] * spans[line]
-        self.dots(places[:, 0], places[:, 1], style, rank)
+        self._dots(places[:, 0], places[:, 1], numbers[line], rank)
 
-    def circles(self, circles: FloatArray, style: str, rank: int) -> None:
-        """Draws circles: x, y and radius of each, (n, 3)."""
-        for x, y, radius in circles.tolist():
-            if radius < 0.5:
-                self.dots(np.array([x]), np.array([y]), style, rank)
-                continue
-            corners = max(8, min(int(4 * radius), 720))
-            angles = np.linspace(0.0, 2 * np.pi, corners + 1)
-            round_ = np.column_stack([x + radius * np.cos(angles), y + radius * np.sin(angles)])
-            self.lines(np.concatenate([round_[:-1], round_[1:]], axis=1), style, rank)
+    def circles(self, circles: FloatArray, style: Styles, rank: int) -> None:
+        """Draws circles: x, y and radius of each, (n, 3), as polygons."""
+        styles = [style] * len(circles) if isinstance(style, str) else style
+        radius = np.where(circles[:, 2] < _POINT, 0.0, circles[:, 2])
+        sizes = np.log2(np.clip(4 * radius, _FEWEST_CORNERS, _MOST_CORNERS))
+        corners = 2 ** np.ceil(sizes).astype(np.intp)
+        for count in np.unique(corners).tolist():
+            alike = np.flatnonzero(corners == count)
+            angles = np.linspace(0.0, 2 * np.pi, count + 1)
+            around = radius[alike, None, None] * np.column_stack([np.cos(angles), np.sin(angles)])
+            points = circles[alike, None, :2] + around
+            ends = np.concatenate([points[:, :-1], points[:, 1:]], axis=2).reshape(-1, 4)
+            self.lines(ends, [styles[circle] for circle in np.repeat(alike, count).tolist()], rank)
+
+    def _dots(self, x: FloatArray, y: FloatArray, numbers: IndexArray, rank: int) -> None:
+        column, row = np.floor(x).astype(np.intp), np.floor(y).astype(np.intp)
+        inside = (column >= 0) & (column < ACROSS * self.columns)
+        inside &= (row >= 0) & (row < DOWN * self.rows)
+        column, row = column[inside], row[inside]
+        cells = (row // DOWN, column // ACROSS)
+        np.bitwise_or.at(self._bits, cells, _BITS[row % DOWN, column % ACROSS])
+        higher = self._rank[cells] <= rank
+        cells = (cells[0][higher], cells[1][higher])
+        self._rank[cells], self._style[cells] = rank, numbers[inside][higher]
 
     def put(self, column: int, row: int, text: str, style: str, rank: int) -> None:
         """Writes a text over cells, from left to right, where nothing has a higher rank."""
@@ -114,9 +128,10 @@ class Canvas:
 
     def pieces(self) -> Pieces:
         """Gives the drawing, row by row."""
+        styles = list(self._known)
         return [
             [
-                ("".join(character for character, _ in cells), self._styles[style])
+                ("".join(character for character, _ in cells), styles[style])
                 for style, cells in groupby(self._row(row), key=lambda cell: cell[1])
             ]
             for row in range(self.rows)
@@ -132,18 +147,30 @@ class Canvas:
         return cells
 
     def _number(self, style: str) -> int:
-        if style not in self._styles:
-            self._styles.append(style)
-        return self._styles.index(style)
+        return self._known.setdefault(style, len(self._known))
+
+    def _numbers(self, style: Styles, count: int) -> IndexArray:
+        if isinstance(style, str):
+            return np.full(count, self._number(style), np.intp)
+        return np.array([self._number(each) for each in style], np.intp)
 
 
-def clipped(ends: FloatArray, width: float, height: float) -> FloatArray:
-    """Gives the parts of lines that lie in the rectangle from 0, 0 to width, height, (m, 4).
+def clipped(ends: FloatArray, width: float, height: float) -> tuple[IndexArray, FloatArray]:
+    """Gives the parts of lines that lie in the rectangle from 0, 0 to width, height.
 
     Source: Liang and Barsky, "A new concept and method for line clipping", 1984.
 
-    >>> clipped(np.array([[-5.0, 1.0, 5.0, 1.0], [0.0, 9.0, 4.0, 9.0]]), 4.0, 4.0).tolist()
-    [[0.0, 1.0, 4.0, 1.0]]
+    Args:
+        ends: x and y of both ends of each, (n, 4).
+        width: the rectangle's.
+        height: the rectangle's.
+
+    Returns:
+        which lines have any, (m,), and the ends of these, (m, 4).
+
+    >>> seen, ends = clipped(np.array([[0.0, 9.0, 4.0, 9.0], [-5.0, 1.0, 5.0, 1.0]]), 4.0, 4.0)
+    >>> seen.tolist(), ends.tolist()
+    ([1], [[0.0, 1.0, 4.0, 1.0]])
     """
     span = ends[:, 2:] - ends[:, :2]
     towards = np.concatenate([-span, span], axis=1)  # left, top, right, bottom
@@ -152,6 +179,7 @@ def clipped(ends: FloatArray, width: float, height: float) -> FloatArray:
         share = room / towards
     enter = np.where(towards < 0.0, share, 0.0).max(axis=1, initial=0.0)
     leave = np.where(towards > 0.0, share, 1.0).min(axis=1, initial=1.0)
-    seen = (enter <= leave) & ~((towards == 0.0) & (room < 0.0)).any(axis=1)
+    seen = np.flatnonzero((enter <= leave) & ~((towards == 0.0) & (room < 0.0)).any(axis=1))
     start, span = ends[seen, :2], span[seen]
-    return np.column_stack([start + enter[seen, None] * span, start + leave[seen, None] * span])
+    parts = [start + enter[seen, None] * span, start + leave[seen, None] * span]
+    return seen, np.column_stack(parts)

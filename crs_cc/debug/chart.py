@@ -148,7 +148,8 @@ class Chart:
         self.view = view
         self._environment = environment
         self._canvas = Canvas(view.columns, view.rows)
-        self._beams(robot)
+        if robot >= 0:
+            self._beams(robot)
         for number, path in enumerate(paths):
             self._path(number, path)
         for outlines in environment.outlines():
@@ -156,8 +157,7 @@ class Chart:
         self._lamps()
         for _, x_m, y_m in contacts:
             self._canvas.put(*view.cell(x_m, y_m), "✗", _CONTACT, _MARKS)
-        for number in np.flatnonzero(environment.state.presence.present).tolist():
-            self._robot(number)
+        self._robots(np.flatnonzero(environment.state.presence.present))
         self._scale_bar()
 
     @property
@@ -176,8 +176,7 @@ class Chart:
     def _beams(self, robot: int) -> None:
         """Draws the middle of each beam that a robot hears an echo in, and what sends it back."""
         environment = self._environment
-        beams = sights(environment.state, environment.world, environment.time_s)
-        for beam in (each for each in beams if each.robot == robot):
+        for beam in sights(environment.state, environment.world, environment.time_s, robot):
             dots = self.view.dots(beam.outline)
             middle = dots[len(dots) // 2] if len(dots) > 2 else dots[1]
             self._canvas.lines(
@@ -196,43 +195,51 @@ class Chart:
     def _things(self, outlines: Outlines) -> None:
         """Draws what has outlines, robots apart; walls are filled."""
         things, robots = self._environment.things, len(self._environment.world.robots)
-        segments = outlines.segments
-        starts, ends = self.view.dots(segments[:, :2]), self.view.dots(segments[:, 2:4])
-        lines = np.concatenate([starts, ends], axis=1)
-        for owner in np.unique(outlines.segment_owners).tolist():
-            sides = lines[outlines.segment_owners == owner]
-            is_wall = isinstance(things[owner], Wall)
-            self._canvas.lines(_filled(sides) if is_wall else sides, *_style(things[owner]))
-        circles = np.column_stack(
-            [self.view.dots(outlines.circles), outlines.circles[:, 2] * self.view.scale]
-        )
-        for owner in np.unique(outlines.owners[outlines.owners >= robots]).tolist():
-            if not isinstance(things[owner], Wall):  # what its ends reach beyond it is not much
-                self._canvas.circles(circles[outlines.owners == owner], *_style(things[owner]))
+        is_wall = np.array([isinstance(thing, Wall) for thing in things], np.bool_)
+        starts, ends = (self.view.dots(outlines.segments[:, 2 * n : 2 * n + 2]) for n in (0, 1))
+        lines, owners = np.concatenate([starts, ends], axis=1), outlines.segment_owners
+        walls, others = np.flatnonzero(is_wall[owners]), np.flatnonzero(~is_wall[owners])
+        fill, wall = _filled(lines[walls])
+        self._canvas.lines(fill, self._styles(owners[walls][2 * wall]), _WALLS)
+        self._canvas.lines(lines[others], self._styles(owners[others]), _THINGS)
+        # What a wall's round ends reach beyond it is not much.
+        round_ = np.flatnonzero((outlines.owners >= robots) & ~is_wall[outlines.owners])
+        radii = outlines.circles[round_, 2:] * self.view.scale
+        circles = np.column_stack([self.view.dots(outlines.circles[round_]), radii])
+        self._canvas.circles(circles, self._styles(outlines.owners[round_]), _THINGS)
+
+    def _styles(self, owners: npt.NDArray[np.intp]) -> list[str]:
+        things = self._environment.things
+        return [_style(things[owner]) for owner in owners.tolist()]
 
     def _lamps(self) -> None:
         for sign, x_m, y_m in _sources(self._environment):
             self._canvas.put(*self.view.cell(x_m, y_m), sign, _LAMP, _MARKS)
 
-    def _robot(self, number: int) -> None:
-        """Draws a robot with its heading, and its number where it is not alone."""
-        environment, view = self._environment, self.view
-        state, robots = environment.state, environment.world.robots
-        x_m, y_m = float(state.x_m[number]), float(state.y_m[number])
-        heading_rad, style = float(state.heading_rad[number]), f"bold {colour(number)}"
-        radius = robots[number].model.radius_m * view.scale
-        ((x, y),) = view.dots(np.array([[x_m, y_m]])).tolist()
-        self._canvas.circles(np.array([[x, y, radius]]), style, _SHELLS)
-        column, row = view.cell(x_m, y_m)
-        if radius >= _OUTLINED:
-            ahead = (x + radius * math.cos(heading_rad), y - radius * math.sin(heading_rad))
-            self._canvas.lines(np.array([[x, y, *ahead]]), style, _SHELLS)
-        else:
-            arrow = _ARROWS[round(heading_rad / (math.pi / 4)) % 8]
-            self._canvas.put(column, row, arrow, style, _ROBOTS)
-        if len(robots) > 1:
-            beside = column + math.ceil(radius / ACROSS) + (radius < _OUTLINED)
-            self._canvas.put(beside, row, str(number), style, _MARKS)
+    def _robots(self, numbers: npt.NDArray[np.intp]) -> None:
+        """Draws robots with their headings, and their numbers where there are several."""
+        state, robots = self._environment.state, self._environment.world.robots
+        styles = [f"bold {colour(number)}" for number in numbers.tolist()]
+        middles = self.view.dots(np.column_stack([state.x_m, state.y_m])[numbers])
+        radii = np.array([robots[number].model.radius_m for number in numbers.tolist()])
+        radii, headings_rad = radii * self.view.scale, state.heading_rad[numbers]
+        self._canvas.circles(np.column_stack([middles, radii]), styles, _SHELLS)
+        ahead = np.column_stack([np.cos(headings_rad), -np.sin(headings_rad)]) * radii[:, None]
+        large = np.flatnonzero(radii >= _OUTLINED)
+        lines = np.concatenate([middles, middles + ahead], axis=1)[large]
+        self._canvas.lines(lines, [styles[each] for each in large.tolist()], _SHELLS)
+        cells = np.floor(middles / (ACROSS, DOWN)).astype(np.intp).tolist()
+        rows = zip(
+            numbers.tolist(), cells, radii.tolist(), headings_rad.tolist(), styles, strict=True
+        )
+        for number, (column, row), radius, heading_rad, style in rows:
+            beside = column + math.ceil(radius / ACROSS)
+            if radius < _OUTLINED:
+                arrow = _ARROWS[round(heading_rad / (math.pi / 4)) % len(_ARROWS)]
+                self._canvas.put(column, row, arrow, style, _ROBOTS)
+                beside += 1
+            if len(robots) > 1:
+                self._canvas.put(beside, row, str(number), style, _MARKS)
 
     def _scale_bar(self) -> None:
         """Draws how long a length is, in the lower left corner, where nothing is in the way."""
@@ -245,27 +252,28 @@ class Chart:
             self._canvas.put(1, view.rows - 1, text, _SCALE, _MARKS)
 
 
-def _style(thing: Robot | Solid) -> tuple[str, int]:
-    """Gives the style and the rank of a thing: that of its material, if it has a colour."""
-    plain, rank = _FIXED, _THINGS
+def _style(thing: Robot | Solid) -> str:
+    """Gives the style of a thing: that of its material, if it has a colour."""
+    if thing.material.colour != PLAIN.colour:
+        return hexadecimal(thing.material.colour)
     if isinstance(thing, Wall):
-        plain, rank = _WALL, _WALLS
-    elif not isinstance(thing, Robot) and is_pushable(thing):
-        plain = _MOVABLE
-    if thing.material.colour == PLAIN.colour:
-        return plain, rank
-    return hexadecimal(thing.material.colour), rank
+        return _WALL
+    return _MOVABLE if not isinstance(thing, Robot) and is_pushable(thing) else _FIXED
 
 
-def _filled(sides: FloatArray) -> FloatArray:
-    """Gives lines that fill walls, whose two sides follow each other, in dots, (n, 4)."""
+def _filled(sides: FloatArray) -> tuple[FloatArray, npt.NDArray[np.intp]]:
+    """Gives lines that fill walls, whose two sides follow each other, in dots.
+
+    Returns:
+        the lines, (n, 4), and which wall each is of, (n,).
+    """
     there, back = sides[0::2], sides[1::2][:, [2, 3, 0, 1]]
     apart = np.hypot(*(back[:, :2] - there[:, :2]).T)
     counts = np.maximum(np.ceil(apart), 1.0).astype(np.intp)
     wall = np.repeat(np.arange(len(there)), counts)
     number = np.arange(len(wall)) - (np.cumsum(counts) - counts)[wall]
     share = ((number + 0.5) / counts[wall])[:, None]
-    return np.asarray(there[wall] + share * (back[wall] - there[wall]))
+    return np.asarray(there[wall] + share * (back[wall] - there[wall])), wall
 
 
 def _sources(environment: Environment) -> list[tuple[str, float, float]]:

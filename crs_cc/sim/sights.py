@@ -34,27 +34,36 @@ class Beam:
         outline: a polygon for a beam with a width, or both ends of a line [m], (points, 2); the
             first point is where the sensor is.
         colour: what a camera sees, #rrggbb; empty for an echo.
-        robot: whose sensor it is.
     """
 
     outline: FloatArray
     colour: str = ""
-    robot: int = 0
 
 
-def sights(state: EnvState, world: WorldModel, time_s: float) -> list[Beam]:
-    """Gives what the sensors of all robots told last, at an instant [s]."""
+def sights(
+    state: EnvState, world: WorldModel, time_s: float, only: int | None = None
+) -> list[Beam]:
+    """Gives what sensors told last.
+
+    Args:
+        state: the world's state.
+        world: the world.
+        time_s: the time.
+        only: the number of the robot whose sensors are asked; None for all.
+    """
     found: list[Beam] = []
     camera_row = 0
     for number, robot in enumerate(world.robots):
+        if only not in {None, number}:
+            camera_row += robot.model.camera is not None
+            continue
         place = np.array([state.x_m[number], state.y_m[number]])
         angle_rad = float(state.mount_rad[number])
         mode = robot.model.sonar_modes[int(state.sonar.mode[number])]
         for sonar in mode.sonars:
             echo_m = float(state.sonar.echo_m[number, sonar.id])
             if math.isfinite(echo_m):
-                cone = _turned(_cone(sonar, echo_m), angle_rad)
-                found.append(Beam(cone + place, robot=number))
+                found.append(Beam(_turned(_cone(sonar, echo_m), angle_rad) + place))
         camera = robot.model.camera
         if camera is not None:
             is_fresh = time_s - state.camera.at_s[camera_row] <= FRESH_S
@@ -63,7 +72,7 @@ def sights(state: EnvState, world: WorldModel, time_s: float) -> list[Beam]:
             for column, colour in enumerate(colours):
                 if is_fresh and ranges_m[column] >= 0.0:
                     line = _turned(_line(camera, column, float(ranges_m[column])), angle_rad)
-                    found.append(Beam(line + place, f"#{colour:06x}", number))
+                    found.append(Beam(line + place, f"#{colour:06x}"))
             camera_row += 1
     return found
 

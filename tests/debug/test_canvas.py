@@ -62,7 +62,7 @@ def test_clipping_keeps_what_is_inside_to_the_same_place() -> None:
     for line in ends:
         points = line[:2] + share * (line[2:] - line[:2])
         inside = ((points >= 0.0) & (points <= [8.0, 6.0])).all(axis=1)
-        kept = clipped(line[None], 8.0, 6.0)
+        _, kept = clipped(line[None], 8.0, 6.0)
         assert len(kept) == inside.any() or len(kept) == 1  # it may just touch a corner
         if inside.any():
             assert np.allclose(kept[0, :2], points[inside][0], atol=0.01)
