@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from crs_cc.debug.dap.framing import Message
     from crs_cc.debug.dap.session import EditorSession
     from crs_cc.debug.view import Frame
+    from crs_cc.runtime.diagnosis.report import ErrorReport
 
 
 def threads(session: EditorSession, _arguments: Arguments) -> Message:
@@ -65,17 +66,18 @@ def scopes(session: EditorSession, arguments: Arguments) -> Message:
 
 
 def exception_info(session: EditorSession, arguments: Arguments) -> Message:
-    """Tells more of the error, or of the happening, that has stopped the run."""
+    """Tells more of the error that has stopped a program, or of the happening."""
     debugger, robot = session.standing(), session.robot(arguments)
     stop = debugger.stop
-    if stop.reason not in {"error", "catchpoint"} or robot != max(stop.robot, 0):
+    if debugger.run.has_failed(robot):
+        return _failure(debugger.session.fleet.report(robot))
+    if stop.reason != "catchpoint" or robot != max(stop.robot, 0):
         raise RefusalError("nothing has happened to this robot")
-    kind = "run-time error"
-    if stop.reason == "catchpoint":
-        kind = session.breakpoints.kind_of(stop.breakpoints)
-    return {
-        "exceptionId": kind,
-        "description": stop.text,
-        "breakMode": "always",
-        "details": {"message": stop.text, "typeName": kind},
-    }
+    kind = session.breakpoints.kind_of(stop.breakpoints)
+    return {"exceptionId": kind, "description": stop.text, "breakMode": "always"}
+
+
+def _failure(report: ErrorReport) -> Message:
+    values = ", ".join(f"{name} = {value}" for name, value in report.values)
+    description = "\n".join(row for row in (report.text, values, *report.notes) if row)
+    return {"exceptionId": report.kind, "description": description, "breakMode": "always"}

@@ -9,6 +9,21 @@ import pytest
 
 from tests.debug.dap.client import Client
 from tests.debug.dap.programs import LOOP, open_run
+from tests.debug.debuggee import debug_program
+
+TURN = """\
+#include "Nclient.h"
+static void turn(int speed)
+{
+    vm(speed, 0, 0);
+}
+int main(void)
+{
+    connect_robot(1);
+    for (;;)
+        turn(100);
+}
+"""
 
 WORLDS = Path(__file__).parents[3] / "worlds"
 
@@ -65,3 +80,263 @@ def test_back_to_a_breakpoint_and_to_the_beginning(client: Client, loop: Path) -
     assert client.line() == 15
     client.break_at(loop)
     assert client.move("reverseContinue")["reason"] == "entry"
+
+
+def test_a_breakpoint_on_a_line_without_code_is_moved_and_says_so(
+    client: Client, loop: Path
+) -> None:
+    client.launch(loop)
+    [moved, lost] = client.break_at(loop, 11, 400)
+    assert (moved["verified"], moved["line"]) == (True, 13)
+    assert "moved to line 13" in moved["message"]
+    assert not lost["verified"]
+    assert "no code" in lost["message"]
+
+
+def test_breakpoints_in_other_files_are_not_verified(client: Client, loop: Path) -> None:
+    client.launch(loop)
+    [made] = client.break_at(loop.with_name("other.c"), 3)
+    assert not made["verified"]
+    assert "no program" in made["message"]
+
+
+def test_breakpoints_before_the_launch_are_set_by_it(client: Client, loop: Path) -> None:
+    [made] = client.break_at(loop, 6)
+    assert not made["verified"]
+    client.launch(loop)
+    changed = client.event("breakpoint")
+    assert changed["reason"] == "changed"
+    assert changed["breakpoint"]["verified"]
+    assert client.begin()["hitBreakpointIds"] == [made["id"]]
+
+
+def test_conditions_hit_counts_and_logs(client: Client, loop: Path) -> None:
+    client.launch(loop)
+    wanted = [
+        {"line": 15, "hitCondition": "3"},
+        {"line": 16, "condition": "i == 1"},
+        {"line": 17, "logMessage": "total {total}"},
+        {"line": 5, "condition": "1 +"},
+        {"line": 6, "hitCondition": "often"},
+    ]
+    assert [each["verified"] for each in client.break_at(loop, *wanted)] == [True] * 3 + [False] * 2
+    client.begin()
+    assert (client.line(), client.printed()) == (16, "0\n")
+    client.move("continue")
+    assert (client.line(), client.printed()) == (15, "2\n")
+    assert client.printed("console") == "made\ntotal 0\ntotal 2\n"
+
+
+def test_breakpoints_that_stay_keep_their_numbers(client: Client, loop: Path) -> None:
+    client.launch(loop)
+    first = client.break_at(loop, 6, 17)
+    second = client.break_at(loop, 5, 17)
+    assert first[1]["id"] == second[1]["id"]
+    assert first[0]["id"] not in [each["id"] for each in second]
+
+
+def test_functions_of_the_program_and_of_the_robot_stop_a_run(
+    client: Client, tmp_path: Path
+) -> None:
+    path = tmp_path / "turn.c"
+    path.write_text(TURN)
+    client.launch(path)
+    body = client.ask("setFunctionBreakpoints", breakpoints=[{"name": "turn"}, {"name": "vm"}])
+    assert [each["verified"] for each in body["breakpoints"]] == [True, True]
+    assert client.begin()["reason"] == "function breakpoint"
+    assert client.line() == 4
+    stop = client.move("continue")
+    assert "called 'vm'" in stop["text"]
+    assert client.frames()[-2]["line"] == 4
+
+
+def test_a_collision_stops_a_run_when_it_is_wanted(client: Client, tmp_path: Path) -> None:
+    path = tmp_path / "ahead.c"
+    path.write_text(TURN.replace("vm(speed, 0, 0)", "vm(speed, speed, 0), sleep(1)"))
+    filters = client.launch(path, world=str(WORLDS / "wall.xml"))["exceptionBreakpointFilters"]
+    assert {"collision", "message", "degradation", "bumper", "exit"} <= {
+        each["filter"] for each in filters
+    }
+    client.ask("setExceptionBreakpoints", filters=["collision"])
+    stop = client.begin()
+    assert stop["reason"] == "exception"
+    assert "touched" in stop["text"]
+    assert client.ask("exceptionInfo", threadId=1)["exceptionId"] == "collision"
+
+
+def test_a_run_time_error_stops_a_run_and_is_explained(client: Client, tmp_path: Path) -> None:
+    path = tmp_path / "wild.c"
+    path.write_text("int row[3];\nint main(void)\n{\n    int i = 3;\n    return row[i];\n}\n")
+    client.launch(path)
+    stop = client.begin()
+    assert stop["reason"] == "exception"
+    assert client.line() == 5
+    info = client.ask("exceptionInfo", threadId=1)
+    assert "'row' is int[3]" in info["description"]
+    assert client.move("stepBack")["reason"] == "step"
+    assert client.line() == 5
+    client.move("continue")
+    client.ask("continue", threadId=1)
+    assert client.event("exited") == {"exitCode": 123}
+
+
+def test_going_to_a_line_is_going_to_an_instant(client: Client, loop: Path) -> None:
+    client.launch(loop, stopOnEntry=True)
+    client.begin()
+    targets = client.ask("gotoTargets", source={"path": str(loop)}, line=17)["targets"]
+    assert [each["line"] for each in targets] == [17, 17]
+    assert client.move("goto", targetId=targets[0]["id"])["reason"] == "goto"
+    assert (client.line(), client.printed()) == (17, "")
+    targets = client.ask("gotoTargets", source={"path": str(loop)}, line=5)["targets"]
+    assert client.move("goto", targetId=targets[1]["id"])["reason"] == "goto"
+    assert client.line() == 5
+    assert "gone" in client.refused("goto", threadId=1, targetId=targets[1]["id"])
+
+
+ENDLESS = """\
+int main(void)
+{
+    volatile int n = 0;
+    for (;;)
+        n++;
+}
+"""
+
+
+@pytest.fixture
+def endless(tmp_path: Path) -> Path:
+    path = tmp_path / "endless.c"
+    path.write_text(ENDLESS)
+    return path
+
+
+def test_programs_that_run_can_be_paused_and_asked(client: Client, endless: Path) -> None:
+    client.launch(endless)
+    client.ask("configurationDone")
+    assert client.ask("threads")["threads"] == [{"id": 1, "name": "robot0"}]
+    assert "pause" in client.refused("next", threadId=1)
+    client.ask("pause", threadId=1)
+    assert client.event("stopped")["reason"] == "pause"
+    assert client.line() in {4, 5}
+
+
+def test_a_breakpoint_can_be_set_while_programs_run(client: Client, endless: Path) -> None:
+    client.launch(endless)
+    client.ask("configurationDone")
+    assert client.break_at(endless, 5)[0]["verified"]
+    assert client.event("stopped")["reason"] == "breakpoint"
+
+
+def test_a_step_without_an_end_can_be_paused(client: Client, endless: Path) -> None:
+    endless.write_text("void stay(void)\n{\n    for (;;)\n        ;\n}\n" + CALLER)
+    client.launch(endless, stopOnEntry=True)
+    client.begin()
+    client.ask("next", threadId=1)
+    client.ask("pause", threadId=1)
+    assert client.event("stopped")["reason"] == "pause"
+
+
+CALLER = "int main(void)\n{\n    stay();\n}\n"
+
+
+def test_a_run_is_terminated_while_it_runs(client: Client, endless: Path) -> None:
+    client.launch(endless)
+    client.ask("configurationDone")
+    client.ask("terminate")
+    client.event("terminated")
+    assert "nothing is launched" in client.refused("continue", threadId=1)
+    client.ask("disconnect")
+    assert client.hear() is None
+
+
+def test_a_client_that_goes_away_ends_what_runs(client: Client, endless: Path) -> None:
+    client.launch(endless)
+    client.ask("configurationDone")
+    client.hang_up()
+
+
+def test_restart_compiles_again_and_keeps_the_breakpoints(client: Client, loop: Path) -> None:
+    client.launch(loop)
+    client.break_at(loop, 18)
+    client.begin()
+    loop.write_text(LOOP.replace("i < 3", "i < 1"))
+    debug_program.cache_clear()
+    client.ask("restart")
+    assert client.event("breakpoint")["breakpoint"]["verified"]
+    client.event("stopped")
+    client.move("continue")
+    assert client.printed().endswith("0\n")
+    loop.write_text("int main(void) { return nothing; }\n")
+    debug_program.cache_clear()
+    assert "undeclared" in client.refused("restart")
+    assert client.frames()[0]["name"] == "exited with 0"
+
+
+def test_without_debugging_a_run_just_runs(client: Client, loop: Path) -> None:
+    client.break_at(loop, 6)
+    client.launch(loop, noDebug=True, stopOnEntry=True)
+    client.ask("configurationDone")
+    client.event("terminated")
+    assert client.printed() == "0\n2\n6\n"
+
+
+def test_several_robots_are_several_threads(client: Client, loop: Path) -> None:
+    client.launch(loop, world=str(WORLDS / "pair.xml"))
+    client.break_at(loop, 15)
+    assert client.begin()["threadId"] == 1
+    threads = client.ask("threads")["threads"]
+    assert threads == [{"id": 1, "name": "robot0"}, {"id": 2, "name": "robot1"}]
+    assert client.frames(2)[0]["name"]
+    client.break_at(loop, 18)
+    assert client.move("continue")["threadId"] == 1
+    assert client.move("continue")["threadId"] == 2
+    client.break_at(loop)
+    client.move("continue")
+    assert client.printed().splitlines()[0] == "[robot0] 0"
+
+
+def test_a_request_that_waits_can_be_withdrawn(client: Client, endless: Path) -> None:
+    endless.write_text("void stay(void)\n{\n    for (;;)\n        ;\n}\n" + CALLER)
+    client.launch(endless, stopOnEntry=True)
+    client.begin()
+    client.ask("next", threadId=1)
+    waiting = client.post("stackTrace", threadId=1)
+    client.ask("cancel", requestId=waiting)
+    assert client.answer(waiting)["message"] == "cancelled"
+    client.ask("cancel", requestId=12345)
+
+
+def test_paths_can_be_uris_and_lines_begin_at_0(client: Client, loop: Path) -> None:
+    client.ask("initialize", pathFormat="uri", linesStartAt1=False, columnsStartAt1=False)
+    client.ask("launch", program=str(loop))
+    client.event("initialized")
+    body = client.ask("setBreakpoints", source={"path": loop.as_uri()}, breakpoints=[{"line": 5}])
+    assert body["breakpoints"][0]["verified"]
+    client.begin()
+    frame = client.frames()[0]
+    assert (frame["line"], frame["column"]) == (5, 4)
+    assert frame["source"]["path"] == loop.as_uri()
+
+
+@pytest.mark.parametrize(
+    ("attributes", "reason"),
+    [
+        ({"program": ["a.c"], "sed": 3}, "no attribute 'sed'"),
+        ({}, "neither a program nor a world"),
+        ({"program": 3}, "must be a list"),
+        ({"program": ["a.c", 3]}, "list of strings"),
+        ({"program": "a.c", "seed": "3"}, "an integer"),
+        ({"program": "a.c", "seed": -1}, "negative"),
+        ({"program": "a.c", "link": "slow"}, "serial or ideal"),
+        ({"program": "a.c", "stopOnEntry": "yes"}, "true or false"),
+        ({"program": "a\0.c"}, "NUL"),
+        ({"program": "a.c", "cwd": "/nowhere"}, "No such file"),
+        ({"program": ""}, "is empty"),
+    ],
+)
+def test_a_launch_that_makes_no_sense_is_refused(
+    client: Client, attributes: dict[str, object], reason: str
+) -> None:
+    client.ask("initialize", adapterID="crs")
+    assert reason in client.refused("launch", **attributes)
+    assert client.ask("threads") == {"threads": []}
