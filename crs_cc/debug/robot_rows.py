@@ -134,8 +134,9 @@ def _command(environment: Environment, robot: int) -> Row:
     axes = tuple(each.model.drive.axis_names for each in environment.world.robots)
     now = slice_of(slices_of(state, axes, environment.timestep_s), robot)
     speeds = state.drive.axes.speed[robot].tolist()
+    was_told = bool(state.drive.command[robot])
     children = tuple(
-        _axis(axis, speed, is_limp=bool(limp))
+        _axis(axis, speed, was_told=was_told, is_limp=bool(limp))
         for axis, speed, limp in zip(now.axes, speeds, state.drive.limp[robot], strict=False)
     )
     if not now.command:
@@ -144,10 +145,12 @@ def _command(environment: Environment, robot: int) -> Row:
     return Row("command", f"{now.command.lower()}, timestep {now.number} {count}", children)
 
 
-def _axis(axis: AxisSlice, speed: float, *, is_limp: bool) -> Row:
+def _axis(axis: AxisSlice, speed: float, *, was_told: bool, is_limp: bool) -> Row:
     show = angle if axis.name in _TURNING else length
-    text = f"{show(speed)}/s, {show(axis.travelled)} since the command"
-    if axis.total is not None:
+    text = f"{show(speed)}/s"
+    if was_told:
+        text += f", {show(axis.travelled)} since the command"
+    if was_told and axis.total is not None:
         text += f" of {show(axis.total)}"
     return Row(axis.name, text + (", limp" if is_limp else ""))
 
