@@ -76,8 +76,8 @@ def _count(digits: str) -> int:
     return int(digits)
 
 
-def take_numbers(text: str) -> list[int]:
-    """Gives numbers, and those of ranges, in their order.
+def take_numbers(text: str, newest: int | None = None) -> list[int]:
+    """Gives numbers, and those of ranges, in their order; `$` is the newest one.
 
     Raises:
         DebugError: there is something else.
@@ -87,6 +87,9 @@ def take_numbers(text: str) -> list[int]:
     """
     numbers: list[int] = []
     for word in text.replace(",", " ").split():
+        if word == "$" and newest is not None:
+            numbers.append(newest)
+            continue
         found = re.fullmatch(r"(\d{1,9})(?:-(\d{1,9}))?", word)
         if not found:
             raise DebugError(f'"{word}" is no number: numbers are listed by "info breakpoints".')

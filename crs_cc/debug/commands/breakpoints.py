@@ -45,8 +45,10 @@ def name_of(one: Breakpoint) -> str:
 def described(one: Breakpoint) -> str:
     """Gives where a breakpoint is, in words."""
     location = one.place.location if one.place else None
-    if one.place is None or location is None:
+    if one.place is None:
         return one.text
+    if location is None:
+        return f"{one.text}, when the robot is asked"
     return f"{one.place.function} at {location.file}:{location.line}"
 
 
@@ -96,7 +98,12 @@ def _place(shell: Shell, text: str) -> str:
 
 
 def _all_or(shell: Shell, text: str) -> list[int]:
-    return take_numbers(text) or [each.number for each in shell.debugger.breakpoints]
+    return _numbers(shell, text) or [each.number for each in shell.debugger.breakpoints]
+
+
+def _numbers(shell: Shell, text: str) -> list[int]:
+    newest = max((each.number for each in shell.debugger.breakpoints), default=None)
+    return take_numbers(text, newest)
 
 
 def _delete(shell: Shell, text: str) -> Answer:
@@ -114,7 +121,7 @@ def _enable(shell: Shell, text: str, *, on: bool) -> Answer:
 
 def _condition(shell: Shell, text: str) -> Answer:
     number, _, condition = demand(text, "a breakpoint's number, and a condition").partition(" ")
-    for each in take_numbers(number):
+    for each in _numbers(shell, number):
         shell.debugger.set_condition(each, condition.strip())
         if not condition.strip():
             yield f"Breakpoint {each} is unconditional now."
@@ -123,14 +130,14 @@ def _condition(shell: Shell, text: str) -> Answer:
 def _ignore(shell: Shell, text: str) -> Answer:
     number, _, count = demand(text, "a breakpoint's number, and how often").partition(" ")
     times = 0 if count.strip() == "0" else take_count(demand(count, "how often to ignore it"))
-    for each in take_numbers(number):
+    for each in _numbers(shell, number):
         shell.debugger.ignore(each, times)
         yield f"Will ignore next {times} crossings of breakpoint {each}."
 
 
 def _commands(shell: Shell, text: str) -> Answer:
     known = [each.number for each in shell.debugger.breakpoints]
-    numbers = take_numbers(text) or known[-1:]
+    numbers = _numbers(shell, text) or known[-1:]
     if not numbers:
         raise DebugError("there is no breakpoint yet")
     missing = [each for each in numbers if each not in known]
@@ -142,7 +149,7 @@ def _commands(shell: Shell, text: str) -> Answer:
 
 
 def _info(shell: Shell, text: str) -> Answer:
-    wanted = set(take_numbers(text))
+    wanted = set(_numbers(shell, text))
     rows = [each for each in shell.debugger.breakpoints if not wanted or each.number in wanted]
     if not rows:
         yield "There are no breakpoints." if not wanted else "There is no such breakpoint."
@@ -159,7 +166,7 @@ def _info(shell: Shell, text: str) -> Answer:
 
 
 def _state(one: Breakpoint) -> str:
-    kind = "log" if one.log else one.kind
+    kind = "log" if one.log else "temporary" if one.temporary else one.kind
     return kind if one.enabled else f"({kind})"
 
 
@@ -173,7 +180,9 @@ _PLACES: Final = (
     " for the next one with code. Without a place, the line where the program stands. With"
     " several robots it stops any of them, unless one is named. CONDITION is a C expression."
 )
-_NUMBERS: Final = "N is a number, or a range such as 2-4; without one, all."
+_NUMBERS: Final = (
+    "N is a number, a range such as 2-4, or $ for the newest breakpoint; without one, all."
+)
 
 
 def _kinds() -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import glob
 import os
 import re
@@ -75,6 +76,9 @@ def _files_of(shell: Shell) -> Iterator[str]:
 
 
 def _expressions(shell: Shell, _word: str) -> Iterator[str]:
+    with contextlib.suppress(DebugError):
+        yield from (each.name for each in shell.debugger.variables())
+    yield from (each.name for each in shell.debugger.globals_())
     yield from (name for name, _ in functions(shell))
 
 

@@ -15,12 +15,14 @@ from crs_cc.debug.commands.arguments import (
 from crs_cc.debug.commands.command import Answer, Command, Group
 from crs_cc.debug.commands.display import Display
 from crs_cc.debug.commands.formats import LONGEST_TEXT, dump, formatted, quoted
+from crs_cc.debug.commands.stack import frame
 from crs_cc.debug.commands.type_text import declared
 from crs_cc.debug.errors import DebugError
 from crs_cc.ir.types import ArrayType, RecordType
 
 if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell
+    from crs_cc.debug.evaluate import Variable
     from crs_cc.debug.values import Value
 
 _MOST_STRINGS: Final = 100
@@ -123,6 +125,38 @@ def _info_display(shell: Shell, text: str) -> Answer:
         yield f"{number}: {display.expression}"
 
 
+def _variable(each: Variable) -> str:
+    hidden = "  (hidden by another one of that name)" if each.is_hidden else ""
+    return f"{each.name} = {each.value.text}{hidden}"
+
+
+def _info_locals(shell: Shell, text: str) -> Answer:
+    demand_none(text)
+    here = frame(shell)
+    found = shell.debugger.variables(frame=here.number)
+    if not found:
+        yield f"{here.function} has no variables here."
+    yield from map(_variable, found)
+
+
+def _info_args(shell: Shell, text: str) -> Answer:
+    demand_none(text)
+    here = frame(shell)
+    found = [
+        each for each in shell.debugger.variables(frame=here.number) if each.scope == "parameter"
+    ]
+    if not found:
+        yield f"{here.function} has no arguments."
+    yield from map(_variable, found)
+
+
+def _info_globals(shell: Shell, text: str) -> Answer:
+    found = [each for each in shell.debugger.globals_() if text in each.name]
+    if not found:
+        raise DebugError(f"no global variable has '{text}' in its name")
+    yield from map(_variable, found)
+
+
 _FORMATS: Final = (
     "FMT is a letter: x hexadecimal, d signed, u unsigned, o octal, t binary, c character,"
     " f floating, s string, a address."
@@ -173,6 +207,15 @@ DATA: Final = Group(
             text="N units, in format F, of U: b one byte, h two, w four, g eight. "
             + _FORMATS + " Without an address, what follows.",
             repeats="on", completes="expression",
+        ),
+        Command(
+            "info locals", "", "Show the variables of the function that is looked at.",
+            _info_locals, ("info lo",),
+        ),
+        Command("info args", "", "Show its arguments.", _info_args),
+        Command(
+            "info globals", "[TEXT]", "Show the global variables with TEXT in their names.",
+            _info_globals, ("info variables",), completes="expression",
         ),
     ),
 )  # fmt: skip

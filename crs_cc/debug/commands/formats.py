@@ -23,8 +23,10 @@ _MOST_BYTES: Final = 4096
 def formatted(value: Value, wanted: Format) -> str:
     """Gives a value in a form; that of an array or struct for each of its parts.
 
+    A number that is not whole stays as it is where the form is one of integers.
+
     Raises:
-        DebugError: there is no such value in that form.
+        DebugError: it has no such form.
     """
     if not wanted.letter:
         return value.full
@@ -41,21 +43,21 @@ def formatted(value: Value, wanted: Format) -> str:
     if wanted.letter == "s":
         return text_at(value)
     if isinstance(value.type, FloatType) and wanted.letter not in "fa":
-        whole = int(value.number) if _is_whole(value) else None  # type: ignore[arg-type]
-        if whole is None:
-            raise DebugError(f"{value.full} is no whole number: print it without /{wanted.letter}")
-        return letters(whole.to_bytes(16, "little", signed=True), wanted.letter, 8)
+        return _whole(value, wanted.letter)
     if wanted.letter == "a" and isinstance(value.type, PointerType):
         return f"{value.number:#x} {value.full}"
     return letters(value.content, wanted.letter)
 
 
-def _is_whole(value: Value) -> bool:
+def _whole(value: Value, letter: str) -> str:
+    """Gives a floating value as an integer, if it is one."""
     number = value.number
-    return isinstance(number, float) and abs(number) < 2**63 and number == int(number)
+    if number is None or not abs(number) < 2**63 or number != int(number):
+        return value.full
+    return letters(int(number).to_bytes(8, "little", signed=True), letter)
 
 
-def letters(content: bytes, letter: str, size: int = 0) -> str:
+def letters(content: bytes, letter: str) -> str:
     r"""Gives bytes in the form of a letter.
 
     >>> [letters(b"\xff\0\0\0", letter) for letter in "xduot"]
@@ -63,7 +65,6 @@ def letters(content: bytes, letter: str, size: int = 0) -> str:
     >>> letters(b"\xfe", "d"), letters(b"A", "c"), letters(struct.pack("<f", 0.5), "f")
     ('-2', "65 'A'", '0.5')
     """
-    content = content[:size] if size else content
     return _LETTERS[letter](content)
 
 

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 def _start(shell: Shell, text: str) -> Answer:
     demand_none(text)
+    shell.debugger.goto(BEGINNING)
     return shell.move(shell.debugger.start)
 
 

@@ -67,6 +67,8 @@ def _save_breakpoints(shell: Shell, text: str) -> Answer:
 def _written(shell: Shell, one: Breakpoint) -> Iterator[str]:
     """Gives the commands that make a breakpoint again."""
     yield _command(shell, one)
+    if one.condition:
+        yield f"condition $ {one.condition}"
     if one.ignore:
         yield f"ignore $ {one.ignore}"
     if not one.enabled:
@@ -77,11 +79,10 @@ def _written(shell: Shell, one: Breakpoint) -> Iterator[str]:
 
 def _command(shell: Shell, one: Breakpoint) -> str:
     robot = f" robot {shell.debugger.names[one.robot]}" if one.robot is not None else ""
-    condition = f" if {one.condition}" if one.condition else ""
     if one.log:
         return f"log {one.text} {one.log}"
     word = {"breakpoint": "tbreak" if one.temporary else "break", "catchpoint": "catch"}
-    return f"{word.get(one.kind, 'watch')} {one.text}{robot}{condition}"
+    return f"{word.get(one.kind, 'watch')} {one.text}{robot}"
 
 
 def _write(path: Path, content: str) -> None:

@@ -10,13 +10,13 @@ from crs_cc.debug.commands.command import Answer, Command, Group, SourceLine
 from crs_cc.debug.commands.listing import Listing
 from crs_cc.debug.commands.stops import frame_text
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.places import find_place
+from crs_cc.debug.places import find_place, is_file
 from crs_cc.ir.names import in_library, plain_name
+from crs_cc.source import Location
 
 if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell
     from crs_cc.debug.view import Frame
-    from crs_cc.source import Location
 
 _LINES: Final = 10
 _MOST_FRAMES: Final = 100
@@ -47,21 +47,29 @@ def frame(shell: Shell) -> Frame:
 
 
 def _backtrace(shell: Shell, text: str) -> Answer:
-    found = frames(shell)
-    most = take_count(text) if text else _MOST_FRAMES
     here = frame(shell).number
+    found = list(_shown(frames(shell)))
+    most = take_count(text) if text else _MOST_FRAMES
     for each in found[:most]:
-        yield f"{'=>' if each.number == here else '  '} #{each.number}  {frame_text(each)}"
+        mark = "=>" if each.number == here else "  "
+        yield f"{mark} #{each.number}  {frame_text(shell.debugger, each)}"
     if len(found) > most:
         yield f"(more active functions follow: {len(found) - most})"
 
 
+def _shown(found: list[Frame]) -> Iterator[Frame]:
+    """Gives the functions of the user's, and those of the library that they have called."""
+    for each, caller in zip(found, [*found[1:], None], strict=True):
+        if not each.is_library or (caller is not None and not caller.is_library):
+            yield each
+
+
 def _frame(shell: Shell, text: str) -> Answer:
     if text:
-        wanted = 0 if text == "0" else take_count(text)
-        if wanted not in [each.number for each in frames(shell)]:
-            raise DebugError(f'there is no active function #{wanted}: see "backtrace"')
-        shell.debugger.select_frame(wanted)
+        numbers = {str(each.number): each.number for each in frames(shell)}
+        if text not in numbers:
+            raise DebugError(f'there is no active function #{text}: see "backtrace"')
+        shell.debugger.select_frame(numbers[text])
     frame(shell)
     return shell.look()
 
@@ -88,10 +96,11 @@ def _move_frame(shell: Shell, by: int) -> Answer:
 def _info_frame(shell: Shell, text: str) -> Answer:
     demand_none(text)
     found, here = frames(shell), frame(shell)
-    yield f"#{here.number}  {frame_text(here)}"
+    yield f"#{here.number}  {frame_text(shell.debugger, here)}"
     place = [each.number for each in found].index(here.number)
     if place + 1 < len(found):
-        yield f"called by #{found[place + 1].number}  {frame_text(found[place + 1])}"
+        caller = found[place + 1]
+        yield f"called by #{caller.number}  {frame_text(shell.debugger, caller)}"
 
 
 def _list(shell: Shell, text: str) -> Answer:
@@ -130,13 +139,25 @@ def _range(shell: Shell, text: str) -> tuple[str, int, int]:
         return _around(middle.file, middle.line)
     if not first.strip():
         raise DebugError("say where the lines begin: list FIRST,LAST")
-    begin = find_line(shell, first)
+    begin = _listed(shell, first)
     if not last.strip():
         return _around(begin.file, begin.line)
-    end = find_line(shell, last)
+    end = _listed(shell, last)
     if end.file != begin.file or end.line < begin.line:
         raise DebugError(f"{end} does not stand behind {begin}")
     return begin.file, begin.line, end.line
+
+
+def _listed(shell: Shell, text: str) -> Location:
+    """Gives the place that lines are listed around: a line with or without code, a function."""
+    file, _, line = text.strip().rpartition(":")
+    if line.isascii() and line.isdigit() and len(line) < 9:
+        known = file or current_file(shell)
+        for path in shell.debugger.run.programs[shell.debugger.robot].executable.detail().lines:
+            if is_file(path, known):
+                return Location(path, int(line))
+    named = dict(functions(shell))
+    return named[line] if line in named and not file else find_line(shell, text)
 
 
 def _around(file: str, line: int) -> tuple[str, int, int]:
@@ -151,6 +172,12 @@ def _here(shell: Shell) -> Location:
     return place
 
 
+def current_file(shell: Shell) -> str:
+    """Gives the file where the program stands, or the program's first."""
+    here, robot = shell.debugger.location(), shell.debugger.robot
+    return here.file if here else str(shell.debugger.run.programs[robot].paths[0])
+
+
 def find_line(shell: Shell, text: str) -> Location:
     """Gives the line that a place means.
 
@@ -158,8 +185,7 @@ def find_line(shell: Shell, text: str) -> Location:
         DebugError: there is no such line, or function.
     """
     debugger = shell.debugger
-    here = debugger.location()
-    file = here.file if here else str(debugger.run.programs[debugger.robot].paths[0])
+    file = current_file(shell)
     found = find_place(text, debugger.run.programs, [debugger.robot], file).location
     if found is None:
         raise DebugError(f"'{text}' is the robot's, and stands in no file of the program")

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.commands.breakpoints import name_of
 from crs_cc.debug.commands.command import Answer, Line, SourceLine
+from crs_cc.debug.robot_rows import activity
 
 if TYPE_CHECKING:
     from crs_cc.debug.breakpoints import Breakpoint
@@ -20,9 +21,11 @@ _SAID: Final[dict[Reason, str]] = {
     "start": "The run is at its beginning.",
     "beginning": "The run is at its beginning: nothing was before.",
     "interrupt": "Interrupted.",
-    "end": "All programs have ended; what can be done is to go back.",
 }
 """What is said of a stop that has no text of its own."""
+
+_MOST_ENDS: Final = 5
+_LONGEST_ARGUMENT: Final = 40  # characters
 
 _QUIET: Final = frozenset({"step", "goto"})
 """Reasons of which nothing is said: the user asked for just this."""
@@ -40,7 +43,7 @@ class Standing:
     def head(self, debugger: Debugger) -> str:
         """Gives the place in words: `robot0 in turn (left=3) at wander.c:40`."""
         name = f"{debugger.names[self.robot]} in " if len(debugger.names) > 1 else ""
-        return name + frame_text(self.frame) if self.frame else ""
+        return name + frame_text(debugger, self.frame) if self.frame else ""
 
     def lines(self, debugger: Debugger, *, with_head: bool = True) -> Answer:
         """Gives the place, and the line of C there."""
@@ -75,10 +78,16 @@ def stop_lines(
     now = standing(debugger)
     hit = ", ".join(name_of(known[number]) for number in stop.breakpoints if number in known)
     text = stop.text or ("" if hit else _SAID.get(stop.reason, ""))
+    if stop.reason == "end":
+        text = f"All programs have ended: {_ends(debugger)}. The way leads back from here."
+    elif stop.reason == "exit" and not text:
+        text = f"{debugger.names[stop.robot]} {activity(debugger.session, stop.robot)}."
     if text:
         yield Line(f"{hit}: {text}" if hit else text, "stop")
         hit = ""
     if now.frame is None or stop.reason == "end":
+        if not text:
+            yield Line(when_text(debugger), "place")
         return
     is_same = before is not None and _call(before) == _call(now)
     if hit or text or stop.reason not in _QUIET or not is_same:
@@ -87,15 +96,38 @@ def stop_lines(
     yield from now.lines(debugger, with_head=False)
 
 
+def _ends(debugger: Debugger) -> str:
+    """Gives what became of the programs."""
+    ends = [
+        f"{name} {activity(debugger.session, robot)}"
+        for robot, name in enumerate(debugger.names[:_MOST_ENDS])
+    ]
+    more = len(debugger.names) - len(ends)
+    return ", ".join(ends) + (f", and {more} more" if more else "")
+
+
 def _call(place: Standing) -> tuple[int, str, int]:
     return place.robot, place.function, place.depth
 
 
-def frame_text(frame: Frame) -> str:
+def frame_text(debugger: Debugger, frame: Frame, robot: int | None = None) -> str:
     """Gives an active function with its arguments, and the place in it."""
-    place = frame.location
-    at = f" at {place.file}:{place.line}" if not frame.is_library else ""
-    return f"{frame.function} (){at}"
+    if frame.is_library:
+        return f"{frame.function} (), in the library"
+    place, variables = frame.location, debugger.variables(robot=robot, frame=frame.number)
+    arguments = [
+        f"{each.name}={_brief(each.value.text)}"
+        for each in variables
+        if each.scope == "parameter" and not each.is_hidden
+    ]
+    return f"{frame.function} ({', '.join(arguments)}) at {place.file}:{place.line}"
+
+
+def _brief(value: str) -> str:
+    """Gives a value in a few words: without what is told of an address."""
+    if value.startswith("0x"):
+        value = value.split(maxsplit=1)[0]
+    return value if len(value) <= _LONGEST_ARGUMENT else f"{value[:_LONGEST_ARGUMENT]}..."
 
 
 def current_line(debugger: Debugger, frame: Frame) -> Answer:

@@ -54,6 +54,13 @@ def declared(ctype: CType, declarator: str = "") -> Iterator[str]:
     yield f"}}{spell(ctype, declarator).removeprefix(head)}"
 
 
+def _has_no_name(ctype: CType) -> bool:
+    """Tells whether it is a struct or union that can be written in no other way."""
+    if isinstance(ctype, ArrayType):
+        return _has_no_name(ctype.element)
+    return isinstance(ctype, RecordType) and not (ctype.record.tag or ctype.record.alias)
+
+
 def _members(core: RecordType | EnumType) -> Iterator[str]:
     """Gives what stands in the braces."""
     if isinstance(core, EnumType):
@@ -62,8 +69,8 @@ def _members(core: RecordType | EnumType) -> Iterator[str]:
         return
     for member in core.record.members or ():
         width = "" if member.bit_width is None else f" : {member.bit_width}"
-        if member.name is None and isinstance(member.type, RecordType):
-            lines = list(declared(member.type))
+        if _has_no_name(member.type):
+            lines = list(declared(member.type, member.name or ""))
         else:
             lines = [spell(member.type, member.name or "")]
         yield from (f"{_INDENT}{line}" for line in lines[:-1])
