@@ -51,7 +51,7 @@ def take_format(text: str) -> tuple[Format, str]:
     sizes = [each for each in letters if each in _SIZES]
     shapes = [each for each in letters if each in _LETTERS]
     if len(sizes) > 1 or len(shapes) > 1 or len(sizes) + len(shapes) < len(letters):
-        raise DebugError(f'"/{digits}{letters}" is no format: try "help x".')
+        raise DebugError(f"'/{digits}{letters}' is no format: try \"help x\"")
     return (
         Format("".join(shapes), _count(digits or "1"), _SIZES[sizes[0]] if sizes else 0),
         text[found.end() :],
@@ -72,7 +72,7 @@ def take_count(text: str) -> int:
 
 def _count(digits: str) -> int:
     if not re.fullmatch(r"0*[1-9]\d{0,9}", digits) or int(digits) > MOST:
-        raise DebugError(f'"{digits}" is no count: it has to be a number from 1 to {MOST:,}.')
+        raise DebugError(f"'{digits}' is no count: say a number from 1 to {MOST:,}")
     return int(digits)
 
 
@@ -92,10 +92,10 @@ def take_numbers(text: str, newest: int | None = None) -> list[int]:
             continue
         found = re.fullmatch(r"(\d{1,9})(?:-(\d{1,9}))?", word)
         if not found:
-            raise DebugError(f'"{word}" is no number: numbers are listed by "info breakpoints".')
+            raise DebugError(f"'{word}' is no number: see \"info breakpoints\"")
         first, last = int(found[1]), int(found[2] or found[1])
         if not first <= last < first + 1000:
-            raise DebugError(f'"{word}" is no range of numbers.')
+            raise DebugError(f"'{word}' is no range of numbers")
         numbers += range(first, last + 1)
     return numbers
 
@@ -125,7 +125,7 @@ def take_where(text: str) -> Where:
     if found := _IF.search(text):
         text, condition = text[: found.start()], found[1].strip()
         if not condition:
-            raise DebugError('"if" needs a condition: a C expression.')
+            raise DebugError("'if' needs a condition, a C expression")
     robot = ""
     if found := _OF_ROBOT.search(text):
         text, robot = text[: found.start()], found[1]
@@ -147,7 +147,7 @@ def take_robot(text: str, names: Sequence[str]) -> int:
     if text.isascii() and text.isdigit() and len(text) < 9 and int(text) < len(names):
         return int(text)
     shown = ", ".join(names[:5]) + (", ..." if len(names) > 5 else "")
-    raise DebugError(f'There is no robot "{text}": there are {shown}.')
+    raise DebugError(f"there is no robot '{text}': there are {shown}")
 
 
 def demand(text: str, what: str) -> str:
@@ -158,7 +158,7 @@ def demand(text: str, what: str) -> str:
     """
     text = text.strip()
     if not text:
-        raise DebugError(f"Argument required ({what}).")
+        raise DebugError(f"what? This command needs {what}")
     return text
 
 
@@ -169,7 +169,7 @@ def demand_none(text: str) -> None:
         DebugError: something does.
     """
     if text.strip():
-        raise DebugError(f'"{text.strip()}" is too much: this command takes no argument.')
+        raise DebugError(f"'{text.strip()}' is too much: this command takes no argument")
 
 
 def split_arguments(text: str) -> list[str]:

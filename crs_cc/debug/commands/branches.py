@@ -46,6 +46,17 @@ def _switch(shell: Shell, text: str) -> Answer:
     return shell.move(partial(shell.debugger.switch, demand(text, "a branch's name")))
 
 
+def _compare(shell: Shell, text: str) -> Answer:
+    found = shell.debugger.compare(demand(text, "a branch's name"))
+    timestep = shell.debugger.position.timestep
+    if not found:
+        yield f"There is no difference at the start of timestep {timestep}."
+        return
+    yield f"At the start of timestep {timestep}, here and there:"
+    for each in found:
+        yield f"{each.robot} {each.name}: {each.here or 'nothing'} | {each.there or 'nothing'}"
+
+
 def _info_branches(shell: Shell, text: str) -> Answer:
     demand_none(text)
     branches = shell.debugger.branches
@@ -76,6 +87,10 @@ BRANCHES: Final = Group(
         ),
         Command(
             "switch", "NAME", "Go to another branch, to where it was left.", _switch,
+            completes="branch",
+        ),
+        Command(
+            "compare", "NAME", "Tell how another branch differs from this one.", _compare,
             completes="branch",
         ),
         Command("info branches", "", "List the branches.", _info_branches),

@@ -33,7 +33,7 @@ def _continue(shell: Shell, text: str) -> Answer:
     if count > 1:
         hit = shell.debugger.stop.breakpoints
         if not hit:
-            raise DebugError('"continue N" passes a breakpoint N - 1 times; it is at none here.')
+            raise DebugError("there is no breakpoint here to be passed")
         shell.debugger.ignore(hit[0], count - 1)
         yield f"Will ignore next {count - 1} crossings of breakpoint {hit[0]}.  Continuing."
     yield from shell.move(shell.debugger.resume)
@@ -87,14 +87,13 @@ def _goto(shell: Shell, text: str) -> Answer:
     found = _INSTANT.fullmatch(text)
     if not found:
         raise DebugError(
-            f'"{text}" is no instant: write a time in seconds as "12.3", or "tick 120",'
-            ' "stmt 40210", "start".'
+            f"'{text}' is no instant: write seconds as 12.3, or tick 120, stmt 40210, start"
         )
     kind, number = found["kind"] or "t", found["number"]
     if kind in {"t", "time"}:
         return shell.move(partial(shell.debugger.goto_time, float(number)))
     if not number.isdigit():
-        raise DebugError(f'"{kind}" needs a whole number.')
+        raise DebugError(f"'{kind}' needs a whole number")
     is_tick = kind.startswith("ti")
     go = shell.debugger.goto_timestep if is_tick else shell.debugger.goto_statement
     return shell.move(partial(go, int(number)))

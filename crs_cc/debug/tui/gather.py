@@ -132,7 +132,7 @@ def _breakpoints(debugger: Debugger, file: str) -> dict[int, Breakmark]:
 
 def _frames(debugger: Debugger) -> Iterator[Choice]:
     for each in debugger.frames():
-        head = frame_text(each).partition(" at ")[0]
+        head = frame_text(debugger, each).partition(" at ")[0]
         place = f"{PurePath(each.location.file).name}:{each.location.line}"
         is_current = each.number == debugger.frame
         yield Choice(each.number, head, "C library" if each.is_library else place, is_current)
