@@ -13,6 +13,8 @@ from crs_cc.ir.names import plain_name
 if TYPE_CHECKING:
     from crs_cc.debug.places import Place
     from crs_cc.debug.run import Instant, Run
+    from crs_cc.debug.watch import Access, Watched
+    from crs_cc.debug.watchpoints import Watchpoint
 
 Kind = Literal["breakpoint", "watchpoint", "catchpoint"]
 
@@ -26,6 +28,7 @@ class Breakpoint:
         kind: what it is.
         text: the place, expression or kind of happenings in the user's words.
         place: where a breakpoint is; None for the other kinds.
+        watch: what a watchpoint watches; None for the other kinds.
         condition: a C expression that must not be 0; empty for none.
         ignore: so many hits are still passed over.
         hits: how often it was hit, those passed over too.
@@ -39,6 +42,7 @@ class Breakpoint:
     kind: Kind
     text: str
     place: Place | None = None
+    watch: Watchpoint | None = None
     condition: str = ""
     ignore: int = 0
     hits: int = 0
@@ -54,11 +58,19 @@ class Breakpoint:
 
 @dataclass(frozen=True, slots=True)
 class Hit:
-    """A breakpoint that was met: by which robot, -1 for none, and what there is to say."""
+    """A breakpoint that was met.
+
+    Attributes:
+        breakpoint: the breakpoint.
+        robot: by which robot; -1 for none.
+        text: what there is to say.
+        access: what happened to what is watched.
+    """
 
     breakpoint: Breakpoint
     robot: int
     text: str = ""
+    access: Access | None = None
 
 
 class Breakpoints:
@@ -70,6 +82,11 @@ class Breakpoints:
 
     def __iter__(self) -> Iterator[Breakpoint]:
         return iter(tuple(self._all.values()))
+
+    @property
+    def next_number(self) -> int:
+        """The number that the next one will have."""
+        return self._made + 1
 
     def add(self, breakpoint_: Callable[[int], Breakpoint]) -> Breakpoint:
         """Adds what is made of the next number."""
@@ -108,8 +125,20 @@ class Breakpoints:
             for each in self._all.values()
         )
 
+    def watched(self, robot: int) -> tuple[Watched, ...]:
+        """Gives what is watched in a robot's memory."""
+        points = [each.watch for each in self._all.values() if each.concerns(robot)]
+        return tuple(each.watched for each in points if each)
+
+    def touched(self, instant: Instant) -> list[Hit]:
+        """Gives the watchpoints that an instant tells of, whatever their conditions."""
+        return [
+            Hit(self._all[access.watched.number], robot, access=access)
+            for robot, access in instant.accesses
+        ]
+
     def met(self, run: Run, instant: Instant) -> list[Hit]:
-        """Gives the breakpoints that an instant meets, whatever their conditions."""
+        """Gives the other breakpoints that an instant meets, whatever their conditions."""
         match instant.kind:
             case "statement":
                 return self._at_statement(run)

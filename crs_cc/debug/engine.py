@@ -12,24 +12,22 @@ import math
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.aims import Aim, BackAim, Spot, ToCaller, ToLine, ToStatement
 from crs_cc.debug.branches import Branch, Branches, Checkpoint
-from crs_cc.debug.breakpoints import Breakpoint, Breakpoints, Hit, Kind
 from crs_cc.debug.comparison import Difference, differences, facts
 from crs_cc.debug.console import Console
 from crs_cc.debug.edits import edit
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.happenings import checked_kind
 from crs_cc.debug.history import History
-from crs_cc.debug.places import Place, find_place
+from crs_cc.debug.points import Points
 from crs_cc.debug.position import BEGINNING, Position
 from crs_cc.debug.run import Run
 from crs_cc.debug.stop import Stop
 from crs_cc.debug.travel import Traveller
 from crs_cc.debug.values import Value
-from crs_cc.debug.view import Frame, View
+from crs_cc.debug.view import Frame
 from crs_cc.session.host import Client, Input, Output, discard, no_input
 
 if TYPE_CHECKING:
@@ -42,17 +40,16 @@ _SLACK_S: Final = 1e-9
 _MOST_STEPS: Final = 1_000_000
 _MOST_LINES: Final = 10
 _RETURN: Final = re.compile(r"return\b\s*([^;]+);")
-_BRACES: Final = re.compile(r"\{([^{}]*)\}")
 
 
-class Debugger(View):
-    """A run under the eyes of a user, who moves it; what he looks at is told by `View`.
+class Debugger(Points):
+    """A run under the eyes of a user, who moves it.
+
+    What he looks at is told by `View`, what the run stops at by `Points`.
 
     Attributes:
-        breakpoints: all breakpoints, watchpoints and catchpoints.
         branches: the courses of events that the user has tried.
         stop: the last stop.
-        say: takes what log points say.
     """
 
     def __init__(
@@ -80,11 +77,9 @@ class Debugger(View):
                 client=client,
             )
         )
-        self.breakpoints = Breakpoints()
-        self._traveller = Traveller(self.run, self.breakpoints, self._accepts)
+        self._traveller = Traveller(self.run, self.breakpoints, self.accepts, self.told_of)
         self.branches = Branches(self.run)
         self.stop = self._traveller.stop("start")
-        self.say: Callable[[str], None] = _unheard
 
     # -- moving --------------------------------------------------------------------------------
 
@@ -376,117 +371,3 @@ class Debugger(View):
             self.branches.switch(own)
             self.goto(here)
         return differences(facts_here, facts_there)
-
-    # -- breakpoints ---------------------------------------------------------------------------
-
-    def add_breakpoint(self, place: str, **options: Any) -> Breakpoint:
-        """Adds a breakpoint.
-
-        Args:
-            place: see `places.find_place`.
-            options: further attributes of the `Breakpoint`: `condition`, `ignore`, `temporary`,
-                `robot`, `log`.
-
-        Raises:
-            DebugError: there is no such place, or the condition is no expression there.
-        """
-        robot, location = options.get("robot"), self.location()
-        looked_at = self.run.programs[self.robot if robot is None else robot]
-        here = location.file if location else str(looked_at.paths[0])
-        robots = range(len(self.run.programs)) if robot is None else [robot]
-        found = find_place(place, self.run.programs, robots, here)
-        return self._add("breakpoint", place, found, options)
-
-    def add_catchpoint(self, what: str, **options: Any) -> Breakpoint:
-        """Adds a catchpoint for a kind of happenings, or for the `exit` of a program.
-
-        Raises:
-            DebugError: there is no such kind.
-        """
-        return self._add(
-            "catchpoint", what if what == "exit" else checked_kind(what), None, options
-        )
-
-    def _add(
-        self, kind: Kind, text: str, place: Place | None, options: Mapping[str, Any]
-    ) -> Breakpoint:
-        self._check(place, options.get("condition", ""))
-        return self.breakpoints.add(lambda number: Breakpoint(number, kind, text, place, **options))
-
-    def remove(self, number: int) -> None:
-        """Takes a breakpoint away.
-
-        Raises:
-            DebugError: there is no such one.
-        """
-        self.breakpoints.remove(number)
-
-    def enable(self, number: int, *, on: bool = True) -> None:
-        """Lets a breakpoint count, or not.
-
-        Raises:
-            DebugError: there is no such one.
-        """
-        self.breakpoints.get(number).enabled = on
-
-    def ignore(self, number: int, count: int) -> None:
-        """Passes over the next hits of a breakpoint.
-
-        Raises:
-            DebugError: there is no such one.
-        """
-        self.breakpoints.get(number).ignore = max(0, count)
-
-    def set_condition(self, number: int, condition: str) -> None:
-        """Lets a breakpoint stop only where a condition is true; an empty one always is.
-
-        Raises:
-            DebugError: there is no such one, or the condition is no expression there.
-        """
-        own = self.breakpoints.get(number)
-        self._check(own.place, condition)
-        own.condition = condition
-
-    def _check(self, place: Place | None, condition: str) -> None:
-        """Finds out whether a condition will mean something where it is asked for."""
-        if not condition or place is None:
-            return
-        for robot, numbers in place.statements.items():
-            sites = self.run.programs[robot].executable.detail().compiled.statements
-            for number in numbers:
-                site = sites[number]
-                self.evaluator(robot).check(condition, site.function, site.location)
-
-    def _accepts(self, hit: Hit, counts: bool) -> tuple[bool, str]:
-        """Tells whether a breakpoint that was met stops the run, and what to say then."""
-        own = hit.breakpoint
-        if own.condition:
-            try:
-                if not self.holds(own.condition, hit.robot):
-                    return False, ""
-            except DebugError as error:
-                return True, f"the condition of breakpoint {own.number} has no value: {error}"
-        if counts:
-            own.hits += 1
-            if own.ignore:
-                own.ignore -= 1
-                return False, ""
-            if own.log:
-                self.say(self._logged(own.log, hit.robot))
-        return not own.log, ""
-
-    def _logged(self, text: str, robot: int) -> str:
-        """Gives a log point's text with the values of the expressions in braces."""
-
-        def value(match: re.Match[str]) -> str:
-            try:
-                frame = self.first_own_frame(robot)
-                return self.look_up(match[1], robot=robot, frame=frame).text
-            except DebugError as error:
-                return f"<{error}>"
-
-        return _BRACES.sub(value, text)
-
-
-def _unheard(_text: str) -> None:
-    """Takes what nobody wants to hear."""

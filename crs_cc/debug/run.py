@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Final, Literal
 
 import numpy as np
@@ -24,12 +24,16 @@ from crs_cc.debug.console import Console
 from crs_cc.debug.history import History, Kept
 from crs_cc.debug.position import BEGINNING, Position
 from crs_cc.debug.tape import Tape
+from crs_cc.debug.watch import Watches
 from crs_cc.requests import CODES, FAILED, SUSPENDED
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
+from crs_cc.session.build import build_watching
 from crs_cc.session.session import Session
 
 if TYPE_CHECKING:
     from crs_cc.debug.program import DebugProgram
+    from crs_cc.debug.watch import Access, Watched
+    from crs_cc.runtime.executable import Executable
     from crs_cc.runtime.sites import StatementSite
     from crs_cc.sim.model import WorldModel
     from crs_cc.sim.step import Step
@@ -50,11 +54,16 @@ class Marks:
         statements: by robot, the numbers of statements before which it stops.
         all: the robots that stop before every statement.
         since: by robot, how many statements must have begun before it stops at all.
+        watched: by robot, what is watched in its memory: it stops behind accesses, too.
+        at_once: whether accesses are told when the round has ended, and not only where the program
+            has stopped for them: for who looks back.
     """
 
     statements: Mapping[int, Iterable[int]] = field(default_factory=dict)
     all: frozenset[int] = frozenset()
     since: Mapping[int, int] = field(default_factory=dict)
+    watched: Mapping[int, Sequence[Watched]] = field(default_factory=dict)
+    at_once: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,6 +77,7 @@ class Instant:
         ended: the programs that ended in the round, or failed.
         step: what happened in the timestep.
         over: whether the timestep was the last one, as no program is left.
+        accesses: what happened to what is watched, with the robots that did it.
     """
 
     kind: Literal["statement", "round", "timestep", "limit"]
@@ -75,6 +85,7 @@ class Instant:
     ended: tuple[int, ...] = ()
     step: Step | None = None
     over: bool = False
+    accesses: tuple[tuple[int, Access], ...] = ()
 
 
 _STATEMENT: Final = Instant("statement")
@@ -131,6 +142,9 @@ class Run:
             trace=self,
             **options,
         )
+        fleet = self.session.fleet
+        self._watches = [Watches(fleet, robot, self._watching) for robot in range(len(programs))]
+        self._watching_builds: dict[int, Executable] = {}
         self.history.keep(BEGINNING, self._kept())
 
     def _write(self, robot: int, stream: int, content: bytes) -> None:
@@ -178,8 +192,14 @@ class Run:
     # -- where programs stop -----------------------------------------------------------------
 
     def arm(self, marks: Marks) -> None:
-        """Lets programs stop at these places, and at no others."""
+        """Lets programs stop at these places, and at no others.
+
+        Accesses to what goes on being watched are told, even if they were made before; but not if
+        the run has been elsewhere since.
+        """
         self._marks = marks
+        for robot, watches in enumerate(self._watches):
+            watches.arm(marks.watched.get(robot, ()))
         for robot, own in enumerate(self.session.fleet.marks[: len(self.programs)]):
             own[: self._statements(robot)] = 0
             wanted = marks.statements.get(robot)
@@ -221,12 +241,16 @@ class Run:
                 self.tape.note(before, self.session.pending, self.session.fleet)
             self.session.run_programs()
             if edit is not None and self._has_passed(edit):
+                instant = _STATEMENT
+                if self.position == edit:
+                    instant = self._with_accesses(instant)
                 self.restore(self.history.at(edit))
-                return Instant("round") if edit.robot < 0 else _STATEMENT
+                return instant
             if limit is not None and self._has_passed(limit) and self.position != limit:
                 self._astray = True
                 return _LIMIT
             instant = self._end_round() if self.session.halted is None else _STATEMENT
+            instant = self._with_accesses(instant)
         position = self.position
         if edit == position:
             self.restore(self.history.at(position))
@@ -275,6 +299,7 @@ class Run:
             session.fleet.restore(robot, program)
         session.timesteps, session.rounds, session.halted = begin.timestep, begin.round, kept.halted
         self._set_slots()
+        self._look_anew()
 
     def _again(self, limit: Position) -> Instant | None:
         """Lets programs go through one more round, or a piece of it; None at the limit."""
@@ -290,10 +315,10 @@ class Run:
         if self._has_passed(limit) and self.position != limit:
             return None
         if session.halted is not None:
-            return _STATEMENT
+            return self._with_accesses(_STATEMENT)
         session.rounds += 1
         assert round_ is not None
-        return self._answered(round_.robots)
+        return self._with_accesses(self._answered(round_.robots))
 
     def _answered(self, robots: IndexArray) -> Instant:
         """Gives what came of a round of which only the programs have run."""
@@ -306,6 +331,23 @@ class Run:
         if self.interrupted:
             self.interrupted = False
             raise InterruptedRunError
+
+    def _with_accesses(self, instant: Instant) -> Instant:
+        """Adds to an instant what was done to what is watched, as far as it is to be told."""
+        found = [
+            (robot, access)
+            for robot in self._marks.watched
+            if self._marks.at_once or robot == self.session.halted or robot in instant.ended
+            for access in self._watches[robot].take()
+        ]
+        return replace(instant, accesses=tuple(found)) if found else instant
+
+    def _watching(self, executable: Executable) -> Executable:
+        """Gives the watching build of a program."""
+        number = id(executable)
+        if number not in self._watching_builds:
+            self._watching_builds[number] = build_watching(executable)
+        return self._watching_builds[number]
 
     def _has_passed(self, place: Position) -> bool:
         """Tells in a round that has just run whether a place in the middle of it is behind."""
@@ -353,6 +395,7 @@ class Run:
         self.session.restore(kept.session)
         self.console.restore(kept.console)
         self._set_slots()
+        self._look_anew()
 
     def enter(self, history: History, console: Console, chronicle: Chronicle) -> None:
         """Takes up another course of events; where in it, is said by `seek`."""
@@ -363,10 +406,16 @@ class Run:
 
     def changed(self) -> None:
         """Takes note that the user has changed something: from here on the run is another."""
+        self._look_anew()
         self.console.truncate()
         self.chronicle.forget(self.position.timestep)
         self.tape.forget(self.position)
         self.history.branch(self.position, self._kept())
+
+    def _look_anew(self) -> None:
+        """Takes what is watched as it is, as not the programs have changed it."""
+        for watches in self._watches:
+            watches.forget()
 
     def _kept(self) -> Kept:
         return Kept(self.session.snapshot(), self.console.snapshot())

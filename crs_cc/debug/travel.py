@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Callable, Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Final
 
 from crs_cc.debug.aims import Aim, BackAim, Spot
@@ -25,18 +25,36 @@ Accept = Callable[[Hit, bool], tuple[bool, str]]
 It is told whether the run goes forward under the user's eyes: then hits are counted.
 """
 
+Tell = Callable[[Hit], str]
+"""Says what happened to what is watched."""
+
 _FIRST_WINDOW: Final = 64
 _WIDER: Final = 16
+
+
+@dataclass(frozen=True, slots=True)
+class _Found:
+    """A reason to stop that lies before.
+
+    Attributes:
+        stop: what it was.
+        begun: how many statements of the program had begun before the one that did it, if that is
+            where to go: an access is found behind it.
+    """
+
+    stop: Stop
+    begun: int | None = None
 
 
 class Traveller:
     """Takes a run to where there is a reason to stop."""
 
-    def __init__(self, run: Run, breakpoints: Breakpoints, accept: Accept) -> None:
-        """Takes the run, what stops it, and what tests a breakpoint's condition."""
+    def __init__(self, run: Run, breakpoints: Breakpoints, accept: Accept, tell: Tell) -> None:
+        """Takes the run, what stops it, what tests a breakpoint's condition, and what tells."""
         self._run = run
         self._breakpoints = breakpoints
         self._accept = accept
+        self._tell = tell
 
     # -- forward -----------------------------------------------------------------------------
 
@@ -68,16 +86,16 @@ class Traveller:
         return Stop(reason, self._run.position, time_s, robot, (), text)
 
     def _marks(self, aim: Aim | None) -> Marks:
-        run = self._run
-        statements = {
-            robot: self._breakpoints.statements(robot) for robot in range(len(run.programs))
-        }
+        robots = range(len(self._run.programs))
+        statements = {robot: self._breakpoints.statements(robot) for robot in robots}
+        watched = {robot: self._breakpoints.watched(robot) for robot in robots}
+        marks = Marks(statements, watched={key: some for key, some in watched.items() if some})
         if aim is None:
-            return Marks(statements)
+            return marks
         if aim.functions is None:
-            return Marks(statements, frozenset({aim.robot}))
+            return replace(marks, all=frozenset({aim.robot}))
         statements[aim.robot] |= frozenset(self.inside(aim.robot, aim.functions))
-        return Marks(statements)
+        return marks
 
     def inside(self, robot: int, functions: frozenset[str]) -> Iterator[int]:
         """Gives the numbers of the statements in some functions."""
@@ -86,7 +104,10 @@ class Traveller:
 
     def _reason(self, instant: Instant, aim: Aim | None) -> Stop | None:
         """Gives why to stop at an instant, if there is a reason."""
-        stop = self._failure(instant) or self._hit(instant, counts=True)
+        stop = self._failure(instant)
+        if stop is None:
+            hits = [*self._breakpoints.met(self._run, instant), *self._breakpoints.touched(instant)]
+            stop = self._hit(hits, counts=True)
         if stop is not None:
             return stop
         if instant.kind == "statement" and aim is not None:
@@ -106,15 +127,16 @@ class Traveller:
             return None
         return self.stop("error", failed[0], run.session.fleet.report(failed[0]).text)
 
-    def _hit(self, instant: Instant, *, counts: bool) -> Stop | None:
-        met = self._breakpoints.met(self._run, instant)
+    def _hit(self, met: list[Hit], *, counts: bool) -> Stop | None:
+        """Gives the stop for those of some breakpoints that count, if any does."""
         hits: list[Hit] = []
         texts: list[str] = []
         for hit in met:
             stops, text = self._accept(hit, counts)
             if stops:
                 hits.append(hit)
-                texts.extend(each for each in (hit.text, text) if each)
+                told = self._tell(hit) if hit.access else hit.text
+                texts.extend(each for each in (told, text) if each)
         if not hits:
             return None
         first = hits[0]
@@ -151,8 +173,7 @@ class Traveller:
             for position in list(run.history.back_from(start)):
                 found = self._last(position, limit, start)
                 if found is not None:
-                    run.seek(found.position)
-                    return replace(found, time_s=run.time_s(found.robot))
+                    return self._to(found)
                 limit = position
         except InterruptedRunError:
             run.seek(start)
@@ -160,15 +181,43 @@ class Traveller:
         run.seek(BEGINNING)
         return self.stop("beginning")
 
-    def _last(self, begin: Position, limit: Position, start: Position) -> Stop | None:
+    def _last(self, begin: Position, limit: Position, start: Position) -> _Found | None:
         """Gives the last reason to stop behind one instant, up to another, but before `start`."""
         run, found = self._run, None
-        run.arm(self._marks(None))
+        run.arm(replace(self._marks(None), at_once=True))
         for instant in run.again(begin, limit, needs_world=self._breakpoints.need_world()):
-            stop = self._failure(instant) or self._hit(instant, counts=False)
-            if stop is not None and stop.position < start:
-                found = stop
+            met = self._met_before(start, instant) or self._touched_before(start, instant)
+            found = met or found
         return found
+
+    def _met_before(self, start: Position, instant: Instant) -> _Found | None:
+        if not self._run.position < start:
+            return None
+        stop = self._failure(instant)
+        if stop is None:
+            stop = self._hit(self._breakpoints.met(self._run, instant), counts=False)
+        return None if stop is None else _Found(stop)
+
+    def _touched_before(self, start: Position, instant: Instant) -> _Found | None:
+        """Gives what the last program did that an instant tells of: its statement began before."""
+        hits = self._breakpoints.touched(instant)
+        for robot in sorted({each.robot for each in hits}, reverse=True):
+            begun = max(0, self._run.begun(robot) - 1)
+            if robot == start.robot and begun >= start.statements:
+                continue
+            stop = self._hit([each for each in hits if each.robot == robot], counts=False)
+            if stop is not None:
+                return _Found(stop, begun)
+        return None
+
+    def _to(self, found: _Found) -> Stop:
+        """Goes to where there was a reason to stop."""
+        if found.begun is None:
+            self._run.seek(found.stop.position)
+            return replace(found.stop, time_s=self._run.time_s(found.stop.robot))
+        self.to_statement(found.stop.robot, found.begun)
+        here = self.stop(found.stop.reason, found.stop.robot, found.stop.text)
+        return replace(here, breakpoints=found.stop.breakpoints)
 
     def backward_to(self, aim: BackAim) -> Stop:
         """Goes back to a statement of one program that came before."""

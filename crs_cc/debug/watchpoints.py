@@ -1,0 +1,134 @@
+"""Watchpoints: objects that the user named by an expression, and what to say when they are touched.
+
+The expression is evaluated once: `*p` is what `p` points to now. What lies on the stack is watched
+as long as the function lasts whose it is.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import PurePath
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.values import Value
+from crs_cc.debug.watch import Access, Content, Watched
+from crs_cc.ir.names import plain_name
+from crs_cc.ir.program import ByteState
+from crs_cc.runtime.layout import HEADER_SIZE, STACK_TOP
+
+if TYPE_CHECKING:
+    from crs_cc.debug.evaluate import Evaluator
+    from crs_cc.debug.sight import Sight
+    from crs_cc.debug.watch import Kind
+    from crs_cc.ir.types import CType
+    from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
+
+_GONE: Final = bytes([ByteState.INACCESSIBLE])
+_SIMPLE: Final = re.compile(r"[\w.\[\]]+|\w+->[\w.\[\]]+")
+_DEEPEST: Final = 20
+
+
+@dataclass(frozen=True, slots=True)
+class Watchpoint:
+    """What a watchpoint watches.
+
+    Attributes:
+        text: the expression.
+        type: its type.
+        watched: where it lies.
+    """
+
+    text: str
+    type: CType
+    watched: Watched
+
+    @property
+    def note(self) -> str:
+        """Says how long it lasts, if that is not for ever."""
+        frame = self.watched.frame
+        return f"lasts until '{plain_name(frame.function)}' returns" if frame else ""
+
+
+def watchpoint(
+    number: int, text: str, kind: Kind, evaluator: Evaluator, frame: StackFrame | None
+) -> Watchpoint:
+    """Finds what an expression names.
+
+    Args:
+        number: of the watchpoint.
+        text: the expression.
+        kind: which accesses count.
+        evaluator: of the robot's program.
+        frame: the active function that it is looked at from.
+
+    Raises:
+        DebugError: it names no object that is there.
+    """
+    place = evaluator.place(text, frame)
+    if not place.size:
+        raise DebugError(f"'{text}' has no bytes that could be watched")
+    sight = evaluator.sight()
+    if not sight.is_accessible(place.address, place.size):
+        raise DebugError(sight.explain(place.address, place.size, False))
+    owner = _owner(sight.stopped, place.address)
+    return Watchpoint(text, place.type, Watched(number, kind, place.address, place.size, owner))
+
+
+def _owner(stopped: Stopped, address: int) -> StackFrame | None:
+    """Gives the activation whose variable or parameter lies at an address on the stack."""
+    if address >= STACK_TOP:
+        return None
+    for active in stopped.stack:
+        frame = stopped.compiled.info(active.function).frame
+        if address < active.fp + HEADER_SIZE + max(0, frame.varargs - frame.size - HEADER_SIZE):
+            return active
+    return None
+
+
+def same_activation(one: StackFrame, other: StackFrame) -> bool:
+    """Tells whether an activation is the same, though it stands elsewhere now."""
+    return (one.fp, one.function, one.entered) == (other.fp, other.function, other.entered)
+
+
+def told(watchpoint: Watchpoint, access: Access, sight: Sight) -> str:
+    """Says what happened to what is watched."""
+    place = access.location
+    where = f" at {PurePath(place.file).name}:{place.line}" if place else ""
+    by = f" by {access.library}" if access.library else ""
+    if access.what == "return":
+        function = plain_name(watchpoint.watched.frame.function) if watchpoint.watched.frame else ""
+        return f"{watchpoint.text} is gone: '{function}' has returned{where}"
+    old, new = (_value(sight, watchpoint, each) for each in (access.old, access.new))
+    if access.what == "read":
+        return f"{watchpoint.text} = {new.text}, read{by}{where}"
+    if access.old == access.new:
+        return f"{watchpoint.text} = {new.text} as before, written{by}{where}"
+    name, old, new = _narrowed(watchpoint.text, old, new)
+    return f"{name}: {old.text} -> {new.text}, written{by}{where}"
+
+
+def _value(sight: Sight, watchpoint: Watchpoint, content: Content) -> Value:
+    there, states = content
+    known = states if states.strip(_GONE) else b""  # of a register nobody keeps the states
+    return Value(sight, watchpoint.type, there, known, watchpoint.watched.address)
+
+
+def _narrowed(name: str, old: Value, new: Value) -> tuple[str, Value, Value]:
+    """Gives the only part of an array or struct that has changed, if it is one."""
+    for _ in range(_DEEPEST):
+        if not (old.child_count > 1 and old.child_count == new.child_count):
+            break
+        pairs = zip(old.children(), new.children(), strict=True)
+        changed = [
+            (part, was, now)
+            for (part, was), (_, now) in pairs
+            if (was.content, was.states) != (now.content, now.states)
+        ]
+        if len(changed) != 1:
+            break
+        part, old, new = changed[0]
+        base = name if _SIMPLE.fullmatch(name) else f"({name})"
+        name = f"{base}{part}" if part.startswith("[") else f"{base}.{part}"
+    return name, old, new
