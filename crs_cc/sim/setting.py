@@ -205,8 +205,7 @@ class Setting:
         """
         number = self._names.index(name) if name in self._names else -1
         if number in range(len(self.world.robots)):
-            if not self.state.presence.present[number]:
-                raise ValueError(f"robot {name!r} is not in the world")
+            self._demand_presence(number)
             thing = carry_robot(self.state, self._equipment, number, place)
         else:
             if wrong := self._immovable(name):
@@ -236,8 +235,9 @@ class Setting:
         """Lets so much be left in the battery of a robot's motors, 0 to 1.
 
         Raises:
-            ValueError: it lasts for ever.
+            ValueError: it lasts for ever, or the robot is not in the world.
         """
+        self._demand_presence(number)
         batteries = self._devices.instruments.batteries
         batteries.charge(self.state, number, self.time_s, share)
 
@@ -270,6 +270,10 @@ class Setting:
     def hash(self) -> str:
         """Gives the SHA-256 of the whole state."""
         return self.state.sha256()
+
+    def _demand_presence(self, number: int) -> None:
+        if not self.state.presence.present[number]:
+            raise ValueError(f"robot {self._robot_ids[number]!r} is not in the world")
 
     def _immovable(self, name: str) -> str:
         """Gives why a thing cannot be carried away; empty if it can."""

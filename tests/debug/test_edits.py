@@ -135,3 +135,10 @@ def test_what_cannot_be_done_is_told_and_nothing_changes(driver, text, message) 
     assert str(caught.value).startswith(message)
     assert "\n" not in str(caught.value)
     assert driver.environment.hash() == before
+
+
+def test_robots_that_are_not_there_are_not_changed() -> None:
+    driver = Driver.of(world_of('<robot x="2m" y="2m"/><robot x="5m" y="5m" join="9s"/>'))
+    for text in ("move robot1 to 1 1", "turn robot1 to 90", "charge robot1 50"):
+        with pytest.raises(DebugError, match="robot 'robot1' is not in the world"):
+            edit(driver.environment, text)
