@@ -93,6 +93,7 @@ class Server:
             session.output.say(explain(error), "stderr")
             stop = debugger.stop
         session.moves = False
+        session.handles.clear()  # of what was asked for on the way
         if session.debugger is debugger:
             session.output.flush()
             tell_stop(session, stop)
