@@ -74,8 +74,8 @@ _OPTIONS: Final = (
         "with --batch our own standard input.",
     ),
     click.option(
-        "--tui/--no-tui", default=None,
-        help="Show the full screen, or ask line by line; by default the screen on a terminal.",
+        "--tui/--repl", default=None,
+        help="Show the full screen, or a plain prompt; by default the screen on a terminal.",
     ),
     click.option(
         "--dap", metavar="stdio|PORT", callback=_dap,

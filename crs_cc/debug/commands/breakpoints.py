@@ -201,7 +201,8 @@ BREAKPOINTS: Final = Group(
         ),
         Command(
             "tbreak", "[PLACE] [robot NAME] [if CONDITION]", "Stop there once.",
-            partial(_break, temporary=True), ("tb",), text=_PLACES, completes="place",
+            partial(_break, temporary=True), ("tb",), text='Places are those of "break".',
+            completes="place",
         ),
         Command(
             "catch", "WHAT [robot NAME]", "Stop when something happens to a program or a robot.",
@@ -209,8 +210,8 @@ BREAKPOINTS: Final = Group(
         ),
         Command(
             "dprintf", 'PLACE,"FORMAT",EXPRESSION...', "Print there, and do not stop.", _dprintf,
-            text="The format is printf's: %d %u %x %o %c %s %f %g %p and %%; every value is shown"
-            " as its type says, or in hexadecimal or octal.",
+            text="The format is printf's: %d %u %x %o %c %s %f %g %p and %%; each stands"
+            " for the next expression, whose value is shown as its type says.",
             completes="place",
         ),
         Command(

@@ -183,8 +183,8 @@ MOVING: Final = Group(
         Command(
             "goto", "TIME|tick N|stmt N|start", "Go to an instant, forward or backward.", _goto,
             text="TIME is in seconds, such as 12.3; tick N the beginning of timestep N; stmt N"
-            ' where the robot\'s program has begun N statements, as "when" tells. Breakpoints on'
-            " the way do not stop it.",
+            ' before statement N of the robot\'s program, as "when" tells. Breakpoints on the way'
+            " do not stop it.",
         ),
         Command("when", "", "Tell the instant: time, timestep, statement.", _when),
     ),
