@@ -9,32 +9,44 @@ What an expression changes, the program finds changed; a mistake inside changes 
 
 from __future__ import annotations
 
-import re
+import contextlib
 import struct
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.interpret import SCRATCH, EvaluationError, Interpreter
-from crs_cc.debug.memory import StoppedMemory
+from crs_cc.debug.memory import Saved, StoppedMemory
+from crs_cc.debug.notation import Slice, kept_in, slice_in
 from crs_cc.debug.operators import unsigned
-from crs_cc.debug.program import DebugProgram
-from crs_cc.debug.scope import Frame, Home, Kind, Scopes
+from crs_cc.debug.prepare import (
+    Names,
+    Preparation,
+    Prepared,
+    Standing,
+    UnknownSizeError,
+    Use,
+)
+from crs_cc.debug.scope import Frame, Kind, Scopes, concrete
 from crs_cc.debug.sight import Sight
 from crs_cc.debug.values import Value
-from crs_cc.errors import CompileError
-from crs_cc.frontend.expression import EXPRESSION, CompiledExpression, FileNames
+from crs_cc.frontend.expression import EXPRESSION, CompiledExpression
 from crs_cc.ir.names import in_library, plain_name
-from crs_cc.ir.types import ArrayType, CType, FloatType, FunctionType, PointerType, VoidType
+from crs_cc.ir.types import (
+    ArrayType,
+    CType,
+    FloatType,
+    FunctionType,
+    PointerType,
+    VoidType,
+    is_complete,
+)
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
-from crs_cc.source import Diagnostics, Location
+from crs_cc.source import Location
 
-LONGEST: Final = 10_000
-"""Longer expressions are refused [characters]."""
-
-_NAME: Final = re.compile(r"[A-Za-z_$][\w$]*")
-_NOWHERE: Final = Location("")
+MOST_ELEMENTS: Final = 100_000
+"""Longer slices are refused."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,71 +97,52 @@ class Variable:
     is_hidden: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class _Prepared:
-    """An expression compiled for a place, and the variables that it uses."""
-
-    compiled: CompiledExpression
-    homes: tuple[Home, ...]
-    types: tuple[CType, ...]
-
-
-class Names:
-    """What the names in a program's files mean; read from the files when first asked for."""
-
-    def __init__(self, program: DebugProgram) -> None:
-        self._program = program
-        self._files: dict[str, FileNames] = {}
-
-    def of(self, function: str, file: str) -> FileNames:
-        """Gives the names that the C file of a function knows.
-
-        Args:
-            function: the linker's name of the function.
-            file: where it stands, which may be a header.
-
-        Raises:
-            DebugError: the file cannot be compiled any more.
-        """
-        paths = {str(path): path for path in self._program.paths}
-        unit = function.rpartition(":")[0]
-        name = next((each for each in (unit, file) if each in paths), next(iter(paths)))
-        if name not in self._files:
-            try:
-                self._files[name] = FileNames(paths[name], self._program.options)
-            except CompileError as error:
-                first = error.diagnostics[0]
-                raise DebugError(f"{first.location}: {first.text}; has it changed?") from None
-        return self._files[name]
-
-
 class Evaluator:
-    """Evaluates expressions in a robot's program."""
+    """Evaluates expressions in a robot's program.
 
-    def __init__(self, stopped: Callable[[], Stopped], names: Names) -> None:
+    Attributes:
+        kept: the values that `$name = expression` has kept; the last one that was evaluated for a
+            user may be kept as `$`, which has no name.
+    """
+
+    def __init__(
+        self,
+        stopped: Callable[[], Stopped],
+        names: Names,
+        kept: dict[str, Value] | None = None,
+    ) -> None:
         """Takes what tells where the program stands now, and what its names mean."""
+        self.kept: dict[str, Value] = {} if kept is None else kept
         self._stopped = stopped
         self._names = names
         now = stopped()
-        self._program, self._compiled = now.program, now.compiled
+        self._compiled = now.compiled
         self._scopes = Scopes(now.program, now.compiled)
+        self._preparation = Preparation(names, self._scopes, self.kept)
         self._memory = StoppedMemory(now, self._explain)
         self._interpreter = Interpreter(now.program, now.compiled.addresses, self._memory)
-        self._prepared: dict[tuple[Any, ...], _Prepared] = {}
 
     def evaluate(self, text: str, frame: StackFrame | None = None) -> Evaluation:
         """Evaluates an expression.
 
         Args:
-            text: the expression.
+            text: the expression; or a slice, or `$name = expression`, see `notation`.
             frame: the active function to look from; by default the innermost of the user's files.
 
         Raises:
             DebugError: it means nothing here, or cannot be evaluated.
         """
-        frame = frame or self._innermost()
-        prepared = self._prepare(text, frame)
-        result = self._run(prepared, frame)
+        keeping = kept_in(text)
+        if keeping is not None:
+            found = self.evaluate(keeping[1], frame)
+            self.kept[keeping[0]] = found.value
+            return found
+        stopped = self._stopped()
+        frame = frame or _innermost(stopped)
+        wanted = slice_in(text)
+        if wanted is not None:
+            return Evaluation(self._slice(wanted, frame), changed=False)
+        prepared, result = self._run(text, stopped, frame)
         try:
             value = self._value(prepared.compiled, result)
         except EvaluationError as wrong:
@@ -167,9 +160,8 @@ class Evaluator:
         Raises:
             DebugError: as for `evaluate`.
         """
-        frame = frame or self._innermost()
-        prepared = self._prepare(f"!!({text})", frame)
-        result = self._run(prepared, frame)
+        stopped = self._stopped()
+        _, result = self._run(f"!!({text})", stopped, frame or _innermost(stopped))
         self._memory.undo()
         return bool(result)
 
@@ -179,7 +171,8 @@ class Evaluator:
         Raises:
             DebugError: it does not.
         """
-        self._prepare_at(text, function, place)
+        with contextlib.suppress(UnknownSizeError):
+            self._preparation.of(text, Standing(function, place))
 
     def type_of(self, text: str, frame: StackFrame | None = None) -> CType:
         """Gives the type of an expression, which is not evaluated.
@@ -187,7 +180,13 @@ class Evaluator:
         Raises:
             DebugError: it means nothing here.
         """
-        return self._prepare(text, frame or self._innermost()).compiled.type
+        stopped = self._stopped()
+        frame = frame or _innermost(stopped)
+        wanted = slice_in(text)
+        if wanted is not None:
+            return self._slice(wanted, frame).type
+        standing = self._standing(stopped, frame, Frame.of(stopped, frame))
+        return self._preparation.of(text, standing).compiled.type
 
     def place(self, text: str, frame: StackFrame | None = None) -> Place:
         """Gives where the object lies that an expression names.
@@ -195,31 +194,40 @@ class Evaluator:
         Raises:
             DebugError: it names none.
         """
-        frame = frame or self._innermost()
-        prepared = self._prepare(text, frame)
-        result, compiled = self._run(prepared, frame), prepared.compiled
+        stopped = self._stopped()
+        frame = frame or _innermost(stopped)
+        wanted = slice_in(text)
+        prepared, result = self._run(text if wanted is None else wanted.base, stopped, frame)
         self._memory.undo()
-        address = unsigned(result or 0, 32)
+        is_local = any(isinstance(use, Use) and use.home.in_frame for use in prepared.uses)
+        depends_on = frame if is_local else None
+        if wanted is not None:
+            value = self._slice(wanted, frame)
+            return Place(value.address or 0, value.type.size, value.type, depends_on)
+        address, compiled = unsigned(result or 0, 32), prepared.compiled
         if not compiled.is_place or address >= SCRATCH:
             raise DebugError(f"'{text}' is a value and no object in memory")
-        is_local = any(home.in_frame for home in prepared.homes)
-        return Place(address, compiled.type.size, compiled.type, frame if is_local else None)
+        return Place(address, compiled.type.size, compiled.type, depends_on)
 
     def variables(self, frame: StackFrame | None = None) -> list[Variable]:
         """Gives the variables of an active function, those of the innermost block first.
 
         Parameters come last; variables that are declared behind the place are left out.
         """
-        frame = frame or self._innermost()
+        stopped = self._stopped()
+        frame = frame or _innermost(stopped)
         if frame is None or in_library(frame.location):
             return []
         names = self._names.of(frame.function, frame.location.file)
-        known, sight, seen = Frame.of(self._stopped(), frame), self.sight(), set[str]()
+        known, sight, seen = Frame.of(stopped, frame), self.sight(), set[str]()
+        sizes = known.sizes(self._compiled.info(frame.function), stopped.memory)
         found = []
         for home in self._scopes.of(frame.function):
-            variable = home.variable
-            if variable.is_visible(frame.location):
-                value = sight.value(known.address(home), names.type_of(variable))
+            variable, ctype = home.variable, concrete(names.type_of(home.variable), sizes)
+            if variable.is_visible(frame.location) and ctype is not None:
+                value = sight.value(known.address(home), ctype)
+                if variable.is_indirect:
+                    value = value.target() or value
                 found.append(Variable(variable.name, value, home.kind, variable.name in seen))
                 seen.add(variable.name)
         return sorted(found, key=lambda each: each.scope == "parameter")
@@ -232,74 +240,53 @@ class Evaluator:
             for home in self._scopes.globals_()
         ]
 
-    # -- compiling ---------------------------------------------------------------------------
-
-    def _innermost(self) -> StackFrame | None:
-        stack = self._stopped().stack
-        return next((each for each in stack if not in_library(each.location)), None)
-
-    def _prepare(self, text: str, frame: StackFrame | None) -> _Prepared:
-        function, place = ("", _NOWHERE) if frame is None else (frame.function, frame.location)
-        return self._prepare_at(text, function, place)
-
-    def _prepare_at(self, text: str, function: str, place: Location) -> _Prepared:
-        if len(text) > LONGEST:
-            raise DebugError("the expression is too long")
-        key = text, function, place
-        found = self._prepared.get(key)
-        if found is None:
-            found = self._prepared[key] = self._compile(text, function, place)
-        return found
-
-    def _compile(self, text: str, function: str, place: Location) -> _Prepared:
-        names = self._names.of(function, place.file)
-        used = set(_NAME.findall(text))
-        homes: dict[str, Home] = {}
-        for home in self._visible(function, place, names):
-            if home.variable.name in used:
-                homes.setdefault(home.variable.name, home)
-        types = tuple(names.type_of(home.variable) for home in homes.values())
-        pairs = list(zip(homes, types, strict=True))
-        try:
-            compiled = names.compile(text, plain_name(function), pairs, Diagnostics())
-        except CompileError as error:
-            first = error.diagnostics[0]
-            hint = f" ({first.hint})" if first.hint else ""
-            raise DebugError(f"{first.text}{hint}") from None
-        except RecursionError:
-            raise DebugError("the expression is nested too deeply") from None
-        return _Prepared(compiled, tuple(homes.values()), types)
-
-    def _visible(self, function: str, place: Location, names: FileNames) -> Sequence[Home]:
-        """Gives the variables that names may mean at a place, the innermost first.
-
-        One whose declaration is still to come counts if its name means nothing else.
-        """
-        if not function or in_library(place):
-            return ()
-        every = [each for each in self._scopes.of(function) if each.variable.reaches(place)]
-        now = [each for each in every if each.variable.is_visible(place)]
-        later = [
-            each
-            for each in every
-            if not each.variable.is_visible(place) and not names.knows(each.variable.name)
-        ]
-        return [*now, *later]
+    def sight(self) -> Sight:
+        """Gives what looks at the program's memory as it is now."""
+        return Sight(self._stopped(), self._interpreter.scratch)
 
     # -- running -----------------------------------------------------------------------------
 
-    def _run(self, prepared: _Prepared, frame: StackFrame | None) -> Any:
-        known = Frame.of(self._stopped(), frame)
-        arguments = [known.address(home) for home in prepared.homes]
-        saved = [each for each in map(known.saved, prepared.homes) if each is not None]
+    def _standing(self, stopped: Stopped, frame: StackFrame | None, known: Frame) -> Standing:
+        if frame is None:
+            return Standing()
+        sizes = known.sizes(self._compiled.info(frame.function), stopped.memory)
+        return Standing(frame.function, frame.location, sizes)
+
+    def _run(self, text: str, stopped: Stopped, frame: StackFrame | None) -> tuple[Prepared, Any]:
+        """Evaluates an expression; gives it compiled, and its value or address."""
+        known = Frame.of(stopped, frame)
+        prepared = self._preparation.of(text, self._standing(stopped, frame, known))
+        arguments: list[int | bytes] = []
+        saved: list[Saved] = []
+        for use in prepared.uses:
+            if isinstance(use, bytes):
+                arguments.append(use)
+                continue
+            where = known if not use.inside else _frame_of(use.inside, stopped, frame)
+            own = where.saved(use.home)
+            if own is not None:
+                saved.append(own)
+            arguments.append(where.address(use.home))
+            if use.home.variable.is_indirect:
+                arguments[-1] = self._pointer(use, own, arguments[-1])
         self._memory.begin(saved)
         try:
-            return self._interpreter.evaluate(prepared.compiled.program, EXPRESSION, arguments)
-        except (EvaluationError, RecursionError) as wrong:
+            value = self._interpreter.evaluate(prepared.compiled.program, EXPRESSION, arguments)
+        except EvaluationError as wrong:
             self._memory.undo()
-            too_deep = "too many calls inside each other"
-            text = too_deep if isinstance(wrong, RecursionError) else str(wrong)
-            raise DebugError(text) from None
+            raise DebugError(str(wrong)) from None
+        except RecursionError:
+            self._memory.undo()
+            raise DebugError("too many calls inside each other") from None
+        return prepared, value
+
+    def _pointer(self, use: Use, saved: Saved | None, address: int | bytes) -> int:
+        """Gives the address of an array that a hidden pointer stands for."""
+        assert isinstance(address, int)
+        memory = self._stopped().memory
+        if saved is not None and not saved.has_value(memory):
+            raise DebugError(f"'{use.home.variable.name}' does not exist yet")
+        return int(memory[address : address + 4].view("<u4")[0])
 
     def _value(self, compiled: CompiledExpression, result: Any) -> Value:
         ctype, sight = compiled.type, self.sight()
@@ -314,12 +301,61 @@ class Evaluator:
             self._memory.read(address, 1, judged=False)
         return sight.value(address, ctype)
 
-    def sight(self) -> Sight:
-        """Gives what looks at the program's memory as it is now."""
-        return Sight(self._stopped(), self._interpreter.scratch)
+    def _slice(self, wanted: Slice, frame: StackFrame | None) -> Value:
+        """Gives objects in a row as an array."""
+        base = self._part(wanted.base, frame)
+        first = self._whole(wanted.first, frame)
+        if not wanted.last:
+            return self._row(base.type, base.address, 0, first)
+        last = self._whole(wanted.last, frame)
+        if isinstance(base.type, ArrayType):
+            return self._row(base.type.element, base.address, first, last - first + 1)
+        if isinstance(base.type, PointerType) and isinstance(base.number, int):
+            return self._row(base.type.target, base.number, first, last - first + 1)
+        raise DebugError(f"'{wanted.base}' is neither an array nor a pointer")
+
+    def _row(self, ctype: CType, address: int | None, first: int, count: int) -> Value:
+        if address is None or not is_complete(ctype):
+            raise DebugError("only objects in memory stand in a row")
+        if not 0 < count <= MOST_ELEMENTS:
+            raise DebugError(f"a slice has 1 to {MOST_ELEMENTS:,} elements, not {count:,}")
+        start = unsigned(address + first * ctype.size, 32)
+        try:
+            self._memory.read(start, ctype.size * count, judged=False)
+        except EvaluationError as wrong:
+            raise DebugError(str(wrong)) from None
+        value = self.sight().value(start, ArrayType(ctype, count))
+        return replace(value, first=first)
+
+    def _part(self, text: str, frame: StackFrame | None) -> Value:
+        """Evaluates a part of a slice, which may change nothing."""
+        found = self.evaluate(text, frame)
+        if found.changed:
+            self._memory.undo()
+            raise DebugError(f"'{text}' would change the program")
+        return found.value
+
+    def _whole(self, text: str, frame: StackFrame | None) -> int:
+        value = self._part(text, frame)
+        if not isinstance(value.number, int) or isinstance(value.type, PointerType):
+            raise DebugError(f"'{text}' is no whole number")
+        return value.number
 
     def _explain(self, address: int, size: int, reading: bool) -> str:
         return self.sight().explain(address, size, reading)
+
+
+def _innermost(stopped: Stopped) -> StackFrame | None:
+    return next((each for each in stopped.stack if not in_library(each.location)), None)
+
+
+def _frame_of(function: str, stopped: Stopped, frame: StackFrame | None) -> Frame:
+    """Gives the frame of a function: the nearest one outside of another, or else the innermost."""
+    active = [each for each in stopped.stack if each.function == function]
+    if not active:
+        raise DebugError(f"'{plain_name(function)}' is not active: it has no variables now")
+    outside = [each for each in active if frame is None or each.fp >= frame.fp]
+    return Frame.of(stopped, (outside or active)[0])
 
 
 def _bytes(ctype: CType, result: Any) -> bytes:

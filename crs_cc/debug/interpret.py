@@ -13,7 +13,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Final, Protocol
 
-from crs_cc.debug.operators import compute, unsigned
+from crs_cc.debug.operators import compute, signed, unsigned
 from crs_cc.ir.names import plain_name
 from crs_cc.ir.program import (
     MEMORY_SIZE,
@@ -150,7 +150,8 @@ class Interpreter:
         for data in expression.data.values():
             self._fill(data)
         passed = [self._kept(each) if isinstance(each, bytes) else each for each in arguments]
-        return self._call(expression.functions[name], [("i32", each, 4) for each in passed])
+        own = expression.functions[name]
+        return self._call(own, [("i32", signed(each, 32), 4) for each in passed])
 
     def scratch(self, address: int, size: int) -> bytes:
         """Gives bytes of the scratch memory, fewer at its end."""

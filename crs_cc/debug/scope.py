@@ -7,13 +7,19 @@ fixed address.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 from typing import Final, Literal
 
+import numpy as np
+import numpy.typing as npt
+
 from crs_cc.debug.memory import Saved
+from crs_cc.frontend.scope import ObjectSymbol
+from crs_cc.frontend.vla import EXTENT
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.ir.program import Data, Program, Register, Variable
+from crs_cc.ir.types import ArrayType, CType, PointerType, is_variably_modified
 from crs_cc.runtime.compiled import Compiled, FunctionInfo
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 from crs_cc.runtime.layout import NULL_SIZE, RESUME
@@ -83,7 +89,26 @@ class Scopes:
             for each in self._statics.get(plain_name(function), ())
             if each.variable.location.file == file
         ]
-        return sorted([*known.values(), *statics], key=_order, reverse=True)
+        found = [each for each in [*known.values(), *statics] if each.variable.name.isidentifier()]
+        return sorted(found, key=_order, reverse=True)
+
+    def functions(self, name: str) -> list[str]:
+        """Gives the linker's names of the functions of a name, those of the user's own first."""
+        known = [
+            info.function.name
+            for info in self._compiled.functions
+            if plain_name(info.function.name) == name
+        ]
+        place = {each: self._compiled.info(each).function.location for each in known}
+        return sorted(known, key=lambda each: in_library(place[each]))
+
+    def static(self, name: str, file: str) -> Home | None:
+        """Gives a global variable that a file declares, by the file's name or the end of that."""
+        for each in self._globals:
+            known = each.variable.location.file
+            if each.variable.name == name and (known == file or known.endswith(f"/{file}")):
+                return each
+        return None
 
 
 def _order(home: Home) -> tuple[Location, Location, Location]:
@@ -96,15 +121,20 @@ def _order(home: Home) -> tuple[Location, Location, Location]:
 
 def homes(info: FunctionInfo) -> Iterator[Home]:
     """Gives what lies in the frames of a function; one that lies twice counts at the last."""
-    parameters = zip(info.function.parameters, info.frame.parameters, strict=True)
-    passed = {each.place: offset for each, offset in parameters}
+    passed: dict[tuple[str, Location], int] = {}
+    for parameter, offset in zip(info.function.parameters, info.frame.parameters, strict=True):
+        variable = parameter.variable or parameter.place.variable
+        if variable is not None:
+            passed[variable.name, variable.location] = offset
     for place, offset in info.frame.offsets.items():
-        if place.variable is not None and place.variable.name:
-            kind: Kind = "parameter" if place in passed else "local"
+        variable = place.variable
+        if variable is not None and variable.name:
+            argument = passed.get((variable.name, variable.location))
+            kind: Kind = "local" if argument is None else "parameter"
             register = place if isinstance(place, Register) else None
             flag = None if register is None else info.flags.get(register)
             at = None if flag is None else info.frame.offsets[flag]
-            yield Home(place.variable, kind, offset, True, register, at, passed.get(place))
+            yield Home(variable, kind, offset, True, register, at, argument)
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,3 +178,34 @@ class Frame:
         variable = home.variable
         is_unset = home.register in self.unset or not variable.is_visible(self.place)
         return Saved(variable.name, variable.ctype, self.address(home), flag, is_unset)
+
+    def sizes(self, info: FunctionInfo, memory: npt.NDArray[np.uint8]) -> dict[Location, int]:
+        """Gives the sizes of types that only the running program knows, by their lengths' places.
+
+        Two of one place, which come from one macro, cannot be told from each other.
+        """
+        found: dict[Location, int] = {}
+        twice: set[Location] = set()
+        for home in homes(info):
+            if home.variable.name == EXTENT and home.register is not None:
+                place, saved = home.variable.location, self.saved(home)
+                twice.update({place} if place in found else ())
+                if saved is not None and saved.has_value(memory):
+                    found[place] = int(memory[saved.address :][:4].view("<u4")[0])
+        return {place: size for place, size in found.items() if place not in twice}
+
+
+def concrete(ctype: CType, sizes: Mapping[Location, int]) -> CType | None:
+    """Gives a type with the lengths that it has in the running program; None while unknown."""
+    if not is_variably_modified(ctype):
+        return ctype
+    if isinstance(ctype, PointerType):
+        target = concrete(ctype.target, sizes)
+        return None if target is None else replace(ctype, target=target)
+    assert isinstance(ctype, ArrayType)
+    element = concrete(ctype.element, sizes)
+    if element is None or ctype.extent is None:
+        return None if element is None else replace(ctype, element=element)
+    assert isinstance(ctype.extent, ObjectSymbol)
+    size = sizes.get(ctype.extent.location)
+    return None if size is None else ArrayType(element, size // max(1, element.size))

@@ -132,6 +132,9 @@ class Sight:
 
     def explain(self, address: int, size: int, reading: bool) -> str:
         """Says why C may not read, or else write, bytes."""
+        beside = self._saved(address)
+        if beside is not None:
+            return f"'{beside.name}' lives in a register: nothing is beside it"
         kind, blamed, found = diagnose(self.stopped, address, size, "read" if reading else "write")
         what = "an unknown object" if found is None else object_name(found)
         match kind:

@@ -99,7 +99,7 @@ class Value:
             case RecordType():
                 return sum(1 for _ in self._members())
             case PointerType():
-                return int(self._target() is not None)
+                return int(self.target() is not None)
         return 0
 
     def children(self, start: int = 0, count: int | None = None) -> Iterator[tuple[str, Value]]:
@@ -118,7 +118,7 @@ class Value:
                 for member in list(self._members())[start:stop]:
                     yield member.name or f"<{member.type}>", self.member(member)
             case PointerType():
-                target = self._target()
+                target = self.target()
                 if target is not None and start < stop:
                     yield "*", target
 
@@ -147,7 +147,7 @@ class Value:
         address = None if self.address is None else self.address + offset
         return Value(self.sight, ctype, self.content[part], self.states[part], address)
 
-    def _target(self) -> Value | None:
+    def target(self) -> Value | None:
         """Gives what a pointer points to, if C may look at it and it is not just text."""
         assert isinstance(self.type, PointerType)
         target, address = self.type.target, self.number

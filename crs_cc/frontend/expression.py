@@ -17,7 +17,7 @@ that the file declares, its macros too, means what it means at the file's end.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
@@ -70,7 +70,11 @@ class CompiledExpression:
 
 
 class FileNames:
-    """What the names in a C file mean at its end."""
+    """What the names in a C file mean at its end.
+
+    Attributes:
+        lines: the lines of all files that were read, by their names.
+    """
 
     def __init__(self, path: Path, options: Options) -> None:
         """Reads the file.
@@ -78,7 +82,9 @@ class FileNames:
         Raises:
             CompileError: when there are errors in it.
         """
-        self._unit, self._source = check_file(path, options, Diagnostics())
+        diagnostics = Diagnostics()
+        self._unit, self._source = check_file(path, options, diagnostics)
+        self.lines: Mapping[str, Sequence[str]] = diagnostics.lines
         self._locals = {(each.name, each.location): each.type for each in _locals(self._unit)}
 
     def knows(self, name: str) -> bool:

@@ -34,6 +34,9 @@ from crs_cc.source import Location
 _BYTES: Final = PointerType(CHAR)
 _ALLOCATE: Final = FunctionType(PointerType(VOID), (UINT, _BYTES))
 _RELEASE: Final = FunctionType(VOID, (INT,))
+EXTENT: Final = "[size]"
+"""What the extents are called, for debuggers; no variable of the user's can have that name."""
+
 AUTOMATIC_COUNT: Final = "__crs_automatic_count"
 """The library's counter of the pieces of memory that are given out."""
 
@@ -60,7 +63,7 @@ def array(unit: Unit, element: CType, length: Expression) -> ArrayType:
     location = length.location
     if not is_integer(length.type):
         raise CheckError(location, f"size of array has non-integer type '{length.type}'")
-    extent = ObjectSymbol("", UINT, location)
+    extent = ObjectSymbol(EXTENT, UINT, location)
     if unit.prototypes == 0:
         if unit.function is None:
             raise CheckError(location, "array length is not constant, but outside of functions")

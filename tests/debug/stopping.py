@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from crs_cc.debug.evaluate import Evaluator, Names
+from crs_cc.debug.evaluate import Evaluator
+from crs_cc.debug.prepare import Names
 from crs_cc.debug.program import DebugProgram
 from crs_cc.frontend.options import Options
 from crs_cc.requests import SUSPENDED

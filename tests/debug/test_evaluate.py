@@ -285,3 +285,132 @@ int main(void)
     assert evaluator.evaluate("x").value.text == "5"
     assert evaluator.evaluate("y").value.text == "uninitialised"
     assert [each.name for each in evaluator.variables()] == ["a"]
+
+
+SPECIAL = """\
+#include <stdlib.h>
+struct pair { int a, b; };
+struct pair pairs[3] = {{1, 2}, {3, 4}, {5, 6}};
+static int count = 3;
+static int depth(int left) { static int calls = 10; calls++; int own = left;
+    return left ? depth(left - 1) : own + calls; /* DEEP */ }
+static double sum(int n, int m, double table[n][m])
+{
+    double all[n], grid[n][2 * m];
+    int *numbers = malloc(n * sizeof *numbers);
+    for (int i = 0; i < n; i++) { all[i] = i; grid[i][0] = 10 * i; numbers[i] = i * i; }
+    return all[1] + grid[1][0] + table[1][0] + numbers[1] + pairs[0].a; /* VLA */
+}
+extern int other(void);
+int main(void)
+{
+    double table[2][3] = {{1, 2, 3}, {4, 5, 6}};
+    return depth(2) + (int)sum(2, 3, table) + other() + count;
+}
+"""
+OTHER = "static int count = 44; static int hidden; int other(void) { return count + hidden; }\n"
+
+
+@pytest.fixture(scope="module")
+def special(tmp_path_factory: pytest.TempPathFactory) -> Stopping:
+    return Stopping(tmp_path_factory.mktemp("special"), SPECIAL, OTHER).run("VLA")
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("all", "{0.0, 1.0}"),
+        ("all[1] + 0.5", "1.5"),
+        ("sizeof all", "16"),
+        ("sizeof grid[0]", "48"),
+        ("grid[1][0]", "10.0"),
+        ("grid[1]", "{10.0, ?, ?, ?, ?, ?}"),
+        ("table[1][2]", "6.0"),
+        ("table[0]", "{1.0, 2.0, 3.0}"),
+        ("*numbers@2", "{0, 1}"),
+        ("numbers[0..1]", "{0, 1}"),
+        ("pairs[1..2]", "{{a = 3, b = 4}, {a = 5, b = 6}}"),
+        ("pairs[n - 1..n]", "{{a = 3, b = 4}, {a = 5, b = 6}}"),
+        ("pairs[1]@2", "{{a = 3, b = 4}, {a = 5, b = 6}}"),
+        ("count", "3"),
+        ("test1.c::count", "44"),
+        ("'test1.c'::count + count", "47"),
+        ("depth::calls", "13"),
+    ],
+)
+def test_slices_and_names_of_elsewhere(special: Stopping, text: str, wanted: str) -> None:
+    before = special.state()
+    found = special.evaluator().evaluate(text)
+    assert found.value.text == wanted
+    assert special.state() == before
+
+
+def test_elements_of_slices_have_the_numbers_of_the_array(special: Stopping) -> None:
+    evaluator = special.evaluator()
+    parts = list(evaluator.evaluate("pairs[1..2]").value.children())
+    assert [(name, part.text) for name, part in parts] == [
+        ("[1]", "{a = 3, b = 4}"), ("[2]", "{a = 5, b = 6}"),
+    ]  # fmt: skip
+    place = evaluator.place("pairs[1..2]")
+    assert (place.address, place.size) == (parts[0][1].address, 16)
+    assert [each.name for each in evaluator.variables()] == [
+        "all", "grid", "numbers", "n", "m", "table",
+    ]  # fmt: skip
+    assert {each.name: str(each.value.type) for each in evaluator.variables()}["grid"] == (
+        "double[2][6]"
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("pairs[2..1]", "a slice has 1 to 100,000 elements, not 0"),
+        ("pairs[1..3]", "is past the end of 'pairs'"),
+        ("pairs@200000", "a slice has 1 to 100,000 elements"),
+        ("count[1..2]", "'count' is neither an array nor a pointer"),
+        ("(count + 1)@2", "only objects in memory stand in a row"),
+        ("numbers@2", "'numbers' lives in a register: nothing is beside it"),
+        ("pairs[0.5..2]", "'0.5' is no whole number"),
+        ("pairs[count++..3]", "'count++' would change the program"),
+        ("nobody::x", "there is no function 'nobody'"),
+        ("depth::nothing", "'depth' has no variable 'nothing'"),
+        ("depth::own", "'depth' is not active: it has no variables now"),
+        ("test.c::nothing", "there is no variable 'nothing' in test.c"),
+        ("depth::calls.x", "member reference type 'int' is not a structure or union"),
+        ("$nothing", "no value is kept as $nothing"),
+    ],
+)
+def test_what_is_wrong_with_these(special: Stopping, text: str, message: str) -> None:
+    before = special.state()
+    with pytest.raises(DebugError) as caught:
+        special.evaluator().evaluate(text)
+    assert message in str(caught.value)
+    assert special.state() == before
+
+
+def test_variables_of_functions_that_called(tmp_path: Path) -> None:
+    stopping = Stopping(tmp_path, SPECIAL, OTHER).run("DEEP").run("DEEP").run("DEEP")
+    evaluator = stopping.evaluator()
+    frames = [each for each in stopping.fleet.stopped(0).stack if each.function.endswith("depth")]
+    assert [evaluator.evaluate("own", each).value.text for each in frames] == ["0", "1", "2"]
+    main = next(each for each in stopping.fleet.stopped(0).stack if each.function == "main")
+    assert evaluator.evaluate("depth::own", main).value.text == "0"
+    assert evaluator.evaluate("main::table[1][0]").value.text == "4.0"
+
+
+def test_values_can_be_kept(special: Stopping) -> None:
+    evaluator = special.evaluator()
+    evaluator.evaluate("$p = pairs[1]")
+    evaluator.evaluate("$n = $p.b * 2")
+    assert evaluator.evaluate("$n + $p.a").value.text == "11"
+    evaluator.evaluate("$n = 0.5")
+    assert evaluator.evaluate("$n").value.text == "0.5"
+    evaluator.evaluate("$q = &pairs[2]")
+    assert evaluator.evaluate("$q->a").value.text == "5"
+
+
+def test_a_file_that_was_edited_meanwhile(tmp_path: Path) -> None:
+    stopping = Stopping(tmp_path, OTHER + "int main(void) { return 0; /* STOP */ }\n").run()
+    (tmp_path / "test.c").write_text("int count;\nint main(void) { return 1; }\n")
+    with pytest.raises(DebugError, match="has changed since the program was built"):
+        stopping.evaluator().evaluate("count")

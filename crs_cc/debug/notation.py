@@ -1,0 +1,114 @@
+"""What users of a debugger write beyond C: slices, names of other functions and files, `$` values.
+
+>>> slice_in("a[i + 1..5]"), slice_in("*p@4"), slice_in("a[1]")
+(Slice(base='a', first='i + 1', last='5'), Slice(base='*p', first='4', last=''), None)
+>>> rewritten("turn::count + 'map.c'::size - $speed")[0]
+'__crs_0 + __crs_1 - __crs_2'
+>>> rewritten("turn::count + 'map.c'::size - $speed")[1]
+(Outer(inside='turn', name='count'), Outer(inside='map.c', name='size'), Kept(name='speed'))
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Final
+
+_STRING: Final = r'"(?:[^"\\]|\\.)*"'
+_CHARACTER: Final = r"'(?:[^'\\]|\\.)*'"
+_OUTER: Final = (
+    r"(?:'(?P<quoted>[^'\n]+)'|(?P<path>(?:[\w.-]+/)*[\w.-]+\.[ch])|(?P<function>[A-Za-z_]\w*))"
+    r"::(?P<name>[A-Za-z_]\w*)"
+)
+_SPECIAL: Final = re.compile(rf"{_STRING}|{_OUTER}|{_CHARACTER}|\$(?P<kept>\w*)")
+_TOKEN: Final = re.compile(rf"{_STRING}|{_CHARACTER}|\.\.\.|\.\.|.", re.DOTALL)
+_SETS: Final = re.compile(r"\s*\$([A-Za-z_]\w*)\s*=(?!=)(.*)", re.DOTALL)
+
+NAME: Final = "__crs_{}"
+"""What stands in C for the names that C does not have."""
+
+
+@dataclass(frozen=True, slots=True)
+class Slice:
+    """Some objects in a row: `base[first..last]`, or `base@first` when there is no `last`."""
+
+    base: str
+    first: str
+    last: str
+
+
+@dataclass(frozen=True, slots=True)
+class Outer:
+    """`inside::name`: a variable of another function, or of a file."""
+
+    inside: str
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Kept:
+    """`$name`: a value that was kept; the last one has no name."""
+
+    name: str
+
+
+def slice_in(text: str) -> Slice | None:
+    """Gives the slice that an expression is; None when it is none."""
+    text, opened = text.strip(), -1
+    for symbol, start, depth in _tokens(text):
+        if depth == 0 and symbol == "@":
+            return Slice(text[:start].strip(), text[start + 1 :].strip(), "")
+        if depth == 0 and symbol == "[":
+            opened = start
+    if opened < 0 or not text.endswith("]"):
+        return None
+    inside = text[opened + 1 : -1]
+    for symbol, start, depth in _tokens(inside):
+        if symbol == ".." and depth == 0:
+            first, last = inside[:start].strip(), inside[start + 2 :].strip()
+            return Slice(text[:opened].strip(), first, last)
+    return None
+
+
+def _tokens(text: str) -> Iterator[tuple[str, int, int]]:
+    """Gives the tokens with their places and how many parentheses are open before them."""
+    depth = 0
+    for match in _TOKEN.finditer(text):
+        token = match[0]
+        depth -= token in {")", "]", "}"}
+        yield token, match.start(), depth
+        depth += token in {"(", "[", "{"}
+
+
+def kept_in(text: str) -> tuple[str, str] | None:
+    """Gives name and expression of `$name = expression`; None when it is not that."""
+    match = _SETS.fullmatch(text)
+    return None if match is None else (match[1], match[2].strip())
+
+
+def rewritten(text: str) -> tuple[str, tuple[Outer | Kept, ...]]:
+    """Gives an expression in C, and what its names `__crs_0`, `__crs_1` and so on stand for."""
+    if "::" not in text and "$" not in text:
+        return text, ()
+    found: list[Outer | Kept] = []
+
+    def replaced(match: re.Match[str]) -> str:
+        if match["name"] is not None:
+            inside = match["quoted"] or match["path"] or match["function"]
+            found.append(Outer(inside, match["name"]))
+        elif match["kept"] is not None:
+            found.append(Kept(match["kept"]))
+        else:
+            return match[0]
+        return NAME.format(len(found) - 1)
+
+    return _SPECIAL.sub(replaced, text), tuple(found)
+
+
+def restored(message: str, found: tuple[Outer | Kept, ...]) -> str:
+    """Puts the names that the user wrote back into a message."""
+    for number, each in enumerate(found):
+        name = f"${each.name}" if isinstance(each, Kept) else f"{each.inside}::{each.name}"
+        message = message.replace(NAME.format(number), name)
+    return message
