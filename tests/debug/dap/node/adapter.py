@@ -4,4 +4,5 @@ import sys
 
 from crs_cc.cli.main import main
 
-sys.exit(main(["debug", "--dap", "stdio"]))
+if __name__ == "__main__":
+    sys.exit(main(["debug", "--dap", "stdio"]))
