@@ -140,8 +140,32 @@ NO_CONTACTS: Final = Contacts(_NOBODY, _NOBODY, np.zeros(0), np.zeros(0), _NOBOD
 
 
 @dataclass(frozen=True, slots=True)
+class Ran:
+    """A cycle in which something was near enough to touch, so that the space ran; never changed.
+
+    Attributes:
+        cycle: how many cycles after the space was made it was.
+        pull: what the drives did.
+        bodies: as they were before; None where they were as the run of the cycle before left them.
+    """
+
+    cycle: int
+    pull: Pull
+    bodies: Bodies | None
+
+
+@dataclass(frozen=True, slots=True)
 class PhysicsSnapshot:
-    """The bodies when the space was last made anew, and the pulls of the cycles since then."""
+    """What there is to know of a space beside the bodies.
+
+    Attributes:
+        start: the bodies when it was made.
+        cycles: how many cycles ago.
+        ran: those in which it ran.
+        room_m: a distance that no robot can use up before something is near it.
+    """
 
     start: Bodies
-    pulls: tuple[Pull, ...]
+    cycles: int
+    ran: tuple[Ran, ...]
+    room_m: float

@@ -15,8 +15,10 @@ fingers.
 
 What is left inside pymunk, and cannot be read, is the history of its search tree and of its
 contacts. It matters where several bodies touch at once. So the space is made anew from the arrays
-every `REBUILD` cycles, and a snapshot is the arrays of that moment and the ways of the cycles
-since: to restore is to make the space anew and to run these cycles again, to the same bits.
+every `REBUILD` cycles, and a snapshot is the arrays of that moment and the ways of the cycles since
+in which it ran: to restore is to make the space anew and to run these cycles again, to the same
+bits. As nothing else depends on the space, it is made, and these are run, when it is to run next:
+while nothing is near, there is none.
 """
 
 from __future__ import annotations
@@ -37,7 +39,14 @@ from crs_cc.sim.ground.ledges import Ledges
 from crs_cc.sim.handling.carrying import Load
 from crs_cc.sim.model import WorldModel
 from crs_cc.sim.physics.batches import Batches
-from crs_cc.sim.physics.bodies import NO_CONTACTS, Bodies, Contacts, PhysicsSnapshot, Pull
+from crs_cc.sim.physics.bodies import (
+    NO_CONTACTS,
+    Bodies,
+    Contacts,
+    PhysicsSnapshot,
+    Pull,
+    Ran,
+)
 from crs_cc.sim.physics.contacts import first_contacts, is_settled, told_apart, with_slipped
 from crs_cc.sim.physics.drive_force import DriveForce
 from crs_cc.sim.physics.rigid import Rigid
@@ -73,18 +82,18 @@ class Physics:
             self._inclines = Inclines(world, scene)
             self._ledges = Ledges(self._inclines.terrain, scene)
         self._absent = np.flatnonzero(~scene.present)  # slopes move what touches nothing, too
-        self._start = bodies.copy()
-        self._pulls: list[Pull] = []
-        self._room_m = 0.0
         self._batches, self._drive_force = Batches(len(scene.names)), DriveForce(world)
         self._builder = SpaceBuilder(world, scene, self._rigid, self._ledges)
         # pymunk cannot free a space while Python shuts down: it must be gone before.
         self._spaces: list[Space] = []
         weakref.finalize(self, self._spaces.clear)
-        self._make_space()
+        self.start_from(bodies)
 
     @property
     def _space(self) -> Space:
+        if not self._spaces:
+            self._make_space()
+            self._catch_up()
         return self._spaces[0]
 
     def step(self, bodies: Bodies, pull: Pull) -> Contacts:
@@ -97,28 +106,41 @@ class Physics:
         Returns:
             what the robots touched.
         """
-        if len(self._pulls) == REBUILD:
+        if self._cycles == REBUILD:
             self.start_from(bodies)
-        self._pulls.append(pull)
-        return self._step(bodies, pull)
+        contacts = self._step(bodies, pull)
+        self._cycles += 1
+        return contacts
 
     def start_from(self, bodies: Bodies) -> None:
         """Makes the space anew from bodies, which may be elsewhere than they were."""
-        self._start, self._pulls = bodies.copy(), []
-        self._make_space()
+        self._begin(PhysicsSnapshot(bodies.copy(), 0, (), 0.0))
 
     def snapshot(self) -> PhysicsSnapshot:
-        """Gives all that is needed to come back to here; it is never changed."""
-        return PhysicsSnapshot(self._start, tuple(self._pulls))
+        """Gives all that is needed to come back to here, but for the bodies."""
+        return PhysicsSnapshot(self._start, self._cycles, tuple(self._ran), self._room_m)
 
-    def restore(self, snapshot: PhysicsSnapshot) -> Bodies:
-        """Goes back to a snapshot, and gives the bodies as they were then."""
-        self._start, self._pulls = snapshot.start, list(snapshot.pulls)
-        self._make_space()
-        bodies = snapshot.start.copy()
-        for pull in snapshot.pulls:
-            self._step(bodies, pull)
-        return bodies
+    def restore(self, snapshot: PhysicsSnapshot) -> None:
+        """Goes back to a snapshot; the bodies are what they were then."""
+        self._begin(snapshot)
+
+    def _begin(self, snapshot: PhysicsSnapshot) -> None:
+        """Gives up the space, to make it anew from a snapshot when it is to run."""
+        self._spaces.clear()
+        self._start, self._cycles = snapshot.start, snapshot.cycles
+        self._ran, self._room_m = list(snapshot.ran), snapshot.room_m
+        holds = self._start.holds
+        self._load = Load.of(self._world, self._scene, holds) if holds.any() else None
+        self._drive_force.bear(self._load)
+
+    def _catch_up(self) -> None:
+        """Lets a new space run through the cycles in which the one before it ran."""
+        room_m, bodies = self._room_m, self._start
+        for ran in self._ran:
+            if ran.bodies is not None:
+                bodies = ran.bodies.copy()
+            self._run(bodies, ran.pull, self._incline(bodies, ran.pull))
+        self._room_m = room_m
 
     def _step(self, bodies: Bodies, pull: Pull) -> Contacts:
         robots, way_m = slice(self._robots), pull.way_m
@@ -130,6 +152,17 @@ class Physics:
             bodies.velocity_mps[robots] = wanted_mps
             bodies.touching[:] = False
             return NO_CONTACTS
+        follows = bool(self._ran) and self._ran[-1].cycle == self._cycles - 1
+        before = None if follows else bodies.copy()
+        contacts = self._run(bodies, pull, incline)
+        self._ran.append(Ran(self._cycles, pull, before))
+        return contacts
+
+    def _run(self, bodies: Bodies, pull: Pull, incline: Incline | None) -> Contacts:
+        """Lets the space move the bodies."""
+        robots, way_m = slice(self._robots), pull.way_m
+        free_m = bodies.position_m[robots] + way_m
+        wanted_mps = way_m / self._world.timestep_s
         free = ~bodies.slipping
         bodies.velocity_mps[robots][free] = wanted_mps[free]
         contacts, touched = self._run_space(bodies, pull, wanted_mps, incline)
@@ -150,8 +183,9 @@ class Physics:
         """Gives the slope under the bodies, None in a flat world."""
         if self._inclines is None or self._ledges is None:
             return None
+        pulled_kg = np.concatenate([self._drive_force.borne_kg, self._space.thing_kg])
         self._ledges.place(bodies.position_m, bodies.angle_rad)
-        return self._inclines.under(bodies.position_m, pull.facing_rad, self._pulled_kg)
+        return self._inclines.under(bodies.position_m, pull.facing_rad, pulled_kg)
 
     def _nothing_near(self, bodies: Bodies, way_m: FloatArray) -> bool:
         """Tells whether nothing can touch in this cycle, so that the space need not run.
@@ -173,14 +207,9 @@ class Physics:
 
     @without_collector()
     def _make_space(self) -> None:
-        holds = self._start.holds
-        self._load = Load.of(self._world, self._scene, holds) if holds.any() else None
-        self._drive_force.bear(self._load)
         mass_kg, position_m = self._drive_force.mass_kg, self._start.position_m
         self._spaces[:] = [self._builder.build(position_m, mass_kg, self._load)]
-        self._pulled_kg = np.concatenate([self._drive_force.borne_kg, self._space.thing_kg])
-        self._room_m = 0.0
-        self._batches.learn(self._space)
+        self._batches.learn(self._spaces[0])
 
     def _run_space(
         self, bodies: Bodies, pull: Pull, wanted_mps: FloatArray, incline: Incline | None

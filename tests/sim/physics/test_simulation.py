@@ -230,6 +230,12 @@ def scrum(count: int, seed: int):
         yield DT * 0.6 * np.column_stack([np.cos(angle), np.sin(angle)])
 
 
+def go_back(bench, snapshot):
+    physics, bodies = snapshot
+    bench.physics.restore(physics)
+    bench.bodies = bodies.copy()
+
+
 @pytest.mark.slow
 def test_a_snapshot_in_a_scrum_goes_on_to_the_same_bits(monkeypatch):
     monkeypatch.setattr("crs_cc.sim.physics.simulation.REBUILD", 30)
@@ -241,20 +247,33 @@ def test_a_snapshot_in_a_scrum_goes_on_to_the_same_bits(monkeypatch):
         bench = Bench(bench.world)
         for way in ways[:at]:
             bench.pull(way)
-        snapshot = pickle.loads(pickle.dumps(bench.physics.snapshot()))
+        snapshot = pickle.loads(pickle.dumps((bench.physics.snapshot(), bench.bodies)))
         for way in ways[at:]:
             bench.pull(way)
         expected = bench.digest()
         for _ in range(2):
-            bench.bodies = bench.physics.restore(snapshot)
+            go_back(bench, snapshot)
             for way in ways[at:]:
                 bench.pull(way)
             assert bench.digest() == expected
         other = Bench(bench.world)
-        other.bodies = other.physics.restore(snapshot)
+        go_back(other, snapshot)
         for way in ways[at:]:
             other.pull(way)
         assert other.digest() == expected
+
+
+def test_a_snapshot_has_the_cycles_in_which_something_was_near():
+    bench = Bench(world_of('<robot x="5m" y="5m"/>'))
+    for _ in range(70):
+        bench.push((0.5 * DT, 0.0))
+    assert bench.physics.snapshot().ran == ()
+    while not len(bench.push((0.5 * DT, 0.0)).robot):
+        pass
+    first, *others = bench.physics.snapshot().ran
+    assert first.bodies is not None
+    assert first.bodies.position_m[0, 0] < bench.bodies.position_m[0, 0]
+    assert all(ran.bodies is None for ran in others)
 
 
 def test_taking_snapshots_changes_nothing():
