@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from crs_cc.debug.dap.framing import Message
     from crs_cc.debug.dap.session import EditorSession
     from crs_cc.debug.engine import Debugger
+    from crs_cc.debug.watch import Kind as Access
     from crs_cc.source import Location
 
 Group = tuple[str, str]
@@ -195,6 +196,41 @@ def _add_place(session: EditorSession, place: str, wish: Wish) -> Breakpoint:
     return add(place, condition=wish.condition, ignore=ignore, log=wish.log)
 
 
+def data_id(robot: int, function: str, expression: str) -> str:
+    """Gives a name for an object, which tells where its expression has a meaning.
+
+    Args:
+        robot: the number of the robot.
+        function: the active function; empty for what all know.
+        expression: a C expression without side effects.
+    """
+    return f"{robot} {function or '-'} {expression}"
+
+
+def _add_data(session: EditorSession, wish: Wish) -> Breakpoint:
+    """Watches the object that a `data_id` means."""
+    debugger = session.opened()
+    robot, _, rest = wish.what.partition(" ")
+    function, _, expression = rest.partition(" ")
+    if not (robot.isascii() and robot.isdigit() and len(robot) < 9 and expression):
+        raise DebugError(f"'{wish.what}' is nothing that was given out as data")
+    before = debugger.robot, debugger.frame
+    try:
+        debugger.select_robot(int(robot))
+        found = [each.number for each in debugger.frames() if each.function == function]
+        if found:
+            debugger.select_frame(found[0])
+        return debugger.add_watchpoint(
+            expression,
+            ACCESS[wish.access],
+            condition=wish.condition,
+            ignore=_ignored(wish.hits),
+            robot=int(robot),
+        )
+    finally:
+        debugger.robot, debugger.frame = before
+
+
 def _add_exception(session: EditorSession, wish: Wish) -> Breakpoint:
     return session.opened().add_catchpoint(wish.what, condition=wish.condition)
 
@@ -222,5 +258,9 @@ def _tell(session: EditorSession, reason: str, body: Message) -> None:
 _ADD: Final[dict[str, Callable[[EditorSession, Wish], Breakpoint]]] = {
     "line": _add_line,
     "function": _add_function,
+    "data": _add_data,
     "exception": _add_exception,
 }
+
+ACCESS: Final[dict[str, Access]] = {"write": "change", "read": "read", "readWrite": "access"}
+"""The debugger's words for the protocol's; a write of the same value interests nobody."""

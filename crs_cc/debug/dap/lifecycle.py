@@ -20,6 +20,7 @@ CAPABILITIES: Final[Message] = {
     "supportsConditionalBreakpoints": True,
     "supportsHitConditionalBreakpoints": True,
     "supportsLogPoints": True,
+    "supportsDataBreakpoints": True,
     "exceptionBreakpointFilters": FILTERS,
     "supportsExceptionFilterOptions": True,
     "supportsStepBack": True,

@@ -40,6 +40,8 @@ HANDLERS: Final[Mapping[str, Handler]] = {
     "restartFrame": motion.restart_frame,
     "setBreakpoints": wishes.set_breakpoints,
     "setFunctionBreakpoints": wishes.set_function_breakpoints,
+    "dataBreakpointInfo": wishes.data_breakpoint_info,
+    "setDataBreakpoints": wishes.set_data_breakpoints,
     "setExceptionBreakpoints": wishes.set_exception_breakpoints,
     "threads": looking.threads,
     "stackTrace": looking.stack_trace,

@@ -148,3 +148,36 @@ def test_the_librarys_source_is_told_by_a_number(client: Client) -> None:
     assert [each["name"] for each in sources] == ["loop.c"]
     text = client.ask("source", source=sources[0], sourceReference=0)["content"]
     assert text == LOOP
+
+
+def test_data_is_watched_where_it_lies(client: Client) -> None:
+    row = next(each for each in client.scope("Locals") if each["name"] == "row")
+    info = client.ask(
+        "dataBreakpointInfo", variablesReference=row["variablesReference"], name="[2]"
+    )
+    assert info["description"] == "row[2]"
+    wanted = [{"dataId": info["dataId"], "accessType": "read"}]
+    made = client.ask("setDataBreakpoints", breakpoints=wanted)["breakpoints"]
+    assert made[0]["verified"], made
+    path = client.frames()[0]["source"]["path"]
+    client.break_at(Path(path))
+    stop = client.move("continue")
+    assert stop["reason"] == "data breakpoint"
+    assert stop["hitBreakpointIds"] == [made[0]["id"]]
+    assert client.line() == 17
+    frame = client.frames()[0]["id"]
+    assert client.ask("evaluate", expression="i", frameId=frame)["result"] == "2"
+    assert client.ask("setDataBreakpoints", breakpoints=[]) == {"breakpoints": []}
+    assert client.move("continue")["reason"] == "exited"
+
+
+def test_what_is_no_object_cannot_be_watched(client: Client) -> None:
+    frame = client.frames()[0]["id"]
+    for name in ("i + 1", "nothing", "3"):
+        info = client.ask("dataBreakpointInfo", name=name, frameId=frame)
+        assert info["dataId"] is None
+        assert info["description"]
+    wanted = [{"dataId": each} for each in ("x", "0 main", "7 main i", "0 main 3", "0 - nothing")]
+    made = client.ask("setDataBreakpoints", breakpoints=wanted)["breakpoints"]
+    assert not any(each["verified"] for each in made)
+    assert all(each["message"] for each in made)

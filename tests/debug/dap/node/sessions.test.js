@@ -83,6 +83,24 @@ test("a value is changed, and the run goes on with it", async () => {
   ]);
 });
 
+test("a change of an object stops the run, forward and backward", async () => {
+  await client.hitBreakpoint({ program: LOOP }, { path: LOOP, line: 14 });
+  await client.setBreakpointsRequest({ source: { path: LOOP }, breakpoints: [] });
+  const stack = await client.stackTraceRequest({ threadId: 1 });
+  const frameId = stack.body.stackFrames[0].id;
+  const info = await client.dataBreakpointInfoRequest({ name: "total", frameId });
+  assert.ok(info.body.dataId, info.body.description);
+  const set = await client.setDataBreakpointsRequest({
+    breakpoints: [{ dataId: info.body.dataId, accessType: "write" }],
+  });
+  assert.equal(set.body.breakpoints[0].verified, true, set.body.breakpoints[0].message);
+  assert.equal((await move("continue")).reason, "data breakpoint");
+  assert.equal(await evaluate("total"), "2");
+  await move("continue");
+  assert.equal(await evaluate("total"), "6");
+  assert.equal((await move("reverseContinue")).reason, "data breakpoint");
+});
+
 test("robots are threads, each with a stack of its own", async () => {
   const place = { path: path.join(PROGRAMS, "two.c"), line: 6 };
   await client.hitBreakpoint({ program: place.path, world: WORLD }, place);
