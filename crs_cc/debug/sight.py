@@ -19,7 +19,7 @@ from crs_cc.ir.types import CType
 from crs_cc.runtime.diagnosis.diagnose import diagnose
 from crs_cc.runtime.diagnosis.inspect import Stopped
 from crs_cc.runtime.diagnosis.object_text import count, object_name
-from crs_cc.runtime.diagnosis.objects import Object, find_object
+from crs_cc.runtime.diagnosis.objects import Object
 from crs_cc.runtime.diagnosis.values import Style, Values, place_name
 from crs_cc.runtime.diagnosis.variables import Variables
 from crs_cc.runtime.layout import STACK_TOP
@@ -102,19 +102,13 @@ class Sight:
         known = self._saved(address)
         if known is not None:
             return f"&{known.name}"
-        named = self._variables.values.object_at(address, target)
-        if named and self._is_alive(address):
-            return named
-        found = find_object(self.stopped, address)
+        found = self._variables.objects.at(address)
         if found is None:
             return f"{address:#x} (nothing is there)"
-        if not named:
-            return f"{address:#x} ({_described(found, address)})"
-        return f"{named} ({_described(found, address)})"
-
-    def _is_alive(self, address: int) -> bool:
-        found = find_object(self.stopped, address)
-        return found is None or (found.state == "alive" and found.distance(address) == 0)
+        named = self._variables.values.object_at(address, target)
+        if named and found.state == "alive":
+            return named
+        return f"{named or hex(address)} ({_described(found, address)})"
 
     def _saved(self, address: int, size: int = 1) -> Saved | None:
         """Gives the variable whose register is saved at an address."""

@@ -7,12 +7,11 @@ the heap.
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Final, Literal
-
-import numpy as np
-import numpy.typing as npt
+from functools import cached_property
+from typing import Final, Literal, TypeVar
 
 from crs_cc.ir.program import Data, Program, Slot, Variable
 from crs_cc.runtime.compiled import Compiled
@@ -26,7 +25,7 @@ from crs_cc.source import Location
 NEAR: Final = 4096
 """An object further away than so many bytes has nothing to do with an address."""
 
-Bytes = npt.NDArray[np.uint8]
+_NEIGHBOURS: Final = 3  # variables may lie in the frame of a function that believes in another one
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,18 +67,56 @@ class Object:
         return max(0, address - (self.address + self.size) + 1)
 
 
+class Objects:
+    """The objects of a stopped program, to be found by addresses; it must not go on meanwhile."""
+
+    def __init__(self, stopped: Stopped) -> None:
+        self._stopped = stopped
+
+    @cached_property
+    def _locals(self) -> list[Object]:
+        return sorted(_locals(self._stopped), key=_start)
+
+    @cached_property
+    def _globals(self) -> list[Object]:
+        return sorted(_globals(self._stopped.program, self._stopped.compiled), key=_start)
+
+    @cached_property
+    def _blocks(self) -> list[heap.Block]:
+        return list(heap.blocks(self._stopped.memory, self._stopped.compiled.addresses))
+
+    def at(self, address: int) -> Object | None:
+        """Gives the object at an address, or else the nearest one; None when there is none near."""
+        compiled = self._stopped.compiled
+        found: list[Object]
+        if address < STACK_TOP:
+            found = _around(self._locals, address)
+        elif address < compiled.addresses[HEAP_SYMBOLS[0]]:
+            found = _around(self._globals, address)
+        else:
+            found = [_heap_block(each, compiled) for each in _around(self._blocks, address)]
+        nearest = min(found, key=lambda each: abs(each.distance(address)), default=None)
+        if nearest is None or abs(nearest.distance(address)) > NEAR:
+            return None
+        return nearest
+
+
 def find_object(stopped: Stopped, address: int) -> Object | None:
     """Gives the object at an address, or else the nearest one; None when there is none near."""
-    if address < STACK_TOP:
-        candidates = _locals(stopped)
-    elif address < stopped.compiled.addresses[HEAP_SYMBOLS[0]]:
-        candidates = _globals(stopped.program, stopped.compiled)
-    else:
-        candidates = _heap(stopped.memory, stopped.compiled)
-    nearest = min(candidates, key=lambda each: abs(each.distance(address)), default=None)
-    if nearest is None or abs(nearest.distance(address)) > NEAR:
-        return None
-    return nearest
+    return Objects(stopped).at(address)
+
+
+_Placed = TypeVar("_Placed", Object, heap.Block)
+
+
+def _start(each: Object | heap.Block) -> int:
+    return each.address
+
+
+def _around(each: list[_Placed], address: int) -> list[_Placed]:
+    """Gives the objects around an address; there may be empty ones at the same place."""
+    behind = bisect_right(each, address, key=_start)
+    return each[max(0, behind - _NEIGHBOURS) : behind + 1]
 
 
 def of_variable(stopped: Stopped, variable: Variable) -> Object:
@@ -133,17 +170,16 @@ def _global(data: Data, address: int) -> Object:
     return Object("global", address, data.size, name, location, variable)
 
 
-def _heap(memory: Bytes, compiled: Compiled) -> Iterator[Object]:
-    """Gives the blocks of the heap; a freed one has its whole chunk, as nothing else is there."""
-    for block in heap.blocks(memory, compiled.addresses):
-        yield Object(
-            "heap block",
-            block.address,
-            block.size,
-            state="alive" if block.in_use else "freed",
-            allocated=_calls(block.allocated, compiled),
-            freed=_calls(block.freed, compiled),
-        )
+def _heap_block(block: heap.Block, compiled: Compiled) -> Object:
+    """Gives a block of the heap; a freed one has its whole chunk, as nothing else is there."""
+    return Object(
+        "heap block",
+        block.address,
+        block.size,
+        state="alive" if block.in_use else "freed",
+        allocated=_calls(block.allocated, compiled),
+        freed=_calls(block.freed, compiled),
+    )
 
 
 def _calls(numbers: Sequence[int], compiled: Compiled) -> tuple[CallSite, ...]:

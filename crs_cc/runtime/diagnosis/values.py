@@ -15,8 +15,10 @@ r"""Writes the bytes of an object as its C type means them, for messages and deb
 
 from __future__ import annotations
 
+import functools
+import operator
 import struct
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Final
 
@@ -44,6 +46,7 @@ LONGEST_TEXT: Final = 40
 _ESCAPES: Final = {7: "\\a", 8: "\\b", 9: "\\t", 10: "\\n", 11: "\\v", 12: "\\f", 13: "\\r"}
 
 
+_FEWEST_FLAGS: Final = 2
 _KNOWN: Final = bytes([ByteState.WITH_VALUE])
 
 
@@ -268,10 +271,27 @@ def _floating(content: bytes) -> str:
 
 
 def _enumerator(ctype: EnumType, value: int) -> str:
-    for name, each in (ctype.definition.constants or {}).items():
+    constants = ctype.definition.constants or {}
+    for name, each in constants.items():
         if each == value:
             return name
-    return str(value)
+    return _flags(constants, value) or str(value)
+
+
+def _flags(constants: Mapping[str, int], value: int) -> str:
+    """Gives a value as the flags that it is put together from, if the constants are flags.
+
+    They are when they share no bits, and each has one or several that lie side by side; so gdb
+    has it.
+    """
+    flags = {name: each for name, each in constants.items() if each}
+    union = functools.reduce(operator.or_, flags.values(), 0)
+    if len(flags) < _FEWEST_FLAGS or min(flags.values()) < 0 or sum(flags.values()) != union:
+        return ""
+    if any(each // (each & -each) & (each // (each & -each) + 1) for each in flags.values()):
+        return ""
+    names = [name for name, each in flags.items() if value & each == each]
+    return " | ".join(names) if sum(flags[name] for name in names) == value else ""
 
 
 def bit_field(member: Member, content: bytes) -> bytes:

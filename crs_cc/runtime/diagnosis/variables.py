@@ -9,7 +9,7 @@ from crs_cc.ir.names import plain_name
 from crs_cc.ir.program import Slot, Variable
 from crs_cc.ir.types import ArrayType, CType, VoidType
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
-from crs_cc.runtime.diagnosis.objects import find_object
+from crs_cc.runtime.diagnosis.objects import Objects
 from crs_cc.runtime.diagnosis.values import Values, place_name
 from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE
 
@@ -33,10 +33,12 @@ class Variables:
 
     Attributes:
         values: writes the values of its variables.
+        objects: finds what lies at an address.
     """
 
     def __init__(self, stopped: Stopped) -> None:
         self._stopped = stopped
+        self.objects = Objects(stopped)
         addresses = stopped.compiled.addresses
         functions = stopped.program.functions
         self._pointers = {addresses[name]: name for name in functions if name in addresses}
@@ -61,7 +63,7 @@ class Variables:
 
     def _object_name(self, address: int, target: CType) -> str:
         """Names a variable, or the part of it, that a pointer points to; "" when unknown."""
-        found = find_object(self._stopped, address)
+        found = self.objects.at(address)
         if found is None or found.variable is None or found.distance(address):
             return ""
         offset = address - found.address

@@ -44,6 +44,7 @@ def record(kind: str, *members: Member) -> RecordType:
     return RecordType(made)
 
 
+FLAGS = EnumType(Enumeration("flags", {"NONE": 0, "LEFT": 1, "RIGHT": 2, "BACK": 12}))
 POINT = record("struct", Member("x", INT), Member("y", DOUBLE))
 SHOWN: list[tuple[CType, bytes, str]] = [
     (INT, b"\xfe\xff\xff\xff", "-2"),
@@ -61,6 +62,11 @@ SHOWN: list[tuple[CType, bytes, str]] = [
     (DOUBLE, struct.pack("<d", -float("inf")), "-inf"),
     (MODE, b"\x05\0\0\0", "TURN"),
     (MODE, b"\x06\0\0\0", "6"),
+    (MODE, b"\x07\0\0\0", "7"),
+    (FLAGS, b"\0\0\0\0", "NONE"),
+    (FLAGS, b"\x0d\0\0\0", "LEFT | BACK"),
+    (FLAGS, b"\x05\0\0\0", "5"),
+    (FLAGS, b"\x11\0\0\0", "17"),
     (EnumType(Enumeration(None)), b"\x06\0\0\0", "6"),
     (STRING, b"\x04\0\0\0", '"left"'),
     (STRING, b"\x08\0\0\0", '""'),
