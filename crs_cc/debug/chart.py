@@ -23,6 +23,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import product
 from typing import TYPE_CHECKING, Final, Self
 
 import numpy as np
@@ -142,7 +143,8 @@ class Chart:
             environment: the world.
             view: what is to be seen of it.
             robot: whose sensors' echoes are drawn, -1 for none.
-            paths: where each robot has been [m], (n, 2) each; as many as are known.
+            paths: where each robot has been [m], (n, 2) each, parted by rows of NaN; as many as are
+                known.
             contacts: number of the robot and place [m] of contacts.
         """
         self.view = view
@@ -190,7 +192,8 @@ class Chart:
             self._line(self.view.dots(path_m), colour(number), _PATHS)
 
     def _line(self, dots: FloatArray, style: str, rank: int) -> None:
-        self._canvas.lines(np.concatenate([dots[:-1], dots[1:]], axis=1), style, rank)
+        lines = np.concatenate([dots[:-1], dots[1:]], axis=1)
+        self._canvas.lines(lines[np.isfinite(lines).all(axis=1)], style, rank)
 
     def _things(self, outlines: Outlines) -> None:
         """Draws what has outlines, robots apart; walls are filled."""
@@ -242,14 +245,16 @@ class Chart:
                 self._canvas.put(beside, row, str(number), style, _MARKS)
 
     def _scale_bar(self) -> None:
-        """Draws how long a length is, in the lower left corner, where nothing is in the way."""
+        """Draws how long a length is, as far down as there is room, left or right."""
         view = self.view
         length_m = round_length(view.columns * ACROSS / view.scale / 4)
         cells = max(1, round(length_m * view.scale / ACROSS))
         bar = f"╶{'─' * (cells - 2)}╴" if cells > 1 else "─"
         text = f"{bar} {length_m:g} m"
-        if self._canvas.is_free(1, view.rows - 1, len(text)):
-            self._canvas.put(1, view.rows - 1, text, _SCALE, _MARKS)
+        places = product(range(view.rows - 1, -1, -1), (1, 0, view.columns - len(text) - 1))
+        free = (place for place in places if self._canvas.is_free(place[1], place[0], len(text)))
+        row, column = next(free, (-1, 0))
+        self._canvas.put(column, row, text, _SCALE, _MARKS)
 
 
 def _style(thing: Robot | Solid) -> str:
@@ -292,6 +297,7 @@ def _bounds(environment: Environment, paths: Sequence[FloatArray]) -> tuple[Floa
         clouds += [segments[:, :2], segments[:, 2:4], places - radii, places + radii]
     clouds += [np.array([[x_m, y_m]]) for _, x_m, y_m in _sources(environment)]
     area, points = environment.world.area, np.concatenate(clouds)
+    points = points[np.isfinite(points).all(axis=1)]
     if not len(points):
         points = np.array([[area.x_min_m, area.y_min_m], [area.x_max_m, area.y_max_m]])
     low, high = points.min(axis=0), points.max(axis=0)

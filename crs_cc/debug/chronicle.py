@@ -26,6 +26,10 @@ _MOST_HAPPENINGS: Final = 20_000
 """More are not kept: the older half goes. Chosen by us, some megabytes."""
 _MOST_POSES: Final = 2_000
 """Points of a path; when there are more, every second one goes. Chosen by us: a map has less."""
+_PUSHED: Final = 2.0
+_PUSHED_M: Final = 0.1
+"""How much farther than it can drive a robot may be pushed; what gets farther was carried. Chosen
+by us."""
 
 
 class Chronicle:
@@ -41,6 +45,7 @@ class Chronicle:
         self._happened: list[tuple[int, Happening]] = []
         self._stride = 1
         self._poses: list[tuple[int, FloatArray]] = []  # at the end of every `stride`th timestep
+        self._farthest_m: FloatArray = np.zeros(0)  # that each robot drives in a timestep
 
     def hear(self, step: Step, environment: Environment) -> None:
         """Takes what happened in a timestep that has just ended, unless it is known."""
@@ -64,7 +69,10 @@ class Chronicle:
             del self._happened[: _MOST_HAPPENINGS // 2]
 
     def _take_poses(self, timestep: int, environment: Environment) -> None:
-        state = environment.state
+        state, robots = environment.state, environment.world.robots
+        if len(self._farthest_m) != len(robots):
+            limits_mps = [robot.model.drive.wheels.speed_limit for robot in robots]
+            self._farthest_m = np.array(limits_mps) * environment.timestep_s
         places = np.column_stack([state.x_m, state.y_m])
         places[~state.presence.present] = np.nan
         self._poses.append((timestep, places))
@@ -76,13 +84,33 @@ class Chronicle:
         """Gives what has happened, by time; also ahead of where the run is."""
         return sorted((each for _, each in self._happened), key=lambda each: each.time_s)
 
+    def contacts(self, timestep: int) -> list[tuple[int, float, float]]:
+        """Gives the robot and the place [m] of what was touched before a timestep."""
+        return [
+            (each.robot, *each.place)
+            for at, each in self._happened
+            if at < timestep and each.place is not None
+        ]
+
     def paths(self, timestep: int) -> list[FloatArray]:
-        """Gives where each robot has been [m] before a timestep, (n, 2) each."""
-        known = [places for at, places in self._poses if at < timestep]
+        """Gives where each robot has been [m] before a timestep, (n, 2) each.
+
+        A row of NaN parts places between which it did not drive, but was carried.
+        """
+        known = [(at, places) for at, places in self._poses if at < timestep]
         if not known:
             return []
-        robots = max(map(len, known))
-        return [_path(known, robot) for robot in range(robots)]
+        robots = max(len(places) for _, places in known)
+        return [self._path(known, robot) for robot in range(robots)]
+
+    def _path(self, known: Sequence[tuple[int, FloatArray]], robot: int) -> FloatArray:
+        rows = [(at, *places[robot]) for at, places in known if robot < len(places)]
+        path = np.array(rows).reshape(-1, 3)
+        path = path[~np.isnan(path[:, 1])]
+        timesteps, ways = np.diff(path[:, 0]), np.diff(path[:, 1:], axis=0)
+        farthest_m = _PUSHED * self._farthest_m[robot] * timesteps + _PUSHED_M
+        jumps = np.flatnonzero(np.hypot(ways[:, 0], ways[:, 1]) > farthest_m)
+        return np.insert(path[:, 1:], jumps + 1, np.nan, axis=0)
 
     def forget(self, timestep: int) -> None:
         """Forgets a timestep and all behind it, as they will be others."""
@@ -105,8 +133,3 @@ def _is_eventful(step: Step) -> bool:
         or step.pressed.any()
         or step.released.any()
     )
-
-
-def _path(places: Sequence[FloatArray], robot: int) -> FloatArray:
-    path = np.array([each[robot] for each in places if robot < len(each)])
-    return np.asarray(path[~np.isnan(path[:, 0])])

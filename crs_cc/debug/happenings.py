@@ -64,12 +64,14 @@ class Happening:
         kind: one of `KINDS`.
         robot: the number of the robot that it happened to, -1 for none.
         text: what happened, a sentence for people, with the robot's name.
+        place: where it happened [m], if that is a place.
     """
 
     time_s: float
     kind: str
     robot: int
     text: str
+    place: tuple[float, float] | None = None
 
 
 def checked_kind(name: str) -> str:
@@ -119,7 +121,7 @@ def _collisions(step: Step, world: WorldModel) -> Iterator[Happening]:
     rows = (contacts.robot, contacts.other, contacts.x_m, contacts.y_m)
     for robot, other, x_m, y_m in zip(*(row.tolist() for row in rows), strict=True):
         text = f"{step.names[robot]} touched {step.names[other]} at {x_m:.3f}, {y_m:.3f} m"
-        yield Happening(end_s, "collision", robot, text)
+        yield Happening(end_s, "collision", robot, text, (x_m, y_m))
 
 
 def _bumpers(step: Step, world: WorldModel) -> Iterator[Happening]:

@@ -101,3 +101,24 @@ def test_what_is_noted_again_is_known() -> None:
     for _ in range(2):
         chronicle.note(3, Happening(0.15, "stop", 0, "breakpoint 1"))
     assert len(chronicle.happenings()) == 1
+
+
+def test_contacts_are_known_with_their_places_up_to_where_the_run_stands(
+    crashed: Debugger,
+) -> None:
+    chronicle, timestep = crashed.run.chronicle, crashed.position.timestep
+    ((robot, x_m, y_m), *_) = chronicle.contacts(timestep)
+    assert robot == 0
+    assert (x_m, y_m) == pytest.approx((2.55, 2.0), abs=0.01)  # the wall is 10 cm thick
+    assert chronicle.contacts(3) == []
+
+
+def test_a_path_does_not_lead_to_where_the_robot_was_carried(program: DebugProgram) -> None:
+    debugger = Debugger(WALL, [program])
+    debugger.goto_timestep(10)
+    debugger.edit_world("move scout to 1 1")
+    debugger.goto_timestep(12)
+    (path,) = debugger.run.chronicle.paths(12)
+    assert np.isnan(path[:, 0]).tolist() == [False] * 10 + [True] + [False] * 2
+    assert path[9] == pytest.approx([2.0, 2.0], abs=0.1)
+    assert path[11] == pytest.approx([1.0, 1.0], abs=0.1)

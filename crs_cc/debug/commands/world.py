@@ -9,6 +9,7 @@ from crs_cc.debug.commands.command import Answer, Command, Group
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.robot_rows import HEADINGS, robot_rows, summary
 from crs_cc.debug.rows import lines
+from crs_cc.debug.run_chart import run_chart
 from crs_cc.debug.state_rows import told_state
 from crs_cc.debug.world_rows import world_rows
 from crs_cc.sim.quantity import LENGTH
@@ -61,17 +62,13 @@ def _info_state(shell: Shell, text: str) -> Answer:
 
 
 def _map(shell: Shell, text: str) -> Answer:
-    from crs_cc.debug.chart import Chart, View  # what draws needs more than most commands
-
     debugger, words = shell.debugger, text.split()
-    environment, timestep = debugger.session.environment, debugger.position.timestep
     across_m = _across_m(words.pop()) if len(words) > 1 else _AROUND_M
-    robot = take_robot(" ".join(words), debugger.names) if words else debugger.robot
-    paths = debugger.run.chronicle.paths(timestep)
-    view = View.whole(environment, _COLUMNS, _ROWS, paths)
     if words:
-        view = View.around(environment, robot, _COLUMNS, _ROWS, across_m)
-    chart = Chart(environment, view, robot=robot if words else -1, paths=paths)
+        robot = take_robot(" ".join(words), debugger.names)
+        chart = run_chart(debugger, _COLUMNS, _ROWS, robot=robot, across_m=across_m)
+    else:
+        chart = run_chart(debugger, _COLUMNS, _ROWS)
     rows = ["".join(piece for piece, _ in row).rstrip() for row in chart.pieces]
     drawn = [number for number, row in enumerate(rows) if row]
     yield from rows[drawn[0] : drawn[-1] + 1] if drawn else ()

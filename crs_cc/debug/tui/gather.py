@@ -6,12 +6,11 @@ import math
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Final
 
-import numpy as np
 from rich.text import Text
 
-from crs_cc.debug.chart import Chart, View
 from crs_cc.debug.commands.stops import frame_text, standing
 from crs_cc.debug.robot_rows import activity
+from crs_cc.debug.run_chart import run_chart
 from crs_cc.debug.tui.look import Breakmark, Choice, Look, SourceLook, Written
 from crs_cc.debug.tui.values import variables
 
@@ -38,7 +37,6 @@ _WHY: Final[dict[Reason, str]] = {
 
 _MOST_PIECES: Final = 4000  # of output, from the end
 _MOST_ROBOTS: Final = 200
-_MOST_PATHS: Final = 30
 _LEAST_COLUMNS, _LEAST_ROWS = 10, 4
 
 
@@ -94,15 +92,7 @@ def _chart(debugger: Debugger, columns: int, rows: int) -> Text:
     """Draws the map, with what the robot that is looked at senses; none where there is no room."""
     if columns < _LEAST_COLUMNS or rows < _LEAST_ROWS:
         return Text()
-    environment, state = debugger.session.environment, debugger.session.environment.state
-    here = np.column_stack([state.x_m, state.y_m])
-    known = debugger.run.chronicle.paths(debugger.position.timestep)
-    paths = [
-        np.concatenate([path, here[robot : robot + 1]])
-        for robot, path in enumerate(known[:_MOST_PATHS])
-    ]
-    view = View.whole(environment, columns, rows)
-    return Chart(environment, view, robot=debugger.robot, paths=paths).text
+    return run_chart(debugger, columns, rows, robot=debugger.robot).text
 
 
 def _source(debugger: Debugger) -> SourceLook:
