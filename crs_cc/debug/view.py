@@ -49,6 +49,7 @@ class View:
         run: the run.
         robot: the robot that the user looks at.
         frame: the number of the active function that he looks at.
+        kept: values that expressions can use as `$name`, and the last one as `$`.
     """
 
     def __init__(self, run: Run) -> None:
@@ -56,6 +57,7 @@ class View:
         self.run = run
         self.robot = 0
         self.frame = 0
+        self.kept: dict[str, Value] = {}
         self._names: dict[int, Names] = {}
         self._evaluators: dict[tuple[int, int], Evaluator] = {}
 
@@ -201,7 +203,7 @@ class View:
         if (robot, memory) not in self._evaluators:
             names = self._names.setdefault(id(program), Names(program))
             stopped = functools.partial(self.run.stopped, robot)
-            self._evaluators[robot, memory] = Evaluator(stopped, names)
+            self._evaluators[robot, memory] = Evaluator(stopped, names, self.kept)
         return self._evaluators[robot, memory]
 
     def _active(self, robot: int, frame: int | None) -> StackFrame | None:

@@ -21,6 +21,15 @@ from crs_cc.debug.happenings import KINDS
 
 if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell
+    from crs_cc.debug.watch import Kind as Access
+
+
+_ACCESSES: Final[dict[Access, str]] = {
+    "change": "when it changes",
+    "write": "when it is written",
+    "read": "when it is read",
+    "access": "when it is read or written",
+}
 
 
 def _robot(shell: Shell, text: str) -> int | None:
@@ -29,8 +38,9 @@ def _robot(shell: Shell, text: str) -> int | None:
 
 def _made(made: Breakpoint) -> Answer:
     yield f"{name_of(made)}: {described(made)}"
-    if made.place and made.place.note:
-        yield made.place.note
+    note = made.place.note if made.place else made.watch.note if made.watch else ""
+    if note:
+        yield note
 
 
 def name_of(one: Breakpoint) -> str:
@@ -45,6 +55,8 @@ def name_of(one: Breakpoint) -> str:
 def described(one: Breakpoint) -> str:
     """Gives where a breakpoint is, in words."""
     location = one.place.location if one.place else None
+    if one.watch is not None:
+        return f"{one.text}, {_ACCESSES[one.watch.watched.kind]}"
     if one.place is None:
         return one.text
     if location is None:
@@ -69,6 +81,14 @@ def _here(shell: Shell) -> str:
     if place is None:
         raise DebugError("no program stands at a line here: say where to stop")
     return f"{place.file}:{place.line}"
+
+
+def _watch(shell: Shell, text: str, *, kind: Access) -> Answer:
+    where = take_where(demand(text, "an expression such as speed or *p"))
+    made = shell.debugger.add_watchpoint(
+        where.place, kind, condition=where.condition, robot=_robot(shell, where.robot)
+    )
+    return _made(made)
 
 
 def _catch(shell: Shell, text: str) -> Answer:
@@ -171,7 +191,8 @@ def _state(one: Breakpoint) -> str:
 
 
 def _of_robot(shell: Shell, one: Breakpoint) -> str:
-    return f" of {shell.debugger.names[one.robot]}" if one.robot is not None else ""
+    names = shell.debugger.names
+    return f", {names[one.robot]} only" if one.robot is not None and len(names) > 1 else ""
 
 
 _PLACES: Final = (
@@ -203,6 +224,26 @@ BREAKPOINTS: Final = Group(
             "tbreak", "[PLACE] [robot NAME] [if CONDITION]", "Stop there once.",
             partial(_break, temporary=True), ("tb",), text='Places are those of "break".',
             completes="place",
+        ),
+        Command(
+            "watch", "EXPRESSION [if CONDITION]", "Stop when a value changes.",
+            partial(_watch, kind="change"),
+            text="EXPRESSION names an object: a variable, an element, *p. It stops behind the"
+            " statement that changed it, backward before it. A variable of a function is watched"
+            " as long as the function is active.",
+            completes="expression",
+        ),
+        Command(
+            "wwatch", "EXPRESSION [if CONDITION]", "Stop when a value is written, changed or not.",
+            partial(_watch, kind="write"), completes="expression",
+        ),
+        Command(
+            "rwatch", "EXPRESSION [if CONDITION]", "Stop when a value is read.",
+            partial(_watch, kind="read"), completes="expression",
+        ),
+        Command(
+            "awatch", "EXPRESSION [if CONDITION]", "Stop when a value is read or written.",
+            partial(_watch, kind="access"), completes="expression",
         ),
         Command(
             "catch", "WHAT [robot NAME]", "Stop when something happens to a program or a robot.",

@@ -18,7 +18,7 @@ from crs_cc.debug.commands.formats import LONGEST_TEXT, dump, formatted, quoted
 from crs_cc.debug.commands.stack import frame
 from crs_cc.debug.commands.type_text import declared
 from crs_cc.debug.errors import DebugError
-from crs_cc.ir.types import ArrayType, RecordType
+from crs_cc.ir.types import ArrayType, RecordType, VoidType
 
 if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell
@@ -31,7 +31,8 @@ _MOST_STRINGS: Final = 100
 def _print(shell: Shell, text: str) -> Answer:
     wanted, expression = take_format(text)
     value = shell.debugger.evaluate(demand(expression, "an expression"))
-    yield formatted(value, wanted)
+    shown = formatted(value, wanted)
+    yield shown if isinstance(value.type, VoidType) else f"${shell.keep(value)} = {shown}"
 
 
 def _call(shell: Shell, text: str) -> Answer:
@@ -172,8 +173,10 @@ DATA: Final = Group(
         Command(
             "print", "[/FMT] EXPRESSION", "Show the value of a C expression.", _print,
             ("p", "inspect"),
-            text="All operators, casts, macros and calls of the program's own functions."
-            f" {_FORMATS} {_CHANGES}",
+            text="All operators, casts, macros and calls of the program's own functions. Beyond C:"
+            " a[2..5] and *p@4 are elements in a row, turn::count and 'map.c'::size variables of"
+            " other functions and files, $3 a value that was printed, $ the last one, $name = 7 one"
+            f" to be kept. {_FORMATS} {_CHANGES}",
             completes="expression",
         ),
         Command(

@@ -20,6 +20,7 @@ LARGEST_SCRIPT: Final = 1 << 20
 _DEEPEST: Final = 16
 _HEAD: Final = "# breakpoints of crs debug"
 _ENDING: Final = ".dbg"
+_WATCHES: Final = {"change": "watch", "write": "wwatch", "read": "rwatch", "access": "awatch"}
 
 
 def read_script(path: Path) -> list[str]:
@@ -81,8 +82,10 @@ def _command(shell: Shell, one: Breakpoint) -> str:
     robot = f" robot {shell.debugger.names[one.robot]}" if one.robot is not None else ""
     if one.log:
         return f"log {one.text} {one.log}"
-    word = {"breakpoint": "tbreak" if one.temporary else "break", "catchpoint": "catch"}
-    return f"{word.get(one.kind, 'watch')} {one.text}{robot}"
+    if one.watch is not None:
+        return f"{_WATCHES[one.watch.watched.kind]} {one.text}{robot}"
+    word = "catch" if one.kind == "catchpoint" else "tbreak" if one.temporary else "break"
+    return f"{word} {one.text}{robot}"
 
 
 def _write(path: Path, content: str) -> None:

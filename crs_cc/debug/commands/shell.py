@@ -21,6 +21,7 @@ from crs_cc.debug.errors import DebugError
 if TYPE_CHECKING:
     from crs_cc.debug.engine import Debugger
     from crs_cc.debug.stop import Stop
+    from crs_cc.debug.values import Value
 
 PROMPT: Final = "(crs) "
 _MORE: Final = ">"
@@ -57,6 +58,7 @@ class Shell:
         self.has_ended = False
         self.failures = 0
         self.depth = 0
+        self._values = 0
         self._again = ""
         self._due: list[str] = []
         self._collected: _Collected | None = None
@@ -110,6 +112,12 @@ class Shell:
                 yield f"{number}: {display.text(self.debugger)}"
             except DebugError:
                 continue
+
+    def keep(self, value: Value) -> int:
+        """Lets a value be the last one, and gives the number by which it can be used, too."""
+        self._values += 1
+        self.debugger.kept[""] = self.debugger.kept[str(self._values)] = value
+        return self._values
 
     def collect(self, breakpoints: list[int]) -> None:
         """Lets the next lines, up to `end`, be the commands of breakpoints."""

@@ -99,11 +99,12 @@ class Terminal:
     def _coloured(self, line: Line | SourceLine) -> str:
         if isinstance(line, Line):
             return _rendered(Text(_clean(line.text), style=_STYLES[line.kind]))
-        head = Text(line.head, style="bold yellow" if line.is_current else "dim")
+        text = Text()
+        text.append(line.head, style="bold yellow" if line.is_current else "dim")
         code = Syntax("", "c", theme=_THEME, background_color="default")
-        text = code.highlight(_clean(line.code.expandtabs()))
+        text.append(code.highlight(_clean(line.code)))
         text.rstrip()
-        return _rendered(head + text)
+        return _rendered(text)
 
 
 def _clean(text: str) -> str:
