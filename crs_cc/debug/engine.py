@@ -23,7 +23,7 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.debug.history import History
 from crs_cc.debug.points import Points
 from crs_cc.debug.position import BEGINNING, Position
-from crs_cc.debug.run import Run
+from crs_cc.debug.run import InterruptedRunError, Run
 from crs_cc.debug.stop import Stop
 from crs_cc.debug.travel import Traveller
 from crs_cc.debug.values import Value
@@ -144,13 +144,13 @@ class Debugger(Points):
         """Gives what a call that has ended returned, if its last statement tells; else nothing."""
         here, robot = self.position, self.robot
         spots = self._traveller.spots_back(robot, frozenset({frame.active.function}))
-        last = next((spot for spot in spots if spot.fp == frame.active.fp), None)
         value = ""
-        if last is not None:
-            lines = self.source(last.location.file)[last.location.line - 1 :][:_MOST_LINES]
-            match = _RETURN.match(" ".join(lines)[last.location.column - 1 :])
-            if match and self._traveller.to_statement(robot, last.statements):
-                with contextlib.suppress(DebugError):
+        with contextlib.suppress(DebugError, InterruptedRunError):
+            last = next((spot for spot in spots if spot.fp == frame.active.fp), None)
+            if last is not None:
+                lines = self.source(last.location.file)[last.location.line - 1 :][:_MOST_LINES]
+                match = _RETURN.match(" ".join(lines)[last.location.column - 1 :])
+                if match and self._traveller.to_statement(robot, last.statements):
                     value = self.evaluator(robot).evaluate(match[1]).value.text
                     self.evaluator(robot).undo()
         self.run.seek(here)
@@ -202,8 +202,7 @@ class Debugger(Points):
         target = Position(timestep, 0)
         if target <= max(self.position, self.run.history.latest()):
             return self.goto(target)
-        self._traveller.to_timestep(timestep)
-        return self._arrive(self._traveller.stop("goto" if self.position == target else "end"))
+        return self._arrive(self._traveller.to_timestep(timestep))
 
     def goto_time(self, time_s: float) -> Stop:
         """Goes to the start of the timestep that an instant lies in.
@@ -225,7 +224,11 @@ class Debugger(Points):
         if number < 1:
             raise DebugError("statements are counted from 1")
         start = self.position
-        if not self._traveller.to_statement(self.robot, number - 1):
+        try:
+            is_there = self._traveller.to_statement(self.robot, number - 1)
+        except InterruptedRunError:
+            return self._arrive(self._traveller.stop("interrupt"))
+        if not is_there:
             self.run.seek(start)
             raise DebugError(f"{self.names[self.robot]}'s program ends before statement {number}")
         return self._arrive(self._traveller.stop("goto", self.robot))
@@ -272,7 +275,7 @@ class Debugger(Points):
 
     def _arrive(self, stop: Stop) -> Stop:
         """Lets the user look at where the run has stopped."""
-        self.stop = stop
+        self.stop, self.run.interrupted = stop, False
         if stop.robot >= 0:
             self.robot = stop.robot
         for number in stop.breakpoints:

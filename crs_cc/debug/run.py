@@ -232,6 +232,9 @@ class Run:
             InterruptedRunError: the user wants it.
         """
         self._answer_interrupt()
+        return self._advance(limit)
+
+    def _advance(self, limit: Position | None) -> Instant:
         before = self.position
         edit = self.history.next_edit(before)
         if not self.session.begin_round():
@@ -378,7 +381,7 @@ class Run:
     # -- going anywhere ----------------------------------------------------------------------
 
     def seek(self, target: Position) -> None:
-        """Goes to an instant that the run has been at."""
+        """Goes to an instant that the run has been at; nothing interrupts that."""
         position, kept = self.history.before(target)
         if self._astray or not position <= self.position <= target:
             self.restore(kept)
@@ -387,7 +390,7 @@ class Run:
             everywhere, since = frozenset({target.robot}), {target.robot: target.statements}
         self.arm(Marks(all=everywhere, since=since))
         while self.position < target and self.goes_on:
-            self.advance(target)
+            self._advance(target)
 
     def restore(self, kept: Kept) -> None:
         """Goes to where a snapshot was made."""

@@ -224,14 +224,14 @@ class Traveller:
         run, start = self._run, self._run.position
         try:
             found = self._find_back(aim)
+            if found is not None:
+                self.to_statement(aim.robot, found.statements)
+                return self.stop("step", aim.robot)
         except InterruptedRunError:
             run.seek(start)
             return self.stop("interrupt")
-        if found is None:
-            run.seek(BEGINNING)
-            return self.stop("beginning")
-        self.to_statement(aim.robot, found.statements)
-        return self.stop("step", aim.robot)
+        run.seek(BEGINNING)
+        return self.stop("beginning")
 
     def _find_back(self, aim: BackAim) -> Spot | None:
         best: Spot | None = None
@@ -285,17 +285,24 @@ class Traveller:
 
         return places[max(0, bisect_right(places, statements, key=begun) - 1)]
 
-    def to_timestep(self, timestep: int) -> None:
+    def to_timestep(self, timestep: int) -> Stop:
         """Goes forward to the start of a timestep, if the run gets so far."""
         run = self._run
         run.arm(Marks())
-        while run.position.timestep < timestep and run.goes_on:
-            run.advance()
+        try:
+            while run.position.timestep < timestep and run.goes_on:
+                run.advance()
+        except InterruptedRunError:
+            return self.stop("interrupt")
+        return self.stop("goto" if run.position.timestep == timestep else "end")
 
     def to_statement(self, robot: int, statements: int) -> bool:
         """Goes to before a statement of a program, by how many have begun before it.
 
         Gives False when the program ends before.
+
+        Raises:
+            InterruptedRunError: the user wants it; the run is somewhere on the way.
         """
         run = self._run
         if run.session.halted == robot and run.begun(robot) == statements:

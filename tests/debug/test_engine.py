@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.stop import Stop
+from crs_cc.sim.step import Step
 from tests.debug.debuggee import debugger_of, line
 
 LOOP = """\
@@ -190,3 +193,43 @@ def test_a_function_of_the_library_stops_before_the_statements_that_call_it(
     assert [loop.resume().reason for _ in range(3)] == ["breakpoint", "breakpoint", "end"]
     with pytest.raises(DebugError):
         loop.add_breakpoint("scanf")
+
+
+ENDLESS = """\
+#include "Nclient.h"
+int main(void)
+{
+    connect_robot(1);
+    for (;;)
+        get_rc();
+}
+"""
+
+
+@pytest.mark.parametrize(
+    "move",
+    [
+        lambda debugger: debugger.resume(),
+        lambda debugger: debugger.next(1000),
+        lambda debugger: debugger.goto_timestep(1000),
+        lambda debugger: debugger.goto_statement(100_000),
+    ],
+)
+def test_whatever_goes_forward_can_be_interrupted(
+    move: Callable[[Debugger], Stop], tmp_path: Path
+) -> None:
+    debugger = debugger_of(ENDLESS, folder=tmp_path)
+    debugger.start()
+    hear = debugger.run.step
+
+    def step(step: Step) -> None:
+        hear(step)
+        if debugger.session.timesteps == 3:
+            debugger.interrupt()
+
+    debugger.run.step = step  # type: ignore[method-assign]
+    assert move(debugger).reason == "interrupt"
+    assert debugger.position.timestep == 3
+    debugger.interrupt()
+    assert debugger.goto_timestep(2).reason == "goto"  # that is but a short way
+    assert debugger.step().reason == "step"
