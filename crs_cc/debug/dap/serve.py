@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import contextlib
+import io
 import os
+import select
 import socket
 import sys
 import threading
 from collections.abc import Callable
 from functools import partial
-from typing import TYPE_CHECKING, BinaryIO, Final
+from typing import TYPE_CHECKING, Any, BinaryIO, Final
 
 from crs_cc.debug.dap.arguments import LARGEST, Arguments, RefusalError
 from crs_cc.debug.dap.connection import NOBODY, ClientGoneError, Connection
@@ -34,13 +36,38 @@ def serve_stdio(open_run: OpenRun) -> None:
         open_run: makes a debugger of a command line of `crs debug`.
     """
     sys.stdout.flush()
+    source = _StandardInput()
     with (
         contextlib.suppress(ConnectionError),  # what is unwritten is for nobody
         os.fdopen(os.dup(1), "wb") as sink,
-        os.fdopen(os.dup(0), "rb") as source,
     ):
         os.dup2(2, 1)  # whatever else is printed must not come between messages
-        serve(source, sink, open_run)
+        serve(io.BufferedReader(source), sink, open_run, source.end)
+
+
+class _StandardInput(io.RawIOBase):
+    """Our standard input, which another thread can end."""
+
+    def __init__(self) -> None:
+        self._is_over, self._over = os.pipe()
+
+    def readable(self) -> bool:
+        """Tells that it can be read."""
+        return True
+
+    def readinto(self, room: Any, /) -> int:
+        """Waits for bytes, and gives how many have come: none at the end."""
+        ready, _, _ = select.select([0, self._is_over], [], [])
+        if self._is_over in ready:
+            return 0
+        view = memoryview(room)
+        content = os.read(0, len(view))
+        view[: len(content)] = content
+        return len(content)
+
+    def end(self) -> None:
+        """Lets it end, for who waits for it, too."""
+        os.write(self._over, b"x")
 
 
 def serve_port(port: int, open_run: OpenRun, announce: Callable[[str], None]) -> None:
