@@ -281,7 +281,9 @@ class Debugger(Points):
         for number in stop.breakpoints:
             if self.breakpoints.get(number).temporary:
                 self.breakpoints.remove(number)
-        self.frame = self.first_own_frame()
+        frames = (each for each in self.frames() if each.active.function == stop.function)
+        about = next(frames, None)
+        self.frame = self.first_own_frame() if about is None else about.number
         return stop
 
     # -- changing ------------------------------------------------------------------------------

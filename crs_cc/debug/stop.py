@@ -25,6 +25,8 @@ class Stop:
         robot: whose program it is; -1 for none.
         breakpoints: the numbers of the breakpoints, watchpoints and catchpoints that it hit.
         text: what happened, in a sentence for people; empty where the reason says it all.
+        function: the active function that it is about, by the linker's name; empty for the
+            innermost.
     """
 
     reason: Reason
@@ -33,3 +35,4 @@ class Stop:
     robot: int = -1
     breakpoints: tuple[int, ...] = ()
     text: str = ""
+    function: str = ""

@@ -40,10 +40,12 @@ class _Found:
         stop: what it was.
         begun: how many statements of the program had begun before the one that did it, if that is
             where to go: an access is found behind it.
+        function: the function that did it, which may have called the one of that statement.
     """
 
     stop: Stop
     begun: int | None = None
+    function: str = ""
 
 
 class Traveller:
@@ -205,9 +207,11 @@ class Traveller:
             begun = max(0, self._run.begun(robot) - 1)
             if robot == start.robot and begun >= start.statements:
                 continue
-            stop = self._hit([each for each in hits if each.robot == robot], counts=False)
+            own = [each for each in hits if each.robot == robot]
+            stop = self._hit(own, counts=False)
             if stop is not None:
-                return _Found(stop, begun)
+                access = own[0].access
+                return _Found(stop, begun, access.function if access else "")
         return None
 
     def _to(self, found: _Found) -> Stop:
@@ -217,7 +221,7 @@ class Traveller:
             return replace(found.stop, time_s=self._run.time_s(found.stop.robot))
         self.to_statement(found.stop.robot, found.begun)
         here = self.stop(found.stop.reason, found.stop.robot, found.stop.text)
-        return replace(here, breakpoints=found.stop.breakpoints)
+        return replace(here, breakpoints=found.stop.breakpoints, function=found.function)
 
     def backward_to(self, aim: BackAim) -> Stop:
         """Goes back to a statement of one program that came before."""

@@ -71,7 +71,7 @@ def test_a_watchpoint_stops_forward_behind_and_backward_before_what_did_it(loop:
     loop.resume(backward=True)
     assert loop.stop.text == "total: 0 -> 2, written at a.c:15"
     assert loop.evaluate("total").text == "0"
-    assert (loop.current_frame().function, line(loop)) == ("twice", 9)  # type: ignore[union-attr]
+    assert (loop.current_frame().function, line(loop)) == ("main", 15)  # type: ignore[union-attr]
     loop.resume()
     assert (line(loop), point.hits) == (16, 2)
 
