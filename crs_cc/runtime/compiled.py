@@ -60,10 +60,17 @@ class Compiled:
     addresses: dict[str, int]
     checked: bool = True
     trap_overflow: bool = False
-    _infos: dict[str, FunctionInfo] = field(default_factory=dict, repr=False)
+    _numbers: dict[str, int] = field(default_factory=dict, repr=False)
+
+    @property
+    def numbers(self) -> dict[str, int]:
+        """The number of each function among `functions`."""
+        if not self._numbers:
+            self._numbers.update(
+                (info.function.name, number) for number, info in enumerate(self.functions)
+            )
+        return self._numbers
 
     def info(self, function: str) -> FunctionInfo:
         """Gives what is known of a function."""
-        if not self._infos:
-            self._infos.update((info.function.name, info) for info in self.functions)
-        return self._infos[function]
+        return self.functions[self.numbers[function]]

@@ -77,7 +77,7 @@ def call_stack(
         compiled: the program.
         failed_at: where the innermost function failed, if it did.
     """
-    numbers = {info.function.name: n for n, info in enumerate(compiled.functions)}
+    numbers = compiled.numbers
     number, fp = numbers[ROOT], STACK_TOP - HEADER_SIZE
     frames: list[StackFrame] = []
     while len(frames) < MOST_ACTIVE:
