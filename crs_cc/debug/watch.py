@@ -24,9 +24,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Literal, TypeAlias
 
+import numpy as np
+
 from crs_cc.debug.errors import DebugError
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.runtime.codegen.watching import accesses
+from crs_cc.runtime.layout import STACK_TOP
 from crs_cc.runtime.watched import (
     ENTER,
     LONGEST,
@@ -35,11 +38,11 @@ from crs_cc.runtime.watched import (
     READ,
     RETURN,
     WRITE,
+    grains,
     offset,
 )
 
 if TYPE_CHECKING:
-    import numpy as np
     import numpy.typing as npt
 
     from crs_cc.runtime.diagnosis.inspect import StackFrame
@@ -181,16 +184,29 @@ class Watches:
                 rows.append((each.frame.fp, 1, ENTER | RETURN, since))
                 self._rows.append((each.number, True))
         watched = self._fleet.watched[self._robot]
-        watched["first"] = watched["span"] = watched["pending"] = 0
+        watched["pending"] = 0
         watched["end"] = offset("ranges") + len(rows) * RANGE.itemsize
         ranges = self._ranges()
         ranges["hits"] = 0
         for row, (first, size, kinds, since) in zip(ranges, rows, strict=True):
             row["first"], row["size"], row["kinds"], row["since"] = first, size, kinds, since
-        if rows:
-            first = min(each[0] for each in rows) - (LONGEST - 1)
+        self._bound([each[:2] for each in rows])
+
+    def _bound(self, parts: Sequence[tuple[int, int]]) -> None:
+        """Writes among which bytes all ranges lie, each by its first address and its size."""
+        watched = self._fleet.watched[self._robot]
+        for field in ("first", "span", "lowest", "highest", "grains"):
+            watched[field] = 0
+        for first, size in parts:
+            watched["grains"] |= np.uint64(grains(first, size))
+        if parts:
+            first = min(each for each, _ in parts) - (LONGEST - 1)
             watched["first"] = first
-            watched["span"] = max(each[0] + each[1] for each in rows) - first
+            watched["span"] = max(first + size for first, size in parts) - first
+        on_stack = [(first, size) for first, size in parts if first < STACK_TOP]
+        if on_stack:
+            watched["lowest"] = min(first for first, _ in on_stack)
+            watched["highest"] = max(first + size for first, size in on_stack)
 
     def _hits(self, number: int, *, header: bool) -> npt.NDArray[np.void] | None:
         """Gives the range of an object, or of its frame's header, if it was hit."""

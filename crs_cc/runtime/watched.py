@@ -3,12 +3,15 @@
 Up to `RANGES` ranges of bytes lie one behind the other, each with the accesses that count and what
 there was of them since somebody cleared it. Before them stand the first address of all bytes among
 which they lie, less 7, and how many these are, so that most accesses are found to be elsewhere
-where they happen.
+where they happen; the same for those on the stack, so that a function knows whether its frame is
+concerned; and which of 64 grains they touch, into which all memory is divided again and again.
 
 All this belongs to who watches and is no state of the program: no snapshot has it.
 
 >>> WATCHED.itemsize
-1040
+1056
+>>> hex(grains(0x1008, 4)), hex(grains(0x1010, 16)), hex(grains(0, 4096))
+('0x1', '0x3', '0xffffffffffffffff')
 """
 
 from __future__ import annotations
@@ -25,6 +28,9 @@ of its header (`layout`)."""
 
 LONGEST: Final = 8
 """The longest access apart from copies [bytes]."""
+
+GRAIN: Final = 4
+"""A grain is 2**GRAIN bytes; chosen by us."""
 
 RANGE: Final = np.dtype(
     [
@@ -44,9 +50,21 @@ WATCHED: Final = np.dtype(
         ("span", "<u4"),
         ("pending", "<u4"),  # 1: stop before the next statement
         ("end", "<u4"),  # where in the memory the ranges that are in use end
+        ("lowest", "<u4"),  # the first address on the stack
+        ("highest", "<u4"),  # where those on the stack end
+        ("grains", "<u8"),  # bit n: grain n of every 64 is touched
         ("ranges", RANGE, (RANGES,)),
     ]
 )
+
+
+def grains(first: int, size: int) -> int:
+    """Gives the grains that an access touches if it touches some bytes, and is not a copy."""
+    start, last = first - LONGEST + 1 >> GRAIN, first + size - 1 >> GRAIN
+    bits = 0
+    for grain in range(start, min(last, start + 63) + 1):
+        bits |= 1 << grain % 64
+    return bits
 
 
 def range_offset(field: str) -> int:

@@ -147,7 +147,7 @@ class _FunctionCode:
             selector.arithmetic = CheckedArithmetic(selector, traps_overflow=traps)
         if build.watch and not function.trusted:
             library = in_library(function.location)
-            selector.watching = Watching(selector, build.watch, library=library)
+            selector.watching = Watching(selector, build.watch, self.marks, library=library)
         self.nodes = {block: Node() for block in function.blocks}
         self.landings: list[tuple[Landing, Instruction]] = []
         self.calls: dict[int, Landing] = {}
@@ -224,6 +224,7 @@ class _FunctionCode:
         code += [("local.get", FP), ("i32.const", NULL_SIZE + size), ("i32.lt_u",), UNLIKELY]
         code += [*self.overflow(), ("end",)]
         code += [("local.get", FP), ("i32.const", size), ("i32.sub",), ("local.set", SP)]
+        code += self.selector.watching.find_out() if self.selector.watching else []
         return node
 
     def overflow(self) -> list[Instr]:
@@ -260,8 +261,7 @@ class _FunctionCode:
             code += homes.clear(self.frame, self.saved)
         if self.shadowed:
             code += frame_states.enter(self.function, self.frame)
-        if self.selector.watching is not None:
-            code += self.selector.watching.entering()
+        code += self.selector.watching.entering() if self.selector.watching else []
         node.jump(self.nodes[self.function.blocks[0]])
         return node
 

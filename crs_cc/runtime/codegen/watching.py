@@ -4,6 +4,10 @@ A watching build is a debug build with the same frames and the same landings, so
 be moved from one to the other wherever it has stopped; only while something is watched it runs in
 the slower one. The ranges lie in front of the marks, see `runtime.watched`.
 
+Where an access is not in a watched range is found out fast: of its variables a function knows
+whether its frame has anything to do with a range; the rest is compared with the bytes among which
+all ranges lie, and in `watch` with the grains that they touch.
+
 The first access that counts makes the program stop before its next statement, whatever its slot
 says of where to stop, and changes nothing there: who steps and who watches do not disturb each
 other. A variable that lives in a register is watched at its place in the frame, where it is found
@@ -21,6 +25,8 @@ from typing import TYPE_CHECKING, Final
 from crs_cc.ir.names import in_library
 from crs_cc.ir.program import (
     MEMORY_SIZE,
+    VARARGS,
+    Base,
     Call,
     Constant,
     Copy,
@@ -31,6 +37,7 @@ from crs_cc.ir.program import (
     Program,
     Register,
     SetJump,
+    Slot,
     Statement,
     Store,
 )
@@ -48,7 +55,18 @@ from crs_cc.runtime.codegen.indices import (
 from crs_cc.runtime.layout import RESULT
 from crs_cc.runtime.sites import FRAME_BITS, FRAME_UNIT, SITE_BITS, StatementSite
 from crs_cc.runtime.wasm import UNLIKELY, Code, FuncType, Instr
-from crs_cc.runtime.watched import CALLERS, ENTER, RANGE, READ, RETURN, WRITE, offset, range_offset
+from crs_cc.runtime.watched import (
+    CALLERS,
+    ENTER,
+    GRAIN,
+    LONGEST,
+    RANGE,
+    READ,
+    RETURN,
+    WRITE,
+    offset,
+    range_offset,
+)
 
 if TYPE_CHECKING:
     from crs_cc.runtime.codegen.writer import Writer
@@ -72,12 +90,25 @@ def accesses(program: Program) -> list[StatementSite]:
 class Watching:
     """Writes what tells of the accesses of one function."""
 
-    def __init__(self, writer: Writer, watch: int, *, library: bool) -> None:
-        """Takes the function's writer, the index of the function `watch`, and whose it is."""
+    def __init__(self, writer: Writer, watch: int, marks: int, *, library: bool) -> None:
+        """Takes the function's writer, where `watch` and the marks are, and whose it is."""
         self._writer = writer
         self._watch = watch
+        self._marks = marks
         self._library = library
         self._place = 0
+        writer.local_types.append("i32")
+        self._concerned = len(writer.local_types) + 1
+
+    def find_out(self) -> list[Instr]:
+        """Finds out whether anything is watched in the frame, or in the arguments."""
+        zero = ("i32.const", 0)
+        return [
+            ("local.get", SP), zero, ("i32.load", self._marks, offset("highest")), ("i32.lt_u",),
+            ("local.get", SP), ("i32.const", self._writer.frame.varargs), ("i32.add",),
+            zero, ("i32.load", self._marks, offset("lowest")), ("i32.gt_u",),
+            ("i32.and",), ("local.set", self._concerned),
+        ]  # fmt: skip
 
     def before(self, it: Instruction) -> None:
         """Tells what an instruction, terminators too, reads, and which memory it writes."""
@@ -88,16 +119,15 @@ class Watching:
             self._register(register, READ)
         match it:
             case Load() | Store():
-                self._writer.address(it.base, it.offset)
-                self._compare(MEMORY_SIZE[it.memory], READ if isinstance(it, Load) else WRITE)
+                access = READ if isinstance(it, Load) else WRITE
+                self._access(it.base, it.offset, MEMORY_SIZE[it.memory], access)
             case Copy():
                 self._tell(it.source, it.size, READ)
                 self._tell(it.target, it.size, WRITE)
             case Fill():
                 self._tell(it.target, it.size, WRITE)
             case SetJump():
-                self._writer.push(it.buffer)
-                self._compare(_SIZES["i32"], WRITE)
+                self._tell(it.buffer, Constant("i32", _SIZES["i32"]), WRITE)
             case Call():
                 for each in (each for each in it.arguments if each.memory is None):
                     self._tell(each.value, Constant("i32", each.size), READ)
@@ -110,24 +140,37 @@ class Watching:
 
     def entering(self) -> list[Instr]:
         """Tells that the function's frame begins."""
-        return [] if self._library else [("local.get", FP), *self._compared(1, ENTER)]
+        return [] if self._library else self._in_frame([("local.get", FP)], 1, ENTER)
 
     def returning(self) -> list[Instr]:
         """Tells that the function's frame ends."""
-        return [] if self._library else [("local.get", FP), *self._compared(1, RETURN)]
+        return [] if self._library else self._in_frame([("local.get", FP)], 1, RETURN)
 
     def _register(self, register: Register, access: int) -> None:
         if register.variable is not None:
             at = self._writer.frame.offsets[register]
-            self._writer.code += [("local.get", SP), ("i32.const", at), ("i32.add",)]
-            self._compare(_SIZES[register.type], access)
+            place = [("local.get", SP), ("i32.const", at), ("i32.add",)]
+            self._writer.code += self._in_frame(place, _SIZES[register.type], access)
 
-    def _compare(self, size: int, access: int) -> None:
-        self._writer.code += self._compared(size, access)
+    def _in_frame(self, place: list[Instr], size: int, access: int) -> list[Instr]:
+        """Tells of an access to a place in the frame."""
+        told = self._told(access)
+        test: list[Instr] = [("local.get", self._concerned), UNLIKELY]
+        return [*test, *place, ("i32.const", size), *told, ("end",)]
 
-    def _compared(self, size: int, access: int) -> list[Instr]:
-        """Tells of an access to the address that was pushed, where it may be a watched one."""
-        return [
+    def _access(self, base: Base, at: int, size: int, access: int) -> None:
+        """Tells of an access where it may be a watched one."""
+        writer = self._writer
+        if isinstance(base, Slot) and base is not VARARGS:
+            place = [
+                ("local.get", SP),
+                ("i32.const", writer.frame.offsets[base] + at),
+                ("i32.add",),
+            ]
+            writer.code += self._in_frame(place, size, access)
+            return
+        writer.address(base, at)
+        writer.code += [
             ("local.tee", ADDRESS), ("global.get", WATCHED_GLOBAL), ("i32.sub",),
             ("global.get", SPAN_GLOBAL), ("i32.lt_u",), UNLIKELY,
             ("local.get", ADDRESS), ("i32.const", size), *self._told(access), ("end",),
@@ -157,6 +200,11 @@ def watch(marks: int, statements: int, *, checked: bool) -> Code:
         return [("local.get", at), ("i32.load", marks, range_offset(field))]
 
     body: list[Instr] = [
+        ("local.get", size), ("i32.const", LONGEST), ("i32.le_u",),
+        ("i32.const", 0), ("i64.load", marks, offset("grains")),
+        ("local.get", address), ("i32.const", GRAIN), ("i32.shr_u",), ("i64.extend_i32_u",),
+        ("i64.shr_u",), ("i32.wrap_i64",), ("i32.const", 1), ("i32.and",), ("i32.eqz",),
+        ("i32.and",), ("if",), ("return",), ("end",),
         ("i32.const", offset("ranges")), ("local.set", at),
         ("loop",),
         ("local.get", at), ("i32.const", 0), ("i32.load", marks, offset("end")), ("i32.ge_u",),

@@ -11,7 +11,7 @@ from crs_cc.requests import SUSPENDED
 from crs_cc.runtime.codegen.watching import accesses
 from crs_cc.runtime.executable import Executable, make_executable
 from crs_cc.runtime.fleet import Fleet
-from crs_cc.runtime.watched import RANGE, RANGES, READ, WRITE, offset
+from crs_cc.runtime.watched import RANGE, RANGES, READ, WRITE, grains, offset
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Host, HostRequest
 from crs_cc.source import Diagnostics
@@ -68,6 +68,8 @@ class Stepped:
         """Gives the lines where it stops when bytes are watched."""
         watched = self.fleet.watched[0][0]
         watched["first"], watched["span"] = address - 7, size + 7
+        watched["lowest"], watched["highest"] = address, address + size
+        watched["grains"] = grains(address, size)
         watched["end"] = offset("ranges") + (number + 1) * RANGE.itemsize
         mine = watched["ranges"][number]
         mine["first"], mine["size"], mine["kinds"] = address, size, kind
