@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from crs_cc.debug.program import DebugProgram
-from crs_cc.ir.names import in_library
+from crs_cc.ir.names import in_library, plain_name
 from crs_cc.ir.program import Block, Call, Function, Statement
 from crs_cc.source import Location
 
@@ -42,7 +42,8 @@ def _places(function: Function, name: str) -> Iterator[Location]:
             if isinstance(instruction, Statement):
                 place = instruction.location
         end = block.terminator
-        if isinstance(end, Call) and end.callee == name and place is not None:
+        callee = end.callee if isinstance(end, Call) else None
+        if isinstance(callee, str) and plain_name(callee) == name and place is not None:
             yield place
         for follower in block.successors():
             if follower not in begun:

@@ -13,6 +13,9 @@ from crs_cc.source import Location
 LIBRARY: Final = "<library>/"
 """The names of the C library's files begin with it."""
 
+REPORT: Final = "__report_"
+"""What `crs/report.h` puts before the names of the CRS report, which mean its own functions."""
+
 
 def in_library(location: Location) -> bool:
     """Tells whether a place is in the C library."""
@@ -22,7 +25,7 @@ def in_library(location: Location) -> bool:
 def plain_name(function: str) -> str:
     """Gives a function's name as the programmer knows it.
 
-    >>> plain_name("wander.c:turn")
-    'turn'
+    >>> plain_name("wander.c:turn"), plain_name("__report_vm")
+    ('turn', 'vm')
     """
-    return function.rpartition(":")[2]
+    return function.rpartition(":")[2].removeprefix(REPORT)

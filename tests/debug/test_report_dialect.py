@@ -1,0 +1,47 @@
+"""Programs in the dialect of the CRS report, whose functions have names of their own in the IR."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from crs_cc.debug.engine import Debugger
+from crs_cc.debug.program import DebugProgram
+from crs_cc.debug.state_rows import told_state
+from crs_cc.frontend.options import Options
+from crs_cc.session.build import build_executable
+from crs_cc.session.library import HEADERS
+from crs_cc.sim.files.world_xml import load_world
+from crs_cc.source import Diagnostics
+
+ROOT = Path(__file__).parents[2]
+TABLE_2 = ROOT / "samples" / "scout_c" / "report_table2.c"
+
+
+@pytest.fixture(scope="module")
+def program() -> DebugProgram:
+    executable = build_executable([TABLE_2], Diagnostics(), dialect="report", debug=True)
+    return DebugProgram(executable, [TABLE_2], Options((), (HEADERS,), dialect="report"))
+
+
+@pytest.mark.parametrize("name", ["vm", "sonarSensorCheck"])
+def test_breakpoints_on_the_reports_functions_stop_by_the_reports_names(program, name) -> None:
+    debugger = Debugger(load_world(ROOT / "worlds" / "stove.xml"), [program])
+    debugger.start()
+    debugger.add_breakpoint(name)
+    stop = debugger.resume()
+    assert stop.breakpoints == (1,)
+    place = debugger.location()
+    assert place is not None
+    assert name in TABLE_2.read_text().splitlines()[place.line - 1]
+    assert not any(frame.function.startswith("__report") for frame in debugger.frames())
+
+
+def test_state_has_the_reports_units(program) -> None:
+    debugger = Debugger(load_world(ROOT / "worlds" / "stove.xml"), [program])
+    debugger.resume()
+    rows = {row.name.split()[1]: row.text for row in told_state(debugger, 0)}
+    assert rows["STATE_HEAT"] == "1"
+    assert rows["STATE_SONAR_2"] == "no echo"
+    assert rows["STATE_SONAR_0"].split()[1] == "0.1in"
