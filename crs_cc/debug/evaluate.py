@@ -30,6 +30,7 @@ from crs_cc.debug.prepare import (
 )
 from crs_cc.debug.scope import Frame, Kind, Scopes, concrete
 from crs_cc.debug.sight import Sight
+from crs_cc.debug.state_rows import StateField
 from crs_cc.debug.values import Value
 from crs_cc.frontend.expression import EXPRESSION, CompiledExpression
 from crs_cc.ir.names import in_library, plain_name
@@ -110,11 +111,20 @@ class Evaluator:
         stopped: Callable[[], Stopped],
         names: Names,
         kept: dict[str, Value] | None = None,
+        fields: tuple[StateField, ...] = (),
     ) -> None:
-        """Takes what tells where the program stands now, and what its names mean."""
+        """Makes an evaluator.
+
+        Args:
+            stopped: tells where the program stands now.
+            names: what its names mean.
+            kept: values that users keep, of other programs too.
+            fields: what the numbers of `State[]` mean for its robot.
+        """
         self.kept: dict[str, Value] = {} if kept is None else kept
         self._stopped = stopped
         self._names = names
+        self._fields = fields
         now = stopped()
         self._compiled = now.compiled
         self._scopes = Scopes(now.program, now.compiled)
@@ -242,7 +252,7 @@ class Evaluator:
 
     def sight(self) -> Sight:
         """Gives what looks at the program's memory as it is now."""
-        return Sight(self._stopped(), self._interpreter.scratch)
+        return Sight(self._stopped(), self._interpreter.scratch, self._fields)
 
     # -- running -----------------------------------------------------------------------------
 

@@ -333,7 +333,8 @@ class Interpreter:
                 start = frame.more if base is VARARGS else frame.slots[base]
             case _:
                 if base not in self._addresses:
-                    raise EvaluationError(f"the program has no '{plain_name(base)}'")
+                    name = plain_name(base)
+                    raise EvaluationError(f"the program has no '{name}': nothing in it uses that")
                 start = self._addresses[base]
         return unsigned(start + offset, 32)
 

@@ -55,6 +55,11 @@ class Home:
     passed: int | None = None
 
 
+def is_own(location: Location) -> bool:
+    """Tells whether a place is in the user's files, and not in the library's or its headers."""
+    return not in_library(location) and not location.file.startswith(_SYSTEM)
+
+
 class Scopes:
     """The variables of a program."""
 
@@ -72,7 +77,7 @@ class Scopes:
         function, dot, _ = name.partition(".")
         if dot:
             self._statics.setdefault(function, []).append(Home(variable, "static", address))
-        elif not in_library(variable.location) and not variable.location.file.startswith(_SYSTEM):
+        elif is_own(variable.location):
             self._globals.append(Home(variable, "global", address))
 
     def globals_(self) -> list[Home]:

@@ -7,22 +7,25 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cached_property
+from pathlib import Path
 from typing import Final
 
 from crs_cc.debug.interpret import SCRATCH
 from crs_cc.debug.memory import Saved
-from crs_cc.debug.scope import Frame, homes
+from crs_cc.debug.scope import Frame, homes, is_own
+from crs_cc.debug.state_rows import StateField
 from crs_cc.debug.values import Value
 from crs_cc.ir.names import in_library
 from crs_cc.ir.program import ByteState
-from crs_cc.ir.types import CType
+from crs_cc.ir.types import ArrayType, CType, IntegerType
 from crs_cc.runtime.diagnosis.diagnose import diagnose
 from crs_cc.runtime.diagnosis.inspect import Stopped
 from crs_cc.runtime.diagnosis.object_text import count, object_name
 from crs_cc.runtime.diagnosis.objects import Object
+from crs_cc.runtime.diagnosis.returned import returned_local
 from crs_cc.runtime.diagnosis.values import Style, Values, place_name
 from crs_cc.runtime.diagnosis.variables import Variables
-from crs_cc.runtime.layout import STACK_TOP
+from crs_cc.runtime.layout import NULL_SIZE, STACK_TOP
 from crs_cc.runtime.sites import CallSite
 
 REPEATS: Final = 10
@@ -37,6 +40,10 @@ FULL: Final = Style(
 """For a value that somebody asked for."""
 
 
+STATE_NAMES: Final = ("State", "__report_State")
+"""What the library calls `State[]`, in each dialect."""
+
+_WORD: Final = 4
 _GONE: Final = bytes([ByteState.INACCESSIBLE])
 _WITHOUT: Final = bytes([ByteState.WITHOUT_VALUE])
 
@@ -48,9 +55,21 @@ class Sight:
         stopped: the program.
     """
 
-    def __init__(self, stopped: Stopped, scratch: Callable[[int, int], bytes]) -> None:
-        """Takes the program, and what reads the scratch memory of expressions."""
+    def __init__(
+        self,
+        stopped: Stopped,
+        scratch: Callable[[int, int], bytes],
+        fields: tuple[StateField, ...] = (),
+    ) -> None:
+        """Looks at a program.
+
+        Args:
+            stopped: the program.
+            scratch: reads the scratch memory of expressions.
+            fields: what the numbers of `State[]` mean for its robot.
+        """
         self.stopped = stopped
+        self._fields = fields
         self._scratch = scratch
         self._variables = Variables(stopped)
 
@@ -91,7 +110,25 @@ class Sight:
     def value(self, address: int, ctype: CType) -> Value:
         """Gives the object of a type at an address; it need not have a value."""
         content, states = self.read(address, ctype.size), self.states(address, ctype.size)
-        return Value(self, ctype, content, states, address)
+        fields = self._state_fields(address, ctype) if self._fields else ()
+        return Value(self, ctype, content, states, address, fields=fields)
+
+    def _state_fields(self, address: int, ctype: CType) -> tuple[StateField, ...]:
+        """Gives what the numbers at an address mean if they are some of `State[]`."""
+        number = ctype.element if isinstance(ctype, ArrayType) else ctype
+        if self._state is None or not isinstance(number, IntegerType) or number.size != _WORD:
+            return ()
+        first, rest = divmod(address - self._state, _WORD)
+        return self._fields[first:][: ctype.size // _WORD] if first >= 0 and not rest else ()
+
+    @cached_property
+    def _state(self) -> int | None:
+        """The address of the vendor's `State[]`; None when the program has it not."""
+        for name in STATE_NAMES:
+            data = self.stopped.program.data.get(name)
+            if data is not None and not is_own(data.location):
+                return self.stopped.compiled.addresses[name]
+        return None
 
     def function_at(self, pointer: int) -> str:
         """Gives the name of the function that a pointer stands for; "" if there is none."""
@@ -102,6 +139,10 @@ class Sight:
         known = self._saved(address)
         if known is not None:
             return f"&{known.name}"
+        if NULL_SIZE <= address < self.stopped.stack_pointer():
+            gone = returned_local(self.stopped, address)
+            what = f"ended {object_name(gone)}" if gone else "in a function that has returned"
+            return f"{address:#x} ({what})"
         found = self._variables.objects.at(address)
         if found is None:
             return f"{address:#x} (nothing is there)"
@@ -174,5 +215,5 @@ def _at(sites: tuple[CallSite, ...], word: str = "at") -> str:
     """Says where the user's code did something: ` at wander.c:12`."""
     for site in sites:
         if not in_library(site.location):
-            return f" {word} {site.location.file}:{site.location.line}"
+            return f" {word} {Path(site.location.file).name}:{site.location.line}"
     return ""

@@ -28,6 +28,7 @@ from crs_cc.runtime.diagnosis.values import Values, bit_field
 
 if TYPE_CHECKING:
     from crs_cc.debug.sight import Sight
+    from crs_cc.debug.state_rows import StateField
 
 UNINITIALISED: Final = "uninitialised"
 _VALUED: Final = bytes([ByteState.WITH_VALUE])
@@ -44,6 +45,7 @@ class Value:
         states: the `ByteState`s of these bytes; none when all have values.
         address: where it lies; None for a value that was computed, and for a bit-field.
         first: the number of its first element, if it is a slice of an array.
+        fields: what the numbers of `State[]` are called and mean, if these are some of them.
     """
 
     sight: Sight
@@ -52,6 +54,7 @@ class Value:
     states: bytes = b""
     address: int | None = None
     first: int = 0
+    fields: tuple[StateField, ...] = ()
 
     @property
     def is_initialised(self) -> bool:
@@ -74,6 +77,9 @@ class Value:
         is_plain = not isinstance(self.type, ArrayType | RecordType)
         if is_plain and not self.is_initialised:
             return UNINITIALISED
+        if is_plain and self.fields and isinstance(self.number, int):
+            meaning, number = self.fields[0].text(self.number), str(self.number)
+            return meaning if meaning.startswith(number) else f"{number} ({meaning})"
         return values.show(self.type, self.content, self.states)
 
     @property
@@ -113,7 +119,8 @@ class Value:
         match self.type:
             case ArrayType():
                 for number in range(start, stop):
-                    yield f"[{self.first + number}]", self.element(number)
+                    name = f" {self.fields[number].name}" if number < len(self.fields) else ""
+                    yield f"[{self.first + number}]{name}", self.element(number)
             case RecordType():
                 for member in list(self._members())[start:stop]:
                     yield member.name or f"<{member.type}>", self.member(member)
@@ -126,7 +133,8 @@ class Value:
         """Gives an element of an array."""
         assert isinstance(self.type, ArrayType)
         size = self.type.element.size
-        return self._part(self.type.element, number * size, size)
+        part = self._part(self.type.element, number * size, size)
+        return replace(part, fields=self.fields[number : number + 1])
 
     def _members(self) -> Iterator[Member]:
         """Gives the members that hold anything: no bit-fields without names."""

@@ -13,6 +13,7 @@ from crs_cc.debug.evaluate import Evaluator, Variable
 from crs_cc.debug.position import Position
 from crs_cc.debug.prepare import Names
 from crs_cc.debug.run import Run
+from crs_cc.debug.state_rows import state_fields
 from crs_cc.debug.values import Value
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.runtime.diagnosis.inspect import StackFrame
@@ -203,7 +204,10 @@ class View:
         if (robot, memory) not in self._evaluators:
             names = self._names.setdefault(id(program), Names(program))
             stopped = functools.partial(self.run.stopped, robot)
-            self._evaluators[robot, memory] = Evaluator(stopped, names, self.kept)
+            drive = self.session.environment.world.robots[robot].model.drive
+            fields = state_fields(program.options.dialect, synchro=drive.steering is not None)
+            made = Evaluator(stopped, names, self.kept, fields)
+            self._evaluators[robot, memory] = made
         return self._evaluators[robot, memory]
 
     def _active(self, robot: int, frame: int | None) -> StackFrame | None:

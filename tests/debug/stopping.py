@@ -7,6 +7,7 @@ from pathlib import Path
 from crs_cc.debug.evaluate import Evaluator
 from crs_cc.debug.prepare import Names
 from crs_cc.debug.program import DebugProgram
+from crs_cc.debug.state_rows import state_fields
 from crs_cc.frontend.options import Options
 from crs_cc.requests import SUSPENDED
 from crs_cc.runtime.fleet import Fleet
@@ -50,7 +51,8 @@ class Stopping:
 
     def evaluator(self) -> Evaluator:
         """Gives what evaluates expressions."""
-        return Evaluator(lambda: self.fleet.stopped(0), Names(self.program))
+        fields = state_fields("nomad")
+        return Evaluator(lambda: self.fleet.stopped(0), Names(self.program), fields=fields)
 
     def state(self) -> tuple[bytes, bytes]:
         """Gives all bytes of the program, and of its shadow."""
