@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import copy
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
@@ -89,11 +89,9 @@ class History:
         number = bisect_right(self._positions, position)
         gap = position.timestep - self._positions[number - 1].timestep
         interval = self._interval
-        if (
-            self._user is not None
-            and 0 <= self._user.timestep - position.timestep < NEAR * interval
-        ):
-            interval //= FINER
+        if self._user is not None:
+            ahead = self._user.timestep - position.timestep
+            interval //= FINER if 0 <= ahead < NEAR * interval else 1
         return gap >= interval
 
     def keep(self, position: Position, kept: Kept) -> None:
@@ -119,11 +117,10 @@ class History:
 
     def fork(self, position: Position) -> History:
         """Gives a history of its own that has the snapshots up to an instant."""
-        other = copy.copy(self)
+        other = copy.copy(self)  # in the same store, with the same bound for both
         other._positions = self._positions[: bisect_right(self._positions, position)]
         other._edits = [each for each in self._edits if each <= position]
-        other._store = Store()
-        other._kept = {each: other._store.take(self.at(each)) for each in other._positions}
+        other._kept = {each: self._store.take(self._kept[each]) for each in other._positions}
         return other
 
     def at(self, position: Position) -> Kept:
@@ -136,13 +133,21 @@ class History:
         """Gives the latest instant of which there is a snapshot."""
         return self._positions[-1]
 
+    def places(self, before: Position) -> Sequence[Position]:
+        """Gives all instants before this one of which there are snapshots, rising."""
+        return self._positions[: bisect_left(self._positions, before)]
+
+    def visit(self, position: Position) -> None:
+        """Takes note that the user is here, or just before, and not at the latest instant."""
+        self._user = self._here = position
+
     def before(self, position: Position) -> tuple[Position, Kept]:
         """Gives the latest snapshot that is not later than an instant, where the user wants to be.
 
         What lies before it is filled in when the run comes there again.
         """
         found = self._positions[bisect_right(self._positions, position) - 1]
-        self._user = self._here = position
+        self.visit(position)
         return found, self.at(found)
 
     def back_from(self, position: Position) -> Iterator[Position]:
@@ -172,7 +177,8 @@ class History:
         needed = np.array([each in self._edits for each in self._positions])
         needed[0] = True
         left = list(range(len(places)))
-        while self.size > _LEFT * self._most_bytes:
+        fewest = len(left) // 2  # what other branches have, too, takes no less for being dropped
+        while self.size > _LEFT * self._most_bytes and len(left) > fewest:
             at, free = places[left], ~needed[left]
             free[-1] = False
             if not free.any():

@@ -282,7 +282,7 @@ class Traveller:
     def _snapshot(self, robot: int, statements: int, before: Position) -> Position:
         """Gives the latest snapshot before which no more than so many statements had begun."""
         run = self._run
-        places = [*run.history.back_from(before)][::-1] or [BEGINNING]
+        places = run.history.places(before) or [BEGINNING]
 
         def begun(place: Position) -> int:
             return int(run.history.at(place).session.programs[robot].slot["statements"][0])
@@ -312,6 +312,7 @@ class Traveller:
         if run.session.halted == robot and run.begun(robot) == statements:
             return True
         if run.begun(robot) >= statements:
+            run.history.visit(run.position)
             run.restore(run.history.at(self._snapshot(robot, statements, run.position)))
         run.arm(Marks(all=frozenset({robot}), since={robot: statements}))
         while run.session.alive[robot]:

@@ -140,3 +140,15 @@ def test_a_walk_back_begins_with_small_steps_and_goes_on_in_large_ones() -> None
     assert walk[-1] == 0
     assert len(walk) < 20
     assert list(history.back_from(BEGINNING)) == []
+
+
+def test_a_branch_takes_no_memory_for_what_it_has_in_common_with_the_other() -> None:
+    history = begun()
+    forward(history, 0, 100, 10 * CHUNK)
+    before = history.size
+    other = history.fork(at(50))
+    assert other.size - before < CHUNK
+    assert timesteps(other, 100)[-1] == 50
+    other.branch(at(20), moment(1, CHUNK))
+    assert np.array_equal(history.at(at(50)).session, moment(50, 10 * CHUNK).session)
+    assert history.places(at(20)) == [at(0), at(5), at(10), at(15)]
