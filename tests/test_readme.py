@@ -6,6 +6,7 @@ Commands and programs run, files, tests and make targets exist, exit statuses ar
 from __future__ import annotations
 
 import ast
+import io
 import re
 import shlex
 import shutil
@@ -40,6 +41,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     for name, program in zip(("approach.c", "cool.c"), blocks("c"), strict=True):
         (tmp_path / name).write_text(program)
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO()))  # nobody types
     return tmp_path
 
 

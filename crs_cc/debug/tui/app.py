@@ -32,7 +32,7 @@ from crs_cc.debug.tui.variables_pane import VariablesPane
 from crs_cc.debug.tui.work import Done, Order, Work
 
 _PROMPT: Final = "(crs) "
-_WAIT_S: Final = 0.15  # before it is said that something runs: most orders are done sooner
+_WAIT_S: Final = 0.15  # before and between the times that it is said that something runs
 
 
 @dataclass
@@ -140,7 +140,7 @@ class DebugApp(App[int]):
         order = self._current = self._orders.popleft()
         order = Order(order.line, order.is_typed, frozenset(self._unfolded), self._chart_size)
         if order.line is not None:
-            self._slow = self.set_timer(_WAIT_S, self._say_running)
+            self._slow = self.set_interval(_WAIT_S, self._say_running)
         self.run_worker(lambda: self._do(order), thread=True, exit_on_error=False)
 
     def _do(self, order: Order) -> None:
@@ -186,8 +186,10 @@ class DebugApp(App[int]):
         line.end_s, line.time_s, line.happened = look.end_s, look.time_s, look.events
 
     def _say_running(self) -> None:
+        """Says what runs and how far it is; not at once, as most orders are done sooner."""
         if self._current is not None and self._current.line is not None:
-            self.query_one(StatusBar).running = self._current.line or "again"
+            line = self._current.line or "again"
+            self.query_one(StatusBar).running = f"{line}: {self._work.time_s:.2f} s"
 
     # -- what the user does --------------------------------------------------------------------
 

@@ -21,8 +21,11 @@ _WIDE: Final = 110  # columns; in less there is no room for counts of timesteps
 _KEY: Final = Style(bold=True, color="yellow")
 _CHOSEN: Final = Style(reverse=True)
 _RUNNING: Final = Style(bold=True, color="black", bgcolor="green")
-_STOPPED: Final = Style(bold=True, color="black", bgcolor="yellow")
-_OVER: Final = Style(bold=True, color="white", bgcolor="red")
+_BADGES: Final = {
+    "stopped": Style(bold=True, color="black", bgcolor="yellow"),
+    "over": Style(bold=True, color="white", bgcolor="blue"),
+    "error": Style(bold=True, color="white", bgcolor="red"),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,7 +91,7 @@ class StatusBar(Widget):
             text.append(" running ", _RUNNING)
             text.append(f" {printable(self.running)}   Ctrl-C stops it")
             return text
-        text.append(" over " if self.look.is_over else " stopped ", self._badge)
+        text.append(f" {self.look.badge} ", _BADGES[self.look.badge])
         text.append(f" {printable(self.look.state)}")
         place = f"  {self.look.time_s:.3f} s  "
         if self.size.width >= _WIDE:
@@ -98,7 +101,3 @@ class StatusBar(Widget):
             text.truncate(room, overflow="ellipsis", pad=True)
             text.append(place, Style(bold=True))
         return text
-
-    @property
-    def _badge(self) -> Style:
-        return _OVER if self.look.is_over else _STOPPED

@@ -25,6 +25,7 @@ from crs_cc.debug.tui.work import Done, Order
 
 if TYPE_CHECKING:
     from crs_cc.debug.engine import Debugger
+    from crs_cc.debug.position import Position
 
 _STYLES: Final = {
     "stop": Style(bold=True),
@@ -66,6 +67,11 @@ class Desk:
         self.shell.debugger.interrupt()
         self._reads.end()
 
+    @property
+    def time_s(self) -> float:
+        """How far the run is [s], also while it goes on; from any thread."""
+        return self.shell.debugger.session.time_s
+
     def listen(self, asked: Callable[[str], None]) -> None:
         """Says whom to tell that a robot's program, by its name, waits for a line of input."""
         self._reads.asks = lambda robot: asked(self.shell.debugger.names[robot])
@@ -85,18 +91,18 @@ class Desk:
         """Does an order; whatever goes wrong is a line of the answer."""
         self._works = True
         debugger = self.shell.debugger
-        before = debugger.position, debugger.robot, debugger.frame
+        before = debugger.position
         answer, errors = Text(), list[str]()
         try:
-            self._answer(order, answer, errors)
+            self._answer(order, before, answer, errors)
             self._note_stop()
             self._look = gather(self.shell, order)
         except Exception as error:
             errors.append(f"internal error: {type(error).__name__}: {error}; please report it")
         finally:
             self._works = False
-        now = debugger.position, debugger.robot, debugger.frame
-        return Done(self._look, answer, tuple(errors), now != before, self.shell.has_ended)
+        has_moved = debugger.position != before
+        return Done(self._look, answer, tuple(errors), has_moved, self.shell.has_ended)
 
     def _note_stop(self) -> None:
         """Lets the time line show where the run stopped by itself."""
@@ -106,13 +112,17 @@ class Desk:
             happening = Happening(stop.time_s, kind, stop.robot, why(stop))
             self.shell.debugger.run.chronicle.note(stop.position.timestep, happening)
 
-    def _answer(self, order: Order, answer: Text, errors: list[str]) -> None:
+    def _answer(self, order: Order, before: Position, answer: Text, errors: list[str]) -> None:
         count = 0
         for line in self._lines(order):
             count += 1
             if isinstance(line, Line) and line.kind == "error":
                 errors.append(line.text)
-            elif isinstance(line, SourceLine) and line.is_current and not order.is_typed:
+            elif (
+                isinstance(line, SourceLine)
+                and line.is_current
+                and self.shell.debugger.position != before
+            ):
                 continue  # the source is on the screen
             elif count <= _MOST_LINES:
                 answer.append("\n" if answer.plain else "")

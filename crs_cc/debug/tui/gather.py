@@ -11,7 +11,7 @@ from rich.text import Text
 from crs_cc.debug.commands.stops import frame_text, standing
 from crs_cc.debug.robot_rows import activity
 from crs_cc.debug.run_chart import run_chart
-from crs_cc.debug.tui.look import Breakmark, Choice, Look, SourceLook, Written
+from crs_cc.debug.tui.look import Badge, Breakmark, Choice, Look, SourceLook, Written
 from crs_cc.debug.tui.values import variables
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ _WHY: Final[dict[Reason, str]] = {
     "start": "at the beginning",
     "step": "",
     "goto": "",
-    "tick": "at the start of a timestep",
+    "tick": "new timestep",
     "exit": "the program has ended",
     "end": "all programs have ended",
     "beginning": "at the beginning, nothing was before",
@@ -51,7 +51,7 @@ def gather(shell: Shell, order: Order) -> Look:
     position, chronicle = debugger.position, debugger.run.chronicle
     return Look(
         state=_state(debugger),
-        is_over=debugger.is_over,
+        badge=_badge(debugger),
         time_s=debugger.time_s,
         end_s=max(chronicle.timesteps * _timestep_s(debugger), debugger.time_s),
         place=f"timestep {position.timestep}" + _statement(debugger),
@@ -74,9 +74,19 @@ def why(stop: Stop) -> str:
     return _WHY.get(stop.reason, stop.reason)
 
 
+def _badge(debugger: Debugger) -> Badge:
+    if debugger.stop.reason == "error":
+        return "error"
+    return "over" if debugger.is_over else "stopped"
+
+
 def _state(debugger: Debugger) -> str:
     stop = debugger.stop
-    where = "" if stop.reason == "end" else standing(debugger).head(debugger)
+    stands = standing(debugger)
+    where = "" if stop.reason == "end" else stands.head(debugger)
+    if stands.frame is not None:
+        file = stands.frame.location.file
+        where = where.replace(file, PurePath(file).name)
     return ": ".join(filter(None, [why(stop), where]))
 
 
@@ -121,26 +131,33 @@ def _breakpoints(debugger: Debugger, file: str) -> dict[int, Breakmark]:
 
 
 def _frames(debugger: Debugger) -> Iterator[Choice]:
-    for each in debugger.frames():
-        head = frame_text(debugger, each).partition(" at ")[0]
-        place = f"{PurePath(each.location.file).name}:{each.location.line}"
+    """Gives the stack; of the C library's functions only those that the program has called."""
+    frames = debugger.frames()
+    for each in frames:
+        caller = frames[each.number + 1] if each.number + 1 < len(frames) else None
+        if each.is_library and caller is not None and caller.is_library:
+            continue
+        _, _, arguments = frame_text(debugger, each).partition(" at ")[0].partition(" ")
+        place = f"{PurePath(each.location.file).name}:{each.location.line}  {arguments}"
         is_current = each.number == debugger.frame
-        yield Choice(each.number, head, "C library" if each.is_library else place, is_current)
+        place = "C library" if each.is_library else place
+        yield Choice(each.number, each.function, place, is_current)
 
 
 def _robots(debugger: Debugger) -> Iterator[Choice]:
     session = debugger.session
     for number, name in enumerate(debugger.names[:_MOST_ROBOTS]):
-        text = f"{name}  {activity(session, number)}"
-        yield Choice(number, text, _pose(session, number), number == debugger.robot)
+        text = " ".join(filter(None, [name, _pose(session, number)]))
+        yield Choice(number, text, activity(session, number), number == debugger.robot)
 
 
 def _pose(session: Session, robot: int) -> str:
+    """Gives x and y [m] and the heading, or nothing for a robot that is not there."""
     state = session.environment.state
     if not state.presence.present[robot]:
         return ""
     heading_deg = round(math.degrees(state.heading_rad[robot])) % 360
-    return f"{state.x_m[robot]:.2f}, {state.y_m[robot]:.2f} m, {heading_deg}°"
+    return f"{state.x_m[robot]:.2f}, {state.y_m[robot]:.2f}, {heading_deg}°"
 
 
 def _output(debugger: Debugger) -> Iterator[Written]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Final
+from typing import Final, Literal
 
 from rich.text import Text
 
@@ -12,6 +12,9 @@ from crs_cc.debug.happenings import Happening
 
 Key = tuple[str, ...]
 """Names a row of the variables for good: robot, function, and the way to it through the values."""
+
+Badge = Literal["stopped", "over", "error"]
+"""How a run stands: something runs on, nothing is left, the program was stopped by an error."""
 
 OPEN: Final[frozenset[Key]] = frozenset({("locals",), ("watched",)})
 """The groups of variables that are unfolded at first."""
@@ -88,7 +91,7 @@ class Look:
 
     Attributes:
         state: why it stopped, in one line.
-        is_over: nothing is left to run.
+        badge: how it stands, in a word.
         time_s: the simulated time [s] of where it stands.
         end_s: the latest time [s] that the run has reached.
         place: where it stands, in counts of timesteps and statements.
@@ -102,7 +105,7 @@ class Look:
     """
 
     state: str = ""
-    is_over: bool = False
+    badge: Badge = "stopped"
     time_s: float = 0.0
     end_s: float = 0.0
     place: str = ""

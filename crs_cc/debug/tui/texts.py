@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections import deque
 from typing import Final
 
 from rich.style import Style
 from rich.text import Text
+from textual import events
 from textual.widgets import RichLog
 
 from crs_cc.debug.tui.look import Written
@@ -28,19 +30,34 @@ class Console(RichLog):
             **arguments,  # type: ignore[arg-type]
         )
         self.border_title = "console"
+        self._texts: deque[Text] = deque(maxlen=_MOST_LINES)
+        self._wrapped_at = 0
 
     def echo(self, line: str, prompt: str = "(crs) ") -> None:
         """Shows what was typed."""
-        self.write(Text(prompt + printable(line), _ECHO))
+        self._add(Text(prompt + printable(line), _ECHO))
 
     def answer(self, text: Text) -> None:
         """Shows what a command says."""
         if text.plain:
-            self.write(text)
+            self._add(text)
 
     def error(self, line: str) -> None:
         """Shows what is wrong with a command."""
-        self.write(Text(printable(line), _ERROR))
+        self._add(Text(printable(line), _ERROR))
+
+    def _add(self, text: Text) -> None:
+        self._texts.append(text)
+        self.write(text)
+
+    def on_resize(self, event: events.Resize) -> None:
+        """Wraps the lines anew."""
+        width = event.size.width
+        if self._wrapped_at not in {0, width}:
+            self.clear()
+            for text in self._texts:
+                self.write(text)
+        self._wrapped_at = width
 
 
 class Output(RichLog):

@@ -43,9 +43,14 @@ def variables(shell: Shell, unfolded: frozenset[Key]) -> tuple[Row, ...]:
         ("world", "world", tree.world),
     ]
     return tuple(
-        Row((name,), title, "", True, tuple(parts((name,))) if (name,) in unfolded else ())
+        Row((name,), title, "", True, _some(parts((name,)), name) if (name,) in unfolded else ())
         for name, title, parts in groups
     )
+
+
+def _some(parts: Iterable[Row], name: str) -> tuple[Row, ...]:
+    """Gives the rows of a group; where there are none a row that says so."""
+    return tuple(parts) or (Row((name, ""), "", "nothing"),)
 
 
 class _Tree:
@@ -92,7 +97,7 @@ class _Tree:
         try:
             values = [each.number for _, each in debugger.look_up("State").children()]
         except DebugError:
-            return iter([Row((*group, ""), "", "the program has none")])
+            return iter(())
         dialect = debugger.run.programs[debugger.robot].options.dialect
         drive = debugger.session.environment.world.robots[debugger.robot].model.drive
         numbers = [int(each) if each is not None else 0 for each in values]

@@ -74,7 +74,9 @@ class VariablesPane(Tree[Row]):
         changed = before is not None and before != row.text
         text = Text(no_wrap=True)
         text.append(printable(row.name), style=_NAME)
-        if row.text:
+        if not row.name:
+            text.append(row.text, style="dim")
+        elif row.text:
             text.append(f" {_MARK} " if changed else " = ", style=_CHANGED if changed else "dim")
             text.append(printable(row.text), style=_CHANGED if changed else "")
         return text

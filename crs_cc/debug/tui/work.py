@@ -56,6 +56,10 @@ class Work(Protocol):
     def interrupt(self) -> None:
         """Makes what is being done come to an end; from any thread."""
 
+    @property
+    def time_s(self) -> float:
+        """How far the run is [s], also while it goes on; from any thread."""
+
     def listen(self, asked: Callable[[str], None]) -> None:
         """Says whom to tell that a robot's program, by its name, waits for a line of input."""
 

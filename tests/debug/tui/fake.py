@@ -69,6 +69,10 @@ class FakeWork:
     def interrupt(self) -> None:
         self.go_on.set()
 
+    @property
+    def time_s(self) -> float:
+        return 4.5
+
     def listen(self, asked: Callable[[str], None]) -> None:
         self.asked = asked
 

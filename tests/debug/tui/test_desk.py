@@ -69,7 +69,7 @@ def test_it_begins_before_the_first_statement(desk: Desk) -> None:
     assert done.look.source.file.endswith("point.c")
     assert done.look.source.line == 11
     assert not done.moved
-    assert [each.text for each in done.look.frames] == ["main ()"]
+    assert [each.text for each in done.look.frames] == ["main"]
     assert texts(group(done, "locals")) == {"sum": "uninitialised"}
 
 
@@ -80,7 +80,7 @@ def test_steps_show_stack_values_and_where_the_caller_stands(desk: Desk) -> None
     done = press(desk, "continue")
     assert done.moved
     assert done.look.state.startswith("breakpoint 1: square (")
-    assert [each.place for each in done.look.frames] == ["point.c:7", "point.c:12"]
+    assert [each.place for each in done.look.frames] == ["point.c:7  (n=3)", "point.c:12  ()"]
     assert texts(group(done, "locals")) == {"n": "3"}
     assert [each.text for each in done.look.events] == ["breakpoint 1"]
     done = press(desk, "up")
