@@ -333,8 +333,8 @@ class Interpreter:
                 start = frame.more if base is VARARGS else frame.slots[base]
             case _:
                 if base not in self._addresses:
-                    name = plain_name(base)
-                    raise EvaluationError(f"the program has no '{name}': nothing in it uses that")
+                    why = "it is called only" if base in self._program.functions else "it is unused"
+                    raise EvaluationError(f"'{plain_name(base)}' has no address here: {why}")
                 start = self._addresses[base]
         return unsigned(start + offset, 32)
 
