@@ -114,15 +114,14 @@ ATTRIBUTES: Final = (
     ),
 )
 
-_OF_THE_PROTOCOL: Final = frozenset({"noDebug", "__restart"})
-_OF_EDITORS: Final = frozenset(
-    {
-        *("type", "name", "request", "debugServer", "preLaunchTask", "postDebugTask"),
-        *("internalConsoleOptions", "presentation", "serverReadyAction", "console"),
-        *("suppressMultipleSessionWarning", "consoleMode"),
-    }
+_OF_EDITORS: Final = (
+    *("type", "name", "request", "noDebug", "debugServer", "preLaunchTask", "postDebugTask"),
+    *("internalConsoleOptions", "presentation", "serverReadyAction", "console", "consoleMode"),
+    *("suppressMultipleSessionWarning", "linux", "osx", "windows"),
 )
 """What editors leave in a configuration that they pass on."""
+
+_KNOWN: Final = frozenset({attribute.name for attribute in ATTRIBUTES} | set(_OF_EDITORS))
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,6 +134,7 @@ class Launch:
         stop_on_entry: whether to stop before the first statement.
         stop_at_end: whether to stop when all programs have ended.
         debugs: whether to stop anywhere at all.
+        unknown: attributes that mean nothing to us, nor to any editor that we know.
     """
 
     command_line: tuple[str, ...]
@@ -142,23 +142,15 @@ class Launch:
     stop_on_entry: bool = False
     stop_at_end: bool = True
     debugs: bool = True
+    unknown: tuple[str, ...] = ()
 
 
 def read_launch(arguments: Arguments) -> Launch:
     """Reads the arguments of `launch`.
 
     Raises:
-        RefusalError: an attribute is unknown, or of the wrong type.
+        RefusalError: an attribute is of the wrong type, or one is missing.
     """
-    known = {attribute.name for attribute in ATTRIBUTES}
-    unknown = sorted(
-        name
-        for name in set(arguments.names()) - known - _OF_THE_PROTOCOL - _OF_EDITORS
-        if not name.startswith("_")
-    )
-    if unknown:
-        names = ", ".join(attribute.name for attribute in ATTRIBUTES)
-        raise RefusalError(f"launch has no attribute '{unknown[0]}'; it has {names}")
     by_name = {each.name: _values(arguments, each) for each in ATTRIBUTES}
     files = by_name["program"] + by_name["world"]
     if not files:
@@ -181,6 +173,7 @@ def read_launch(arguments: Arguments) -> Launch:
         arguments.flag("stopOnEntry", default=False),
         arguments.flag("stopAtEnd", default=True),
         not arguments.flag("noDebug", default=False),
+        tuple(name for name in arguments.names() if name not in _KNOWN and name[0:1] != "_"),
     )
 
 

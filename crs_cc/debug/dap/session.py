@@ -143,6 +143,8 @@ class EditorSession:
             os.chdir(os.path.join(self._folder, launch.folder))  # noqa: PTH118
         except OSError as error:
             raise RefusalError(f"'cwd' cannot be used: {error.strerror}") from None
+        for name in launch.unknown:
+            self.output.say(f"launch has no attribute '{name}': it is passed over", "important")
         debugger = self._open_run(launch.command_line, self.output.write, self.output.say)
         self.launch, self._debugger, self.has_begun = launch, debugger, False
         self.shell = Shell(debugger)

@@ -65,7 +65,6 @@ def tell_stop(session: EditorSession, stop: Stop) -> None:
         "reason": _reason(session, stop),
         "description": f"{said.splitlines()[0]} (t = {instant(stop.time_s)})",
         "threadId": thread_of(robot),
-        "preserveFocusHint": False,
         "allThreadsStopped": True,
     }
     if stop.text:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.dap.arguments import RefusalError
 from crs_cc.debug.dap.memory import reference_of
+from crs_cc.debug.errors import DebugError
 from crs_cc.debug.robot_rows import robot_rows
 from crs_cc.debug.state_rows import state_fields
 from crs_cc.debug.world_rows import world_rows
@@ -243,10 +244,13 @@ def _variables(
 
 def _state(session: EditorSession, at: FrameHandle) -> Value | None:
     """Gives a program's `State[]`, if it has one."""
-    for variable in session.opened().globals_(robot=at.robot):
-        if variable.name == "State" and isinstance(variable.value.type, ArrayType):
-            return variable.value
-    return None
+    debugger = session.opened()
+    frame = debugger.first_own_frame(at.robot) if at.frame is not None else None
+    try:
+        value = debugger.look_up("State", robot=at.robot, frame=frame)
+    except DebugError:
+        return None
+    return value if isinstance(value.type, ArrayType) else None
 
 
 def _state_rows(session: EditorSession, at: FrameHandle) -> Iterator[Message]:

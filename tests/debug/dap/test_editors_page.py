@@ -119,12 +119,13 @@ Tell the editor's DAP client to run `crs debug --dap stdio`, or to connect to a 
 
 ## What `launch` takes
 
-Editors replace `${{file}}` and `${{workspaceFolder}}` before we see them. A wrong name or type is
-refused with the reason.
+Editors replace `${{file}}` and `${{workspaceFolder}}` before we see them. A wrong type is refused
+with the reason.
 
 {attributes}
 
-Programs have no terminal to read from: `input` is what they read.
+Programs have no terminal to read from: `input` is what they read. What they write is shown in the
+console whenever it is written, so again where a run comes by the same place again.
 
 ## What is where
 

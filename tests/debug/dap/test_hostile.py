@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import random
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -138,3 +139,54 @@ def test_values_of_wrong_types_get_an_answer(
             answer = client.answer(client.post(command, **arguments))
             assert "internal error" not in json.dumps(answer), (arguments, answer)
     client.ask("threads")
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_whatever_comes_whenever_gets_one_answer_each(
+    client: Client, tmp_path: Path, seed: int
+) -> None:
+    path = tmp_path / "loop.c"
+    path.write_text(LOOP.replace("i < 3", "i < 3000"))
+    client.launch(path, stopOnEntry=True)
+    client.begin()
+    chance = random.Random(seed)
+    seqs: list[int] = []
+    for _ in range(300):
+        command, arguments = plausible(chance, path)
+        seqs.append(client.post(command, **arguments))
+        if chance.random() < 0.3:
+            client.answer(seqs.pop(chance.randrange(len(seqs))))
+    for seq in seqs:
+        answer = client.answer(seq)
+        assert "internal error" not in json.dumps(answer), answer
+    client.ask("disconnect")
+    assert client.hear() is None
+
+
+def plausible(chance: random.Random, path: Path) -> tuple[str, dict[str, object]]:
+    """Gives a request as a client could make it."""
+    number = chance.randint(1, 60)
+    lines = [{"line": chance.randint(1, 20)} for _ in range(chance.randint(0, 2))]
+    names = [{"name": chance.choice(["twice", "main", "other"])}]
+    expression = chance.choice(
+        ["i", "row", "total = 3", "twice(i)", "1 +", "next", "rs", "info world"]
+    )
+    context = chance.choice(["repl", "watch", "hover"])
+    choices: list[tuple[str, dict[str, object]]] = [
+        *[(move, {"threadId": 1}) for move in ("next", "stepIn", "stepBack", "stepOut", "pause")],
+        ("continue", {"threadId": 1}),
+        ("reverseContinue", {"threadId": 1}),
+        ("pause", {"threadId": 1}),
+        ("setBreakpoints", {"source": {"path": str(path)}, "breakpoints": lines}),
+        ("setFunctionBreakpoints", {"breakpoints": names}),
+        ("stackTrace", {"threadId": 1}),
+        ("scopes", {"frameId": number}),
+        ("variables", {"variablesReference": number}),
+        ("evaluate", {"expression": expression, "context": context}),
+        ("gotoTargets", {"source": {"path": str(path)}, "line": 15}),
+        ("goto", {"threadId": 1, "targetId": number}),
+        ("threads", {}),
+        ("cancel", {"requestId": number}),
+        ("restart", {}),
+    ]
+    return chance.choice(choices)

@@ -148,6 +148,15 @@ def test_functions_of_the_program_and_of_the_robot_stop_a_run(
     stop = client.move("continue")
     assert "called 'vm'" in stop["text"]
     assert client.frames()[-2]["line"] == 4
+    source = client.frames()[0]["source"]
+    assert (source["origin"], source["presentationHint"]) == ("library", "deemphasize")
+    text = client.ask("source", source=source, sourceReference=source["sourceReference"])["content"]
+    assert "__crs_post" in text
+    frame = client.frames()[0]["id"]
+    assert [each["name"] for each in client.ask("scopes", frameId=frame)["scopes"]] == [
+        "Locals", "Globals", "State", "Robot", "World",
+    ]  # fmt: skip
+    assert client.scope("State")[17]["name"] == "[17] STATE_SONAR_0"
 
 
 def test_a_collision_stops_a_run_when_it_is_wanted(client: Client, tmp_path: Path) -> None:
@@ -318,10 +327,15 @@ def test_paths_can_be_uris_and_lines_begin_at_0(client: Client, loop: Path) -> N
     assert frame["source"]["path"] == loop.as_uri()
 
 
+def test_an_attribute_that_is_none_is_told(client: Client, loop: Path) -> None:
+    client.launch(loop, sed=3, type="crs", request="launch", name="x", __sessionId="y")
+    told = client.printed("important")
+    assert told == "launch has no attribute 'sed': it is passed over\n"
+
+
 @pytest.mark.parametrize(
     ("attributes", "reason"),
     [
-        ({"program": ["a.c"], "sed": 3}, "no attribute 'sed'"),
         ({}, "neither a program nor a world"),
         ({"program": 3}, "must be a list"),
         ({"program": ["a.c", 3]}, "list of strings"),

@@ -83,7 +83,7 @@ def test_the_console_takes_expressions_and_commands(client: Client) -> None:
     assert console("row") == "{1, 2, 3, 4, 5}"
     assert console("i = 1") == "1"
     assert console("i") == "1"
-    assert console("p i + 1") == "2"
+    assert console("p i + 1").endswith("= 2")
     assert "Undefined command" in console("frobnicate")
     assert "Breakpoint 2" in console("b 17")
     made = client.event("breakpoint")
