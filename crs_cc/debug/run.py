@@ -132,6 +132,7 @@ class Run:
         self.interrupted = False
         self._step: Step | None = None
         self._marks = Marks()
+        self._stopped: dict[int, Stopped] = {}  # by robot, as long as nothing moves
         self._astray = False  # ran past the limit: not a place to be
         self.session = Session(
             world,
@@ -198,6 +199,7 @@ class Run:
         the run has been elsewhere since.
         """
         self._marks = marks
+        self._stopped.clear()  # a program may move to another build
         for robot, watches in enumerate(self._watches):
             watches.arm(marks.watched.get(robot, ()))
         for robot, own in enumerate(self.session.fleet.marks[: len(self.programs)]):
@@ -236,6 +238,7 @@ class Run:
 
     def _advance(self, limit: Position | None) -> Instant:
         before = self.position
+        self._stopped.clear()
         edit = self.history.next_edit(before)
         if not self.session.begin_round():
             instant = self._end_cycle()
@@ -297,6 +300,7 @@ class Run:
     def _recall(self, begin: Position) -> None:
         """Takes the programs, and nothing else, back to a snapshot."""
         session = self.session
+        self._stopped.clear()
         kept = self.history.at(begin).session
         for robot, program in enumerate(kept.programs):
             session.fleet.restore(robot, program)
@@ -307,6 +311,7 @@ class Run:
     def _again(self, limit: Position) -> Instant | None:
         """Lets programs go through one more round, or a piece of it; None at the limit."""
         session, place = self.session, self.position
+        self._stopped.clear()
         round_ = self.tape.round_at(place)
         if place.robot < 0:
             if place.round == self.tape.rounds_in(place.timestep):
@@ -395,6 +400,7 @@ class Run:
     def restore(self, kept: Kept) -> None:
         """Goes to where a snapshot was made."""
         self._astray = False
+        self._stopped.clear()
         self.session.restore(kept.session)
         self.console.restore(kept.console)
         self._set_slots()
@@ -426,10 +432,12 @@ class Run:
     # -- where a program stands ---------------------------------------------------------------
 
     def stopped(self, robot: int) -> Stopped:
-        """Gives a program's memory and active functions as they are."""
-        fleet = self.session.fleet
-        failed = fleet.failure(robot).stopped if self.has_failed(robot) else None
-        return fleet.stopped(robot) if failed is None else failed
+        """Gives a program's memory and active functions as they are; the same until it moves."""
+        if robot not in self._stopped:
+            fleet = self.session.fleet
+            failed = fleet.failure(robot).stopped if self.has_failed(robot) else None
+            self._stopped[robot] = fleet.stopped(robot) if failed is None else failed
+        return self._stopped[robot]
 
     def site(self, robot: int) -> StatementSite | None:
         """Gives the statement that a program has stopped before, if it has."""

@@ -16,7 +16,7 @@ from crs_cc.debug.run import Run
 from crs_cc.debug.state_rows import state_fields
 from crs_cc.debug.values import Value
 from crs_cc.ir.names import in_library, plain_name
-from crs_cc.runtime.diagnosis.inspect import StackFrame
+from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 from crs_cc.source import Location
 
 if TYPE_CHECKING:
@@ -59,6 +59,7 @@ class View:
         self.robot = 0
         self.frame = 0
         self.kept: dict[str, Value] = {}
+        self._seen: tuple[Stopped, list[Frame]] | None = None
         self._names: dict[int, Names] = {}
         self._evaluators: dict[tuple[int, int], Evaluator] = {}
 
@@ -92,9 +93,15 @@ class View:
         robot = self.robot if robot is None else robot
         if not self.session.alive[robot] and not self.run.has_failed(robot):
             return []
+        stopped = self.run.stopped(robot)
+        if self._seen is None or self._seen[0] is not stopped:
+            self._seen = stopped, self._frames(robot, stopped)
+        return self._seen[1]
+
+    def _frames(self, robot: int, stopped: Stopped) -> list[Frame]:
         site = self.run.site(robot)
         frames: list[Frame] = []
-        for active in self.run.stopped(robot).stack:
+        for active in stopped.stack:
             location, is_library = active.location, in_library(active.location)
             if site is not None and not frames:
                 location = site.location
