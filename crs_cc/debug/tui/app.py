@@ -91,9 +91,9 @@ class DebugApp(App[int]):
         self._leaving = False
         self._asks = ""  # the robot whose program waits for input
 
-    def show(self) -> None:
-        """Shows the screen until the user leaves."""
-        self.run()
+    def show(self, *, headless: bool = False) -> None:
+        """Shows the screen until the user leaves; on no terminal if it is `headless`."""
+        self.run(headless=headless)
         if self._exception is not None:
             raise self._exception
 

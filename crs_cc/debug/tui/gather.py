@@ -35,7 +35,8 @@ _WHY: Final[dict[Reason, str]] = {
 }
 """Why a run has stopped, where it has no words of its own."""
 
-_MOST_PIECES: Final = 4000  # of output, from the end
+_BLOCK: Final = 1000
+"""Pieces of output that leave the screen at once; the last one to two thousand are shown."""
 _MOST_ROBOTS: Final = 200
 _LEAST_COLUMNS, _LEAST_ROWS = 10, 4
 
@@ -164,7 +165,8 @@ def _output(debugger: Debugger) -> Iterator[Written]:
     """Gives the last lines that were written; a line ends where another program goes on."""
     console, names = debugger.run.console, debugger.names
     writer, begun = (-1, -1), ""
-    for robot, stream, piece in console.pieces(max(0, console.at - _MOST_PIECES)):
+    since = max(0, console.at // _BLOCK - 1) * _BLOCK
+    for robot, stream, piece in console.pieces(since):
         if (robot, stream) != writer and begun:
             yield Written(_who(names, writer[0]), begun, writer[1] == 2)
             begun = ""

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import pytest
 from textual.pilot import Pilot
 
 from crs_cc.debug.tui.app import DebugApp
@@ -237,3 +238,17 @@ def test_what_a_program_reads_is_typed_where_commands_are() -> None:
     drive(work, session)
     assert work.given == [" 42", None]
     assert work.lines == ["until", "until"]
+
+
+def test_a_mistake_of_ours_ends_the_screen_and_is_raised_without_a_picture_of_it(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def fail(self: StatusBar) -> None:
+        raise ZeroDivisionError("oh")
+
+    monkeypatch.setattr(StatusBar, "render", fail)
+    app = DebugApp(FakeWork())
+    with pytest.raises(ZeroDivisionError):
+        app.show(headless=True)
+    shown = capsys.readouterr()
+    assert "Traceback" not in shown.out + shown.err
