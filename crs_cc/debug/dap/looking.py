@@ -38,16 +38,20 @@ def stack_trace(session: EditorSession, arguments: Arguments) -> Message:
         return {"stackFrames": [label | NO_PLACE], "totalFrames": 1}
     start, levels = arguments.natural("startFrame", 0), arguments.natural("levels", 0)
     shown = frames[start : start + levels] if levels else frames[start:]
+    places = {(each.active.function, each.location) for each in shown}  # few, in a recursion
+    program = debugger.run.programs[robot]
+    addresses = {place: address_of(program, robot, *place) for place in places}
     return {
-        "stackFrames": [_frame(session, robot, frame) for frame in shown],
+        "stackFrames": [
+            _frame(session, robot, each, addresses[each.active.function, each.location])
+            for each in shown
+        ],
         "totalFrames": len(frames),
     }
 
 
-def _frame(session: EditorSession, robot: int, frame: Frame) -> Message:
+def _frame(session: EditorSession, robot: int, frame: Frame, address: int) -> Message:
     handle = FrameHandle(robot, frame.number, frame.function)
-    program = session.opened().run.programs[robot]
-    address = address_of(program, robot, frame.active.function, frame.location)
     return {
         "id": session.handles.give(handle),
         "name": frame.function,

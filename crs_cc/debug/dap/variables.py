@@ -13,7 +13,7 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.debug.robot_rows import robot_rows
 from crs_cc.debug.state_rows import state_fields
 from crs_cc.debug.world_rows import world_rows
-from crs_cc.ir.types import ArrayType
+from crs_cc.ir.types import ArrayType, PointerType, RecordType
 
 if TYPE_CHECKING:
     from crs_cc.debug.dap.arguments import Arguments
@@ -24,6 +24,9 @@ if TYPE_CHECKING:
     from crs_cc.debug.values import Value
 
 _INDEX: Final = re.compile(r"\[(\d+)\].*")
+_POSTFIX: Final = r"(?:[\w.\[\]]|->)+"
+"""Expressions that need no parentheses before another postfix operator (C17 6.5.2)."""
+
 _MOST: Final = 10_000  # parts in one answer; chosen by us
 
 
@@ -140,20 +143,31 @@ def _parts(session: EditorSession, parts: Parts, start: int, count: int) -> Iter
         yield {"name": name, **shown(session, value, expression, parts.at)}
 
 
+def _unfolded(value: Value, expression: str) -> tuple[Value, str]:
+    """Gives the value whose parts are shown: of a pointer to a struct, the struct."""
+    if isinstance(value.type, PointerType) and isinstance(value.type.target, RecordType):
+        for name, target in value.children():
+            return target, part_of(expression, name)
+    return value, expression
+
+
 def part_of(expression: str, name: str) -> str:
     """Gives the C expression for a part of a value.
 
     >>> part_of("row", "[2]"), part_of("*here", "x"), part_of("next", "*"), part_of("", "x")
-    ('row[2]', '(*here).x', '*next', '')
+    ('row[2]', 'here->x', '*next', '')
     """
     if not expression:
         return ""
-    whole = expression if re.fullmatch(r"[\w.\[\]]+", expression) else f"({expression})"
+    whole = expression if re.fullmatch(_POSTFIX, expression) else f"({expression})"
     if name == "*":
         return f"*{whole}"
     if name.startswith("["):
         return whole + name
-    return expression if name.startswith("<") else f"{whole}.{name}"
+    if name.startswith("<"):  # without a name: its members are those of the whole
+        return expression
+    pointer = re.fullmatch(rf"\*({_POSTFIX})", expression)
+    return f"{pointer[1]}->{name}" if pointer else f"{whole}.{name}"
 
 
 def shown(
@@ -175,15 +189,16 @@ def shown(
         text: what to show of it; by default its line.
         key: what the protocol calls that.
     """
-    count = value.child_count
+    whole, its_expression = _unfolded(value, expression)
+    count = whole.child_count
     body: Message = {
         key: value.text if text is None else text,
         "type": str(value.type),
         "variablesReference": 0,
     }
     if count:
-        body["variablesReference"] = session.handles.give(Parts(value, expression, at))
-        indexed = isinstance(value.type, ArrayType)
+        body["variablesReference"] = session.handles.give(Parts(whole, its_expression, at))
+        indexed = isinstance(whole.type, ArrayType)
         body["indexedVariables" if indexed else "namedVariables"] = count
     if expression and key == "value":
         body["evaluateName"] = expression

@@ -181,3 +181,17 @@ def test_what_is_no_object_cannot_be_watched(client: Client) -> None:
     made = client.ask("setDataBreakpoints", breakpoints=wanted)["breakpoints"]
     assert not any(each["verified"] for each in made)
     assert all(each["message"] for each in made)
+
+
+def test_a_pointer_to_a_struct_is_unfolded_into_its_members(client: Client, tmp_path: Path) -> None:
+    frame = client.frames()[0]["id"]
+    found = client.ask("evaluate", expression="&here", context="watch", frameId=frame)
+    assert found["namedVariables"] == 2
+    rows = client.parts(found["variablesReference"])
+    assert [row["evaluateName"] for row in rows] == ["(*(&here)).x", "(*(&here)).y"]
+    number = found["variablesReference"]
+    assert client.ask("setVariable", variablesReference=number, name="y", value="9")["value"] == "9"
+    assert client.ask("evaluate", expression="here.y", frameId=frame)["result"] == "9"
+    found = client.ask("evaluate", expression="&row", context="watch", frameId=frame)
+    [row] = client.parts(found["variablesReference"])
+    assert client.parts(row["variablesReference"])[1]["evaluateName"] == "(*(&row))[1]"
