@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 from typing import Any, Final
 
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.interpret import SCRATCH, EvaluationError, Interpreter
+from crs_cc.debug.interpret import SCRATCH, Interpreter
 from crs_cc.debug.memory import Saved, StoppedMemory
 from crs_cc.debug.notation import Slice, kept_in, slice_in
 from crs_cc.debug.operators import unsigned
@@ -29,11 +29,13 @@ from crs_cc.debug.prepare import (
     Use,
 )
 from crs_cc.debug.scope import Frame, Kind, Scopes, concrete
+from crs_cc.debug.scratch import EvaluationError
 from crs_cc.debug.sight import Sight
 from crs_cc.debug.state_rows import StateField
 from crs_cc.debug.values import Value
 from crs_cc.frontend.expression import EXPRESSION, CompiledExpression
-from crs_cc.ir.names import in_library, plain_name
+from crs_cc.ir.names import LIBRARY, in_library, plain_name
+from crs_cc.ir.program import Data, Function
 from crs_cc.ir.types import (
     ArrayType,
     CType,
@@ -44,10 +46,13 @@ from crs_cc.ir.types import (
     is_complete,
 )
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
+from crs_cc.session.library import library
 from crs_cc.source import Location
 
 MOST_ELEMENTS: Final = 100_000
 """Longer slices are refused."""
+_PURE: Final = tuple(f"{LIBRARY}{part}/" for part in ("math", "stdlib", "string", "wide"))
+"""The parts of the library that programs need not have linked for expressions to use them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,7 +135,7 @@ class Evaluator:
         self._scopes = Scopes(now.program, now.compiled)
         self._preparation = Preparation(names, self._scopes, self.kept)
         self._memory = StoppedMemory(now, self._explain)
-        self._interpreter = Interpreter(now.program, now.compiled.addresses, self._memory)
+        self._interpreter = Interpreter(now.program, now.compiled.addresses, self._memory, _lend)
 
     def evaluate(self, text: str, frame: StackFrame | None = None) -> Evaluation:
         """Evaluates an expression.
@@ -230,7 +235,7 @@ class Evaluator:
             return []
         names = self._names.of(frame.function, frame.location.file)
         known, sight, seen = Frame.of(stopped, frame), self.sight(), set[str]()
-        sizes = known.sizes(self._compiled.info(frame.function), stopped.memory)
+        sizes = known.sizes(self._scopes.extents(frame.function), stopped.memory)
         found = []
         for home in self._scopes.of(frame.function):
             variable, ctype = home.variable, concrete(names.type_of(home.variable), sizes)
@@ -259,7 +264,8 @@ class Evaluator:
     def _standing(self, stopped: Stopped, frame: StackFrame | None, known: Frame) -> Standing:
         if frame is None:
             return Standing()
-        sizes = known.sizes(self._compiled.info(frame.function), stopped.memory)
+        extents = self._scopes.extents(frame.function)
+        sizes = known.sizes(extents, stopped.memory)
         return Standing(frame.function, frame.location, sizes)
 
     def _run(self, text: str, stopped: Stopped, frame: StackFrame | None) -> tuple[Prepared, Any]:
@@ -353,6 +359,12 @@ class Evaluator:
 
     def _explain(self, address: int, size: int, reading: bool) -> str:
         return self.sight().explain(address, size, reading)
+
+
+def _lend(name: str) -> Function | Data | None:
+    """Gives what the library has of a name, if it is of use without the world outside."""
+    found = library().find(name)
+    return None if found is None or not found.location.file.startswith(_PURE) else found
 
 
 def _innermost(stopped: Stopped) -> StackFrame | None:

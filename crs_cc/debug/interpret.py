@@ -9,11 +9,12 @@ functions (`longjmp`) is refused, and so is what runs too long.
 from __future__ import annotations
 
 import struct
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Final, Protocol
 
 from crs_cc.debug.operators import compute, signed, unsigned
+from crs_cc.debug.scratch import EvaluationError, Scratch
 from crs_cc.ir.names import plain_name
 from crs_cc.ir.program import (
     MEMORY_SIZE,
@@ -59,16 +60,19 @@ MOST_CALLS: Final = 200
 SCRATCH: Final = 0x8000_0000
 """The first address of the scratch memory: no program's own memory reaches so far."""
 SCRATCH_BYTES: Final = 1 << 24
+Lend = Callable[[str], Function | Data | None]
+"""Gives what the library has of a name."""
+
+
+def _nothing(_name: str) -> None:
+    return None
+
 
 _FORMAT: Final[dict[MemoryType, str]] = {
     "i8": "<b", "u8": "<B", "i16": "<h", "u16": "<H", "i32": "<i", "i64": "<q",
     "f32": "<f", "f64": "<d",
 }  # fmt: skip
 _STORED: Final[dict[MemoryType, int]] = {"i8": 8, "u8": 8, "i16": 16, "u16": 16}
-
-
-class EvaluationError(Exception):
-    """An expression that cannot be evaluated; the text says why."""
 
 
 class Memory(Protocol):
@@ -116,15 +120,32 @@ class _Frame:
 class Interpreter:
     """Evaluates functions of IR."""
 
-    def __init__(self, program: Program, addresses: Mapping[str, int], memory: Memory) -> None:
-        """Takes a linked program, the addresses of its objects and functions, and its memory."""
+    def __init__(
+        self,
+        program: Program,
+        addresses: Mapping[str, int],
+        memory: Memory,
+        lend: Lend = _nothing,
+    ) -> None:
+        """Makes an interpreter.
+
+        Args:
+            program: a linked program.
+            addresses: of its objects, and function pointers of its functions.
+            memory: its memory.
+            lend: gives what the program has not, but an expression may use: functions of the
+                library, and their objects, which are as new for each expression.
+        """
         self._program = program
         self._addresses = dict(addresses)
         self._memory = memory
         self._functions = {
             self._addresses[name]: name for name in program.functions if name in self._addresses
         }
-        self._scratch = bytearray()
+        self._scratch = Scratch(SCRATCH, SCRATCH_BYTES)
+        self._lent = Scratch(SCRATCH + SCRATCH_BYTES, SCRATCH_BYTES)
+        self._lend = lend
+        self._borrowed: list[str] = []
         self._left = MOST_INSTRUCTIONS
         self._depth = 0
 
@@ -143,59 +164,62 @@ class Interpreter:
         Raises:
             EvaluationError: it cannot be evaluated.
         """
-        self._left, self._scratch = MOST_INSTRUCTIONS, bytearray()
-        self._memory.trusting = False
+        self._left, self._memory.trusting = MOST_INSTRUCTIONS, False
+        self._scratch.release(0)
+        self._lent.release(0)
+        while self._borrowed:
+            del self._addresses[self._borrowed.pop()]
         for data in expression.data.values():
-            self._addresses[data.name] = self._allocate(data.size)
+            self._addresses[data.name] = self._scratch.allocate(data.size)
         for data in expression.data.values():
             self._fill(data)
-        passed = [self._kept(each) if isinstance(each, bytes) else each for each in arguments]
         own = expression.functions[name]
+        passed = [self._kept(each) if isinstance(each, bytes) else each for each in arguments]
         return self._call(own, [("i32", signed(each, 32), 4) for each in passed])
 
     def scratch(self, address: int, size: int) -> bytes:
         """Gives bytes of the scratch memory, fewer at its end."""
-        return bytes(self._scratch[address - SCRATCH :][:size])
+        return (self._lent if address in self._lent else self._scratch).peek(address, size)
 
     def _kept(self, content: bytes) -> int:
-        address = self._allocate(len(content))
-        self._write(address, content)
+        address = self._scratch.allocate(len(content))
+        self._scratch.write(address, content)
         return address
 
     def _fill(self, data: Data) -> None:
         address = self._addresses[data.name]
         self._write(address, (data.content or b"").ljust(data.size, b"\0"))
         for relocation in data.relocations:
-            value = unsigned(self._addresses[relocation.symbol] + relocation.addend, 32)
+            value = unsigned(self._known(relocation.symbol) + relocation.addend, 32)
             self._write(address + relocation.offset, value.to_bytes(4, "little"))
 
-    def _allocate(self, size: int) -> int:
-        start = -(-len(self._scratch) // 16) * 16
-        if start + size > SCRATCH_BYTES:
-            raise EvaluationError("the expression needs too much memory")
-        self._scratch.extend(bytes(start + size - len(self._scratch)))
-        return SCRATCH + start
+    def _known(self, name: str) -> int:
+        """Gives the address of an object or function."""
+        if name not in self._addresses and name not in self._program.functions:
+            found = self._lend(name)
+            if isinstance(found, Data):
+                self._addresses[name] = self._lent.allocate(found.size)
+                self._borrowed.append(name)
+                self._fill(found)
+        if name not in self._addresses:
+            why = "it is called only" if name in self._program.functions else "it is unused"
+            raise EvaluationError(f"'{plain_name(name)}' has no address here: {why}")
+        return self._addresses[name]
 
     # -- memory ------------------------------------------------------------------------------
 
     def _read(self, address: int, size: int, *, judged: bool = True) -> bytes:
         address = unsigned(address, 32)
-        at = address - SCRATCH
-        if at < 0:
+        if address < SCRATCH:
             return self._memory.read(address, size, judged=judged)
-        if at + size > len(self._scratch):
-            raise EvaluationError(f"no object is at {address:#x}")
-        return bytes(self._scratch[at : at + size])
+        return (self._lent if address in self._lent else self._scratch).read(address, size)
 
     def _write(self, address: int, content: bytes, states: bytes = b"") -> None:
         address = unsigned(address, 32)
-        at = address - SCRATCH
-        if at < 0:
+        if address < SCRATCH:
             self._memory.write(address, content, states)
-            return
-        if at + len(content) > len(self._scratch):
-            raise EvaluationError(f"no object is at {address:#x}")
-        self._scratch[at : at + len(content)] = content
+        else:
+            (self._lent if address in self._lent else self._scratch).write(address, content)
 
     def _load(self, address: int, memory: MemoryType, *, judged: bool = True) -> Any:
         form = _FORMAT[memory]
@@ -221,7 +245,7 @@ class Interpreter:
         self._depth += 1
         if self._depth > MOST_CALLS:
             raise EvaluationError("too many calls inside each other")
-        mark, frame, trusting = len(self._scratch), _Frame(), self._memory.trusting
+        mark, frame, trusting = self._scratch.mark(), _Frame(), self._memory.trusting
         try:
             self._enter(function, frame, arguments)
             self._memory.trusting = function.trusted
@@ -230,7 +254,7 @@ class Interpreter:
             self._depth -= 1
             self._memory.trusting = trusting
             if self._depth:
-                del self._scratch[mark:]
+                self._scratch.release(mark)
 
     def _enter(
         self,
@@ -241,7 +265,7 @@ class Interpreter:
         """Lays out the arguments as a caller does, and the slots."""
         sizes = [-(-size // 4) * 4 for _, _, size in arguments]
         wanted = sum(-(-each.size // 4) * 4 for each in function.parameters)
-        at = start = self._allocate(max(sum(sizes), wanted))
+        at = start = self._scratch.allocate(max(sum(sizes), wanted))
         for (memory, value, size), room in zip(arguments, sizes, strict=True):
             if memory is None:
                 self._write(at, self._read(value, size, judged=False))
@@ -257,7 +281,7 @@ class Interpreter:
             at += -(-parameter.size // 4) * 4
         frame.more = at
         for slot in function.slots:
-            frame.slots[slot] = self._allocate(max(1, slot.size))
+            frame.slots[slot] = self._scratch.allocate(max(1, slot.size))
 
     def _run(self, function: Function, frame: _Frame) -> Any:
         block = function.blocks[0]
@@ -310,13 +334,17 @@ class Interpreter:
             if pointer not in self._functions:
                 raise EvaluationError(f"{unsigned(pointer, 32):#x} is no function")
             name = self._functions[pointer]
-        function = self._program.functions.get(name)
-        if function is None:
+        function = self._program.functions.get(name) or self._lend(name)
+        if not isinstance(function, Function) or self._is_missing(function):
             raise EvaluationError(f"the program has no function '{plain_name(name)}'")
         arguments = [
             (each.memory, self._value(frame, each.value), each.size) for each in call.arguments
         ]
         return self._call(function, arguments)
+
+    def _is_missing(self, function: Function) -> bool:
+        """Tells whether a function works on what the program has not: its heap."""
+        return function.trusted and function.name not in self._program.functions
 
     # -- instructions ------------------------------------------------------------------------
 
@@ -332,10 +360,7 @@ class Interpreter:
             case Slot():
                 start = frame.more if base is VARARGS else frame.slots[base]
             case _:
-                if base not in self._addresses:
-                    why = "it is called only" if base in self._program.functions else "it is unused"
-                    raise EvaluationError(f"'{plain_name(base)}' has no address here: {why}")
-                start = self._addresses[base]
+                start = self._known(base)
         return unsigned(start + offset, 32)
 
     def _execute(self, frame: _Frame, it: Instruction) -> None:

@@ -7,7 +7,7 @@ fixed address.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Final, Literal
 
@@ -67,6 +67,7 @@ class Scopes:
         self._compiled = compiled
         self._statics: dict[str, list[Home]] = {}
         self._globals: list[Home] = []
+        self._extents: dict[str, tuple[Home, ...]] = {}
         for data in program.data.values():
             if data.variable is not None:
                 self._enter(data, data.variable)
@@ -83,6 +84,13 @@ class Scopes:
     def globals_(self) -> list[Home]:
         """Gives the global variables of the user's own files, in the order of their names."""
         return sorted(self._globals, key=lambda each: (each.variable.name, each.variable.location))
+
+    def extents(self, function: str) -> tuple[Home, ...]:
+        """Gives what the sizes of types are kept in that only the running program knows."""
+        if function not in self._extents:
+            found = homes(self._compiled.info(function))
+            self._extents[function] = tuple(each for each in found if each.variable.name == EXTENT)
+        return self._extents[function]
 
     def of(self, function: str) -> list[Home]:
         """Gives all variables of a function, those of the innermost blocks first."""
@@ -184,19 +192,18 @@ class Frame:
         is_unset = home.register in self.unset or not variable.is_visible(self.place)
         return Saved(variable.name, variable.ctype, self.address(home), flag, is_unset)
 
-    def sizes(self, info: FunctionInfo, memory: npt.NDArray[np.uint8]) -> dict[Location, int]:
+    def sizes(self, extents: Iterable[Home], memory: npt.NDArray[np.uint8]) -> dict[Location, int]:
         """Gives the sizes of types that only the running program knows, by their lengths' places.
 
         Two of one place, which come from one macro, cannot be told from each other.
         """
         found: dict[Location, int] = {}
         twice: set[Location] = set()
-        for home in homes(info):
-            if home.variable.name == EXTENT and home.register is not None:
-                place, saved = home.variable.location, self.saved(home)
-                twice.update({place} if place in found else ())
-                if saved is not None and saved.has_value(memory):
-                    found[place] = int(memory[saved.address :][:4].view("<u4")[0])
+        for home in extents:
+            place, saved = home.variable.location, self.saved(home)
+            twice.update({place} if place in found else ())
+            if saved is not None and saved.has_value(memory):
+                found[place] = int(memory[saved.address :][:4].view("<u4")[0])
         return {place: size for place, size in found.items() if place not in twice}
 
 

@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from crs_cc.debug.interpret import EvaluationError, Interpreter
+from crs_cc.debug.interpret import Interpreter
+from crs_cc.debug.scratch import EvaluationError
 from crs_cc.requests import MESSAGE
 from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.fleet import Fleet
