@@ -11,9 +11,10 @@ from crs_cc.debug.happenings import Happening, happenings, is_of
 from crs_cc.ir.names import plain_name
 
 if TYPE_CHECKING:
+    from crs_cc.debug.instant import Instant, Touch
     from crs_cc.debug.places import Place
-    from crs_cc.debug.run import Instant, Run
-    from crs_cc.debug.watch import Access, Watched
+    from crs_cc.debug.run import Run
+    from crs_cc.debug.watch import Watched
     from crs_cc.debug.watchpoints import Watchpoint
 
 Kind = Literal["breakpoint", "watchpoint", "catchpoint"]
@@ -64,13 +65,13 @@ class Hit:
         breakpoint: the breakpoint.
         robot: by which robot; -1 for none.
         text: what there is to say.
-        access: what happened to what is watched.
+        touch: what the robot did to what is watched.
     """
 
     breakpoint: Breakpoint
     robot: int
     text: str = ""
-    access: Access | None = None
+    touch: Touch | None = None
 
 
 class Breakpoints:
@@ -133,8 +134,8 @@ class Breakpoints:
     def touched(self, instant: Instant) -> list[Hit]:
         """Gives the watchpoints that an instant tells of, whatever their conditions."""
         return [
-            Hit(self._all[access.watched.number], robot, access=access)
-            for robot, access in instant.accesses
+            Hit(self._all[each.access.watched.number], each.robot, touch=each)
+            for each in instant.accesses
         ]
 
     def met(self, run: Run, instant: Instant) -> list[Hit]:

@@ -159,7 +159,7 @@ class Points(View):
     def accepts(self, hit: Hit, counts: bool) -> tuple[bool, str]:
         """Tells whether a breakpoint that was met stops the run, and what to say then."""
         own = hit.breakpoint
-        if hit.access and hit.access.what == "return":
+        if hit.touch and hit.touch.access.what == "return":
             return True, ""
         if own.condition:
             try:
@@ -185,9 +185,9 @@ class Points(View):
 
     def told_of(self, hit: Hit) -> str:
         """Says what happened to what is watched."""
-        assert hit.access is not None
+        assert hit.touch is not None
         assert hit.breakpoint.watch is not None
-        return told(hit.breakpoint.watch, hit.access, self.evaluator(hit.robot).sight())
+        return told(hit.breakpoint.watch, hit.touch.access, self.evaluator(hit.robot).sight())
 
     def _logged(self, text: str, robot: int) -> str:
         """Gives a log point's text with the values of the expressions in braces."""

@@ -12,9 +12,9 @@ there; the history keeps it, and running on through that instant means to restor
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, Final, Literal
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 import numpy.typing as npt
@@ -22,6 +22,7 @@ import numpy.typing as npt
 from crs_cc.debug.chronicle import Chronicle
 from crs_cc.debug.console import Console
 from crs_cc.debug.history import History, Kept
+from crs_cc.debug.instant import Instant, Marks, Touch
 from crs_cc.debug.position import BEGINNING, Position
 from crs_cc.debug.tape import Tape
 from crs_cc.debug.watch import Watches
@@ -32,7 +33,6 @@ from crs_cc.session.session import Session
 
 if TYPE_CHECKING:
     from crs_cc.debug.program import DebugProgram
-    from crs_cc.debug.watch import Access, Watched
     from crs_cc.runtime.executable import Executable
     from crs_cc.runtime.sites import StatementSite
     from crs_cc.sim.model import WorldModel
@@ -44,48 +44,6 @@ IndexArray = npt.NDArray[np.intp]
 
 class InterruptedRunError(Exception):
     """The user does not want to wait any longer."""
-
-
-@dataclass(frozen=True, slots=True)
-class Marks:
-    """Where programs stop.
-
-    Attributes:
-        statements: by robot, the numbers of statements before which it stops.
-        all: the robots that stop before every statement.
-        since: by robot, how many statements must have begun before it stops at all.
-        watched: by robot, what is watched in its memory: it stops behind accesses, too.
-        at_once: whether accesses are told when the round has ended, and not only where the program
-            has stopped for them: for who looks back.
-    """
-
-    statements: Mapping[int, Iterable[int]] = field(default_factory=dict)
-    all: frozenset[int] = frozenset()
-    since: Mapping[int, int] = field(default_factory=dict)
-    watched: Mapping[int, Sequence[Watched]] = field(default_factory=dict)
-    at_once: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class Instant:
-    """What a run has come to.
-
-    Attributes:
-        kind: a program stopped before a `statement`; a `round` or a `timestep` has ended; or the
-            `limit` has been passed.
-        posted: the requests that programs posted in the round: robot and code of each, rising.
-        ended: the programs that ended in the round, or failed.
-        step: what happened in the timestep.
-        over: whether the timestep was the last one, as no program is left.
-        accesses: what happened to what is watched, with the robots that did it.
-    """
-
-    kind: Literal["statement", "round", "timestep", "limit"]
-    posted: tuple[tuple[int, int], ...] = ()
-    ended: tuple[int, ...] = ()
-    step: Step | None = None
-    over: bool = False
-    accesses: tuple[tuple[int, Access], ...] = ()
 
 
 _STATEMENT: Final = Instant("statement")
@@ -146,6 +104,7 @@ class Run:
         fleet = self.session.fleet
         self._watches = [Watches(fleet, robot, self._watching) for robot in range(len(programs))]
         self._watching_builds: dict[int, Executable] = {}
+        self._note_begun()  # by robot, when the round began
         self.history.keep(BEGINNING, self._kept())
 
     def _write(self, robot: int, stream: int, content: bytes) -> None:
@@ -245,6 +204,7 @@ class Run:
         else:
             if before.robot < 0:
                 self.tape.note(before, self.session.pending, self.session.fleet)
+                self._note_begun()
             self.session.run_programs()
             if edit is not None and self._has_passed(edit):
                 instant = _STATEMENT
@@ -319,6 +279,7 @@ class Run:
                 return Instant("timestep")
             assert round_ is not None
             round_.give(session.fleet)
+            self._note_begun()
         session.run_programs()
         if self._has_passed(limit) and self.position != limit:
             return None
@@ -343,12 +304,24 @@ class Run:
     def _with_accesses(self, instant: Instant) -> Instant:
         """Adds to an instant what was done to what is watched, as far as it is to be told."""
         found = [
-            (robot, access)
+            Touch(robot, access, self._last_before(instant, robot))
             for robot in self._marks.watched
             if self._marks.at_once or robot == self.session.halted or robot in instant.ended
             for access in self._watches[robot].take()
         ]
         return replace(instant, accesses=tuple(found)) if found else instant
+
+    def _last_before(self, instant: Instant, robot: int) -> Position:
+        """Gives the last instant before what a program did in the round that is told of."""
+        session = self.session
+        round_ = session.rounds - (instant.kind == "round")
+        begun = self.begun(robot) - 1
+        if begun < self._begun[robot]:
+            return Position(session.timesteps, round_)
+        return Position(session.timesteps, round_, robot, begun)
+
+    def _note_begun(self) -> None:
+        self._begun = self.session.fleet.slots["statements"].copy()
 
     def _watching(self, executable: Executable) -> Executable:
         """Gives the watching build of a program."""
@@ -423,6 +396,7 @@ class Run:
 
     def _look_anew(self) -> None:
         """Takes what is watched as it is, as not the programs have changed it."""
+        self._note_begun()
         for watches in self._watches:
             watches.forget()
 

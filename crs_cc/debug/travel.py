@@ -14,8 +14,9 @@ from typing import Final
 
 from crs_cc.debug.aims import Aim, BackAim, Spot
 from crs_cc.debug.breakpoints import Breakpoints, Hit
+from crs_cc.debug.instant import Instant, Marks
 from crs_cc.debug.position import BEGINNING, Position
-from crs_cc.debug.run import Instant, InterruptedRunError, Marks, Run
+from crs_cc.debug.run import InterruptedRunError, Run
 from crs_cc.debug.stop import Reason, Stop
 from crs_cc.ir.names import in_library
 
@@ -38,13 +39,12 @@ class _Found:
 
     Attributes:
         stop: what it was.
-        begun: how many statements of the program had begun before the one that did it, if that is
-            where to go: an access is found behind it.
-        function: the function that did it, which may have called the one of that statement.
+        target: where to go: of an access, to before it, which may be before the whole round.
+        function: the function that it is about, as `Stop` has it.
     """
 
     stop: Stop
-    begun: int | None = None
+    target: Position
     function: str = ""
 
 
@@ -137,7 +137,7 @@ class Traveller:
             stops, text = self._accept(hit, counts)
             if stops:
                 hits.append(hit)
-                told = self._tell(hit) if hit.access else hit.text
+                told = self._tell(hit) if hit.touch else hit.text
                 texts.extend(each for each in (told, text) if each)
         if not hits:
             return None
@@ -184,44 +184,42 @@ class Traveller:
         return self.stop("beginning")
 
     def _last(self, begin: Position, limit: Position, start: Position) -> _Found | None:
-        """Gives the last reason to stop behind one instant, up to another, but before `start`."""
-        run, found = self._run, None
+        """Gives the last reason to stop behind one instant, up to another, but before `start`.
+
+        On the way to it others may be passed, of robots that ran before it in the same round: they
+        are told with it.
+        """
+        run, found = self._run, list[_Found]()
         run.arm(replace(self._marks(None), at_once=True))
         for instant in run.again(begin, limit, needs_world=self._breakpoints.need_world()):
-            met = self._met_before(start, instant) or self._touched_before(start, instant)
-            found = met or found
-        return found
+            for each in (self._met(instant), *self._touched(instant)):
+                if each is not None and each.target < start:
+                    round_ = Position(each.target.timestep, each.target.round)
+                    found = [*(one for one in found if one.target >= round_), each]
+        return _together(found) if found else None
 
-    def _met_before(self, start: Position, instant: Instant) -> _Found | None:
-        if not self._run.position < start:
-            return None
+    def _met(self, instant: Instant) -> _Found | None:
         stop = self._failure(instant)
         if stop is None:
             stop = self._hit(self._breakpoints.met(self._run, instant), counts=False)
-        return None if stop is None else _Found(stop)
+        return None if stop is None else _Found(stop, stop.position)
 
-    def _touched_before(self, start: Position, instant: Instant) -> _Found | None:
-        """Gives what the last program did that an instant tells of: its statement began before."""
+    def _touched(self, instant: Instant) -> Iterator[_Found]:
+        """Gives what programs did to what is watched."""
         hits = self._breakpoints.touched(instant)
-        for robot in sorted({each.robot for each in hits}, reverse=True):
-            begun = max(0, self._run.begun(robot) - 1)
-            if robot == start.robot and begun >= start.statements:
-                continue
-            own = [each for each in hits if each.robot == robot]
+        for before in sorted({each.touch.before for each in hits if each.touch}):
+            own = [each for each in hits if each.touch and each.touch.before == before]
             stop = self._hit(own, counts=False)
-            if stop is not None:
-                access = own[0].access
-                return _Found(stop, begun, access.function if access else "")
-        return None
+            touch = own[0].touch
+            if stop is not None and touch is not None:
+                yield _Found(stop, before, touch.access.function)
 
     def _to(self, found: _Found) -> Stop:
         """Goes to where there was a reason to stop."""
-        if found.begun is None:
-            self._run.seek(found.stop.position)
-            return replace(found.stop, time_s=self._run.time_s(found.stop.robot))
-        self.to_statement(found.stop.robot, found.begun)
-        here = self.stop(found.stop.reason, found.stop.robot, found.stop.text)
-        return replace(here, breakpoints=found.stop.breakpoints, function=found.function)
+        run = self._run
+        run.seek(found.target)
+        here = replace(found.stop, position=run.position, time_s=run.time_s(found.stop.robot))
+        return replace(here, function=found.function)
 
     def backward_to(self, aim: BackAim) -> Stop:
         """Goes back to a statement of one program that came before."""
@@ -319,3 +317,11 @@ class Traveller:
             if run.advance().kind == "statement" and run.begun(robot) == statements:
                 return True
         return False
+
+
+def _together(found: list[_Found]) -> _Found:
+    """Gives the last reason to stop, with those that are passed on the way to it."""
+    stops = [each.stop for each in found if each.target >= found[-1].target]
+    numbers = dict.fromkeys(number for each in stops for number in each.breakpoints)
+    text = "; ".join(each.text for each in stops if each.text)
+    return replace(found[-1], stop=replace(stops[-1], breakpoints=tuple(numbers), text=text))

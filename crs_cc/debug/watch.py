@@ -94,8 +94,8 @@ class Access:
         old: what was there before.
         new: what is there now.
         location: the place in the user's files, of the call if the library did it; None if unknown.
-        function: the user's function there; empty if unknown.
-        library: the function of the library that was called there, if it was one.
+        function: the user's function there, by the linker's name; empty if unknown.
+        library: the C name of the library's function that was called there, if it was one.
     """
 
     watched: Watched
@@ -244,7 +244,7 @@ class Watches:
         if number:
             if not self._places:
                 sites = accesses(detail.program)
-                self._places = [(each.location, plain_name(each.function)) for each in sites]
+                self._places = [(each.location, each.function) for each in sites]
             return *self._places[number - 1], ""
         for call in row["callers"].tolist():
             site = detail.compiled.call_sites[call - 1] if call else None
@@ -252,7 +252,7 @@ class Watches:
                 info = detail.compiled.info(site.function)
                 callee = info.callees.get(info.calls[call], "")
                 name = plain_name(callee) if isinstance(callee, str) else ""
-                return site.location, plain_name(site.function), name
+                return site.location, site.function, name
         return None, "", ""
 
     # -- the program ---------------------------------------------------------------------------

@@ -93,7 +93,11 @@ class Found:
     def by(self) -> tuple[str, str, str]:
         """Gives what made the access: the function, the line, and the library's function."""
         place = self.access.location
-        return self.access.function, _line(place.line if place else 0), self.access.library
+        return (
+            plain_name(self.access.function),
+            _line(place.line if place else 0),
+            self.access.library,
+        )
 
     @property
     def change(self) -> tuple[int, int]:

@@ -268,6 +268,20 @@ def test_each_robot_has_its_own(robots: Debugger) -> None:
     )
 
 
+def test_what_robots_do_while_others_wait_is_not_passed_over(robots: Debugger) -> None:
+    """All of them wait for replies at once, so that each is in the middle of a statement."""
+    for robot in range(2):
+        robots.add_watchpoint("shared", robot=robot)
+        robots.add_watchpoint("State[STATE_CONF_X]", robot=robot)
+    found: dict[bool, list[str]] = {}
+    for backward in (False, True):
+        rows = found[backward] = []
+        while (stop := robots.resume(backward=backward)).reason == "watchpoint":
+            rows += stop.text.split("; ")
+    assert len(found[False]) == 16
+    assert sorted(found[True]) == sorted(found[False])
+
+
 def test_replies_of_the_world_are_seen_to_be_written(robots: Debugger) -> None:
     robots.add_watchpoint("State[STATE_CONF_X]")
     robots.resume()
