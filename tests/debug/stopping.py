@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from pathlib import Path
 
 from crs_cc.debug.evaluate import Evaluator
@@ -17,6 +18,10 @@ from crs_cc.session.library import HEADERS
 from crs_cc.source import Diagnostics
 
 
+class EndError(Exception):
+    """The program has ended."""
+
+
 class Stopping:
     """A program that runs from stop to stop; `STOP` in the source is where it stops."""
 
@@ -27,7 +32,8 @@ class Stopping:
         self.executable = build_executable(paths, Diagnostics(), debug=True, checked=checked)
         self.program = DebugProgram(self.executable, paths, Options(system_paths=(HEADERS,)))
         self.fleet = Fleet([self.executable])
-        self.host = Host([["test"]], lambda *_: None, lambda *_: b"")
+        self.printed = b""
+        self.host = Host([["test"]], self._take, lambda *_: b"")
         self.status: int | None = None
         self.lines = {str(path): path.read_text().splitlines() for path in paths}
 
@@ -47,7 +53,16 @@ class Stopping:
                 return self
             self.host.serve(int(slot["code"]), HostRequest(0, slot["message"], 0.0, 0.0))
             self.status = self.host.exit_status[0]
-        raise AssertionError("the program has ended")
+        raise EndError
+
+    def run_to_end(self) -> bytes:
+        """Runs to the end of the program; gives what it has printed."""
+        with contextlib.suppress(EndError):
+            self.run("no such mark")
+        return self.printed
+
+    def _take(self, _robot: int, _stream: int, content: bytes) -> None:
+        self.printed += content
 
     def evaluator(self) -> Evaluator:
         """Gives what evaluates expressions."""
