@@ -89,11 +89,16 @@ as threads and the world beside the variables. The editor starts it; nothing els
 
 ## VS Code
 
-Link or copy the folder `editors/vscode` to where VS Code looks for extensions, and start VS Code
-where `crs` can be found, so with the virtual environment active:
+The extension is a manifest and no code: it tells VS Code to run `crs`. Start VS Code where that can
+be found, so with the virtual environment active. To try it:
 
-    ln -s "$PWD/editors/vscode" ~/.vscode/extensions/crs-debug
-    code .
+    code --extensionDevelopmentPath="$PWD/editors/vscode" .
+
+To install it, pack it with VS Code's own tool (it needs Node):
+
+    cd editors/vscode
+    npx @vscode/vsce package --skip-license --allow-missing-repository
+    code --install-extension crs-debug-*.vsix
 
 Set breakpoints in a C file, and press F5; or write into `.vscode/launch.json`:
 
