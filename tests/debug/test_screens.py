@@ -19,7 +19,9 @@ from crs_cc.debug.commands.table import COMMANDS, find
 from crs_cc.debug.errors import DebugError
 
 HERE = Path(__file__).parent
-
+ROOT = HERE.parents[1]
+SAMPLES = [*ROOT.glob("samples/scout_c/*.c"), *ROOT.glob("worlds/*")]
+CONVOY = sorted(ROOT.glob("samples/scout_c/convoy/*"))
 SCRIPTS = sorted(HERE.glob("*.dbg"))
 
 
@@ -32,7 +34,8 @@ def test_a_script_shows_what_it_showed(
     capfdbinary: pytest.CaptureFixture[bytes],
 ) -> None:
     words = shlex.split(script.read_text().splitlines()[0].removeprefix("# crs debug "))
-    for path in (*HERE.glob("programs/*"), script):
+    named = [path for path in SAMPLES if path.name in words]
+    for path in (*HERE.glob("programs/*"), *CONVOY, *named, script):
         shutil.copy(path, tmp_path)
     monkeypatch.chdir(tmp_path)
     status = main(["debug", "--batch", "-q", "-x", script.name, *words])

@@ -85,6 +85,8 @@ def stop_lines(
     if text:
         yield Line(f"{hit}: {text}" if hit else text, "stop")
         hit = ""
+    if stop.reason == "error":
+        yield from debugger.session.fleet.report(stop.robot).notes
     if now.frame is None or stop.reason == "end":
         if not text:
             yield Line(when_text(debugger), "place")

@@ -1,0 +1,72 @@
+from __future__ import annotations
+
+import io
+import re
+
+from crs_cc.debug.commands.command import Line, SourceLine
+from crs_cc.debug.repl.terminal import Terminal
+
+
+def terminal(*, is_coloured: bool = False, names: tuple[str, ...] = ("robot0",)) -> Terminal:
+    return Terminal(io.BytesIO(), names, is_coloured=is_coloured)
+
+
+def shown(of: Terminal) -> str:
+    stream = of._stream
+    assert isinstance(stream, io.BytesIO)
+    return stream.getvalue().decode()
+
+
+def test_what_one_robot_prints_goes_through_and_answers_begin_a_line() -> None:
+    screen = terminal()
+    screen.program(0, 1, b"no end of li\xff")
+    screen.line(Line("Interrupted.", "stop"))
+    screen.program(0, 2, b"")
+    screen.program(0, 1, b"a line\n")
+    screen.line(SourceLine(12, "\tx = 3;", is_current=True, has_breakpoint=True))
+    content = screen._stream.getvalue()  # type: ignore[attr-defined]
+    assert content == b"no end of li\xff\nInterrupted.\na line\n=>*  12          x = 3;\n"
+
+
+def test_two_streams_of_a_robot_do_not_mix_in_a_line() -> None:
+    screen = terminal(names=("a", "b"))
+    screen.program(0, 1, b"out")
+    screen.program(0, 2, b"err\n")
+    screen.program(0, 1, b"put\n")
+    screen.program(1, 1, b"x" * 5000)
+    screen.settle()
+    lines = shown(screen).splitlines()
+    assert lines[:2] == ["[a] err", "[a] output"]
+    assert [len(line) for line in lines[2:]] == [4 + 4096, 4 + 904]
+
+
+def test_colours_are_round_the_words_and_take_nothing_away() -> None:
+    plain, coloured = terminal(), terminal(is_coloured=True)
+    rows = (
+        Line("Undefined", "error"),
+        Line("main () at a.c:3", "place"),
+        SourceLine(3, '    puts("a[0] \\n");  /* [b]not markup[/b] */', is_current=True),
+        SourceLine(4, ""),
+    )
+    for row in rows:
+        plain.line(row)
+        coloured.line(row)
+    assert "\x1b" not in shown(plain)
+    assert "\x1b[" in shown(coloured)
+    assert re.sub(r"\x1b\[[\d;]*m", "", shown(coloured)) == shown(plain)
+
+
+def test_what_would_harm_a_terminal_is_not_passed_on() -> None:
+    for is_coloured in (False, True):
+        screen = terminal(is_coloured=is_coloured)
+        screen.line(Line("\x1b]0;title\x07\u202e"))
+        screen.line(SourceLine(1, "/* \x1b[2J \x9b */"))
+        text = re.sub(r"\x1b\[[\d;]*m", "", shown(screen))
+        assert not set(text) & set("\x1b\x07\x9b\u202e")
+
+
+def test_what_is_typed_by_nobody_is_shown_as_if_it_were() -> None:
+    screen = terminal()
+    screen.program(0, 1, b"12")
+    screen.echo("(crs) ", "next\x1b")
+    assert shown(screen) == "12\n(crs) next?\n"
