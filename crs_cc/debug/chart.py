@@ -14,7 +14,7 @@ or where there is room its outline. It can be drawn anywhere, from 10 by 4 cells
 ⡇         ⢸
 ⡇ ⣀→      ⢸
 ⡇ ⠈⠃      ⢸
-⡇         ⢸
+⡇╶─╴ 1 m  ⢸
 ⠧⠤⠤⠤⠤⠤⠤⠤⠤⠤⠼
 """
 
