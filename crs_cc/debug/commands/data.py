@@ -72,8 +72,7 @@ def _examine(shell: Shell, text: str) -> Answer:
     if wanted.letter == "s":
         yield from _strings(shell, address, wanted)
         return
-    read = shell.debugger.evaluator(shell.debugger.robot).sight().read
-    yield from dump(read, address, wanted)
+    yield from dump(shell.debugger.evaluator(shell.debugger.robot).sight(), address, wanted)
     shell.examined = address + (wanted.size or 4) * wanted.count, wanted
 
 
@@ -208,7 +207,8 @@ DATA: Final = Group(
         Command(
             "x", "[/NFU] [ADDRESS]", "Show memory.", _examine,
             text="N units, in format F, of U: b one byte, h two, w four, g eight. "
-            + _FORMATS + " Without an address, what follows.",
+            + _FORMATS + " ?? has no value yet, -- belongs to no object. Without an address, what"
+            " follows.",
             repeats="on", completes="expression",
         ),
         Command(

@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.commands.arguments import Format
 from crs_cc.debug.errors import DebugError
+from crs_cc.ir.program import ByteState
 from crs_cc.ir.types import ArrayType, FloatType, PointerType, RecordType
 
 if TYPE_CHECKING:
+    from crs_cc.debug.sight import Sight
     from crs_cc.debug.values import Value
 
 _FLOATS: Final = {4: "<f", 8: "<d"}
@@ -143,11 +145,13 @@ _QUOTED: Final = {
 }
 
 
-def dump(read: Callable[[int, int], bytes], address: int, wanted: Format) -> Iterator[str]:
+def dump(sight: Sight, address: int, wanted: Format) -> Iterator[str]:
     """Gives memory in lines: the address, and the units from there on.
 
+    A unit with bytes that nobody has set is `??`, one with bytes that belong to no object `--`.
+
     Args:
-        read: gives the bytes at an address, as many as there are.
+        sight: what looks at the program.
         address: where to begin.
         wanted: the form, the number of units, and their size.
 
@@ -159,10 +163,18 @@ def dump(read: Callable[[int, int], bytes], address: int, wanted: Format) -> Ite
         raise DebugError(f"at most {_MOST_BYTES} bytes are shown at once")
     a_line = size * _IN_A_LINE[size]
     for start in range(address, end, a_line):
-        content = read(start, min(a_line, end - start))
-        units = [content[at : at + size] for at in range(0, len(content), size)]
-        whole = [letters(unit, wanted.letter or "x") for unit in units if len(unit) == size]
+        content = sight.read(start, min(a_line, end - start))
+        whole = [
+            _unit(content[at : at + size], sight.states(start + at, size), wanted.letter or "x")
+            for at in range(0, len(content) - size + 1, size)
+        ]
         if whole:
             yield f"{start:#010x}: " + "  ".join(whole)
         if len(whole) * size < min(a_line, end - start):
             raise DebugError(f"there is no memory at {start + len(whole) * size:#x}")
+
+
+def _unit(content: bytes, states: bytes, letter: str) -> str:
+    if ByteState.INACCESSIBLE in states:
+        return "--"
+    return "??" if ByteState.WITHOUT_VALUE in states else letters(content, letter)
