@@ -87,6 +87,8 @@ class DebugApp(App[int]):
         self._slow: Timer | None = None
         self._unfolded = set(OPEN)
         self._chart_size = (0, 0)
+        self._file = ""  # to be shown instead of the one where the run stands
+        self._goto_s: float | None = None  # where the time line was dragged to
         self._look = Look()
         self._leaving = False
         self._asks = ""  # the robot whose program waits for input
@@ -138,7 +140,8 @@ class DebugApp(App[int]):
         if self._current is not None or not self._orders:
             return
         order = self._current = self._orders.popleft()
-        order = Order(order.line, order.is_typed, frozenset(self._unfolded), self._chart_size)
+        wanted = frozenset(self._unfolded), self._chart_size, self._file
+        order = Order(order.line, order.is_typed, *wanted)
         if order.line is not None:
             self._slow = self.set_interval(_WAIT_S, self._say_running)
         self.run_worker(lambda: self._do(order), thread=True, exit_on_error=False)
@@ -164,6 +167,7 @@ class DebugApp(App[int]):
         self._tell(order, done)
         self._show(done.look, moved=done.moved)
         self._go_on()
+        self._pursue()
 
     def _tell(self, order: Order, done: Done) -> None:
         console = self.query_one("#console", Console)
@@ -179,6 +183,8 @@ class DebugApp(App[int]):
     def _show(self, look: Look, *, moved: bool) -> None:
         if moved:
             self.screen.remove_class("-answer")
+        if look.source.file != self._file:
+            self._file = ""
         self._look = look
         self.query_one(StatusBar).look = look
         self.query_one(Panes).show(look, moved=moved)
@@ -229,6 +235,14 @@ class DebugApp(App[int]):
             self.action_press(f"delete {source.breakpoints[line].number}")
         elif source.file:
             self.action_press(f"break {source.file}:{line}")
+
+    def action_file(self) -> None:
+        """Shows another file of the program."""
+        files = self._look.source.files
+        if files:
+            shown = files.index(self.query_one(SourcePane).file)
+            self._file = files[(shown + 1) % len(files)]
+            self._look_again()
 
     def action_help(self) -> None:
         """Shows the keys."""
@@ -324,8 +338,14 @@ class DebugApp(App[int]):
         self.action_press(message.command)
 
     def on_time_line_move(self, message: TimeLine.Move) -> None:
-        """Goes to a time."""
-        self.action_press(f"goto {message.time_s:.6f}")
+        """Goes to a time; while something runs, only the last one that was wanted counts."""
+        self._goto_s = message.time_s
+        self._pursue()
+
+    def _pursue(self) -> None:
+        if self._goto_s is not None and self.is_idle:
+            self._order(Order(f"goto {self._goto_s:.6f}"))
+            self._goto_s = None
 
 
 def _reads(robot: str) -> str:

@@ -6,6 +6,7 @@ Commands are those of the one table; the screen has none of its own.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from rich.style import Style
@@ -91,11 +92,13 @@ class Desk:
         """Does an order; whatever goes wrong is a line of the answer."""
         self._works = True
         debugger = self.shell.debugger
-        before = debugger.position
+        before, looked_at = debugger.position, (debugger.robot, debugger.frame)
         answer, errors = Text(), list[str]()
         try:
             self._answer(order, before, answer, errors)
             self._note_stop()
+            if (debugger.position, (debugger.robot, debugger.frame)) != (before, looked_at):
+                order = replace(order, file="")
             self._look = gather(self.shell, order)
         except Exception as error:
             errors.append(f"internal error: {type(error).__name__}: {error}; please report it")

@@ -50,19 +50,21 @@ def gather(shell: Shell, order: Order) -> Look:
     """
     debugger = shell.debugger
     position, chronicle = debugger.position, debugger.run.chronicle
+    happened = tuple(chronicle.happenings())
+    last_s = max((each.time_s for each in happened), default=0.0)
     return Look(
         state=_state(debugger),
         badge=_badge(debugger),
         time_s=debugger.time_s,
-        end_s=max(chronicle.timesteps * _timestep_s(debugger), debugger.time_s),
+        end_s=max(chronicle.timesteps * _timestep_s(debugger), debugger.time_s, last_s),
         place=f"timestep {position.timestep}" + _statement(debugger),
-        source=_source(debugger),
+        source=_source(debugger, order.file),
         frames=tuple(_frames(debugger)),
         robots=tuple(_robots(debugger)),
         variables=variables(shell, order.unfolded),
         chart=_chart(debugger, *order.chart_size),
         output=tuple(_output(debugger)),
-        events=tuple(chronicle.happenings()),
+        events=happened,
     )
 
 
@@ -106,20 +108,18 @@ def _chart(debugger: Debugger, columns: int, rows: int) -> Text:
     return run_chart(debugger, columns, rows, robot=debugger.robot).text
 
 
-def _source(debugger: Debugger) -> SourceLook:
-    place, frame = debugger.location(), debugger.frame
-    frames = debugger.frames()
-    if place is None:
-        own = [each for each in frames if not each.is_library]
-        file = own[0].location.file if own else _first_file(debugger)
-        return SourceLook(file, debugger.source(file), breakpoints=_breakpoints(debugger, file))
-    innermost = all(each.is_library for each in frames[:frame])
-    lines, marks = debugger.source(place.file), _breakpoints(debugger, place.file)
-    return SourceLook(place.file, lines, place.line, innermost, marks)
-
-
-def _first_file(debugger: Debugger) -> str:
-    return str(debugger.run.programs[debugger.robot].paths[0])
+def _source(debugger: Debugger, wanted: str) -> SourceLook:
+    """Gives the file that is wanted, or else the one where the user looks at a function."""
+    program = debugger.run.programs[debugger.robot]
+    files = tuple(program.executable.detail().lines)
+    place, own = debugger.location(), [each for each in debugger.frames() if not each.is_library]
+    file = place.file if place else own[0].location.file if own else str(program.paths[0])
+    if wanted in files:
+        file = wanted
+    innermost = not own or own[0].number == debugger.frame
+    line = place.line if place and place.file == file else 0
+    marks = _breakpoints(debugger, file)
+    return SourceLook(file, debugger.source(file), line, innermost, marks, files)
 
 
 def _breakpoints(debugger: Debugger, file: str) -> dict[int, Breakmark]:

@@ -48,6 +48,7 @@ SHORTCUTS: Final = (
     Shortcut("f12", "f", "F12", "finish", "finish", meaning="to the end of the function"),
     Shortcut("shift+f12,f24", "F", command="reverse-finish", meaning="back to its call"),
     Shortcut("", "h", action="here", meaning="run to this line"),
+    Shortcut("", "o", action="file", meaning="another file of the program"),
     Shortcut("", "t", command="tick", meaning="one timestep of the world"),
     Shortcut("", "T", command="reverse-tick", meaning="one timestep back"),
     Shortcut("", "u", command="up", meaning="look at the caller"),

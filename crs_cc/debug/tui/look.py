@@ -38,6 +38,7 @@ class SourceLook:
         line: where the frame that is looked at stands, from 1; 0 when it is in another file.
         innermost: the run itself stands there, not only a caller.
         breakpoints: by line, the one that is there.
+        files: all files of the program.
     """
 
     file: str = ""
@@ -45,6 +46,7 @@ class SourceLook:
     line: int = 0
     innermost: bool = True
     breakpoints: Mapping[int, Breakmark] = field(default_factory=dict)
+    files: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -134,16 +134,17 @@ class TimeLine(Widget, can_focus=True):
     def on_mouse_up(self, _event: events.MouseUp) -> None:
         """Lets the bar go."""
         self.release_mouse()
-        if self.held_s is not None:
-            self.post_message(self.Move(self.held_s))
-            self.held_s = None
+        self.held_s = None
 
     def on_leave(self) -> None:
         """Forgets what was under the pointer."""
         self.hint = ""
 
     def _hold(self, x: int) -> None:
-        self.held_s = self._time_at(x)
+        held_s = self._time_at(x)
+        if held_s != self.held_s:
+            self.held_s = held_s
+            self.post_message(self.Move(held_s))
         self.hint = self._event_at(x)
 
     def _event_at(self, x: int) -> str:

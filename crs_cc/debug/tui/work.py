@@ -20,12 +20,14 @@ class Order:
         is_typed: the user has typed it, and did not press a key.
         unfolded: the values whose parts are wanted.
         chart_size: columns and lines of the map.
+        file: the C file to show; empty for the one where the run stands.
     """
 
     line: str | None = None
     is_typed: bool = False
     unfolded: frozenset[Key] = frozenset()
     chart_size: tuple[int, int] = (0, 0)
+    file: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -93,7 +93,7 @@ class FakeWork:
             time_s=3.25,
             end_s=10.0,
             place="timestep 32, statement 120",
-            source=SourceLook("sum.c", LINES, self.line, True, dict(self.breakpoints)),
+            source=self.source(order),
             frames=(
                 Choice(0, "main ()", f"sum.c:{self.line}", True),
                 Choice(1, "start ()", "start.c:3"),
@@ -123,3 +123,9 @@ class FakeWork:
                 Happening(7.0, "collision", 0, "scout touched wall 3"),
             ),
         )
+
+    def source(self, order: Order) -> SourceLook:
+        files = ("sum.c", "square.c")
+        if order.file == "square.c" and order.line is None:
+            return SourceLook("square.c", ("double square(double x)",), files=files)
+        return SourceLook("sum.c", LINES, self.line, True, dict(self.breakpoints), files)

@@ -152,7 +152,14 @@ def test_the_time_line_is_dragged_and_stepped() -> None:
             await settle(pilot)
 
     drive(work, session)
-    goto = ["goto 0.000000", "reverse-tick", "tick", "goto 7.000000", "goto 10.000000"]
+    goto = [
+        "goto 3.333333",
+        "goto 0.000000",
+        "reverse-tick",
+        "tick",
+        "goto 7.000000",
+        "goto 10.000000",
+    ]
     assert work.lines == goto
 
 
@@ -163,6 +170,21 @@ def test_the_time_line_says_what_happened_under_the_pointer() -> None:
         assert "7.000 s scout touched wall 3" in text_of(app)
 
     drive(FakeWork(), session)
+
+
+def test_another_file_of_the_program_is_shown_until_the_run_moves() -> None:
+    work = FakeWork()
+
+    async def session(pilot: Pilot[int], app: DebugApp) -> None:
+        await pilot.press("escape", "o")
+        await settle(pilot)
+        assert app.query_one(SourcePane).file == "square.c"
+        assert "double square(double x)" in text_of(app)
+        await pilot.press("s")
+        await settle(pilot)
+        assert app.query_one(SourcePane).file == "sum.c"
+
+    drive(work, session)
 
 
 def test_f1_shows_the_keys() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from pathlib import Path
 
 import pytest
 
@@ -163,3 +164,20 @@ def test_several_robots_have_their_own_output_and_places(program: DebugProgram) 
     assert {each.who for each in done.look.output} == set(names)
     done = press(desk, "robot 1")
     assert [each.is_current for each in done.look.robots] == [False, True]
+
+
+def test_other_files_of_a_program_are_shown_until_it_moves(tmp_path: Path) -> None:
+    main, other = tmp_path / "main.c", tmp_path / "other.c"
+    main.write_text("int f(int);\nint main(void)\n{\n    f(1);\n    return f(2);\n}\n")
+    other.write_text("int f(int x)\n{\n    return x - 2;\n}\n")
+    desk = Desk(Debugger(empty_world(), [debug_program(main, other)]), ProgramInput())
+    desk.do(Order())
+    look = desk.do(Order(file=str(other))).look
+    assert (look.source.file, look.source.line) == (str(other), 0)
+    assert look.source.files == (str(main), str(other))
+    look = desk.do(Order("break other.c:3", file=str(other))).look
+    assert (look.source.file, list(look.source.breakpoints)) == (str(other), [3])
+    look = desk.do(Order("next", file=str(other))).look
+    assert (look.source.file, look.source.line) == (str(other), 3)
+    look = desk.do(Order("finish", file=str(other))).look
+    assert (look.source.file, look.source.line) == (str(main), 5)
