@@ -47,8 +47,8 @@ fuzz-frontend: install-dev
 	$(BIN)/python -m tests.frontend.fuzzing $(COUNT) $(SEED)
 
 bench: install
-	@set -e; for script in bench/c_speed.py bench/compile.py bench/environment.py bench/fleet.py \
-			bench/start.py; do \
+	@set -e; for script in bench/c_speed.py bench/compile.py bench/debug.py bench/environment.py \
+			bench/fleet.py bench/start.py; do \
 		echo "== $$script"; $(BIN)/python $$script; done
 
 install:

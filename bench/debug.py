@@ -1,0 +1,209 @@
+"""Measures what it costs to run under the debugger, and to go back.
+
+Scouts stand on a 4 m grid in an arena with a box beside each. Each runs the C program below: it
+reads its sonars as often as the line lets it, drives, and turns on the spot while something is
+near; the function `minute` is called once a minute, `never` never. The same is run by the run build
+in a plain session, by the debug build under the debugger with a breakpoint in `never`, and by the
+watching build with a watchpoint on a variable that nobody touches. Then the user goes back.
+
+    python bench/debug.py [--minutes M] [ROBOTS ...]
+"""
+
+from __future__ import annotations
+
+import argparse
+import statistics
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from crs_cc.debug.engine import Debugger
+from crs_cc.debug.program import DebugProgram
+from crs_cc.frontend.options import Options
+from crs_cc.session.build import build_executable
+from crs_cc.session.library import HEADERS
+from crs_cc.session.session import Session
+from crs_cc.sim.files.world_xml import load_world
+from crs_cc.sim.model import WorldModel
+from crs_cc.source import Diagnostics
+
+PROGRAM = r"""
+#include <stdio.h>
+#include <sys/time.h>
+#include "Nclient.h"
+
+static int near[16], minutes, untouched;
+
+static void never(void) { untouched++; }
+
+static void minute(void)
+{
+    minutes++;
+    printf("minute %d at %ld %ld\n", minutes, State[STATE_CONF_X], State[STATE_CONF_Y]);
+}
+
+static int nearest(void)
+{
+    int i, best = 0;
+
+    for (i = 0; i < 16; i++)
+        near[i] = (int) State[STATE_SONAR_0 + i];
+    for (i = 0; i < 16; i++)
+        if ((i < 3 || i > 13) && near[i] < near[best])
+            best = i;
+    return near[best];
+}
+
+int main(void)
+{
+    struct timeval start, now;
+
+    gettimeofday(&start, 0);
+    if (!connect_robot(1))
+        return 1;
+    ac(300, 300, 0);
+    for (;;) {
+        gs();
+        if (nearest() < 25)
+            vm(0, 300, 0);
+        else
+            vm(120, 0, 0);
+        gettimeofday(&now, 0);
+        if ((now.tv_sec - start.tv_sec) / 60 > minutes)
+            minute();
+        if (minutes < 0)
+            never();
+    }
+}
+"""
+AGAIN = 5
+"""How often each way back is taken; the median counts."""
+
+
+@dataclass
+class Bench:
+    """A world of so many robots, and how long it is to run."""
+
+    folder: Path
+    robots: int
+    minutes: float
+
+    def __post_init__(self) -> None:
+        self.program = self.folder / "drive.c"
+        self.program.write_text(PROGRAM)
+        world = self.folder / f"{self.robots}.xml"
+        world.write_text(world_text(self.robots))
+        self.world: WorldModel = load_world(world)
+        self.timesteps = round(60 * self.minutes / self.world.timestep_s)
+
+    def run_build_s(self) -> float:
+        """Gives the time that a run takes without the debugger [s]."""
+        executable = build_executable([self.program], Diagnostics())
+        session = Session(self.world, [executable] * self.robots)
+        return timed(lambda: [session.step() for _ in range(self.timesteps)])
+
+    def debugger(self) -> Debugger:
+        """Gives the debugger before the run."""
+        options = Options((), (HEADERS,))
+        executable = build_executable([self.program], Diagnostics(), debug=True)
+        program = DebugProgram(executable, [self.program], options)
+        return Debugger(self.world, [program] * self.robots)
+
+
+def world_text(robots: int) -> str:
+    """Gives the world file."""
+    side = max(1, round(robots**0.5 + 0.49))
+    places = [(2 + 4 * (n % side), 2 + 4 * (n // side)) for n in range(robots)]
+    things = [f'<robot x="{x}m" y="{y}m" heading="{37 * x % 360}deg"/>' for x, y in places]
+    things += [
+        f'<box x="{x + 1.2}m" y="{y + 1.2}m" length="0.5m" width="0.5m"/>' for x, y in places
+    ]
+    size = f'length="{4 * side}m" width="{4 * side}m"'
+    return f'<world version="1"><area {size}/>{"".join(things)}</world>'
+
+
+def timed(work: Callable[[], object]) -> float:
+    """Gives the processor time of something [s]."""
+    start = time.process_time()
+    work()
+    return time.process_time() - start
+
+
+class Table:
+    """What was measured, line by line."""
+
+    def __init__(self, robots: int) -> None:
+        self.robots = robots
+
+    def row(self, what: str, seconds: float, ratio: float, unit: str) -> None:
+        """Prints a line."""
+        print(f"{self.robots:7} {what:32}{seconds:10.3f} s{ratio:10.4g} {unit}", flush=True)
+
+
+def forward(bench: Bench, table: Table) -> tuple[Debugger, float]:
+    """Measures the way forward; gives the debugger at its end, and its time for a minute [s]."""
+    plain_s = bench.run_build_s()
+    table.row("run build", plain_s, plain_s / bench.timesteps * 1000, "ms for a timestep")
+    watching = bench.debugger()
+    watching.add_watchpoint("untouched")
+    few = max(1, bench.timesteps // 10)
+    seconds = timed(lambda: watching.tick(few))
+    over = plain_s * few / bench.timesteps
+    table.row("watchpoint not hit", seconds, seconds / over, "x run build (a tenth of the way)")
+    debugger = bench.debugger()
+    debugger.add_breakpoint("never")
+    seconds = timed(lambda: debugger.tick(bench.timesteps))
+    if debugger.stop.reason != "tick":
+        sys.exit(f"stopped: {debugger.stop}")
+    table.row("breakpoint not hit", seconds, seconds / plain_s, "x run build")
+    history = debugger.run.history
+    print(f"{bench.robots:7} {len(history)} snapshots, {history.size / 2**20:.0f} MiB")
+    return debugger, seconds / bench.minutes
+
+
+def backward(bench: Bench, table: Table, debugger: Debugger, minute_s: float) -> None:
+    """Measures the ways back, the short ones again and again."""
+    forward_s = minute_s * bench.minutes
+
+    def again(what: str, move: Callable[[], object]) -> None:
+        seconds = statistics.median(timed(move) for _ in range(AGAIN))
+        table.row(what, seconds, seconds / forward_s, "x the way forward")
+
+    debugger.step()
+    again("reverse-step", lambda: debugger.step(backward=True))
+    again("reverse-next", lambda: debugger.next(backward=True))
+    again("tick backward", lambda: debugger.tick(backward=True))
+    minute = round(60 / bench.world.timestep_s)
+    debugger.add_breakpoint("minute")
+    debugger.goto_timestep(bench.timesteps - 1)
+    debugger.resume(backward=True)
+    reached = debugger.position
+    debugger.resume(backward=True)
+    last = debugger.position
+    debugger.goto_timestep(reached.timestep - 1)
+    seconds = timed(lambda: debugger.resume(backward=True))
+    if debugger.position != last or reached.timestep - last.timestep < minute - 2:
+        sys.exit(f"went from {reached} to {debugger.position}, not to {last}")
+    table.row("reverse-continue, a minute", seconds, seconds / minute_s, "x a minute forward")
+    middle = bench.timesteps // 2 + 3
+    seconds = timed(lambda: debugger.goto_timestep(middle))
+    table.row("goto the middle", seconds, seconds / forward_s, "x the way forward")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n", 1)[0])
+    parser.add_argument("robots", nargs="*", type=int, default=[1, 100])
+    parser.add_argument("--minutes", type=float, default=10.0, help="at least 3 (default 10)")
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        for robots in options.robots:
+            table = Table(robots)
+            bench = Bench(Path(folder), robots, options.minutes)
+            backward(bench, table, *forward(bench, table))
+
+
+if __name__ == "__main__":
+    main()
