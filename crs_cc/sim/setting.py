@@ -38,6 +38,7 @@ from crs_cc.sim.instants import ROUNDING_S
 from crs_cc.sim.link import SerialLine
 from crs_cc.sim.messages.control import CommunicationControl
 from crs_cc.sim.model import Pose, Robot, Solid, WorldModel
+from crs_cc.sim.packing import Packed, packed
 from crs_cc.sim.physics.bodies import PhysicsSnapshot
 from crs_cc.sim.physics.simulation import Physics
 from crs_cc.sim.presence import Timetable, complaint, in_the_way, leave
@@ -56,7 +57,7 @@ class Snapshot:
     """Everything that an environment needs to go on from an instant; never changed."""
 
     world: WorldModel
-    state: EnvState
+    state: Packed
     physics: PhysicsSnapshot
     served: tuple[Served, ...]
     events: tuple[Event, ...]
@@ -85,6 +86,7 @@ class Setting:
         self._seed = seed
         self._log = EventLog()
         self._served: list[Served] = []
+        self._packed: Packed | None = None
         self.state = EnvState.at_start(world)
         self._equip(world)
         self._begin(np.flatnonzero(self.state.presence.present))
@@ -248,14 +250,15 @@ class Setting:
     def snapshot(self) -> Snapshot:
         """Gives all that is needed to come back to this instant."""
         physics, events = self._physics.snapshot(), self._log.snapshot()
-        return Snapshot(self.world, self.state.copy(), physics, tuple(self._served), events)
+        self._packed = packed(self.state, like=self._packed)
+        return Snapshot(self.world, self._packed, physics, tuple(self._served), events)
 
     def restore(self, snapshot: Snapshot) -> None:
         """Goes back to a snapshot of an environment with the same world and seed.
 
         Robots that had been added when it was made are there again, others are not.
         """
-        self.state = snapshot.state.copy()
+        self.state = snapshot.state.state()
         if snapshot.world is not self.world:
             self._equip(snapshot.world)
         elif not self._is_furnished():

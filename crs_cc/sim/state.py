@@ -1,15 +1,16 @@
 """What changes while a world runs: arrays, one row for each robot.
 
 Everything that a later cycle depends on is here, so its SHA-256 tells whether two runs are the
-same. A snapshot is a copy of it, with the history that `physics.Physics` keeps, and with what the
-current cycle has to tell when it ends: requests that were served, and events.
+same. A snapshot is this, packed (`packing`), with the history that `physics.Physics` keeps, and
+with what the current cycle has to tell when it ends: requests that were served, and events.
 
 >>> from crs_cc.sim.geometry.scene import Scene
 >>> from crs_cc.sim.files.world_xml import empty_world
 >>> state = EnvState.at_start(empty_world())
 >>> state.x_m, state.sonar.reading_in(np.array([0]))[0, :3]
 (array([0.]), array([255, 255, 255], dtype=int32))
->>> state.sha256() == state.copy().sha256()
+>>> from crs_cc.sim.packing import packed
+>>> state.sha256() == packed(state).state().sha256()
 True
 """
 
@@ -225,12 +226,6 @@ class EnvState:
         robot, thing = robot[left[thing]], place[thing[left[thing]]]
         self.contacts_before = np.sort(robot * len(now) + thing)
 
-    def copy(self) -> Self:
-        """Gives a copy that shares nothing."""
-        copied = _copy(self)
-        assert isinstance(copied, type(self))
-        return copied
-
     def sha256(self) -> str:
         """Gives a digest of the whole state."""
         digest = hashlib.sha256()
@@ -242,12 +237,6 @@ class EnvState:
 
 def _whole(count: int) -> WholeArray:
     return np.zeros(count, dtype=np.int64)
-
-
-def _copy(value: Any) -> Any:
-    if is_dataclass(value) and not isinstance(value, type):
-        return type(value)(*(_copy(getattr(value, field.name)) for field in fields(value)))
-    return value.copy() if isinstance(value, np.ndarray) else value
 
 
 def _leaves(value: Any, name: str) -> Iterator[tuple[str, Any]]:
