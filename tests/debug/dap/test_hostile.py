@@ -9,7 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from crs_cc.debug.dap import handles
 from crs_cc.debug.dap.framing import LARGEST_MESSAGE
+from crs_cc.debug.dap.inbox import MOST
 from crs_cc.debug.dap.requests import HANDLERS
 from tests.debug.dap.client import Client
 from tests.debug.dap.programs import LOOP, open_run
@@ -139,6 +141,33 @@ def test_values_of_wrong_types_get_an_answer(
             answer = client.answer(client.post(command, **arguments))
             assert "internal error" not in json.dumps(answer), (arguments, answer)
     client.ask("threads")
+
+
+def test_who_asks_without_waiting_is_refused_at_some_point(client: Client, tmp_path: Path) -> None:
+    path = tmp_path / "stay.c"
+    path.write_text(
+        "void stay(void)\n{\n    for (;;)\n        ;\n}\nint main(void)\n{\n    stay();\n}\n"
+    )
+    client.launch(path, stopOnEntry=True)
+    client.begin()
+    client.ask("next", threadId=1)
+    seqs = [client.post("threads") for _ in range(MOST + 10)]
+    assert "wait already" in client.answer(seqs[-1])["message"]
+    client.hang_up()
+
+
+def test_what_is_unfolded_has_a_limit(
+    client: Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(handles, "MOST", 100)
+    path = tmp_path / "big.c"
+    path.write_text("struct { int x; } big[200];\nint main(void) { return big[1].x; }\n")
+    client.launch(path, stopOnEntry=True)
+    client.begin()
+    big = next(each for each in client.scope("Globals") if each["name"] == "big")
+    number = big["variablesReference"]
+    assert len(client.parts(number, start=150, count=10**9)) == 50
+    assert "too much is unfolded" in client.refused("variables", variablesReference=number)
 
 
 @pytest.mark.parametrize("seed", range(3))

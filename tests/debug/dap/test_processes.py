@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import json
 import os
+import signal
+import socket
+import struct
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -12,6 +15,8 @@ from typing import Any
 
 import pytest
 
+from crs_cc.cli.main import main
+from crs_cc.cli.status import INTERRUPTED, SYSTEM
 from crs_cc.debug.dap.framing import encode, read_message
 from tests.debug.dap.programs import LOOP
 
@@ -99,6 +104,54 @@ def test_programs_take_arguments_input_and_files_from_launch(
     assert found == "-x\na b\none\nfile one\n3\n"
     say(server, "disconnect")
     assert server.wait(WAIT_S) == 0
+
+
+@pytest.fixture
+def port(tmp_path: Path) -> Iterator[int]:
+    """Gives the port of a server."""
+    command = [sys.executable, "-m", "crs_cc", "debug", "--dap", "0"]
+    environment = os.environ | {"PYTHONPATH": str(ROOT)}
+    with subprocess.Popen(
+        command, stderr=subprocess.PIPE, env=environment, cwd=tmp_path
+    ) as process:
+        assert process.stderr is not None
+        said = process.stderr.readline().decode()
+        assert said.startswith("waiting for an editor on 127.0.0.1:")
+        yield int(said.rpartition(":")[2])
+        process.send_signal(signal.SIGINT)
+        assert process.wait(WAIT_S) == INTERRUPTED
+        assert b"Traceback" not in process.stderr.read()
+
+
+def test_one_editor_after_the_other_is_served_whatever_they_do(port: int) -> None:
+    rude = struct.pack("ii", 1, 0)  # closing throws away what is on the way
+    for content in (b"", b"junk\r\n", b"Content-Length: 5\r\n\r\n{", encode(INITIALIZE)):
+        with socket.create_connection(("127.0.0.1", port)) as client:
+            client.sendall(content)
+            client.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, rude)
+    with socket.create_connection(("127.0.0.1", port)) as client:
+        client.settimeout(WAIT_S)
+        client.sendall(encode(INITIALIZE))
+        answer = read_message(client.makefile("rb"))
+        assert answer is not None
+        assert answer["success"]
+
+
+INITIALIZE = {
+    "seq": 1,
+    "type": "request",
+    "command": "initialize",
+    "arguments": {"adapterID": "crs"},
+}
+
+
+def test_a_port_that_is_taken_or_none_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as other:
+        assert main(["debug", "--dap", str(other.getsockname()[1])]) == SYSTEM
+    assert "Address already in use" in capsys.readouterr().err
+    for wrong in ("65536", "tcp", "-1", ""):
+        assert main(["debug", f"--dap={wrong}"]) == 2
+    assert "neither stdio nor the number of a port" in capsys.readouterr().err
 
 
 COPY = """\

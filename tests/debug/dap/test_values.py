@@ -195,3 +195,13 @@ def test_a_pointer_to_a_struct_is_unfolded_into_its_members(client: Client, tmp_
     found = client.ask("evaluate", expression="&row", context="watch", frameId=frame)
     [row] = client.parts(found["variablesReference"])
     assert client.parts(row["variablesReference"])[1]["evaluateName"] == "(*(&row))[1]"
+
+
+def test_a_command_without_an_end_can_be_paused(client: Client) -> None:
+    frame = client.frames()[0]["id"]
+    client.ask("evaluate", expression="delete", context="repl", frameId=frame)
+    client.ask("setExpression", expression="i", value="-2000000000", frameId=frame)
+    asked = client.post("evaluate", expression="continue", context="repl", frameId=frame)
+    client.ask("pause", threadId=1)
+    assert client.answer(asked)["success"]
+    assert client.event("stopped")["reason"] == "pause"
