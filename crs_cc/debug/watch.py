@@ -128,15 +128,19 @@ class Watches:
         """Watches these objects and no others; what was found of the same ones before is kept.
 
         Raises:
-            DebugError: there are too many.
+            DebugError: there are too many, or the system gives no memory.
         """
         if len(wanted) > MOST:
             raise DebugError(f"at most {MOST} objects of a robot's program can be watched at once")
         if tuple(wanted) == self._wanted:
             return
         self._wanted = tuple(wanted)
-        build = self._watching(self._plain) if wanted else self._plain
-        self._fleet.exchange(self._robot, build)
+        try:
+            build = self._watching(self._plain) if wanted else self._plain
+            self._fleet.exchange(self._robot, build)
+        except OSError as error:
+            self._wanted = ()
+            raise DebugError(f"nothing can be watched: {error.strerror}") from None
         self.forget()
 
     def forget(self) -> None:

@@ -471,3 +471,18 @@ def test_hits_are_the_changes_of_memory(program: Executable) -> None:
 @pytest.mark.parametrize("path", cases("valid")[::7], ids=case_name)
 def test_hits_are_the_changes_of_memory_in_every_kind_of_program(path: Path) -> None:
     compare(build_executable([path], Diagnostics(), debug=True))
+
+
+def test_without_the_checks_the_same_is_found(
+    program: Executable, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    path: Path = tmp_path_factory.mktemp("unchecked") / "watch.c"
+    path.write_text(PROGRAM)
+    unchecked = build_executable([path], Diagnostics(), debug=True, checked=False)
+    for name in ("total", "order", "text"):
+        one, other = all_found(program, "change", name), all_found(unchecked, "change", name)
+        assert [(each.begun, each.change) for each in one] == [
+            (each.begun, each.change) for each in other
+        ]
+    assert all_found(unchecked, "change", "total")[0].by == ("main", "total += i;", "")
+    assert all_found(unchecked, "change", "text")[0].access.location is None
