@@ -121,7 +121,9 @@ class Watches:
         self._wanted: tuple[Watched, ...] = ()
         self._over: set[int] = set()
         self._before: dict[int, Content] = {}
-        self._rows: list[tuple[int, bool]] = []  # the number of each range, whether it is a header
+        self._rows: dict[
+            tuple[int, bool], int
+        ] = {}  # by number, and whether of a header: its range
         self._places: list[tuple[Location, str]] = []
 
     def arm(self, wanted: Sequence[Watched]) -> None:
@@ -153,7 +155,7 @@ class Watches:
 
     def is_pending(self) -> bool:
         """Tells whether there is something to `take`."""
-        return bool(self._wanted) and bool(self._ranges()["hits"].any())
+        return bool(self._rows) and bool(self._ranges()["hits"].any())
 
     def take(self) -> list[Access]:
         """Gives what happened since the last time, and forgets it."""
@@ -177,16 +179,16 @@ class Watches:
     def _enter(self) -> None:
         """Writes what is watched to where the program finds it."""
         rows: list[tuple[int, int, int, int]] = []
-        self._rows = []
+        self._rows = {}
         for each in self._wanted:
             if each.number in self._over:
                 continue
             since = 0 if each.frame is None else each.frame.entered
+            self._rows[each.number, False] = len(rows)
             rows.append((each.address, each.size, KINDS[each.kind], since))
-            self._rows.append((each.number, False))
             if each.frame is not None:
+                self._rows[each.number, True] = len(rows)
                 rows.append((each.frame.fp, 1, ENTER | RETURN, since))
-                self._rows.append((each.number, True))
         watched = self._fleet.watched[self._robot]
         watched["pending"] = 0
         watched["end"] = offset("ranges") + len(rows) * RANGE.itemsize
@@ -214,10 +216,9 @@ class Watches:
 
     def _hits(self, number: int, *, header: bool) -> npt.NDArray[np.void] | None:
         """Gives the range of an object, or of its frame's header, if it was hit."""
-        if (number, header) not in self._rows:
-            return None
-        row: npt.NDArray[np.void] = self._ranges()[self._rows.index((number, header))]
-        return row if row["hits"] else None
+        at = self._rows.get((number, header))
+        row: npt.NDArray[np.void] | None = None if at is None else self._ranges()[at]
+        return row if row is not None and row["hits"] else None
 
     # -- what happened -------------------------------------------------------------------------
 
