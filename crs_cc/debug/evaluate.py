@@ -28,11 +28,12 @@ from crs_cc.debug.prepare import (
     UnknownSizeError,
     Use,
 )
-from crs_cc.debug.scope import Frame, Kind, Scopes, concrete
+from crs_cc.debug.scope import Frame, Scopes
 from crs_cc.debug.scratch import EvaluationError
 from crs_cc.debug.sight import Sight
 from crs_cc.debug.state_rows import StateField
 from crs_cc.debug.values import Value
+from crs_cc.debug.variables import Variable, globals_of, variables_of
 from crs_cc.frontend.expression import EXPRESSION, CompiledExpression
 from crs_cc.ir.names import LIBRARY, in_library, plain_name
 from crs_cc.ir.program import Data, Function
@@ -84,23 +85,6 @@ class Place:
     size: int
     type: CType
     frame: StackFrame | None
-
-
-@dataclass(frozen=True, slots=True)
-class Variable:
-    """A variable of a stopped program.
-
-    Attributes:
-        name: its name.
-        value: its value.
-        scope: "parameter", "local", "static" (of a function) or "global".
-        is_hidden: whether its name means another one where the function stands.
-    """
-
-    name: str
-    value: Value
-    scope: Kind
-    is_hidden: bool = False
 
 
 class Evaluator:
@@ -234,26 +218,11 @@ class Evaluator:
         if frame is None or in_library(frame.location):
             return []
         names = self._names.of(frame.function, frame.location.file)
-        known, sight, seen = Frame.of(stopped, frame), self.sight(), set[str]()
-        sizes = known.sizes(self._scopes.extents(frame.function), stopped.memory)
-        found = []
-        for home in self._scopes.of(frame.function):
-            variable, ctype = home.variable, concrete(names.type_of(home.variable), sizes)
-            if variable.is_visible(frame.location) and ctype is not None:
-                value = sight.value(known.address(home), ctype)
-                if variable.is_indirect:
-                    value = value.target() or value
-                found.append(Variable(variable.name, value, home.kind, variable.name in seen))
-                seen.add(variable.name)
-        return sorted(found, key=lambda each: each.scope == "parameter")
+        return variables_of(self._scopes, names, self.sight(), frame)
 
     def globals_(self) -> list[Variable]:
         """Gives the global variables of the user's own files, by their names."""
-        sight = self.sight()
-        return [
-            Variable(home.variable.name, sight.value(home.at, home.variable.ctype), home.kind)
-            for home in self._scopes.globals_()
-        ]
+        return globals_of(self._scopes, self.sight())
 
     def sight(self) -> Sight:
         """Gives what looks at the program's memory as it is now."""

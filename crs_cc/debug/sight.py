@@ -180,7 +180,7 @@ class Sight:
             case "use after free":
                 return f"{what} is freed{_at(found.freed) if found else ''}"
             case "use after scope" | "use after return":
-                return f"{what} does not exist any more: its block or function has ended"
+                return f"{what} does not exist now: its block has ended, or not begun"
             case "out of bounds" if found is not None:
                 side = "before the start" if blamed < found.address else "past the end"
                 return f"{address:#x} is {side} of {what}"

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 
 UNINITIALISED: Final = "uninitialised"
 _VALUED: Final = bytes([ByteState.WITH_VALUE])
+_GONE: Final = bytes([ByteState.INACCESSIBLE])
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +61,11 @@ class Value:
     def is_initialised(self) -> bool:
         """Tells whether all its bytes have values."""
         return not self.states.strip(_VALUED)
+
+    @property
+    def exists(self) -> bool:
+        """Tells whether C may look at any of its bytes."""
+        return not self.states or bool(self.states.strip(_GONE))
 
     @property
     def text(self) -> str:

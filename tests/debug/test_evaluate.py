@@ -434,3 +434,12 @@ def test_a_file_that_was_edited_meanwhile(tmp_path: Path) -> None:
     (tmp_path / "test.c").write_text("int count;\nint main(void) { return 1; }\n")
     with pytest.raises(DebugError, match="has changed since the program was built"):
         stopping.evaluator().evaluate("count")
+
+
+def test_in_the_library_there_are_global_names_only(evaluator: Evaluator) -> None:
+    frame = evaluator._stopped().stack[-1]
+    assert frame.function == "__crs_start"
+    assert evaluator.evaluate("total + order[1]", frame).value.text == "9"
+    assert evaluator.variables(frame) == []
+    with pytest.raises(DebugError, match="use of undeclared identifier 'i'"):
+        evaluator.evaluate("i", frame)

@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     from crs_cc.debug.dap.arguments import Arguments
     from crs_cc.debug.dap.framing import Message
     from crs_cc.debug.dap.session import EditorSession
-    from crs_cc.debug.evaluate import Variable
     from crs_cc.debug.rows import Row
     from crs_cc.debug.values import Value
+    from crs_cc.debug.variables import Variable
 
 _INDEX: Final = re.compile(r"\[(\d+)\].*")
 _POSTFIX: Final = r"(?:[\w.\[\]]|->)+"
