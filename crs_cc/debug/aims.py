@@ -6,10 +6,14 @@ together, until one of them comes again: then the line begins anew.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from crs_cc.source import Location
+
+if TYPE_CHECKING:
+    from crs_cc.runtime.diagnosis.inspect import StackFrame
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,6 +23,8 @@ class Spot:
     Attributes:
         function: the innermost active function.
         fp: the address of its frame; those of its callers are higher.
+        entered: how many statements had begun when it was called; so it is told from other calls
+            that have their frame at the same place.
         site: the number of the statement.
         location: the place of the statement.
         statements: how many statements have begun.
@@ -26,6 +32,7 @@ class Spot:
 
     function: str
     fp: int
+    entered: int
     site: int
     location: Location
     statements: int
@@ -33,8 +40,32 @@ class Spot:
     def shares_line(self, other: Spot) -> bool:
         """Tells whether both are in the same line of the same call."""
         mine, theirs = self.location, other.location
-        here = (self.fp, self.function, mine.file, mine.line)
-        return here == (other.fp, other.function, theirs.file, theirs.line)
+        here = (self.fp, self.entered, mine.file, mine.line)
+        return here == (other.fp, other.entered, theirs.file, theirs.line)
+
+
+@dataclass(frozen=True, slots=True)
+class Calls:
+    """Some active calls of a program's functions.
+
+    Attributes:
+        functions: the functions.
+        frames: the addresses of the frames, and how many statements had begun when it was called;
+            -1 where that is not known, as in a function that has failed.
+    """
+
+    functions: frozenset[str]
+    frames: frozenset[tuple[int, int]]
+
+    @classmethod
+    def of(cls, stack: Iterable[StackFrame]) -> Calls:
+        """Gives those of some frames."""
+        rows = [(each.function, (each.fp, each.entered)) for each in stack]
+        return cls(frozenset(name for name, _ in rows), frozenset(frame for _, frame in rows))
+
+    def include(self, spot: Spot) -> bool:
+        """Tells whether a statement belongs to one of them."""
+        return (spot.fp, spot.entered) in self.frames or (spot.fp, -1) in self.frames
 
 
 class Aim(Protocol):
@@ -42,11 +73,11 @@ class Aim(Protocol):
 
     Attributes:
         robot: the robot.
-        functions: the functions in which it may be; None for all.
+        calls: the calls of functions in which it may be; None for all.
     """
 
     robot: int
-    functions: frozenset[str] | None
+    calls: Calls | None
 
     def reached(self, spot: Spot) -> bool:
         """Tells of one statement after the other whether it is what was wanted."""
@@ -57,7 +88,7 @@ class ToStatement:
     """The next statement, whatever its line."""
 
     robot: int
-    functions: frozenset[str] | None = None
+    calls: Calls | None = None
 
     def reached(self, spot: Spot) -> bool:
         """Tells that it is."""
@@ -70,14 +101,12 @@ class ToLine:
 
     Attributes:
         start: where the program stood; None when it was not before a statement of the user's.
-        lowest_fp: calls with a lower frame are passed over.
         onward: within the call, only what stands further down in the source counts.
     """
 
     robot: int
     start: Spot | None
-    functions: frozenset[str] | None = None
-    lowest_fp: int = 0
+    calls: Calls | None = None
     onward: bool = False
     _seen: set[int] = field(default_factory=set)
 
@@ -88,11 +117,11 @@ class ToLine:
     def reached(self, spot: Spot) -> bool:
         """Tells whether a new line begins."""
         start = self.start
-        if spot.fp < self.lowest_fp:
+        if self.calls is not None and not self.calls.include(spot):
             return False
         if start is None:
             return True
-        if self.onward and (spot.fp, spot.function) == (start.fp, start.function):
+        if self.onward and (spot.fp, spot.entered) == (start.fp, start.entered):
             return spot.location.line > start.location.line
         if start.shares_line(spot) and spot.site not in self._seen:
             self._seen.add(spot.site)
@@ -105,12 +134,11 @@ class ToCaller:
     """The next statement of a caller."""
 
     robot: int
-    functions: frozenset[str] | None
-    fp: int
+    calls: Calls | None
 
     def reached(self, spot: Spot) -> bool:
         """Tells whether the call has ended."""
-        return spot.fp > self.fp
+        return self.calls is None or self.calls.include(spot)
 
 
 class BackAim:
@@ -118,28 +146,20 @@ class BackAim:
 
     Attributes:
         robot: the robot.
-        functions: the functions in which they may be; None for all.
+        calls: the calls of functions in which they may be; None for all.
     """
 
-    def __init__(
-        self,
-        robot: int,
-        functions: frozenset[str] | None = None,
-        *,
-        lowest_fp: int = 0,
-        whole_line: bool = True,
-    ) -> None:
-        """Takes whose program it is, the lowest frame that counts, and whether lines count."""
+    def __init__(self, robot: int, calls: Calls | None = None, *, whole_line: bool = True) -> None:
+        """Takes whose program it is, the calls that count, and whether lines count."""
         self.robot = robot
-        self.functions = functions
-        self._lowest_fp = lowest_fp
+        self.calls = calls
         self._whole_line = whole_line
         self._last: Spot | None = None
         self._seen: set[int] = set()
 
     def belongs(self, spot: Spot) -> bool:
         """Tells whether a statement counts."""
-        return spot.fp >= self._lowest_fp
+        return self.calls is None or self.calls.include(spot)
 
     def goes_on(self, spot: Spot) -> bool:
         """Tells whether a statement belongs to those that are wanted, from the last one back."""

@@ -14,7 +14,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.debug.aims import Aim, BackAim, Spot, ToCaller, ToLine, ToStatement
+from crs_cc.debug.aims import Aim, BackAim, Calls, Spot, ToCaller, ToLine, ToStatement
 from crs_cc.debug.branches import Branch, Branches, Checkpoint
 from crs_cc.debug.comparison import Difference, differences, facts
 from crs_cc.debug.console import Console
@@ -123,16 +123,13 @@ class Debugger(Points):
             DebugError: nobody has called it.
         """
         robot = self.robot
-        own = [each for each in self.frames() if not each.is_library]
         frame = self.current_frame()
-        callers = [each for each in own if frame is not None and each.number > frame.number]
-        if frame is None or not callers:
+        callers = None if frame is None else self._traveller.calls(robot, frame.active)
+        if frame is None or callers is None or not callers.functions:
             raise DebugError("the outermost function has no caller to go to")
-        functions = frozenset(each.active.function for each in callers)
-        fp = frame.active.fp
         if backward:
-            return self._back(BackAim(robot, functions, lowest_fp=fp + 1, whole_line=False))
-        stop = self._go(ToCaller(robot, functions, fp))
+            return self._back(BackAim(robot, callers, whole_line=False))
+        stop = self._go(ToCaller(robot, callers))
         if stop.reason != "step":
             return stop
         value = self._returned(frame)
@@ -143,10 +140,11 @@ class Debugger(Points):
     def _returned(self, frame: Frame) -> str:
         """Gives what a call that has ended returned, if its last statement tells; else nothing."""
         here, robot = self.position, self.robot
-        spots = self._traveller.spots_back(robot, frozenset({frame.active.function}))
+        call = Calls.of([frame.active])
+        spots = self._traveller.spots_back(robot, call.functions)
         value = ""
         with contextlib.suppress(DebugError, InterruptedRunError):
-            last = next((spot for spot in spots if spot.fp == frame.active.fp), None)
+            last = next(filter(call.include, spots), None)
             if last is not None:
                 lines = self.source(last.location.file)[last.location.line - 1 :][:_MOST_LINES]
                 match = _RETURN.match(" ".join(lines)[last.location.column - 1 :])
@@ -172,8 +170,7 @@ class Debugger(Points):
             frame = self.current_frame()
             if frame is None:
                 return self._go(None)
-            functions = self._traveller.callers(robot)
-            return self._go(ToCaller(robot, functions, frame.active.fp))
+            return self._go(ToCaller(robot, self._traveller.calls(robot, frame.active)))
         finally:
             if added in list(self.breakpoints):
                 self.breakpoints.remove(added.number)
@@ -237,22 +234,18 @@ class Debugger(Points):
         return self._traveller.spot(self.robot)
 
     def _next(self, *, onward: bool = False) -> Stop:
-        frame = self._own_frame()
-        if frame is None:
-            return self._go(ToLine(self.robot, None))
-        spot, functions = self._spot(), self._traveller.callers(self.robot)
-        return self._go(ToLine(self.robot, spot, functions, frame.active.fp, onward))
+        calls = self._own_calls()
+        spot = None if calls is None else self._spot()
+        return self._go(ToLine(self.robot, spot, calls, onward))
 
     def _next_back(self) -> Stop:
-        frame = self._own_frame()
-        if frame is None:
-            return self._back(BackAim(self.robot))
-        functions = self._traveller.callers(self.robot)
-        return self._back(BackAim(self.robot, functions, lowest_fp=frame.active.fp))
+        return self._back(BackAim(self.robot, self._own_calls()))
 
-    def _own_frame(self) -> Frame | None:
-        """Gives the innermost active function of the user's own."""
-        return next((each for each in self.frames() if not each.is_library), None)
+    def _own_calls(self) -> Calls | None:
+        """Gives the active calls of the user's functions; None when there are none."""
+        if all(each.is_library for each in self.frames()):
+            return None
+        return self._traveller.calls(self.robot)
 
     def _go(self, aim: Aim | None, until: Position | None = None) -> Stop:
         self.run.console.is_live = True

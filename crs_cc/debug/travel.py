@@ -10,15 +10,18 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
-from crs_cc.debug.aims import Aim, BackAim, Spot
+from crs_cc.debug.aims import Aim, BackAim, Calls, Spot
 from crs_cc.debug.breakpoints import Breakpoints, Hit
 from crs_cc.debug.instant import Instant, Marks
 from crs_cc.debug.position import BEGINNING, Position
 from crs_cc.debug.run import InterruptedRunError, Run
 from crs_cc.debug.stop import Reason, Stop
 from crs_cc.ir.names import in_library
+
+if TYPE_CHECKING:
+    from crs_cc.runtime.diagnosis.inspect import StackFrame
 
 Accept = Callable[[Hit, bool], tuple[bool, str]]
 """Tells whether a breakpoint that was met stops the run, and what there is to say more.
@@ -94,9 +97,9 @@ class Traveller:
         marks = Marks(statements, watched={key: some for key, some in watched.items() if some})
         if aim is None:
             return marks
-        if aim.functions is None:
+        if aim.calls is None:
             return replace(marks, all=frozenset({aim.robot}))
-        statements[aim.robot] |= frozenset(self.inside(aim.robot, aim.functions))
+        statements[aim.robot] |= frozenset(self.inside(aim.robot, aim.calls.functions))
         return marks
 
     def inside(self, robot: int, functions: frozenset[str]) -> Iterator[int]:
@@ -155,12 +158,21 @@ class Traveller:
         frame = run.innermost(robot)
         assert frame is not None
         number = int(run.session.fleet.slots["stopped"][robot]) - 1
-        return Spot(frame.function, frame.fp, number, site.location, run.begun(robot))
+        place = (frame.function, frame.fp, frame.entered, number, site.location)
+        return Spot(*place, run.begun(robot))
 
-    def callers(self, robot: int) -> frozenset[str]:
-        """Gives the functions of the user's that have called the one in which a program is."""
+    def calls(self, robot: int, callee: StackFrame | None = None) -> Calls:
+        """Gives a program's active calls of the user's functions.
+
+        Args:
+            robot: whose program.
+            callee: leaves this one out, and those inside of it.
+        """
         stack = self._run.stopped(robot).stack
-        return frozenset(each.function for each in stack if not in_library(each.location))
+        lowest_fp = -1 if callee is None else callee.fp
+        return Calls.of(
+            each for each in stack if each.fp > lowest_fp and not in_library(each.location)
+        )
 
     # -- backward ----------------------------------------------------------------------------
 
@@ -237,7 +249,8 @@ class Traveller:
 
     def _find_back(self, aim: BackAim) -> Spot | None:
         best: Spot | None = None
-        for spot in self.spots_back(aim.robot, aim.functions):
+        functions = None if aim.calls is None else aim.calls.functions
+        for spot in self.spots_back(aim.robot, functions):
             if not aim.belongs(spot):
                 continue
             if not aim.goes_on(spot):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.program import DebugProgram
@@ -24,26 +25,28 @@ def debug_program(*paths: Path) -> DebugProgram:
     return DebugProgram(build_executable(paths, Diagnostics(), debug=True), paths, options)
 
 
-def debugger_of(*sources: str, folder: Path, world: str = "") -> Debugger:
+def debugger_of(*sources: str, folder: Path, world: str = "", **options: Any) -> Debugger:
     """Puts programs, given as text, into the robots of a world: the last into all that are left.
 
     Args:
         sources: the programs.
         folder: where their files go: `a.c`, `b.c`, ...
         world: the world's name in `worlds/`; by default it is empty.
+        options: further ones of the `Debugger`.
     """
     paths = [folder / f"{letter}.c" for letter, _ in zip("abcdefgh", sources, strict=False)]
     for path, source in zip(paths, sources, strict=True):
         path.write_text(source)
-    return debugger_at(paths, world)
+    return debugger_at(paths, world, **options)
 
 
-def debugger_at(paths: Sequence[Path], world: str = "") -> Debugger:
+def debugger_at(paths: Sequence[Path], world: str = "", **options: Any) -> Debugger:
     """Puts programs into the robots of a world: the last into all that are left."""
     model = load_world(ROOT / "worlds" / world) if world else empty_world()
     programs = [debug_program(path) for path in paths]
     robots = len(model.robots)
-    return Debugger(model, [*programs, *programs[-1:] * (robots - len(programs))][:robots])
+    programs = [*programs, *programs[-1:] * (robots - len(programs))][:robots]
+    return Debugger(model, programs, **options)
 
 
 def line(debugger: Debugger) -> int:

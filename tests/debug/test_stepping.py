@@ -1,0 +1,313 @@
+"""Stepping behaves as users of gdb expect where control flow is not a plain call and return.
+
+Each program is small enough to be followed by hand; the numbers are those of its lines.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from pathlib import Path
+
+import pytest
+
+from crs_cc.debug.engine import Debugger
+from crs_cc.debug.stop import Stop
+from tests.debug.debuggee import debugger_of, line
+
+Move = Callable[[], Stop]
+
+
+def walk(debugger: Debugger, moves: Iterable[Move]) -> list[int]:
+    """Gives the lines that moves lead to."""
+    return [line(debugger) for move in moves if move()]
+
+
+def functions(debugger: Debugger) -> list[str]:
+    """Gives the user's active functions, the innermost first."""
+    return [each.function for each in debugger.frames() if not each.is_library]
+
+
+def number(debugger: Debugger, text: str) -> object:
+    """Gives the value of an expression."""
+    return debugger.look_up(text).number
+
+
+RECURSION = """\
+int fib(int n)
+{
+    if (n < 2)
+        return n;
+    return fib(n - 1) + fib(n - 2);
+}
+int main(void)
+{
+    int i = fib(4);
+    i += fib(2);
+    return i;
+}
+"""
+
+
+@pytest.fixture
+def recursion(tmp_path: Path) -> Debugger:
+    """Stands in `fib(3)` within `fib(4)`, in line 5."""
+    debugger = debugger_of(RECURSION, folder=tmp_path)
+    debugger.start()
+    debugger.step(4)
+    assert (line(debugger), number(debugger, "n")) == (5, 3)
+    return debugger
+
+
+def test_next_stays_in_its_call_however_deep_the_function_calls_itself(
+    recursion: Debugger,
+) -> None:
+    assert recursion.next().reason == "step"
+    assert line(recursion) == 10  # fib(4) ends in the middle of its line, too
+    assert number(recursion, "i") == 3
+
+
+def test_next_at_the_end_of_a_call_passes_over_its_sibling_in_the_same_line(
+    recursion: Debugger,
+) -> None:
+    recursion.add_breakpoint("4", condition="n == 1", temporary=True)
+    recursion.resume()
+    assert functions(recursion) == ["fib"] * 4 + ["main"]
+    recursion.next()  # fib(0) has its frame where that of fib(1) was
+    assert (line(recursion), functions(recursion)) == (10, ["main"])
+
+
+def test_reverse_next_at_the_start_of_a_call_passes_over_its_sibling(recursion: Debugger) -> None:
+    recursion.add_breakpoint("4", condition="n == 0", temporary=True)
+    recursion.resume()
+    assert walk(recursion, [lambda: recursion.next(backward=True)] * 2) == [3, 5]
+    assert number(recursion, "n") == 2
+    assert functions(recursion) == ["fib"] * 3 + ["main"]
+
+
+def test_finish_tells_what_this_call_returned_and_not_a_later_one(recursion: Debugger) -> None:
+    assert recursion.finish().text == "fib returned 2"
+    assert line(recursion) == 10
+
+
+def test_reverse_finish_goes_to_each_caller_in_turn(recursion: Debugger) -> None:
+    assert walk(recursion, [lambda: recursion.finish(backward=True)] * 2) == [5, 9]
+    assert functions(recursion) == ["main"]
+
+
+LONGJMP = """\
+#include <setjmp.h>
+static jmp_buf back;
+static void deep(int n)
+{
+    if (n == 0)
+        longjmp(back, 7);
+    deep(n - 1);
+    n = 0;
+}
+int main(void)
+{
+    int got = setjmp(back);
+    if (got == 0) {
+        deep(3);
+        got = -1;
+    }
+    return got;
+}
+"""
+
+
+def test_next_over_a_call_that_jumps_out_stops_where_it_comes_out(tmp_path: Path) -> None:
+    debugger = debugger_of(LONGJMP, folder=tmp_path)
+    debugger.start()
+    assert walk(debugger, [debugger.next] * 4) == [13, 14, 13, 17]
+    assert number(debugger, "got") == 7
+    assert walk(debugger, [lambda: debugger.next(backward=True)] * 4) == [13, 14, 13, 12]
+
+
+def test_next_and_finish_come_out_of_a_function_that_never_returns(tmp_path: Path) -> None:
+    for move in (Debugger.next, Debugger.finish):
+        debugger = debugger_of(LONGJMP, folder=tmp_path)
+        debugger.add_breakpoint("6")
+        debugger.resume()
+        assert functions(debugger) == ["deep"] * 4 + ["main"]
+        stop = move(debugger)
+        assert (stop.reason, stop.text) == ("step", "")
+        assert (line(debugger), functions(debugger)) == (13, ["main"])
+        debugger.step(backward=True)
+        assert (line(debugger), functions(debugger)) == (6, ["deep"] * 4 + ["main"])
+
+
+CALLBACK = """\
+#include <stdlib.h>
+static int order(const void *a, const void *b)
+{
+    int x = *(const int *) a;
+    return x - *(const int *) b;
+}
+int main(void)
+{
+    int v[3] = { 3, 1, 2 };
+    int (*by)(const void *, const void *) = order;
+    qsort(v, 3, sizeof v[0], by);
+    return by(&v[2], v);
+}
+"""
+
+
+def test_a_callback_of_the_library_is_stepped_into_and_next_goes_past_it(tmp_path: Path) -> None:
+    debugger = debugger_of(CALLBACK, folder=tmp_path)
+    debugger.start()
+    assert walk(debugger, [debugger.next] * 3) == [10, 11, 12]
+    debugger.next(backward=True)
+    assert walk(debugger, [debugger.step] * 2) == [4, 5]
+    assert functions(debugger) == ["order", "main"]
+    debugger.finish()
+    assert line(debugger) == 12
+    assert debugger.stop.text == "order returned 2"  # 3 - 1, the first of several comparisons
+    assert walk(debugger, [debugger.step]) == [4]  # through the pointer
+    assert walk(debugger, [lambda: debugger.finish(backward=True)]) == [12]
+    assert walk(debugger, [lambda: debugger.step(backward=True)]) == [5]
+    assert functions(debugger) == ["order", "main"]
+
+
+SIGNAL = """\
+#include <signal.h>
+#include <unistd.h>
+static int rings;
+static void ring(int number)
+{
+    rings += number == SIGALRM;
+    alarm(1);
+}
+int main(void)
+{
+    int naps = 0;
+    signal(SIGALRM, ring);
+    alarm(1);
+    while (rings < 2) {
+        naps++;
+        pause();
+    }
+    return naps;
+}
+"""
+
+
+def test_next_goes_past_a_handler_of_signals_and_step_goes_into_it(tmp_path: Path) -> None:
+    debugger = debugger_of(SIGNAL, folder=tmp_path)
+    debugger.start()
+    assert walk(debugger, [debugger.next] * 6) == [12, 13, 14, 15, 16, 14]
+    assert number(debugger, "rings") == 1
+    assert walk(debugger, [lambda: debugger.next(backward=True)]) == [16]
+    assert number(debugger, "rings") == 0
+    assert walk(debugger, [debugger.step] * 3) == [6, 7, 14]
+    back = [lambda: debugger.step(backward=True)]
+    assert walk(debugger, back * 3) == [7, 6, 16]
+
+
+def test_finish_leaves_a_handler_for_the_place_that_it_interrupted(tmp_path: Path) -> None:
+    debugger = debugger_of(SIGNAL, folder=tmp_path)
+    debugger.add_breakpoint("ring")
+    assert debugger.resume().time_s == pytest.approx(1.0, abs=0.01)
+    assert functions(debugger) == ["ring", "main"]
+    debugger.finish()
+    assert line(debugger) == 14
+    assert debugger.resume().time_s == pytest.approx(2.0, abs=0.01)
+    assert debugger.resume(backward=True).time_s == pytest.approx(1.0, abs=0.01)
+    debugger.finish(backward=True)
+    assert line(debugger) == 16
+
+
+LEAVES = """\
+#include <stdlib.h>
+static int left;
+static void bye(void)
+{
+    left = 1;
+}
+static void leave(int status)
+{
+    exit(status);
+}
+int main(void)
+{
+    atexit(bye);
+    leave(3);
+    return 0;
+}
+"""
+
+
+def test_exit_in_the_middle_ends_the_run_behind_the_functions_of_atexit(tmp_path: Path) -> None:
+    debugger = debugger_of(LEAVES, folder=tmp_path)
+    debugger.start()
+    assert walk(debugger, [debugger.step] * 3) == [14, 9, 5]
+    assert debugger.step().reason == "end"
+    assert debugger.frames() == []
+    assert walk(debugger, [lambda: debugger.step(backward=True)] * 3) == [5, 9, 14]
+    assert debugger.next().reason == "end"
+    assert debugger.next(backward=True).reason == "step"
+    assert debugger.session.result().robots[0].outcome == "running"
+
+
+FAILS = """\
+static int at(const int *v, int i)
+{
+    return v[i];
+}
+int main(void)
+{
+    int v[2] = { 1, 2 }, i, sum = 0;
+    for (i = 0; i <= 2; i++)
+        sum += at(v, i);
+    return sum;
+}
+"""
+
+
+def test_an_error_is_gone_back_from_line_by_line_and_met_again(tmp_path: Path) -> None:
+    debugger = debugger_of(FAILS, folder=tmp_path)
+    error = debugger.resume()
+    assert (error.reason, line(debugger)) == ("error", 3)
+    assert "out of bounds" in error.text
+    assert [number(debugger, each) for each in ("i", "v[1]")] == [2, 2]
+    back = [lambda: debugger.next(backward=True)]
+    assert walk(debugger, back * 4) == [3, 9, 8, 9]
+    assert number(debugger, "sum") == 1
+    assert debugger.resume() == error
+    assert debugger.finish(backward=True).reason == "step"
+    assert line(debugger) == 9
+    assert debugger.next() == error
+
+
+READS = """\
+#include <stdio.h>
+int main(void)
+{
+    char line[80];
+    int n = 0;
+    while (fgets(line, sizeof line, stdin))
+        n += line[0] == 'a';
+    return n;
+}
+"""
+
+
+def test_what_was_read_is_read_again_and_asked_for_once(tmp_path: Path) -> None:
+    asked: list[int] = []
+    lines = [b"ab\n", b"cd\n", b"ae\n", b""]
+
+    def read(robot: int, wanted: int) -> bytes:
+        asked.append(wanted)
+        return lines[len(asked) - 1]
+
+    debugger = debugger_of(READS, folder=tmp_path, read=read)
+    debugger.add_breakpoint("8")
+    debugger.resume()
+    assert (number(debugger, "n"), len(asked)) == (2, 4)
+    debugger.goto_statement(2)
+    assert walk(debugger, [debugger.next] * 3) == [7, 6, 7]
+    assert debugger.look_up("line").text == '"cd\\n"'
+    assert len(asked) == 4
+    debugger.resume()
+    assert (number(debugger, "n"), len(asked)) == (2, 4)
