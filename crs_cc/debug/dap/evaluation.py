@@ -8,8 +8,9 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.commands.complete import complete
+from crs_cc.debug.dap.parts import FrameHandle, frame_handle, shown
 from crs_cc.debug.dap.stops import tell_stop
-from crs_cc.debug.dap.variables import FrameHandle, expression_of, frame_handle, shown
+from crs_cc.debug.dap.variables import expression_of
 from crs_cc.debug.errors import DebugError
 
 if TYPE_CHECKING:

@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING
 
 from crs_cc.debug.dap.arguments import RefusalError
 from crs_cc.debug.dap.listing import address_of
+from crs_cc.debug.dap.parts import FrameHandle, frame_handle
 from crs_cc.debug.dap.places import NO_PLACE
 from crs_cc.debug.dap.stops import thread_of
-from crs_cc.debug.dap.variables import FrameHandle, frame_handle, scopes_at
+from crs_cc.debug.dap.variables import scopes_at
 from crs_cc.debug.robot_rows import activity
 
 if TYPE_CHECKING:

@@ -1,4 +1,4 @@
-"""Values as a client shows them: a line each, and their parts when somebody unfolds them."""
+"""What stands in scopes: variables, `State[]`, a robot, the world; and which C names these have."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.dap.arguments import RefusalError
-from crs_cc.debug.dap.memory import reference_of
+from crs_cc.debug.dap.parts import FrameHandle, Parts, part_of, parts_of, shown
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.robot_rows import robot_rows
 from crs_cc.debug.state_rows import state_fields
 from crs_cc.debug.world_rows import world_rows
-from crs_cc.ir.types import ArrayType, PointerType, RecordType
+from crs_cc.ir.types import ArrayType
 
 if TYPE_CHECKING:
     from crs_cc.debug.dap.arguments import Arguments
@@ -24,43 +24,8 @@ if TYPE_CHECKING:
     from crs_cc.debug.variables import Variable
 
 _INDEX: Final = re.compile(r"\[(\d+)\].*")
-_POSTFIX: Final = r"(?:[\w.\[\]]|->)+"
-"""Expressions that need no parentheses before another postfix operator (C17 6.5.2)."""
-
+_HIDDEN: Final = " (hidden)"
 _MOST: Final = 10_000  # parts in one answer; chosen by us
-
-
-@dataclass(frozen=True, slots=True)
-class FrameHandle:
-    """An active function of a robot's program.
-
-    Attributes:
-        robot: the robot's number.
-        frame: the function's; None for a program without one.
-        function: its name; empty without one.
-    """
-
-    robot: int
-    frame: int | None = None
-    function: str = ""
-
-
-def frame_handle(session: EditorSession, arguments: Arguments) -> FrameHandle:
-    """Gives the active function that a request means; the one looked at where it means none.
-
-    Raises:
-        RefusalError: it is gone.
-    """
-    debugger = session.opened()
-    if "frameId" not in arguments:
-        frame = debugger.current_frame()
-        if frame is None:
-            return FrameHandle(debugger.robot)
-        return FrameHandle(debugger.robot, frame.number, frame.function)
-    found = session.handles.take(arguments.integer("frameId"))
-    if not isinstance(found, FrameHandle):
-        raise RefusalError("'frameId' is that of no frame")
-    return found
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,21 +38,6 @@ class Scope:
     """
 
     name: str
-    at: FrameHandle
-
-
-@dataclass(frozen=True, slots=True)
-class Parts:
-    """A value with parts.
-
-    Attributes:
-        value: it.
-        expression: the C expression that gives it; empty for none.
-        at: from where.
-    """
-
-    value: Value
-    expression: str
     at: FrameHandle
 
 
@@ -124,8 +74,11 @@ def variables(session: EditorSession, arguments: Arguments) -> Message:
             is_array = isinstance(thing.value.type, ArrayType)
             if wanted and (wanted == "indexed") != is_array:
                 return {"variables": []}
-            rows = _parts(session, thing, start, min(count or _MOST, _MOST))
-            return {"variables": list(rows)}
+            made = list(parts_of(session, thing, start, min(count or _MOST, _MOST)))
+            left = thing.value.child_count - start - len(made)
+            if left > 0 and not count:  # for clients that do not ask piece by piece
+                made.append({"name": "...", "value": f"{left:,} more", "variablesReference": 0})
+            return {"variables": made}
         case Rows():
             made = [_row(session, row) for row in thing.rows]
         case Scope():
@@ -135,76 +88,6 @@ def variables(session: EditorSession, arguments: Arguments) -> Message:
     if wanted == "indexed":
         return {"variables": []}
     return {"variables": made[start : start + count] if count else made[start:]}
-
-
-def _parts(session: EditorSession, parts: Parts, start: int, count: int) -> Iterator[Message]:
-    for name, value in parts.value.children(start, count):
-        expression = part_of(parts.expression, name)
-        yield {"name": name, **shown(session, value, expression, parts.at)}
-
-
-def _unfolded(value: Value, expression: str) -> tuple[Value, str]:
-    """Gives the value whose parts are shown: of a pointer to a struct, the struct."""
-    if isinstance(value.type, PointerType) and isinstance(value.type.target, RecordType):
-        for name, target in value.children():
-            return target, part_of(expression, name)
-    return value, expression
-
-
-def part_of(expression: str, name: str) -> str:
-    """Gives the C expression for a part of a value.
-
-    >>> part_of("row", "[2]"), part_of("*here", "x"), part_of("next", "*"), part_of("", "x")
-    ('row[2]', 'here->x', '*next', '')
-    """
-    if not expression:
-        return ""
-    whole = expression if re.fullmatch(_POSTFIX, expression) else f"({expression})"
-    if name == "*":
-        return f"*{whole}"
-    if name.startswith("["):
-        return whole + name
-    if name.startswith("<"):  # without a name: its members are those of the whole
-        return expression
-    pointer = re.fullmatch(rf"\*({_POSTFIX})", expression)
-    return f"{pointer[1]}->{name}" if pointer else f"{whole}.{name}"
-
-
-def shown(
-    session: EditorSession,
-    value: Value,
-    expression: str,
-    at: FrameHandle,
-    *,
-    text: str | None = None,
-    key: str = "value",
-) -> Message:
-    """Gives a value as the client takes it.
-
-    Args:
-        session: the session.
-        value: the value.
-        expression: the C expression that gives it; empty for none.
-        at: from where.
-        text: what to show of it; by default its line.
-        key: what the protocol calls that.
-    """
-    whole, its_expression = _unfolded(value, expression)
-    count = whole.child_count
-    body: Message = {
-        key: value.text if text is None else text,
-        "type": str(value.type),
-        "variablesReference": 0,
-    }
-    if count:
-        body["variablesReference"] = session.handles.give(Parts(whole, its_expression, at))
-        indexed = isinstance(whole.type, ArrayType)
-        body["indexedVariables" if indexed else "namedVariables"] = count
-    if expression and key == "value":
-        body["evaluateName"] = expression
-    if value.address is not None:
-        body["memoryReference"] = reference_of(at.robot, value.address)
-    return body
 
 
 def expression_of(session: EditorSession, arguments: Arguments) -> tuple[FrameHandle, str]:
@@ -219,11 +102,11 @@ def expression_of(session: EditorSession, arguments: Arguments) -> tuple[FrameHa
     if isinstance(thing, Parts):
         expression = part_of(thing.expression, name)
     elif isinstance(thing, Scope) and thing.name in {"Locals", "Globals"}:
-        expression = name.partition(" ")[0]  # behind a blank we say that it is hidden
+        expression = "" if name.endswith(_HIDDEN) else name
     elif isinstance(thing, Scope) and thing.name == "State":
         found = _INDEX.fullmatch(name)
         expression = f"State[{found[1]}]" if found else ""
-    if not expression or (" " in name and not isinstance(thing, Scope)):
+    if not expression:
         raise RefusalError(f"'{name}' has no name in C: it can only be looked at")
     return thing.at, expression
 
@@ -253,7 +136,7 @@ def _variables(
 ) -> Iterator[Message]:
     for each in found:
         expression = "" if each.is_hidden else each.name
-        name = f"{each.name} (hidden)" if each.is_hidden else each.name
+        name = each.name + _HIDDEN * each.is_hidden
         yield {"name": name, **shown(session, each.value, expression, at)}
 
 
@@ -282,7 +165,6 @@ def _state_rows(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
         yield {
             "name": f"[{field.index}] {field.name}",
             "value": text,
-            "type": str(value.type),
             "variablesReference": 0,
             "evaluateName": f"State[{field.index}]",
         }

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.dap.arguments import RefusalError
 from crs_cc.debug.dap.breakpoints import ACCESS, Wish, data_id
-from crs_cc.debug.dap.variables import FrameHandle, expression_of, frame_handle
+from crs_cc.debug.dap.parts import FrameHandle, frame_handle
+from crs_cc.debug.dap.variables import expression_of
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.happenings import KINDS
 

@@ -245,6 +245,15 @@ def test_a_step_without_an_end_can_be_paused(client: Client, endless: Path) -> N
     assert client.event("stopped")["reason"] == "pause"
 
 
+def test_a_command_without_an_end_can_be_paused(client: Client, endless: Path) -> None:
+    client.launch(endless, stopOnEntry=True)
+    client.begin()
+    asked = client.post("evaluate", expression="continue", context="repl")
+    client.ask("pause", threadId=1)
+    assert client.answer(asked)["success"]
+    assert client.event("stopped")["reason"] == "pause"
+
+
 CALLER = "int main(void)\n{\n    stay();\n}\n"
 
 

@@ -197,11 +197,31 @@ def test_a_pointer_to_a_struct_is_unfolded_into_its_members(client: Client, tmp_
     assert client.parts(row["variablesReference"])[1]["evaluateName"] == "(*(&row))[1]"
 
 
-def test_a_command_without_an_end_can_be_paused(client: Client) -> None:
+HIDING = """\
+int main(void)
+{
+    int n = 1;
+    {
+        int n = 2;
+        n++;
+    }
+}
+"""
+
+
+def test_a_hidden_variable_is_shown_and_is_not_the_one_that_hides_it(
+    client: Client, tmp_path: Path
+) -> None:
+    path = tmp_path / "hide.c"
+    path.write_text(HIDING)
+    client.ask("restart", arguments={"program": str(path)})
+    client.event("stopped")
+    client.break_at(path, 6)
+    client.ask("restart")
+    assert client.event("stopped")["reason"] == "breakpoint"
+    assert names(client.scope("Locals")) == {"n": "2", "n (hidden)": "1"}
     frame = client.frames()[0]["id"]
-    client.ask("evaluate", expression="delete", context="repl", frameId=frame)
-    client.ask("setExpression", expression="i", value="-2000000000", frameId=frame)
-    asked = client.post("evaluate", expression="continue", context="repl", frameId=frame)
-    client.ask("pause", threadId=1)
-    assert client.answer(asked)["success"]
-    assert client.event("stopped")["reason"] == "pause"
+    mine = client.ask("scopes", frameId=frame)["scopes"][0]["variablesReference"]
+    hidden = {"variablesReference": mine, "name": "n (hidden)"}
+    assert "no name in C" in client.refused("setVariable", **hidden, value="5")
+    assert client.ask("dataBreakpointInfo", **hidden)["dataId"] is None
