@@ -35,7 +35,7 @@ def test_a_script_shows_what_it_showed(
 ) -> None:
     words = shlex.split(script.read_text().splitlines()[0].removeprefix("# crs debug "))
     named = [path for path in SAMPLES if path.name in words]
-    for path in (*HERE.glob("programs/*"), *CONVOY, *named, script):
+    for path in (*CONVOY, *named, *HERE.glob("programs/*"), script):
         shutil.copy(path, tmp_path)
     monkeypatch.chdir(tmp_path)
     status = main(["debug", "--batch", "-q", "-x", script.name, *words])

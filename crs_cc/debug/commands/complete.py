@@ -16,6 +16,7 @@ from crs_cc.debug.commands.table import find, matching
 from crs_cc.debug.edits import FAULTS
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.happenings import KINDS
+from crs_cc.debug.places import is_file
 from crs_cc.sim.degradation.model import DEVICES
 
 if TYPE_CHECKING:
@@ -53,7 +54,7 @@ def complete(shell: Shell, text: str) -> Completion:
         return Completion(len(text), ())
     if not command.completes or (not rest and not text.endswith(" ")):
         return Completion(len(text), ())
-    pattern = _LAST_WORD if command.completes in {"expression", "place"} else _LAST_PART
+    pattern = _LAST_WORD if command.completes == "expression" else _LAST_PART
     found = pattern.search(text)
     assert found
     words = set(_ARGUMENTS[command.completes](shell, found[0]))
@@ -65,12 +66,12 @@ def _commands(_shell: Shell, word: str) -> Iterable[str]:
     return matching(word)
 
 
-def _places(shell: Shell, _word: str) -> Iterator[str]:
-    yield from (name for name, _ in functions(shell))
-    yield from _files_of(shell)
-
-
-def _files_of(shell: Shell) -> Iterator[str]:
+def _places(shell: Shell, word: str) -> Iterator[str]:
+    """Gives functions and files, and behind a file its functions."""
+    file, colon, _ = word.rpartition(":")
+    for name, place in functions(shell):
+        if not colon or is_file(place.file, file):
+            yield f"{file}{colon}{name}"
     for path in shell.debugger.run.programs[shell.debugger.robot].paths:
         yield f"{path.name}:"
 

@@ -46,6 +46,11 @@ def _named(commands: Iterable[Command]) -> dict[str, Command]:
 NAMES: Final = _named(COMMANDS)
 """Every command by each of its names."""
 
+_SHORTENED: Final = {"!"} | {
+    name for name, each in NAMES.items() if each.name != name and each.name.startswith(name)
+}
+"""Names that nobody needs to be offered."""
+
 PREFIXES: Final = tuple(sorted({name.split()[0] for name in NAMES if " " in name}))
 """The words that others follow: `info`, `save`."""
 
@@ -97,7 +102,6 @@ def _after(before: str) -> str:
 
 def matching(beginning: str) -> Iterator[str]:
     """Gives the names of commands that begin so, those of two words word by word."""
-    words = sorted({*NAMES, *PREFIXES})
-    for name in words:
+    for name in sorted({*NAMES, *PREFIXES} - _SHORTENED):
         if name.startswith(beginning) and (" " not in name or " " in beginning):
             yield name

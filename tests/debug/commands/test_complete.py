@@ -16,6 +16,7 @@ PROGRAM = Path(__file__).parents[1] / "programs" / "shapes.c"
 def shell() -> Shell:
     debugger = debugger_at([PROGRAM])
     debugger.start()
+    debugger.next(2)
     return Shell(debugger)
 
 
@@ -24,7 +25,8 @@ def test_every_word_is_completed_by_what_can_stand_there(shell: Shell) -> None:
     assert complete(shell, "info lo") == Completion(5, ("locals",))
     assert complete(shell, "  inf").words == ("info",)
     assert complete(shell, "break fac") == Completion(6, ("factorial",))
-    assert complete(shell, "b shapes.c:") == Completion(2, ("shapes.c:",))
+    assert complete(shell, "b sha") == Completion(2, ("shapes.c:",))
+    assert complete(shell, "b shapes.c:fa") == Completion(2, ("shapes.c:factorial",))
     assert complete(shell, "print 2 * lar") == Completion(10, ("largest",))
     assert "total" in complete(shell, "p ").words
     assert complete(shell, "p nothing").words == ()
@@ -55,5 +57,6 @@ def test_readline_is_given_the_rest_of_the_word_that_it_sees(shell: Shell) -> No
     line = "print shapes.c:3 + lar"
     give = completer(shell, lambda: line)
     assert [give("lar", 0), give("lar", 1)] == ["largest", None]
-    line = "break shapes.c:"
-    assert give("shapes.c:", 0) == "shapes.c:"
+    line = "break shapes.c:fa"
+    assert give("shapes.c:fa", 0) == "shapes.c:factorial"
+    assert give("fa", 0) == "factorial"

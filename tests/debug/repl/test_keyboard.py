@@ -18,6 +18,7 @@ int rounds;
 int main(void)
 {
     char word[9];
+    fputs("a word? ", stderr);
     if (scanf("%8s", word) == 1)
         printf("<%s>\\n", word);
     for (;;)
@@ -85,20 +86,23 @@ def session(tmp_path: Path) -> Iterator[Session]:
 @pytest.mark.slow
 def test_a_user_types_commands_and_input_completes_interrupts_and_leaves(session: Session) -> None:
     session.wait_for("(crs) ")
-    session.type("next\r")
-    session.type("hello\r")  # for the program
-    session.wait_for("=>    7")
+    session.type("next 2\r")
+    session.wait_for("a word? ")
+    time.sleep(0.5)  # until the program waits
+    session.type("hello\r")
+    session.wait_for("=>    8")
     session.type("\r")  # again
-    assert "<hello>" in session.wait_for("=>    9")
+    assert "<hello>" in session.wait_for("=>   10")
     session.wait_for("(crs) ")
     session.type("print roun\t\r")
-    session.wait_for("$1 = 0")
+    session.wait_for("$1 = ")
     session.wait_for("(crs) ")
     session.type("contin\x03")
     session.wait_for('Type "quit" or Ctrl-D to end the debugger.')
     session.wait_for("(crs) ")
     session.type("continue\r")
-    time.sleep(0.5)
+    session.wait_for("continue\r\n")
+    time.sleep(1)
     session.type("\x03")
     session.wait_for("Interrupted.")
     session.wait_for("(crs) ")
@@ -113,9 +117,13 @@ def test_a_user_types_commands_and_input_completes_interrupts_and_leaves(session
 def test_ctrl_c_ends_the_input_of_a_program_that_waits_for_it(session: Session) -> None:
     session.wait_for("(crs) ")
     session.type("next 2\r")
+    session.wait_for("a word? ")
     time.sleep(0.5)
     session.type("\x03")
-    session.wait_for("=>    9")
+    session.wait_for("Interrupted.")
+    session.wait_for("(crs) ")
+    session.type("next\r")
+    session.wait_for("=>   10")
     session.wait_for("(crs) ")
     session.type("quit\r")
     assert session.end() == 0
