@@ -1,0 +1,102 @@
+"""In random programs, what is found by watching is what is found by looking at every statement."""
+
+from __future__ import annotations
+
+import random
+from pathlib import Path
+
+import pytest
+
+from crs_cc.debug.watch import MOST, Watched
+from crs_cc.ir.names import in_library
+from crs_cc.runtime.diagnosis.inspect import StackFrame
+from crs_cc.runtime.executable import Executable
+from crs_cc.session.build import build_executable
+from crs_cc.source import Diagnostics
+from tests.debug.test_watch import Watching, compare
+from tests.fuzz.generator.program import generate
+
+Change = tuple[int, int, bytes, bytes]
+"""How many statements had begun, the number of the object, what was there, and what is."""
+
+FAR = 600
+"""So many statements are followed."""
+
+
+def variables(run: Watching, chance: random.Random) -> list[Watched]:
+    """Gives some variables of one of the functions that are active."""
+    own = [each for each in run.fleet.stopped(0).stack if not in_library(each.location)]
+    frame = chance.choice(own)
+    layout = run.executable.detail().compiled.info(frame.function).frame
+    places = [
+        (frame.fp - layout.size + at, place.variable.ctype.size)
+        for place, at in layout.offsets.items()
+        if place.variable is not None and place.variable.ctype.size
+    ]
+    some = chance.sample(places, min(MOST, len(places)))
+    return [Watched(number, "change", *place, frame) for number, place in enumerate(some)]
+
+
+def is_active(run: Watching, frame: StackFrame) -> bool:
+    name = frame.fp, frame.function, frame.entered
+    stack = run.fleet.stopped(0).stack
+    return any((each.fp, each.function, each.entered) == name for each in stack)
+
+
+def by_looking(run: Watching, objects: list[Watched], end: int) -> tuple[list[Change], int | None]:
+    """Gives the changes up to a statement, and the one before which the function had returned."""
+    memory, changes = run.fleet.memory(0), list[Change]()
+    parts = [slice(each.address, each.address + each.size) for each in objects]
+    before = [memory[part].tobytes() for part in parts]
+    run.fleet.slots["stop_before_all"] = 1
+    while run.run() and run.begun < end:
+        if objects[0].frame and not is_active(run, objects[0].frame):
+            return changes, run.begun
+        now = [memory[part].tobytes() for part in parts]
+        changes += [
+            (run.begun, number, old, new)
+            for number, (old, new) in enumerate(zip(before, now, strict=True))
+            if old != new
+        ]
+        before = now
+    return changes, None
+
+
+def by_watching(run: Watching, objects: list[Watched], end: int) -> tuple[list[Change], int | None]:
+    changes = list[Change]()
+    run.watches.arm(objects)
+    while run.run() and run.begun < end:
+        for each in run.watches.take():
+            if each.what == "return":
+                return changes, run.begun
+            if each.old[0] != each.new[0]:
+                changes.append((run.begun, each.watched.number, each.old[0], each.new[0]))
+    return changes, None
+
+
+def compare_variables(program: Executable, chance: random.Random) -> int:
+    """Compares the changes of variables from some statements on; gives how many there were."""
+    whole = Watching(program)
+    whole.run()
+    count = 0
+    for _ in range(8):
+        first = chance.randrange(1, max(2, whole.begun - 1))
+        one, other = Watching(program), Watching(program)
+        one.to(first)
+        other.to(first)
+        objects = variables(one, chance)
+        if objects:
+            wanted = by_looking(one, objects, first + FAR)
+            assert by_watching(other, objects, first + FAR) == wanted, first
+            count += len(wanted[0])
+    return count
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(6))
+def test_hits_are_the_changes_of_memory(seed: int, tmp_path: Path) -> None:
+    path = tmp_path / "program.c"
+    path.write_text(generate(seed))
+    program = build_executable([path], Diagnostics(), debug=True)
+    compare(program)
+    assert compare_variables(program, random.Random(seed))
