@@ -217,8 +217,8 @@ class Evaluator:
         frame = frame or _innermost(stopped)
         if frame is None or in_library(frame.location):
             return []
-        names = self._names.of(frame.function, frame.location.file)
-        return variables_of(self._scopes, names, self.sight(), frame)
+        type_of = self._names.types(frame.function, frame.location.file)
+        return variables_of(self._scopes, type_of, self.sight(), frame)
 
     def globals_(self) -> list[Variable]:
         """Gives the global variables of the user's own files, by their names."""

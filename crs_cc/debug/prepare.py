@@ -6,7 +6,7 @@ It is done once for each place: the conditions of breakpoints are evaluated ofte
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Final
 
@@ -18,6 +18,7 @@ from crs_cc.debug.values import Value
 from crs_cc.errors import CompileError
 from crs_cc.frontend.expression import CompiledExpression, FileNames
 from crs_cc.ir.names import in_library, plain_name
+from crs_cc.ir.program import Variable
 from crs_cc.ir.types import CType, PointerType, is_variably_modified
 from crs_cc.source import Diagnostics, Location
 
@@ -29,6 +30,9 @@ _MOST: Final = 1000
 _WORD: Final = re.compile(r"[A-Za-z_$][\w$]*")
 
 NOWHERE: Final = Location("")
+TypeOf = Callable[[Variable], CType]
+"""Tells the type of a variable of a program."""
+
 Sizes = Mapping[Location, int]
 
 
@@ -108,6 +112,17 @@ class Names:
             self._check(found)
             self._files[name] = found
         return self._files[name]
+
+    def types(self, function: str, file: str) -> TypeOf:
+        """Gives what tells the types of variables, in terms of the C file of a function.
+
+        When the file is not any more what the program was made of they are those of the program:
+        the same to people, if not to C.
+        """
+        try:
+            return self.of(function, file).type_of
+        except DebugError:
+            return lambda variable: variable.ctype
 
     def _check(self, found: FileNames) -> None:
         for file, lines in self._program.executable.detail().lines.items():

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from crs_cc.debug.prepare import TypeOf
 from crs_cc.debug.scope import Frame, Kind, Scopes, concrete
 from crs_cc.debug.sight import Sight
 from crs_cc.debug.values import Value
-from crs_cc.frontend.expression import FileNames
 from crs_cc.runtime.diagnosis.inspect import StackFrame
 
 
@@ -29,7 +29,7 @@ class Variable:
 
 
 def variables_of(
-    scopes: Scopes, names: FileNames, sight: Sight, active: StackFrame
+    scopes: Scopes, type_of: TypeOf, sight: Sight, active: StackFrame
 ) -> list[Variable]:
     """Gives the variables of an active function, those of the innermost block first.
 
@@ -40,7 +40,7 @@ def variables_of(
     found: dict[str, None] = {}
     variables = []
     for home in scopes.of(active.function):
-        name, ctype = home.variable.name, concrete(names.type_of(home.variable), sizes)
+        name, ctype = home.variable.name, concrete(type_of(home.variable), sizes)
         if ctype is None or not home.variable.is_visible(active.location):
             continue
         value = sight.value(frame.address(home), ctype)

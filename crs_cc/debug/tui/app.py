@@ -176,7 +176,8 @@ class DebugApp(App[int]):
         console.answer(done.answer)
         for line in done.errors:
             console.error(line)
-        if (order.is_typed and done.answer.plain) or done.errors:
+        has_failed = done.moved and done.look.badge == "error"
+        if (order.is_typed and done.answer.plain) or done.errors or has_failed:
             self.query_one(Panes).pick("console")
             self.screen.add_class("-answer")
 

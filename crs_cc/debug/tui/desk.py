@@ -100,6 +100,8 @@ class Desk:
             if (debugger.position, (debugger.robot, debugger.frame)) != (before, looked_at):
                 order = replace(order, file="")
             self._look = gather(self.shell, order)
+        except DebugError as error:  # of the look: the files are not any more what they were
+            errors.append(str(error))
         except Exception as error:
             errors.append(f"internal error: {type(error).__name__}: {error}; please report it")
         finally:

@@ -181,3 +181,16 @@ def test_other_files_of_a_program_are_shown_until_it_moves(tmp_path: Path) -> No
     assert (look.source.file, look.source.line) == (str(other), 3)
     look = desk.do(Order("finish", file=str(other))).look
     assert (look.source.file, look.source.line) == (str(main), 5)
+
+
+def test_files_that_are_edited_meanwhile_are_shown_as_they_were(tmp_path: Path) -> None:
+    path = tmp_path / "edited.c"
+    path.write_text("int main(void)\n{\n    int x = 5;\n    return x;\n}\n")
+    desk = Desk(Debugger(empty_world(), [debug_program(path)]), ProgramInput())
+    path.write_text("int main( { what")
+    desk.do(Order())
+    done = press(desk, "next")
+    assert (done.errors, done.look.source.line) == ((), 4)
+    assert done.look.source.lines[2] == "    int x = 5;"
+    assert texts(group(done, "locals")) == {"x": "5"}
+    assert "edited.c" in press(desk, "print x").errors[0]
