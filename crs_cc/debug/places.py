@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from crs_cc.debug.program import DebugProgram
     from crs_cc.runtime.sites import StatementSite
 
-_PLACE: Final = re.compile(r"(?:(?P<file>.+):)?(?:(?P<line>\d+)|(?P<function>[A-Za-z_]\w*))")
+_PLACE: Final = re.compile(r"(?:(?P<file>.+):)?(?:(?P<line>[0-9]{1,9})|(?P<function>[A-Za-z_]\w*))")
 
 POSTS: Final = {
     function.name: frozenset(CODES[name] for name in function.posts)
