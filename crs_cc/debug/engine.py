@@ -248,6 +248,8 @@ class Debugger(Points):
         return self._traveller.calls(self.robot)
 
     def _go(self, aim: Aim | None, until: Position | None = None) -> Stop:
+        if aim is not None and self.run.is_over(aim.robot) and self.run.goes_on:
+            raise DebugError(f"{self.names[aim.robot]}'s program has ended; others go on")
         self.run.console.is_live = True
         try:
             return self._arrive(self._traveller.forward(aim, until))

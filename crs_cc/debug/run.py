@@ -429,6 +429,12 @@ class Run:
         """Tells whether any program was stopped by an error."""
         return bool((self.session.fleet.slots["status"] == FAILED).any())
 
+    def is_over(self, robot: int) -> bool:
+        """Tells whether a program has begun, and has ended."""
+        session = self.session
+        joined_s = session.environment.state.presence.joined_s[robot]
+        return math.isfinite(joined_s) and not session.alive[robot]
+
     def has_failed(self, robot: int) -> bool:
         """Tells whether a program was stopped by an error."""
         return bool(self.session.fleet.slots["status"][robot] == FAILED)

@@ -326,7 +326,7 @@ class Traveller:
             run.history.visit(run.position)
             run.restore(run.history.at(self._snapshot(robot, statements, run.position)))
         run.arm(Marks(all=frozenset({robot}), since={robot: statements}))
-        while run.session.alive[robot]:
+        while run.goes_on and not run.is_over(robot):
             if run.advance().kind == "statement" and run.begun(robot) == statements:
                 return True
         return False

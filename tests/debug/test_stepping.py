@@ -11,6 +11,8 @@ from pathlib import Path
 import pytest
 
 from crs_cc.debug.engine import Debugger
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.position import Position
 from crs_cc.debug.stop import Stop
 from tests.debug.debuggee import debugger_of, line
 
@@ -311,3 +313,119 @@ def test_what_was_read_is_read_again_and_asked_for_once(tmp_path: Path) -> None:
     assert len(asked) == 4
     debugger.resume()
     assert (number(debugger, "n"), len(asked)) == (2, 4)
+
+
+TWO = """\
+<?xml version="1.0" encoding="UTF-8"?>
+<world version="1" name="two" timestep="0.05s">
+  <area length="200in" width="100in"/>
+  <robot id="caller" x="30in" y="50in" heading="0deg"/>
+  <robot id="hearer" x="100in" y="50in" heading="0deg" {more}/>
+</world>
+"""
+
+CALLER = """\
+#include "Nclient.h"
+#include "crs.h"
+int main(void)
+{
+    int i;
+    connect_robot(1);
+    for (i = 0; i < 3; i++) {
+        crs_send(1, 5, &i, sizeof i);
+        ws(0, 0, 0, 1);
+    }
+    return i;
+}
+"""
+
+HEARER = """\
+#include "Nclient.h"
+#include "crs.h"
+#include <string.h>
+int main(void)
+{
+    struct crs_message heard;
+    int got = -1, sum = 0;
+    connect_robot(1);
+    while (got < 2) {
+        crs_receive(&heard, CRS_FOREVER);
+        memcpy(&got, heard.data, sizeof got);
+        sum += got;
+    }
+    return sum;
+}
+"""
+
+
+def two_robots(folder: Path, more: str = "") -> Debugger:
+    """Gives a robot that calls another one."""
+    (folder / "two.xml").write_text(TWO.format(more=more))
+    return debugger_of(CALLER, HEARER, folder=folder, world=str(folder / "two.xml"))
+
+
+def test_each_robot_is_stepped_on_its_own_while_the_others_go_on(tmp_path: Path) -> None:
+    debugger = two_robots(tmp_path)
+    debugger.start()
+    assert walk(debugger, [debugger.next] * 3) == [7, 8, 9]
+    debugger.select_robot("hearer")
+    sums = []
+    debugger.add_breakpoint("12", robot=1)
+    places = []
+    while debugger.resume().reason == "breakpoint":
+        assert debugger.robot == 1
+        debugger.next()
+        assert line(debugger) == 9
+        sums.append(number(debugger, "sum"))
+        places.append(debugger.position)
+    assert sums == [0, 1, 3]
+    debugger.goto(places[1])
+    assert walk(debugger, [lambda: debugger.next(backward=True)] * 3) == [12, 11, 10]
+    assert number(debugger, "got") == 0
+    assert debugger.resume().breakpoints
+    assert debugger.next().position == places[1]
+
+
+def test_a_breakpoint_for_all_stops_whoever_comes_there(tmp_path: Path) -> None:
+    debugger = two_robots(tmp_path)
+    debugger.add_breakpoint("a.c:main")
+    debugger.add_breakpoint("b.c:main")
+    assert [(debugger.resume().robot, line(debugger)) for _ in range(2)] == [(0, 6), (1, 7)]
+    debugger.add_breakpoint("connect_robot", robot=1)
+    assert (debugger.resume().robot, functions(debugger)) == (1, ["main"])
+    assert debugger.resume(backward=True).robot == 1
+    assert debugger.resume(backward=True).robot == 0
+
+
+def test_a_program_that_has_ended_is_not_stepped_but_gone_back_into(tmp_path: Path) -> None:
+    debugger = two_robots(tmp_path)
+    debugger.add_breakpoint("12", robot=1, condition="got == 2")
+    debugger.resume()
+    debugger.select_robot("caller")
+    assert debugger.frames() == []
+    here = debugger.position
+    for move in (debugger.step, debugger.next, debugger.step_statement, debugger.finish):
+        with pytest.raises(DebugError):
+            move()
+        assert debugger.position == here
+    assert walk(debugger, [lambda: debugger.step(backward=True)]) == [11]
+    assert debugger.next().reason == "exit"
+
+
+def test_a_robot_that_comes_later_is_stepped_from_when_it_comes(tmp_path: Path) -> None:
+    debugger = two_robots(tmp_path, 'join="0.12s"')
+    debugger.select_robot("hearer")
+    assert debugger.frames() == []
+    stop = debugger.step()
+    assert (stop.time_s, line(debugger)) == (pytest.approx(0.15, abs=1e-3), 7)
+    assert walk(debugger, [debugger.next] * 2) == [8, 9]
+    assert walk(debugger, [lambda: debugger.step(backward=True)] * 2) == [8, 7]
+    debugger.goto_timestep(0)
+    debugger.select_robot("hearer")
+    assert debugger.goto_statement(3).robot == 1
+    assert line(debugger) == 9
+    debugger.goto_timestep(0)
+    debugger.select_robot("hearer")
+    with pytest.raises(DebugError):
+        debugger.goto_statement(100)
+    assert debugger.position == Position(0, 0)
