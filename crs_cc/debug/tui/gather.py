@@ -38,6 +38,7 @@ _WHY: Final[dict[Reason, str]] = {
 _BLOCK: Final = 1000
 """Pieces of output that leave the screen at once; the last one to two thousand are shown."""
 _MOST_ROBOTS: Final = 200
+_MOST_FRAMES: Final = 200  # a runaway recursion has ten thousand
 _LEAST_COLUMNS, _LEAST_ROWS = 10, 4
 
 
@@ -134,7 +135,7 @@ def _breakpoints(debugger: Debugger, file: str) -> dict[int, Breakmark]:
 def _frames(debugger: Debugger) -> Iterator[Choice]:
     """Gives the stack; of the C library's functions only those that the program has called."""
     frames = debugger.frames()
-    for each in frames:
+    for each in frames[:_MOST_FRAMES]:
         caller = frames[each.number + 1] if each.number + 1 < len(frames) else None
         if each.is_library and caller is not None and caller.is_library:
             continue
