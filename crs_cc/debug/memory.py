@@ -44,6 +44,11 @@ class Saved:
     flag: int | None = None
     is_unset: bool = False
 
+    @property
+    def end(self) -> int:
+        """The address behind it."""
+        return self.address + self.ctype.size
+
     def has_value(self, memory: npt.NDArray[np.uint8]) -> bool:
         """Tells whether it has a value."""
         if self.flag is None:
@@ -53,7 +58,8 @@ class Saved:
     def widened(self, content: bytes) -> bytes:
         """Gives the whole register with a value, as the program keeps it."""
         ctype = self.ctype
-        assert isinstance(ctype, IntegerType | FloatType | EnumType | PointerType)
+        if not isinstance(ctype, IntegerType | FloatType | EnumType | PointerType):
+            return content
         size = MEMORY_SIZE[VALUE_TYPE[ctype.memory]]
         signed = isinstance(ctype, IntegerType | EnumType) and ctype.signed
         value = int.from_bytes(content[: ctype.size], "little", signed=signed)
@@ -129,7 +135,7 @@ class StoppedMemory:
     def _saved_at(self, address: int, size: int) -> Saved | None:
         """Gives the variable in a register that bytes belong to."""
         for each in self._saved.values():
-            if each.address <= address and address + size <= each.address + each.ctype.size:
+            if each.address <= address and address + size <= each.end:
                 return each
         return None
 

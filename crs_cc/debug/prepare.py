@@ -217,7 +217,7 @@ class Preparation:
             variable = home.variable
             if variable.name not in used or not variable.reaches(place):
                 continue
-            if variable.is_visible(place):
+            if home.is_visible(place):
                 found.setdefault(variable.name, home)
             elif not names.knows(variable.name):
                 later.setdefault(variable.name, home)

@@ -54,6 +54,13 @@ class Home:
     flag: int | None = None
     passed: int | None = None
 
+    def is_visible(self, place: Location) -> bool:
+        """Tells whether the name means this variable at a place, if no inner one has it.
+
+        A function that has no room for its frame stands before its parameters.
+        """
+        return self.kind == "parameter" or self.variable.is_visible(place)
+
 
 def is_own(location: Location) -> bool:
     """Tells whether a place is in the user's files, and not in the library's or its headers."""
@@ -173,23 +180,32 @@ class Frame:
         landing = int(stopped.memory[active.fp + RESUME :][:4].view("<u4")[0])
         stands_there = info.landings.get(landing) == active.location  # or else it has failed
         unset = info.unset.get(landing, frozenset()) if stands_there else frozenset()
+        if not stopped.saved and active is stopped.stack[0]:  # nobody knows what they held
+            unset = frozenset(info.function.registers)
         return cls(active.fp - info.frame.size, active.location, unset)
+
+    @property
+    def has_no_room(self) -> bool:
+        """Whether the stack was too small: then there is nothing but what was passed."""
+        return 0 < self.sp < NULL_SIZE or self.sp < 0
 
     def address(self, home: Home) -> int:
         """Gives the address of a variable."""
         if not home.in_frame:
             return home.at
-        if self.sp < NULL_SIZE and home.passed is not None:  # there was no room for its frame
+        if self.has_no_room and home.passed is not None:
             return self.sp + home.passed
         return self.sp + home.at
 
     def saved(self, home: Home) -> Saved | None:
-        """Gives a variable that lives in a register; None for all others."""
+        """Gives a variable that lives where C cannot reach it; None for all others."""
+        if self.has_no_room and home.passed is not None:
+            return Saved(home.variable.name, home.variable.ctype, self.address(home))
         if home.register is None:
             return None
         flag = None if home.flag is None else self.sp + home.flag
         variable = home.variable
-        is_unset = home.register in self.unset or not variable.is_visible(self.place)
+        is_unset = home.register in self.unset or not home.is_visible(self.place)
         return Saved(variable.name, variable.ctype, self.address(home), flag, is_unset)
 
     def sizes(self, extents: Iterable[Home], memory: npt.NDArray[np.uint8]) -> dict[Location, int]:

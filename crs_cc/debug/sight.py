@@ -5,6 +5,7 @@ What is seen is that of the moment; when the program goes on, another look is ne
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Callable
 from functools import cached_property
 from pathlib import Path
@@ -137,7 +138,7 @@ class Sight:
     def name_of(self, address: int, target: CType) -> str:
         """Says what a pointer to a type points to."""
         known = self._saved(address)
-        if known is not None:
+        if known is not None and known.address == address:
             return f"&{known.name}"
         if NULL_SIZE <= address < self.stopped.stack_pointer():
             gone = returned_local(self.stopped, address)
@@ -155,14 +156,15 @@ class Sight:
         """Gives the variable whose register is saved at an address."""
         if address >= STACK_TOP:
             return None
-        for each in self.stopped.stack:
-            info = self.stopped.compiled.info(each.function)
-            if 0 <= address - (each.fp - info.frame.size) < info.frame.size:
-                frame = Frame.of(self.stopped, each)
-                for home in homes(info):
-                    saved = frame.saved(home)
-                    if saved and saved.address == address and size <= saved.ctype.size:
-                        return saved
+        stack = self.stopped.stack
+        around = bisect_right(stack, address, key=lambda each: each.fp)
+        # What was passed to a function that has no room for its frame lies above that.
+        for active in [*stack[:1], *stack[around : around + 1]]:
+            frame = Frame.of(self.stopped, active)
+            for home in homes(self.stopped.compiled.info(active.function)):
+                saved = frame.saved(home)
+                if saved and saved.address <= address and address + size <= saved.end:
+                    return saved
         return None
 
     def explain(self, address: int, size: int, reading: bool) -> str:

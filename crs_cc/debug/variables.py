@@ -41,7 +41,7 @@ def variables_of(
     variables = []
     for home in scopes.of(active.function):
         name, ctype = home.variable.name, concrete(type_of(home.variable), sizes)
-        if ctype is None or not home.variable.is_visible(active.location):
+        if ctype is None or not home.is_visible(active.location):
             continue
         value = sight.value(frame.address(home), ctype)
         if home.variable.is_indirect:

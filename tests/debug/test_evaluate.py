@@ -8,6 +8,7 @@ import pytest
 
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.evaluate import Evaluator
+from crs_cc.debug.prepare import Names
 from tests.debug.stopping import Stopping
 
 SOURCE = r"""
@@ -443,3 +444,48 @@ def test_in_the_library_there_are_global_names_only(evaluator: Evaluator) -> Non
     assert evaluator.variables(frame) == []
     with pytest.raises(DebugError, match="use of undeclared identifier 'i'"):
         evaluator.evaluate("i", frame)
+
+
+def test_a_program_that_has_failed_can_be_looked_at(tmp_path: Path) -> None:
+    source = """\
+int order[4];
+static int sum(int n)
+{
+    int k = n * 2, unset;
+    for (int i = 0; i < 3; i++) { k += i + 1; order[k - 3] = 1; unset = k; }
+    return unset;
+}
+int main(void) { int m = 3; return sum(m); }
+"""
+    stopping = Stopping(tmp_path, source)
+    with pytest.raises(AssertionError, match="out of bounds"):
+        stopping.run()
+    stopped = stopping.fleet.failure(0).stopped
+    assert stopped is not None
+    evaluator = Evaluator(lambda: stopped, Names(stopping.program))
+    assert [each[:2] for each in shown(evaluator)] == [
+        ("i", "0"), ("k", "7"), ("unset", "uninitialised"), ("n", "3"),
+    ]  # fmt: skip
+    assert evaluator.evaluate("order[k - 4] + main::m").value.text
+
+
+def test_endless_recursion_can_be_looked_at(tmp_path: Path) -> None:
+    source = """\
+struct big { int numbers[40]; };
+static int down(int n, struct big big) { int next = n + 1; big.numbers[3] = n;
+    return down(next, big) + big.numbers[3] + next; }
+int main(void) { struct big big = {{0}}; return down(0, big); }
+"""
+    stopping = Stopping(tmp_path, source)
+    with pytest.raises(AssertionError, match="stack overflow"):
+        stopping.run()
+    stopped = stopping.fleet.failure(0).stopped
+    assert stopped is not None
+    evaluator = Evaluator(lambda: stopped, Names(stopping.program))
+    depth = len(stopped.stack) - 3
+    frames = [evaluator.evaluate("n", each).value.number for each in stopped.stack[:2]]
+    assert frames == [depth, depth - 1]
+    assert evaluator.evaluate("big.numbers[3]", stopped.stack[1]).value.number == depth - 1
+    assert "next" in {each.name for each in evaluator.variables(stopped.stack[1])}
+    for each in evaluator.variables():
+        assert each.value.full
