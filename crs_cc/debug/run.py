@@ -245,7 +245,10 @@ class Run:
         if needs_world or not is_plain or not self.tape.knows(begin, limit):
             self.restore(self.history.at(begin))
             while self.position < limit:
-                yield self.advance(limit)
+                ahead = self.advance(limit)
+                if ahead.kind == "limit":
+                    break
+                yield ahead
             self._astray = True
             return
         self._astray = True

@@ -233,3 +233,9 @@ def test_whatever_goes_forward_can_be_interrupted(
     debugger.interrupt()
     assert debugger.goto_timestep(2).reason == "goto"  # that is but a short way
     assert debugger.step().reason == "step"
+
+
+def test_backward_from_the_middle_of_a_round_with_the_world_asked_for(loop: Debugger) -> None:
+    loop.add_catchpoint("collision")
+    loop.next(3)
+    assert loop.resume(backward=True).reason == "beginning"
