@@ -177,7 +177,7 @@ def backward(bench: Bench, table: Table, debugger: Debugger, minute_s: float) ->
     again("reverse-next", lambda: debugger.next(backward=True))
     again("tick backward", lambda: debugger.tick(backward=True))
     minute = round(60 / bench.world.timestep_s)
-    debugger.add_breakpoint("minute")
+    debugger.add_breakpoint("minute", robot=0)
     debugger.goto_timestep(bench.timesteps - 1)
     debugger.resume(backward=True)
     reached = debugger.position

@@ -30,8 +30,10 @@ from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.pages import CHUNK
 from crs_cc.sim.model import WorldModel
 
-_OBJECT: Final = 64
-"""What a small object takes, about, with the place that holds it [bytes]."""
+_HELD: Final = 112
+"""What it takes to hold something once, about, besides the thing itself [bytes]; measured."""
+_SMALL: Final = 32
+"""What something takes that is not looked into, about [bytes]."""
 
 _NO_STATE: Final = (WorldModel, Executable)
 """What the run has anyway: snapshots only say which."""
@@ -91,7 +93,7 @@ class Store:
             return self._hold(value) if len(value) < CHUNK else self._cut(value, None, ())
         parts = _parts(value)
         if parts is None:
-            self.size += _OBJECT
+            self.size += _SMALL
             return value
         taken = [self.take(part) for part in parts]
         if any(one is not other for one, other in zip(taken, parts, strict=True)):
@@ -116,7 +118,7 @@ class Store:
         """Forgets a snapshot, but for what others share with it."""
         held = self._objects.get(id(taken))
         if held is None:
-            self.size -= _OBJECT
+            self.size -= _SMALL
             return
         held.uses -= 1
         if held.uses:
@@ -129,7 +131,7 @@ class Store:
             self.drop(part)
 
     def _hold(self, value: Any) -> Any:
-        size = sys.getsizeof(value) + _OBJECT
+        size = sys.getsizeof(value) + _HELD
         self.size += size
         self._objects[id(value)] = _Held(value, size, 1)
         return value
@@ -142,7 +144,7 @@ class Store:
     def _take_chunk(self, chunk: bytes) -> bytes:
         held = self._chunks.get(chunk)
         if held is None:
-            held = self._chunks[chunk] = _Held(chunk, sys.getsizeof(chunk) + _OBJECT, 0)
+            held = self._chunks[chunk] = _Held(chunk, sys.getsizeof(chunk) + _HELD, 0)
             self.size += held.size
         held.uses += 1
         return held.value  # type: ignore[no-any-return]
