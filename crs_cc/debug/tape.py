@@ -9,7 +9,7 @@ a piece of the past as there is memory for.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -20,32 +20,57 @@ from crs_cc.requests import MESSAGE
 if TYPE_CHECKING:
     from crs_cc.runtime.fleet import Fleet
 
-MOST_BYTES: Final = 64 * 2**20
+MOST_BYTES: Final = 128 * 2**20
 """Memory for what is noted [bytes]; chosen by us."""
 
-_ROUND: Final = 600
-"""What noting a round takes besides the messages, about [bytes]."""
+_ROUND: Final = 800
+"""What noting a round takes besides what is in its arrays, about [bytes]."""
 
 
 @dataclass(frozen=True, slots=True)
 class Round:
     """What programs were given in a round.
 
+    Messages are mostly zeros, and only the other bytes are kept.
+
     Attributes:
         robots: the robots whose programs ran, rising.
         fuel: what each got [instructions].
-        messages: the message that each found, of dtype `MESSAGE`.
+        places: of the messages that they found, a bit for each byte that is not zero.
+        content: these bytes.
     """
 
     robots: npt.NDArray[np.intp]
     fuel: npt.NDArray[np.int64]
-    messages: npt.NDArray[np.void]
+    places: npt.NDArray[np.uint8]
+    content: npt.NDArray[np.uint8]
+
+    @classmethod
+    def of(
+        cls,
+        robots: npt.NDArray[np.intp],
+        fuel: npt.NDArray[np.int64],
+        messages: npt.NDArray[np.void],
+    ) -> Self:
+        """Makes it of what robots got, and the messages, of dtype `MESSAGE`, that they found."""
+        content = messages.view(np.uint8)
+        places = content != 0
+        return cls(robots, fuel, np.packbits(places), content[places])
+
+    @property
+    def size(self) -> int:
+        """Gives what it takes [bytes]."""
+        arrays = self.robots, self.fuel, self.places, self.content
+        return _ROUND + sum(array.nbytes for array in arrays)
 
     def give(self, fleet: Fleet) -> None:
         """Gives it to the programs again."""
+        messages = np.zeros(len(self.robots), MESSAGE)
+        content = messages.view(np.uint8)
+        content[np.unpackbits(self.places, count=len(content)).view(np.bool_)] = self.content
         fleet.slots["run"][self.robots] = 1
         fleet.slots["fuel"][self.robots] = self.fuel
-        fleet.reply(self.robots, self.messages)
+        fleet.reply(self.robots, messages)
 
 
 class Tape:
@@ -69,11 +94,11 @@ class Tape:
         if key in self._rounds:
             return
         robots = np.flatnonzero(pending)
-        self._rounds[key] = Round(robots, pending[robots], fleet.messages(robots))
-        self._bytes += _ROUND + len(robots) * MESSAGE.itemsize
+        self._rounds[key] = Round.of(robots, pending[robots], fleet.messages(robots))
+        self._bytes += self._rounds[key].size
         while self._bytes > self._most_bytes:
             oldest = next(iter(self._rounds))
-            self._bytes -= _ROUND + len(self._rounds.pop(oldest).robots) * MESSAGE.itemsize
+            self._bytes -= self._rounds.pop(oldest).size
 
     def end(self, timestep: int, rounds: int) -> None:
         """Notes how many rounds a timestep had."""
@@ -104,6 +129,6 @@ class Tape:
         """Forgets the rounds that begin at an instant or later, as they will be other ones."""
         here = place.timestep, place.round + (place.robot >= 0)
         for key in [each for each in self._rounds if each >= here]:
-            self._bytes -= _ROUND + len(self._rounds.pop(key).robots) * MESSAGE.itemsize
+            self._bytes -= self._rounds.pop(key).size
         for timestep in [each for each in self._counts if each >= place.timestep]:
             del self._counts[timestep]
