@@ -21,7 +21,7 @@ from crs_cc.debug.repl.repl import Repl, Scripts
 from crs_cc.debug.repl.terminal import Terminal
 from crs_cc.frontend.dialect import dialect_of
 from crs_cc.frontend.options import Options
-from crs_cc.session.host import discard, no_input
+from crs_cc.session.host import no_input
 from crs_cc.session.library import HEADERS
 from crs_cc.source import Diagnostics
 
@@ -45,7 +45,7 @@ def debug_programs(options: DebugOptions) -> int:
     loaded = _load(options)
     if on_screen:
         given = None if options.input is None else file_input(options.input)
-        make = functools.partial(make_debugger, loaded, options, discard)
+        make = functools.partial(make_debugger, loaded, options)
         _keep_files(full_screen.show(options, make, given), options)
         return 0
     names = [robot.id for robot in loaded.world.robots]

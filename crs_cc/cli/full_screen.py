@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from crs_cc.cli.debug import DebugOptions
     from crs_cc.debug.engine import Debugger
-    from crs_cc.session.host import Input
+    from crs_cc.session.host import Input, Output
 
 
 def is_wanted(options: DebugOptions) -> bool:
@@ -56,13 +56,13 @@ def _is_terminal() -> bool:
 
 
 def show(
-    options: DebugOptions, make: Callable[[Input], Debugger], file_input: Input | None
+    options: DebugOptions, make: Callable[[Output, Input], Debugger], file_input: Input | None
 ) -> Debugger:
     """Lets a user debug on the full screen until he leaves.
 
     Args:
         options: the scripts that come first.
-        make: makes the debugger, given what the programs read from.
+        make: makes the debugger, given what takes the programs' output, and what they read from.
         file_input: what they read when that is a file.
 
     Raises:
@@ -71,10 +71,10 @@ def show(
     from crs_cc.debug.repl.repl import Scripts
     from crs_cc.debug.tui.app import DebugApp
     from crs_cc.debug.tui.desk import Desk
-    from crs_cc.debug.tui.program_input import ProgramInput
+    from crs_cc.debug.tui.streams import Streams
 
-    reads = ProgramInput()
-    debugger = make(file_input or reads.read)
+    streams = Streams()
+    debugger = make(streams.write, file_input or streams.read)
     scripts = Scripts(options.scripts, options.commands)
-    DebugApp(Desk(debugger, reads, scripts.lines())).show()
+    DebugApp(Desk(debugger, streams, scripts.lines())).show()
     return debugger

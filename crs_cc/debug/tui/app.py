@@ -26,7 +26,7 @@ from crs_cc.debug.tui.keys import SHORTCUTS
 from crs_cc.debug.tui.look import OPEN, Look
 from crs_cc.debug.tui.panes import Panes
 from crs_cc.debug.tui.source_pane import SourcePane
-from crs_cc.debug.tui.texts import Console
+from crs_cc.debug.tui.texts import Console, Output
 from crs_cc.debug.tui.time_line import TimeLine
 from crs_cc.debug.tui.variables_pane import VariablesPane
 from crs_cc.debug.tui.work import Done, Order, Work
@@ -193,10 +193,11 @@ class DebugApp(App[int]):
         line.end_s, line.time_s, line.happened = look.end_s, look.time_s, look.events
 
     def _say_running(self) -> None:
-        """Says what runs and how far it is; not at once, as most orders are done sooner."""
+        """Says what runs, how far it is, and what it writes; most orders are done before."""
         if self._current is not None and self._current.line is not None:
             line = self._current.line or "again"
             self.query_one(StatusBar).running = f"{line}: {self._work.time_s:.2f} s"
+            self.query_one("#output", Output).add(self._work.take_output())
 
     # -- what the user does --------------------------------------------------------------------
 

@@ -18,10 +18,10 @@ from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.commands.table import matching
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.happenings import Happening
-from crs_cc.debug.tui.gather import gather, why
-from crs_cc.debug.tui.look import Look
+from crs_cc.debug.tui.gather import gather, why, written
+from crs_cc.debug.tui.look import Look, Written
 from crs_cc.debug.tui.printable import printable
-from crs_cc.debug.tui.program_input import ProgramInput
+from crs_cc.debug.tui.streams import Streams
 from crs_cc.debug.tui.work import Done, Order
 
 if TYPE_CHECKING:
@@ -46,18 +46,16 @@ class Desk:
         shell: the debugger's command line.
     """
 
-    def __init__(
-        self, debugger: Debugger, reads: ProgramInput, scripts: Iterable[str] = ()
-    ) -> None:
+    def __init__(self, debugger: Debugger, streams: Streams, scripts: Iterable[str] = ()) -> None:
         """Takes a debugger.
 
         Args:
             debugger: the debugger.
-            reads: what its programs read from.
+            streams: what its programs read from, and write to.
             scripts: commands to be done before anybody is asked.
         """
         self.shell = Shell(debugger)
-        self._reads = reads
+        self._streams = streams
         self._scripts = scripts
         self._has_begun = False
         self._works = False
@@ -66,7 +64,7 @@ class Desk:
     def interrupt(self) -> None:
         """Makes what is being done come to an end; from any thread."""
         self.shell.debugger.interrupt()
-        self._reads.end()
+        self._streams.end()
 
     @property
     def time_s(self) -> float:
@@ -75,11 +73,15 @@ class Desk:
 
     def listen(self, asked: Callable[[str], None]) -> None:
         """Says whom to tell that a robot's program, by its name, waits for a line of input."""
-        self._reads.asks = lambda robot: asked(self.shell.debugger.names[robot])
+        self._streams.asks = lambda robot: asked(self.shell.debugger.names[robot])
 
     def give(self, line: str | None) -> None:
         """Gives the program that waits a line; None for the end of its input."""
-        self._reads.give(b"" if line is None else f"{line}\n".encode())
+        self._streams.give(b"" if line is None else f"{line}\n".encode())
+
+    def take_output(self) -> tuple[Written, ...]:
+        """Gives what has been written since this was last asked for."""
+        return tuple(written(self.shell.debugger.names, self._streams.take()))
 
     def complete(self, line: str) -> Sequence[str]:
         """Gives what a line may become; while something runs, by the names of commands alone."""
@@ -91,6 +93,7 @@ class Desk:
     def do(self, order: Order) -> Done:
         """Does an order; whatever goes wrong is a line of the answer."""
         self._works = True
+        self._streams.take()  # the look before has shown it
         debugger = self.shell.debugger
         before, looked_at = debugger.position, (debugger.robot, debugger.frame)
         answer, errors = Text(), list[str]()

@@ -15,11 +15,12 @@ from crs_cc.debug.tui.look import Badge, Breakmark, Choice, Look, SourceLook, Wr
 from crs_cc.debug.tui.values import variables
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
 
     from crs_cc.debug.commands.shell import Shell
     from crs_cc.debug.engine import Debugger
     from crs_cc.debug.stop import Reason, Stop
+    from crs_cc.debug.tui.streams import Piece
     from crs_cc.debug.tui.work import Order
     from crs_cc.session.session import Session
 
@@ -37,6 +38,7 @@ _WHY: Final[dict[Reason, str]] = {
 
 _BLOCK: Final = 1000
 """Pieces of output that leave the screen at once; the last one to two thousand are shown."""
+_STDERR: Final = 2
 _MOST_ROBOTS: Final = 200
 _MOST_FRAMES: Final = 200  # a runaway recursion has ten thousand
 _LEAST_COLUMNS, _LEAST_ROWS = 10, 4
@@ -163,20 +165,24 @@ def _pose(session: Session, robot: int) -> str:
 
 
 def _output(debugger: Debugger) -> Iterator[Written]:
-    """Gives the last lines that were written; a line ends where another program goes on."""
-    console, names = debugger.run.console, debugger.names
-    writer, begun = (-1, -1), ""
+    console = debugger.run.console
     since = max(0, console.at // _BLOCK - 1) * _BLOCK
-    for robot, stream, piece in console.pieces(since):
+    return written(debugger.names, console.pieces(since))
+
+
+def written(names: tuple[str, ...], pieces: Iterable[Piece]) -> Iterator[Written]:
+    """Gives what was written in lines; a line ends, too, where another program goes on."""
+    writer, begun = (-1, -1), ""
+    for robot, stream, piece in pieces:
         if (robot, stream) != writer and begun:
-            yield Written(_who(names, writer[0]), begun, writer[1] == 2)
+            yield Written(_who(names, writer[0]), begun, writer[1] == _STDERR)
             begun = ""
         writer = robot, stream
         *lines, begun = (begun + piece.decode("utf-8", "replace")).split("\n")
         for line in lines:
-            yield Written(_who(names, robot), line, stream == 2)
+            yield Written(_who(names, robot), line, stream == _STDERR)
     if begun:
-        yield Written(_who(names, writer[0]), begun, writer[1] == 2)
+        yield Written(_who(names, writer[0]), begun, writer[1] == _STDERR)
 
 
 def _who(names: tuple[str, ...], robot: int) -> str:

@@ -78,9 +78,14 @@ class Output(RichLog):
         if lines[:known] != self._lines:
             self.clear()
             known = 0
-        for line in lines[known:][-_MOST_LINES:]:
-            self.write(_written(line))
+        self.add(lines[known:])
         self._lines = lines
+
+    def add(self, lines: tuple[Written, ...]) -> None:
+        """Shows what is being written."""
+        for line in lines[-_MOST_LINES:]:
+            self.write(_written(line))
+        self._lines += lines
 
 
 def _written(line: Written) -> Text:

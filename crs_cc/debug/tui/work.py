@@ -8,7 +8,7 @@ from typing import Protocol
 
 from rich.text import Text
 
-from crs_cc.debug.tui.look import Key, Look
+from crs_cc.debug.tui.look import Key, Look, Written
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +67,9 @@ class Work(Protocol):
 
     def give(self, line: str | None) -> None:
         """Gives the program that waits a line; None for the end of its input."""
+
+    def take_output(self) -> tuple[Written, ...]:
+        """Gives what programs have written since this was last asked for."""
 
     def complete(self, line: str) -> Sequence[str]:
         """Gives what a line that has been begun may become; does not touch the run."""

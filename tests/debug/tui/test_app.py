@@ -72,9 +72,13 @@ def test_the_screen_lives_while_the_program_runs_and_ctrl_c_stops_it() -> None:
         assert text_of(app).startswith(" running  continue: 4.50 s   Ctrl-C stops it")
         await pilot.press("f11", "f2")  # a key that is held down does not pile up
         assert app.query_one(Panes).picked == "stack"
+        app.action_pick("output")
+        await pilot.pause(0.2)
+        assert "0 0\n2 2\n" in text_of(app)
         await pilot.press("ctrl+c")
         await settle(pilot)
         assert not app.query_one(StatusBar).running
+        assert "2 2" not in text_of(app)  # what counts is the run's own account
 
     drive(work, session)
     assert work.lines == ["continue"]

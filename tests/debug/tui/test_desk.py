@@ -11,7 +11,7 @@ from crs_cc.debug.engine import Debugger
 from crs_cc.debug.program import DebugProgram
 from crs_cc.debug.tui.desk import Desk
 from crs_cc.debug.tui.look import OPEN, Row
-from crs_cc.debug.tui.program_input import ProgramInput
+from crs_cc.debug.tui.streams import Streams
 from crs_cc.debug.tui.work import Done, Order
 from crs_cc.sim.files.world_xml import empty_world, load_world
 from tests.debug.debuggee import ROOT, debug_program
@@ -47,7 +47,7 @@ def program(tmp_path_factory: pytest.TempPathFactory) -> DebugProgram:
 
 @pytest.fixture
 def desk(program: DebugProgram) -> Desk:
-    reads = ProgramInput()
+    reads = Streams()
     desk = Desk(Debugger(empty_world(), [program], read=reads.read), reads)
     desk.do(Order())
     return desk
@@ -155,7 +155,7 @@ def test_an_internal_error_is_a_line_too(desk: Desk, monkeypatch: pytest.MonkeyP
 
 def test_several_robots_have_their_own_output_and_places(program: DebugProgram) -> None:
     world = load_world(ROOT / "worlds" / "pair.xml")
-    desk = Desk(Debugger(world, [program] * 2), ProgramInput())
+    desk = Desk(Debugger(world, [program] * 2), Streams())
     done = desk.do(Order(chart_size=(40, 10)))
     names = [robot.id for robot in world.robots]
     assert [each.text.split()[0] for each in done.look.robots] == names
@@ -170,7 +170,7 @@ def test_other_files_of_a_program_are_shown_until_it_moves(tmp_path: Path) -> No
     main, other = tmp_path / "main.c", tmp_path / "other.c"
     main.write_text("int f(int);\nint main(void)\n{\n    f(1);\n    return f(2);\n}\n")
     other.write_text("int f(int x)\n{\n    return x - 2;\n}\n")
-    desk = Desk(Debugger(empty_world(), [debug_program(main, other)]), ProgramInput())
+    desk = Desk(Debugger(empty_world(), [debug_program(main, other)]), Streams())
     desk.do(Order())
     look = desk.do(Order(file=str(other))).look
     assert (look.source.file, look.source.line) == (str(other), 0)
@@ -186,7 +186,7 @@ def test_other_files_of_a_program_are_shown_until_it_moves(tmp_path: Path) -> No
 def test_files_that_are_edited_meanwhile_are_shown_as_they_were(tmp_path: Path) -> None:
     path = tmp_path / "edited.c"
     path.write_text("int main(void)\n{\n    int x = 5;\n    return x;\n}\n")
-    desk = Desk(Debugger(empty_world(), [debug_program(path)]), ProgramInput())
+    desk = Desk(Debugger(empty_world(), [debug_program(path)]), Streams())
     path.write_text("int main( { what")
     desk.do(Order())
     done = press(desk, "next")

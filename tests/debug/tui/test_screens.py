@@ -16,7 +16,7 @@ from textual.pilot import Pilot
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.tui.app import DebugApp
 from crs_cc.debug.tui.desk import Desk
-from crs_cc.debug.tui.program_input import ProgramInput
+from crs_cc.debug.tui.streams import Streams
 from crs_cc.sim.files.world_xml import load_world
 from tests.debug.debuggee import ROOT, debug_program
 from tests.debug.tui.screen import LARGE, SMALL, TINY, drive, enter, settle, text_of
@@ -34,7 +34,7 @@ def in_the_project(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def desk(program: str, world: str) -> Desk:
-    model, reads = load_world(Path(world)), ProgramInput()
+    model, reads = load_world(Path(world)), Streams()
     programs = [debug_program(Path(program))] * len(model.robots)
     return Desk(Debugger(model, programs, read=reads.read), reads)
 

@@ -1,13 +1,24 @@
-"""What programs read: lines that the user types when they ask for them."""
+"""What programs write while they run, and what they read: lines that the user types.
+
+Both go from one thread to the other: the debugger's and the screen's.
+"""
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable
 from queue import SimpleQueue
+from typing import Final
+
+_MOST: Final = 1000
+"""So many pieces of output are kept for the screen, the newest; it shows no more at once."""
+
+Piece = tuple[int, int, bytes]
+"""A robot, a stream, and what its program has written there."""
 
 
-class ProgramInput:
-    """Takes lines in the screen's thread, and gives them to programs in the debugger's.
+class Streams:
+    """The standard streams of the programs.
 
     Attributes:
         asks: called when a program waits for a line, with the robot's number.
@@ -18,6 +29,18 @@ class ProgramInput:
         self._lines: SimpleQueue[bytes] = SimpleQueue()
         self._left: dict[int, bytes] = {}
         self._is_asking = False
+        self._written: deque[Piece] = deque(maxlen=_MOST)
+
+    def write(self, robot: int, stream: int, content: bytes) -> None:
+        """Takes what a program writes."""
+        self._written.append((robot, stream, content))
+
+    def take(self) -> list[Piece]:
+        """Gives what has been written since this was last asked for."""
+        taken = []
+        while self._written:
+            taken.append(self._written.popleft())
+        return taken
 
     def read(self, robot: int, wanted: int) -> bytes:
         """Gives what a program reads, at most as much as it wants; waits for the user."""
