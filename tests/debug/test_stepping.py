@@ -423,7 +423,7 @@ def test_a_robot_that_comes_later_is_stepped_from_when_it_comes(tmp_path: Path) 
     debugger.goto_timestep(0)
     debugger.select_robot("hearer")
     assert debugger.goto_statement(3).robot == 1
-    assert line(debugger) == 9
+    assert line(debugger) == 8  # line 7 has two
     debugger.goto_timestep(0)
     debugger.select_robot("hearer")
     with pytest.raises(DebugError):
