@@ -48,11 +48,15 @@ def _source(shell: Shell, text: str) -> Answer:
         raise DebugError(f"scripts read each other {_DEEPEST} times: that has no end")
     lines = read_script(Path(demand(text, "a file of commands")))
     shell.depth += 1
+    before = shell.debugger.stop
     try:
         for line in lines:
             if shell.has_ended:
                 return
             yield from shell.execute(line or "#")
+            stop = shell.debugger.stop
+            if stop is not before and stop.reason == "interrupt":
+                raise DebugError("the script is left where it was interrupted")
     finally:
         shell.depth -= 1
 

@@ -56,6 +56,8 @@ class Keyboard:
         Ctrl-C ends the input, and lets the program stop behind that.
         """
         self._terminal.settle()
+        if sys.stdin is None or sys.stdin.closed:
+            return b""
         try:
             with self._asking():
                 return sys.stdin.buffer.readline(wanted)

@@ -52,7 +52,8 @@ class Repl:
         self.shell = Shell(debugger)
         self._terminal = terminal
         self._keyboard = keyboard
-        keyboard.on_interrupt = debugger.interrupt
+        self._interrupted = False
+        keyboard.on_interrupt = self._interrupt
         debugger.say = self._log
 
     def run(self, scripts: Scripts, *, batch: bool = False) -> int:
@@ -63,7 +64,7 @@ class Repl:
             batch: whether to end behind them.
 
         Returns:
-            How many commands could not be done.
+            How many commands could not be done, or scripts.
         """
         with self._keyboard.listening():
             for line in self.shell.greet():
@@ -77,14 +78,19 @@ class Repl:
     def _script(self, scripts: Scripts) -> None:
         try:
             for text in scripts.lines():
-                if self.shell.has_ended:
-                    return
+                if self.shell.has_ended or self._interrupted:
+                    break
                 if text != "#":
                     self._terminal.echo(self.shell.prompt, text)
                 self._do(text)
         except DebugError as error:
-            self.shell.failures += 1
-            self._terminal.line(Line(str(error), "error"))
+            self._refuse(str(error))
+        if self._interrupted:
+            self._refuse("the script is left where it was interrupted")
+
+    def _refuse(self, text: str) -> None:
+        self.shell.failures += 1
+        self._terminal.line(Line(text, "error"))
 
     def _converse(self) -> None:
         if self._keyboard.is_typed:
@@ -95,9 +101,15 @@ class Repl:
                 return
             self._do(text)
 
+    def _interrupt(self) -> None:
+        """Hears Ctrl-C while something runs: that stops, and so does the script that it is in."""
+        self._interrupted = True
+        self.shell.debugger.interrupt()
+
     def _log(self, text: str) -> None:
         self._terminal.line(Line(text, "log"))
 
     def _do(self, text: str) -> None:
+        self.shell.debugger.run.interrupted = False  # it came too late for the command before
         for line in self.shell.execute(text):
             self._terminal.line(line)
