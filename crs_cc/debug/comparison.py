@@ -10,11 +10,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from crs_cc.debug.robot_rows import robot_rows
+from crs_cc.debug.world.robot_rows import robot_rows
 
 if TYPE_CHECKING:
-    from crs_cc.debug.rows import Row
     from crs_cc.debug.view import View
+    from crs_cc.debug.world.rows import Row
 
 Facts = dict[tuple[str, str], str]
 """What is so, by robot and by what it is about."""

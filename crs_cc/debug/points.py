@@ -8,16 +8,16 @@ from typing import TYPE_CHECKING, Any, Final
 
 from crs_cc.debug.breakpoints import Breakpoint, Breakpoints, Hit, Kind
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.happenings import checked_kind
 from crs_cc.debug.places import Place, find_place
 from crs_cc.debug.view import View
 from crs_cc.debug.watch import KINDS, MOST
 from crs_cc.debug.watch import Kind as Access
 from crs_cc.debug.watchpoints import same_activation, told, watchpoint
+from crs_cc.debug.world.happenings import checked_kind
 from crs_cc.sim.unknown import unknown
 
 if TYPE_CHECKING:
-    from crs_cc.debug.run import Run
+    from crs_cc.debug.timeline.run import Run
 
 _BRACES: Final = re.compile(r"\{([^{}]*)\}")
 

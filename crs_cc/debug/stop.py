@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from crs_cc.debug.position import Position
+from crs_cc.debug.timeline.position import Position
 
 Reason = Literal[
     "start", "step", "breakpoint", "watchpoint", "catchpoint", "error", "exit", "end", "goto",

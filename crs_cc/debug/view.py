@@ -8,14 +8,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from crs_cc.debug.data.evaluate import Evaluator
+from crs_cc.debug.data.prepare import Names
+from crs_cc.debug.data.values import Value
+from crs_cc.debug.data.variables import Variable
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.evaluate import Evaluator
-from crs_cc.debug.position import Position
-from crs_cc.debug.prepare import Names
-from crs_cc.debug.run import Run
-from crs_cc.debug.state_rows import state_fields
-from crs_cc.debug.values import Value
-from crs_cc.debug.variables import Variable
+from crs_cc.debug.timeline.position import Position
+from crs_cc.debug.timeline.run import Run
+from crs_cc.debug.world.state_rows import state_fields
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 from crs_cc.source import Location

@@ -11,16 +11,16 @@ from dataclasses import dataclass
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.values import Value
 from crs_cc.debug.watch import Access, Content, Watched
 from crs_cc.ir.names import plain_name
 from crs_cc.ir.program import ByteState
 from crs_cc.runtime.layout import HEADER_SIZE, STACK_TOP
 
 if TYPE_CHECKING:
-    from crs_cc.debug.evaluate import Evaluator
-    from crs_cc.debug.sight import Sight
+    from crs_cc.debug.data.evaluate import Evaluator
+    from crs_cc.debug.data.sight import Sight
     from crs_cc.debug.watch import Kind
     from crs_cc.ir.types import CType
     from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped

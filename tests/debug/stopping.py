@@ -5,10 +5,10 @@ from __future__ import annotations
 import contextlib
 from pathlib import Path
 
-from crs_cc.debug.evaluate import Evaluator
-from crs_cc.debug.prepare import Names
+from crs_cc.debug.data.evaluate import Evaluator
+from crs_cc.debug.data.prepare import Names
 from crs_cc.debug.program import DebugProgram
-from crs_cc.debug.state_rows import state_fields
+from crs_cc.debug.world.state_rows import state_fields
 from crs_cc.frontend.options import Options
 from crs_cc.requests import SUSPENDED
 from crs_cc.runtime.fleet import Fleet

@@ -8,7 +8,7 @@ import pytest
 
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.program import DebugProgram
-from crs_cc.debug.state_rows import told_state
+from crs_cc.debug.world.state_rows import told_state
 from crs_cc.frontend.options import Options
 from crs_cc.session.build import build_executable
 from crs_cc.session.library import HEADERS

@@ -19,9 +19,9 @@ import pytest
 
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.position import Position
 from crs_cc.debug.program import DebugProgram
 from crs_cc.debug.stop import Stop
+from crs_cc.debug.timeline.position import Position
 from crs_cc.frontend.options import Options
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Output

@@ -12,8 +12,8 @@ import pytest
 
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.position import Position
 from crs_cc.debug.stop import Stop
+from crs_cc.debug.timeline.position import Position
 from tests.debug.debuggee import debugger_of, line
 
 Move = Callable[[], Stop]

@@ -14,7 +14,7 @@ import pytest
 
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.position import Position
+from crs_cc.debug.timeline.position import Position
 from tests.debug.debuggee import debugger_at
 
 SAMPLES = Path(__file__).parents[2] / "samples" / "scout_c"

@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING, Final
 from crs_cc.debug.commands.command import Completes
 from crs_cc.debug.commands.stack import functions
 from crs_cc.debug.commands.table import find, matching
-from crs_cc.debug.edits import FAULTS
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.happenings import KINDS
 from crs_cc.debug.places import is_file
+from crs_cc.debug.world.edits import FAULTS
+from crs_cc.debug.world.happenings import KINDS
 from crs_cc.sim.degradation.model import DEVICES
 
 if TYPE_CHECKING:

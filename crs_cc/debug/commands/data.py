@@ -22,8 +22,8 @@ from crs_cc.ir.types import ArrayType, RecordType, VoidType
 
 if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell
-    from crs_cc.debug.values import Value
-    from crs_cc.debug.variables import Variable
+    from crs_cc.debug.data.values import Value
+    from crs_cc.debug.data.variables import Variable
 
 _MOST_STRINGS: Final = 100
 

@@ -6,7 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.commands.command import Answer, Command, Group
-from crs_cc.debug.edits import EDITS
+from crs_cc.debug.world.edits import EDITS
 
 if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell

@@ -10,7 +10,7 @@ from crs_cc.debug.commands.arguments import demand, demand_none, take_count
 from crs_cc.debug.commands.command import Answer, Command, Group
 from crs_cc.debug.commands.stops import when_text
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.position import BEGINNING
+from crs_cc.debug.timeline.position import BEGINNING
 
 if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell

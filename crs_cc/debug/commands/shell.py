@@ -19,9 +19,9 @@ from crs_cc.debug.commands.table import find
 from crs_cc.debug.errors import DebugError
 
 if TYPE_CHECKING:
+    from crs_cc.debug.data.values import Value
     from crs_cc.debug.engine import Debugger
     from crs_cc.debug.stop import Stop
-    from crs_cc.debug.values import Value
 
 PROMPT: Final = "(crs) "
 _MORE: Final = ">"

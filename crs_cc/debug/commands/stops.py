@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.commands.breakpoints import name_of
 from crs_cc.debug.commands.command import Answer, Line, SourceLine
-from crs_cc.debug.robot_rows import activity
+from crs_cc.debug.world.robot_rows import activity
 
 if TYPE_CHECKING:
     from crs_cc.debug.breakpoints import Breakpoint
     from crs_cc.debug.engine import Debugger
-    from crs_cc.debug.position import Position
     from crs_cc.debug.stop import Reason, Stop
+    from crs_cc.debug.timeline.position import Position
     from crs_cc.debug.view import Frame
 
 _SAID: Final[dict[Reason, str]] = {

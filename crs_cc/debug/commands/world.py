@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Final
 from crs_cc.debug.commands.arguments import demand_none, take_count, take_robot
 from crs_cc.debug.commands.command import Answer, Command, Group
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.robot_rows import HEADINGS, robot_rows, summary
-from crs_cc.debug.rows import lines
-from crs_cc.debug.run_chart import run_chart
-from crs_cc.debug.state_rows import told_state
-from crs_cc.debug.world_rows import world_rows
+from crs_cc.debug.world.robot_rows import HEADINGS, robot_rows, summary
+from crs_cc.debug.world.rows import lines
+from crs_cc.debug.world.run_chart import run_chart
+from crs_cc.debug.world.state_rows import told_state
+from crs_cc.debug.world.world_rows import world_rows
 from crs_cc.sim.quantity import LENGTH
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from crs_cc.debug.dap.parts import FrameHandle, frame_handle
 from crs_cc.debug.dap.places import NO_PLACE
 from crs_cc.debug.dap.stops import thread_of
 from crs_cc.debug.dap.variables import scopes_at
-from crs_cc.debug.robot_rows import activity
+from crs_cc.debug.world.robot_rows import activity
 
 if TYPE_CHECKING:
     from crs_cc.debug.dap.arguments import Arguments

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from crs_cc.debug.dap.arguments import Arguments
     from crs_cc.debug.dap.framing import Message
     from crs_cc.debug.dap.session import EditorSession
-    from crs_cc.debug.values import Value
+    from crs_cc.debug.data.values import Value
 
 _POSTFIX: Final = r"(?:[\w.\[\]]|->)+"
 """Expressions that need no parentheses before another postfix operator (C17 6.5.2)."""

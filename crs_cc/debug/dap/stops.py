@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.dap.session import Motion
-from crs_cc.debug.rows import instant
+from crs_cc.debug.world.rows import instant
 from crs_cc.errors import ProgramError
 
 if TYPE_CHECKING:

@@ -10,18 +10,18 @@ from typing import TYPE_CHECKING, Final
 from crs_cc.debug.dap.arguments import RefusalError
 from crs_cc.debug.dap.parts import FrameHandle, Parts, part_of, parts_of, shown
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.robot_rows import robot_rows
-from crs_cc.debug.state_rows import state_fields
-from crs_cc.debug.world_rows import world_rows
+from crs_cc.debug.world.robot_rows import robot_rows
+from crs_cc.debug.world.state_rows import state_fields
+from crs_cc.debug.world.world_rows import world_rows
 from crs_cc.ir.types import ArrayType
 
 if TYPE_CHECKING:
     from crs_cc.debug.dap.arguments import Arguments
     from crs_cc.debug.dap.framing import Message
     from crs_cc.debug.dap.session import EditorSession
-    from crs_cc.debug.rows import Row
-    from crs_cc.debug.values import Value
-    from crs_cc.debug.variables import Variable
+    from crs_cc.debug.data.values import Value
+    from crs_cc.debug.data.variables import Variable
+    from crs_cc.debug.world.rows import Row
 
 _INDEX: Final = re.compile(r"\[(\d+)\].*")
 _HIDDEN: Final = " (hidden)"

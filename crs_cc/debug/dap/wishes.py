@@ -9,7 +9,7 @@ from crs_cc.debug.dap.breakpoints import ACCESS, Wish, data_id
 from crs_cc.debug.dap.parts import FrameHandle, frame_handle
 from crs_cc.debug.dap.variables import expression_of
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.happenings import KINDS
+from crs_cc.debug.world.happenings import KINDS
 
 if TYPE_CHECKING:
     from crs_cc.debug.dap.arguments import Arguments

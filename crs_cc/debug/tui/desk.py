@@ -17,16 +17,16 @@ from crs_cc.debug.commands.complete import complete
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.commands.table import matching
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.happenings import Happening
 from crs_cc.debug.tui.gather import gather, why, written
 from crs_cc.debug.tui.look import Look, Written
 from crs_cc.debug.tui.printable import printable
 from crs_cc.debug.tui.streams import Streams
 from crs_cc.debug.tui.work import Done, Order
+from crs_cc.debug.world.happenings import Happening
 
 if TYPE_CHECKING:
     from crs_cc.debug.engine import Debugger
-    from crs_cc.debug.position import Position
+    from crs_cc.debug.timeline.position import Position
 
 _STYLES: Final = {
     "stop": Style(bold=True),

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Final
 from rich.text import Text
 
 from crs_cc.debug.commands.stops import frame_text, standing
-from crs_cc.debug.robot_rows import activity
-from crs_cc.debug.run_chart import run_chart
 from crs_cc.debug.tui.look import Badge, Breakmark, Choice, Look, SourceLook, Written
 from crs_cc.debug.tui.values import variables
+from crs_cc.debug.world.robot_rows import activity
+from crs_cc.debug.world.run_chart import run_chart
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator

@@ -8,7 +8,7 @@ from typing import Final, Literal
 
 from rich.text import Text
 
-from crs_cc.debug.happenings import Happening
+from crs_cc.debug.world.happenings import Happening
 
 Key = tuple[str, ...]
 """Names a row of the variables for good: robot, function, and the way to it through the values."""

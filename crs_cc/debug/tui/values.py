@@ -6,16 +6,16 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.robot_rows import robot_rows
-from crs_cc.debug.state_rows import state_rows
 from crs_cc.debug.tui.look import Key, Row
-from crs_cc.debug.world_rows import world_rows
+from crs_cc.debug.world.robot_rows import robot_rows
+from crs_cc.debug.world.state_rows import state_rows
+from crs_cc.debug.world.world_rows import world_rows
 
 if TYPE_CHECKING:
-    from crs_cc.debug import rows
     from crs_cc.debug.commands.shell import Shell
+    from crs_cc.debug.data.values import Value
     from crs_cc.debug.engine import Debugger
-    from crs_cc.debug.values import Value
+    from crs_cc.debug.world import rows
 
 _CHUNK: Final = 100
 """Parts of a value that come at once; those behind have a row of their own to unfold."""

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from crs_cc.debug.commands.shell import Shell
-from crs_cc.debug.edits import EDITS
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.world.edits import EDITS
 from tests.debug.debuggee import debugger_at, debugger_of
 
 DRIVES = """\

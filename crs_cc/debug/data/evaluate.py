@@ -1,0 +1,358 @@
+"""C expressions, evaluated where a program has stopped.
+
+An expression means what it would mean in the source at the place where the function stands: the
+variables of its open blocks, then the names of its file. It is compiled once for each place, as the
+conditions of breakpoints are evaluated often.
+
+What an expression changes, the program finds changed; a mistake inside changes nothing.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import struct
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any, Final
+
+from crs_cc.debug.data.interpret import SCRATCH, Interpreter
+from crs_cc.debug.data.memory import Saved, StoppedMemory
+from crs_cc.debug.data.notation import Slice, kept_in, slice_in
+from crs_cc.debug.data.operators import unsigned
+from crs_cc.debug.data.prepare import (
+    Names,
+    Preparation,
+    Prepared,
+    Standing,
+    UnknownSizeError,
+    Use,
+)
+from crs_cc.debug.data.scope import Frame, Scopes
+from crs_cc.debug.data.scratch import EvaluationError
+from crs_cc.debug.data.sight import Sight
+from crs_cc.debug.data.values import Value
+from crs_cc.debug.data.variables import Variable, globals_of, variables_of
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.world.state_rows import StateField
+from crs_cc.frontend.expression import EXPRESSION, CompiledExpression
+from crs_cc.ir.names import LIBRARY, in_library, plain_name
+from crs_cc.ir.program import Data, Function
+from crs_cc.ir.types import (
+    ArrayType,
+    CType,
+    FloatType,
+    FunctionType,
+    PointerType,
+    VoidType,
+    is_complete,
+)
+from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
+from crs_cc.session.library import library
+from crs_cc.source import Location
+
+MOST_ELEMENTS: Final = 100_000
+"""Longer slices are refused."""
+_PURE: Final = tuple(f"{LIBRARY}{part}/" for part in ("math", "stdlib", "string", "wide"))
+"""The parts of the library that programs need not have linked for expressions to use them."""
+
+
+@dataclass(frozen=True, slots=True)
+class Evaluation:
+    """What an expression has come to.
+
+    Attributes:
+        value: its value.
+        changed: whether the program's memory is another one now.
+    """
+
+    value: Value
+    changed: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """An object that an expression names, to be watched.
+
+    Attributes:
+        address: its first byte.
+        size: [bytes].
+        type: its type.
+        frame: the active function whose variables the expression uses: with it the place ends;
+            None when it uses global ones only.
+    """
+
+    address: int
+    size: int
+    type: CType
+    frame: StackFrame | None
+
+
+class Evaluator:
+    """Evaluates expressions in a robot's program.
+
+    Attributes:
+        kept: the values that `$name = expression` has kept; the last one that was evaluated for a
+            user may be kept as `$`, which has no name.
+    """
+
+    def __init__(
+        self,
+        stopped: Callable[[], Stopped],
+        names: Names,
+        kept: dict[str, Value] | None = None,
+        fields: tuple[StateField, ...] = (),
+    ) -> None:
+        """Makes an evaluator.
+
+        Args:
+            stopped: tells where the program stands now.
+            names: what its names mean.
+            kept: values that users keep, of other programs too.
+            fields: what the numbers of `State[]` mean for its robot.
+        """
+        self.kept: dict[str, Value] = {} if kept is None else kept
+        self._stopped = stopped
+        self._names = names
+        self._fields = fields
+        now = stopped()
+        self._compiled = now.compiled
+        self._scopes = Scopes(now.program, now.compiled)
+        self._preparation = Preparation(names, self._scopes, self.kept)
+        self._memory = StoppedMemory(now, self._explain)
+        self._interpreter = Interpreter(now.program, now.compiled.addresses, self._memory, _lend)
+
+    def evaluate(self, text: str, frame: StackFrame | None = None) -> Evaluation:
+        """Evaluates an expression.
+
+        Args:
+            text: the expression; or a slice, or `$name = expression`, see `notation`.
+            frame: the active function to look from; by default the innermost of the user's files.
+
+        Raises:
+            DebugError: it means nothing here, or cannot be evaluated.
+        """
+        keeping = kept_in(text)
+        if keeping is not None:
+            found = self.evaluate(keeping[1], frame)
+            self.kept[keeping[0]] = found.value
+            return found
+        stopped = self._stopped()
+        frame = frame or _innermost(stopped)
+        wanted = slice_in(text)
+        if wanted is not None:
+            return Evaluation(self._slice(wanted, frame), changed=False)
+        prepared, result = self._run(text, stopped, frame)
+        try:
+            value = self._value(prepared.compiled, result)
+        except EvaluationError as wrong:
+            self._memory.undo()
+            raise DebugError(str(wrong)) from None
+        return Evaluation(value, self._memory.has_changed())
+
+    def undo(self) -> None:
+        """Takes back what the last expression changed."""
+        self._memory.undo()
+
+    def holds(self, text: str, frame: StackFrame | None = None) -> bool:
+        """Tells whether a condition is true; whatever it does is taken back.
+
+        Raises:
+            DebugError: as for `evaluate`.
+        """
+        stopped = self._stopped()
+        _, result = self._run(f"!!({text})", stopped, frame or _innermost(stopped))
+        self._memory.undo()
+        return bool(result)
+
+    def check(self, text: str, function: str, place: Location) -> None:
+        """Finds out whether an expression will mean something at a place.
+
+        Raises:
+            DebugError: it does not.
+        """
+        with contextlib.suppress(UnknownSizeError):
+            self._preparation.of(text, Standing(function, place))
+
+    def type_of(self, text: str, frame: StackFrame | None = None) -> CType:
+        """Gives the type of an expression, which is not evaluated.
+
+        Raises:
+            DebugError: it means nothing here.
+        """
+        stopped = self._stopped()
+        frame = frame or _innermost(stopped)
+        wanted = slice_in(text)
+        if wanted is not None:
+            return self._slice(wanted, frame).type
+        standing = self._standing(stopped, frame, Frame.of(stopped, frame))
+        return self._preparation.of(text, standing).compiled.type
+
+    def place(self, text: str, frame: StackFrame | None = None) -> Place:
+        """Gives where the object lies that an expression names.
+
+        Raises:
+            DebugError: it names none.
+        """
+        stopped = self._stopped()
+        frame = frame or _innermost(stopped)
+        wanted = slice_in(text)
+        prepared, result = self._run(text if wanted is None else wanted.base, stopped, frame)
+        self._memory.undo()
+        is_local = any(isinstance(use, Use) and use.home.in_frame for use in prepared.uses)
+        depends_on = frame if is_local else None
+        if wanted is not None:
+            value = self._slice(wanted, frame)
+            return Place(value.address or 0, value.type.size, value.type, depends_on)
+        address, compiled = unsigned(result or 0, 32), prepared.compiled
+        if not compiled.is_place or address >= SCRATCH:
+            raise DebugError(f"'{text}' is a value and no object in memory")
+        return Place(address, compiled.type.size, compiled.type, depends_on)
+
+    def variables(self, frame: StackFrame | None = None) -> list[Variable]:
+        """Gives the variables of an active function, those of the innermost block first.
+
+        Parameters come last; variables that are declared behind the place are left out.
+        """
+        stopped = self._stopped()
+        frame = frame or _innermost(stopped)
+        if frame is None or in_library(frame.location):
+            return []
+        type_of = self._names.types(frame.function, frame.location.file)
+        return variables_of(self._scopes, type_of, self.sight(), frame)
+
+    def globals_(self) -> list[Variable]:
+        """Gives the global variables of the user's own files, by their names."""
+        return globals_of(self._scopes, self.sight())
+
+    def sight(self) -> Sight:
+        """Gives what looks at the program's memory as it is now."""
+        return Sight(self._stopped(), self._interpreter.scratch, self._fields)
+
+    # -- running -----------------------------------------------------------------------------
+
+    def _standing(self, stopped: Stopped, frame: StackFrame | None, known: Frame) -> Standing:
+        if frame is None:
+            return Standing()
+        extents = self._scopes.extents(frame.function)
+        sizes = known.sizes(extents, stopped.memory)
+        return Standing(frame.function, frame.location, sizes)
+
+    def _run(self, text: str, stopped: Stopped, frame: StackFrame | None) -> tuple[Prepared, Any]:
+        """Evaluates an expression; gives it compiled, and its value or address."""
+        known = Frame.of(stopped, frame)
+        prepared = self._preparation.of(text, self._standing(stopped, frame, known))
+        arguments: list[int | bytes] = []
+        saved: list[Saved] = []
+        for use in prepared.uses:
+            if isinstance(use, bytes):
+                arguments.append(use)
+                continue
+            where = known if not use.inside else _frame_of(use.inside, stopped, frame)
+            own = where.saved(use.home)
+            if own is not None:
+                saved.append(own)
+            arguments.append(where.address(use.home))
+            if use.home.variable.is_indirect:
+                arguments[-1] = self._pointer(use, own, arguments[-1])
+        self._memory.begin(saved)
+        try:
+            value = self._interpreter.evaluate(prepared.compiled.program, EXPRESSION, arguments)
+        except EvaluationError as wrong:
+            self._memory.undo()
+            raise DebugError(str(wrong)) from None
+        except RecursionError:
+            self._memory.undo()
+            raise DebugError("too many calls inside each other") from None
+        return prepared, value
+
+    def _pointer(self, use: Use, saved: Saved | None, address: int | bytes) -> int:
+        """Gives the address of an array that a hidden pointer stands for."""
+        assert isinstance(address, int)
+        memory = self._stopped().memory
+        if saved is not None and not saved.has_value(memory):
+            raise DebugError(f"'{use.home.variable.name}' does not exist yet")
+        return int(memory[address : address + 4].view("<u4")[0])
+
+    def _value(self, compiled: CompiledExpression, result: Any) -> Value:
+        ctype, sight = compiled.type, self.sight()
+        if isinstance(ctype, FunctionType):
+            ctype = PointerType(ctype)
+        if not compiled.is_place:
+            return Value(sight, ctype, _bytes(ctype, result))
+        address = unsigned(result, 32)
+        if address >= SCRATCH:
+            return Value(sight, ctype, self._interpreter.scratch(address, ctype.size))
+        if not isinstance(ctype, ArrayType) or ctype.size:
+            self._memory.read(address, 1, judged=False)
+        return sight.value(address, ctype)
+
+    def _slice(self, wanted: Slice, frame: StackFrame | None) -> Value:
+        """Gives objects in a row as an array."""
+        base = self._part(wanted.base, frame)
+        first = self._whole(wanted.first, frame)
+        if not wanted.last:
+            return self._row(base.type, base.address, 0, first)
+        last = self._whole(wanted.last, frame)
+        if isinstance(base.type, ArrayType):
+            return self._row(base.type.element, base.address, first, last - first + 1)
+        if isinstance(base.type, PointerType) and isinstance(base.number, int):
+            return self._row(base.type.target, base.number, first, last - first + 1)
+        raise DebugError(f"'{wanted.base}' is neither an array nor a pointer")
+
+    def _row(self, ctype: CType, address: int | None, first: int, count: int) -> Value:
+        if address is None or not is_complete(ctype):
+            raise DebugError("only objects in memory stand in a row")
+        if not 0 < count <= MOST_ELEMENTS:
+            raise DebugError(f"a slice has 1 to {MOST_ELEMENTS:,} elements, not {count:,}")
+        start = unsigned(address + first * ctype.size, 32)
+        try:
+            self._memory.read(start, ctype.size * count, judged=False)
+        except EvaluationError as wrong:
+            raise DebugError(str(wrong)) from None
+        value = self.sight().value(start, ArrayType(ctype, count))
+        return replace(value, first=first)
+
+    def _part(self, text: str, frame: StackFrame | None) -> Value:
+        """Evaluates a part of a slice, which may change nothing."""
+        found = self.evaluate(text, frame)
+        if found.changed:
+            self._memory.undo()
+            raise DebugError(f"'{text}' would change the program")
+        return found.value
+
+    def _whole(self, text: str, frame: StackFrame | None) -> int:
+        value = self._part(text, frame)
+        if not isinstance(value.number, int) or isinstance(value.type, PointerType):
+            raise DebugError(f"'{text}' is no whole number")
+        return value.number
+
+    def _explain(self, address: int, size: int, reading: bool) -> str:
+        return self.sight().explain(address, size, reading)
+
+
+def _lend(name: str) -> Function | Data | None:
+    """Gives what the library has of a name, if it is of use without the world outside."""
+    found = library().find(name)
+    return None if found is None or not found.location.file.startswith(_PURE) else found
+
+
+def _innermost(stopped: Stopped) -> StackFrame | None:
+    return next((each for each in stopped.stack if not in_library(each.location)), None)
+
+
+def _frame_of(function: str, stopped: Stopped, frame: StackFrame | None) -> Frame:
+    """Gives the frame of a function: the nearest one outside of another, or else the innermost."""
+    active = [each for each in stopped.stack if each.function == function]
+    if not active:
+        raise DebugError(f"'{plain_name(function)}' is not active: it has no variables now")
+    outside = [each for each in active if frame is None or each.fp >= frame.fp]
+    return Frame.of(stopped, (outside or active)[0])
+
+
+def _bytes(ctype: CType, result: Any) -> bytes:
+    """Gives a value as it would lie in memory."""
+    if isinstance(ctype, VoidType) or result is None:
+        return b""
+    if isinstance(ctype, FloatType):
+        return struct.pack("<f" if ctype.size == 4 else "<d", result)
+    return unsigned(int(result), 8 * ctype.size).to_bytes(ctype.size, "little")

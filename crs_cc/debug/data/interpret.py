@@ -1,0 +1,433 @@
+"""Runs IR on a stopped program's memory: what the expressions of a debugger's user come down to.
+
+The program itself runs as machine code and stays as it is; an expression, and the functions of the
+program that it calls, are interpreted here. Their own variables, and the strings in the expression,
+lie in scratch memory above the program's. What would go out of the program (a request) or leave the
+functions (`longjmp`) is refused, and so is what runs too long.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Final, Protocol
+
+from crs_cc.debug.data.operators import compute, signed, unsigned
+from crs_cc.debug.data.scratch import EvaluationError, Scratch
+from crs_cc.ir.names import plain_name
+from crs_cc.ir.program import (
+    MEMORY_SIZE,
+    VARARGS,
+    Address,
+    Base,
+    Binary,
+    Block,
+    Branch,
+    ByteState,
+    Call,
+    Callers,
+    Constant,
+    Copy,
+    Data,
+    Fill,
+    Function,
+    Instruction,
+    Jump,
+    Lifetime,
+    Load,
+    LongJump,
+    Mark,
+    MemoryType,
+    Move,
+    Operand,
+    Program,
+    Register,
+    Request,
+    Return,
+    SetJump,
+    Slot,
+    State,
+    Statement,
+    Stop,
+    Store,
+    Switch,
+    Unary,
+)
+
+MOST_INSTRUCTIONS: Final = 1_000_000
+MOST_CALLS: Final = 200
+SCRATCH: Final = 0x8000_0000
+"""The first address of the scratch memory: no program's own memory reaches so far."""
+SCRATCH_BYTES: Final = 1 << 24
+Lend = Callable[[str], Function | Data | None]
+"""Gives what the library has of a name."""
+
+
+def _nothing(_name: str) -> None:
+    return None
+
+
+_FORMAT: Final[dict[MemoryType, str]] = {
+    "i8": "<b", "u8": "<B", "i16": "<h", "u16": "<H", "i32": "<i", "i64": "<q",
+    "f32": "<f", "f64": "<d",
+}  # fmt: skip
+_STORED: Final[dict[MemoryType, int]] = {"i8": 8, "u8": 8, "i16": 16, "u16": 16}
+
+
+class Memory(Protocol):
+    """A stopped program's memory.
+
+    Attributes:
+        trusting: whether who asks knows what it does, as the allocator.
+    """
+
+    trusting: bool
+
+    def read(self, address: int, size: int, *, judged: bool = True) -> bytes:
+        """Gives bytes; they need not have values unless they are `judged`.
+
+        Raises:
+            EvaluationError: C may not read them.
+        """
+
+    def write(self, address: int, content: bytes, states: bytes = b"") -> None:
+        """Changes bytes; they have values unless `states` says otherwise.
+
+        Raises:
+            EvaluationError: C may not write them.
+        """
+
+    def states(self, address: int, size: int) -> bytes:
+        """Gives what C may do with bytes, as `ByteState`s."""
+
+    def state(self, address: int) -> int:
+        """Gives what C may do with a byte, one of `ByteState`."""
+
+    def mark(self, address: int, size: int, state: int) -> None:
+        """Says what C may do with bytes."""
+
+
+@dataclass(slots=True)
+class _Frame:
+    """One call: its registers and slots, and where its variable arguments are."""
+
+    values: dict[Register, Any] = field(default_factory=dict)
+    slots: dict[Slot, int] = field(default_factory=dict)
+    more: int = 0
+
+
+class Interpreter:
+    """Evaluates functions of IR."""
+
+    def __init__(
+        self,
+        program: Program,
+        addresses: Mapping[str, int],
+        memory: Memory,
+        lend: Lend = _nothing,
+    ) -> None:
+        """Makes an interpreter.
+
+        Args:
+            program: a linked program.
+            addresses: of its objects, and function pointers of its functions.
+            memory: its memory.
+            lend: gives what the program has not, but an expression may use: functions of the
+                library, and their objects, which are as new for each expression.
+        """
+        self._program = program
+        self._addresses = dict(addresses)
+        self._memory = memory
+        self._functions = {
+            self._addresses[name]: name for name in program.functions if name in self._addresses
+        }
+        self._scratch = Scratch(SCRATCH, SCRATCH_BYTES)
+        self._lent = Scratch(SCRATCH + SCRATCH_BYTES, SCRATCH_BYTES)
+        self._lend = lend
+        self._borrowed: list[str] = []
+        self._left = MOST_INSTRUCTIONS
+        self._depth = 0
+
+    def evaluate(self, expression: Program, name: str, arguments: Sequence[int | bytes]) -> Any:
+        """Calls a function of a small program that may use all of the large one.
+
+        Args:
+            expression: the small program.
+            name: its function.
+            arguments: i32 arguments; of bytes it gets the address.
+
+        Returns:
+            What it returns, None if that is nothing. What it points to may be had from `scratch`
+            until the next evaluation.
+
+        Raises:
+            EvaluationError: it cannot be evaluated.
+        """
+        self._left, self._memory.trusting = MOST_INSTRUCTIONS, False
+        self._scratch.release(0)
+        self._lent.release(0)
+        while self._borrowed:
+            del self._addresses[self._borrowed.pop()]
+        for data in expression.data.values():
+            self._addresses[data.name] = self._scratch.allocate(data.size)
+        for data in expression.data.values():
+            self._fill(data)
+        own = expression.functions[name]
+        passed = [self._kept(each) if isinstance(each, bytes) else each for each in arguments]
+        return self._call(own, [("i32", signed(each, 32), 4) for each in passed])
+
+    def scratch(self, address: int, size: int) -> bytes:
+        """Gives bytes of the scratch memory, fewer at its end."""
+        return (self._lent if address in self._lent else self._scratch).peek(address, size)
+
+    def _kept(self, content: bytes) -> int:
+        address = self._scratch.allocate(len(content))
+        self._scratch.write(address, content)
+        return address
+
+    def _fill(self, data: Data) -> None:
+        address = self._addresses[data.name]
+        self._write(address, (data.content or b"").ljust(data.size, b"\0"))
+        for relocation in data.relocations:
+            value = unsigned(self._known(relocation.symbol) + relocation.addend, 32)
+            self._write(address + relocation.offset, value.to_bytes(4, "little"))
+
+    def _known(self, name: str) -> int:
+        """Gives the address of an object or function."""
+        if name not in self._addresses and name not in self._program.functions:
+            found = self._lend(name)
+            if isinstance(found, Data):
+                self._addresses[name] = self._lent.allocate(found.size)
+                self._borrowed.append(name)
+                self._fill(found)
+        if name not in self._addresses:
+            why = "it is called only" if name in self._program.functions else "it is unused"
+            raise EvaluationError(f"'{plain_name(name)}' has no address here: {why}")
+        return self._addresses[name]
+
+    # -- memory ------------------------------------------------------------------------------
+
+    def _read(self, address: int, size: int, *, judged: bool = True) -> bytes:
+        address = unsigned(address, 32)
+        if address < SCRATCH:
+            return self._memory.read(address, size, judged=judged)
+        return (self._lent if address in self._lent else self._scratch).read(address, size)
+
+    def _write(self, address: int, content: bytes, states: bytes = b"") -> None:
+        address = unsigned(address, 32)
+        if address < SCRATCH:
+            self._memory.write(address, content, states)
+        else:
+            (self._lent if address in self._lent else self._scratch).write(address, content)
+
+    def _load(self, address: int, memory: MemoryType, *, judged: bool = True) -> Any:
+        form = _FORMAT[memory]
+        return struct.unpack(form, self._read(address, MEMORY_SIZE[memory], judged=judged))[0]
+
+    def _copy(self, target: int, source: int, size: int) -> None:
+        """Copies bytes; those without values take that along."""
+        content, source = self._read(source, size, judged=False), unsigned(source, 32)
+        states = self._memory.states(source, size) if source < SCRATCH else b""
+        self._write(target, content, states)
+
+    def _store(self, address: int, memory: MemoryType, value: Any) -> None:
+        form = _FORMAT[memory]
+        if memory in _STORED:
+            content = unsigned(int(value), _STORED[memory]).to_bytes(_STORED[memory] // 8, "little")
+        else:
+            content = struct.pack(form, value)
+        self._write(address, content)
+
+    # -- calls -------------------------------------------------------------------------------
+
+    def _call(self, function: Function, arguments: list[tuple[MemoryType | None, Any, int]]) -> Any:
+        self._depth += 1
+        if self._depth > MOST_CALLS:
+            raise EvaluationError("too many calls inside each other")
+        mark, frame, trusting = self._scratch.mark(), _Frame(), self._memory.trusting
+        try:
+            self._enter(function, frame, arguments)
+            self._memory.trusting = function.trusted
+            return self._run(function, frame)
+        finally:
+            self._depth -= 1
+            self._memory.trusting = trusting
+            if self._depth:
+                self._scratch.release(mark)
+
+    def _enter(
+        self,
+        function: Function,
+        frame: _Frame,
+        arguments: list[tuple[MemoryType | None, Any, int]],
+    ) -> None:
+        """Lays out the arguments as a caller does, and the slots."""
+        sizes = [-(-size // 4) * 4 for _, _, size in arguments]
+        wanted = sum(-(-each.size // 4) * 4 for each in function.parameters)
+        at = start = self._scratch.allocate(max(sum(sizes), wanted))
+        for (memory, value, size), room in zip(arguments, sizes, strict=True):
+            if memory is None:
+                self._write(at, self._read(value, size, judged=False))
+            else:
+                self._store(at, memory, value)
+            at += room
+        at = start
+        for parameter in function.parameters:
+            if isinstance(parameter.place, Slot):
+                frame.slots[parameter.place] = at
+            elif parameter.memory is not None:
+                frame.values[parameter.place] = self._load(at, parameter.memory)
+            at += -(-parameter.size // 4) * 4
+        frame.more = at
+        for slot in function.slots:
+            frame.slots[slot] = self._scratch.allocate(max(1, slot.size))
+
+    def _run(self, function: Function, frame: _Frame) -> Any:
+        block = function.blocks[0]
+        while True:
+            for instruction in block.instructions:
+                self._spend()
+                self._execute(frame, instruction)
+            self._spend()
+            end = block.terminator
+            if isinstance(end, Return):
+                return None if end.value is None else self._value(frame, end.value)
+            block = self._next(frame, end)
+
+    def _request(self, _code: int, _message: int) -> int:
+        """Answers a request to the world outside, whose message lies at an address: refuses it."""
+        raise EvaluationError("it calls a function that needs the world outside")
+
+    def _spend(self) -> None:
+        self._left -= 1
+        if self._left < 0:
+            raise EvaluationError(f"not done after {MOST_INSTRUCTIONS:,} instructions")
+
+    def _next(self, frame: _Frame, end: Any) -> Block:
+        match end:
+            case Jump(target=target):
+                return target
+            case Branch():
+                return end.then if self._value(frame, end.condition) else end.otherwise
+            case Switch():
+                return dict(end.cases).get(self._value(frame, end.value), end.default)
+            case Call():
+                result = self._call_by(frame, end)
+                if end.result is not None:
+                    frame.values[end.result] = result
+                return end.then
+            case Request():
+                code, message = self._value(frame, end.code), self._value(frame, end.message)
+                frame.values[end.result] = self._request(code, message)
+                return end.then
+            case SetJump() | LongJump():
+                raise EvaluationError("it calls setjmp or longjmp")
+            case Stop(kind=kind):
+                raise EvaluationError(kind)
+        raise AssertionError(end)
+
+    def _call_by(self, frame: _Frame, call: Call) -> Any:
+        name = call.callee
+        if isinstance(name, Register):
+            pointer = self._value(frame, name)
+            if pointer not in self._functions:
+                raise EvaluationError(f"{unsigned(pointer, 32):#x} is no function")
+            name = self._functions[pointer]
+        function = self._program.functions.get(name) or self._lend(name)
+        if not isinstance(function, Function) or self._is_missing(function):
+            raise EvaluationError(f"the program has no function '{plain_name(name)}'")
+        arguments = [
+            (each.memory, self._value(frame, each.value), each.size) for each in call.arguments
+        ]
+        return self._call(function, arguments)
+
+    def _is_missing(self, function: Function) -> bool:
+        """Tells whether a function works on what the program has not: its heap."""
+        return function.trusted and function.name not in self._program.functions
+
+    # -- instructions ------------------------------------------------------------------------
+
+    def _value(self, frame: _Frame, operand: Operand) -> Any:
+        if isinstance(operand, Constant):
+            return operand.value
+        return frame.values.get(operand, 0)
+
+    def _address(self, frame: _Frame, base: Base, offset: int) -> int:
+        match base:
+            case Register():
+                start = self._value(frame, base)
+            case Slot():
+                start = frame.more if base is VARARGS else frame.slots[base]
+            case _:
+                start = self._known(base)
+        return unsigned(start + offset, 32)
+
+    def _execute(self, frame: _Frame, it: Instruction) -> None:
+        match it:
+            case Move():
+                frame.values[it.result] = self._value(frame, it.source)
+            case Unary():
+                frame.values[it.result] = self._compute(it.op, self._value(frame, it.source))
+            case Binary():
+                operands = self._value(frame, it.left), self._value(frame, it.right)
+                frame.values[it.result] = self._compute(it.op, *operands)
+            case Address():
+                address = self._address(frame, it.base, it.offset)
+                frame.values[it.result] = compute("i32.add", address, 0)
+            case State():
+                address = unsigned(self._value(frame, it.address), 32)
+                is_own = address >= SCRATCH
+                state = ByteState.WITH_VALUE if is_own else self._memory.state(address)
+                frame.values[it.result] = int(state)
+            case _:
+                self._access(frame, it)
+
+    def _access(self, frame: _Frame, it: Instruction) -> None:
+        match it:
+            case Load():
+                address = self._address(frame, it.base, it.offset)
+                judged = not it.unjudged
+                frame.values[it.result] = self._load(address, it.memory, judged=judged)
+            case Store():
+                address = self._address(frame, it.base, it.offset)
+                self._store(address, it.memory, self._value(frame, it.source))
+            case Copy():
+                size = unsigned(self._value(frame, it.size), 32)
+                if size:
+                    self._copy(self._value(frame, it.target), self._value(frame, it.source), size)
+            case Fill():
+                size = unsigned(self._value(frame, it.size), 32)
+                if size > SCRATCH_BYTES:
+                    raise EvaluationError("the expression needs too much memory")
+                byte = unsigned(self._value(frame, it.value), 8)
+                self._write(self._value(frame, it.target), bytes([byte]) * size)
+            case Mark():
+                address, size = (
+                    unsigned(self._value(frame, each), 32) for each in (it.target, it.size)
+                )
+                self._memory.mark(address, size, it.state)
+            case _:
+                assert isinstance(it, Statement | Lifetime | Callers), it
+
+    def _compute(self, op: str, *operands: float) -> Any:
+        if ".trunc_f" in op:  # C's conversions saturate to the lowest value here, see `selection`
+            return _truncated(op, operands[0])
+        try:
+            return compute(op, *operands)
+        except ArithmeticError as wrong:
+            raise EvaluationError(str(wrong)) from None
+
+
+def _truncated(op: str, value: float) -> int:
+    """Converts to an integer as `runtime.codegen.selection` does: i386 with SSE2."""
+    kind, _, name = op.partition(".")
+    source, bits = name[6:9], 32 if kind == "i32" else 64
+    if name.endswith("_s"):
+        low = -(1 << bits - 1)
+        return int(compute(f"{kind}.trunc_sat_{source}_s", value)) if value < -low else low
+    if kind == "i32":
+        wide = compute(f"i64.trunc_sat_{source}_s", value)
+        return int(compute("i32.wrap_i64", wide))
+    sign = "s" if value < 1 << 63 else "u"
+    return int(compute(f"i64.trunc_sat_{source}_{sign}", value))

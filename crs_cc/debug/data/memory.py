@@ -1,0 +1,184 @@
+"""A stopped program's memory, as expressions see it: what C forbids is said in words.
+
+What an evaluation changes can be undone, all of it, byte states too: an error inside leaves nothing
+behind. Variables that live in registers lie in the frame while the program is stopped; C cannot
+reach these bytes, so the variables that an expression names are given as `Saved`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.debug.data.scratch import EvaluationError
+from crs_cc.ir.program import MEMORY_SIZE, VALUE_TYPE, ByteState
+from crs_cc.ir.types import CType, EnumType, FloatType, IntegerType, PointerType
+from crs_cc.runtime.diagnosis.inspect import Stopped
+from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE
+
+Explain = Callable[[int, int, bool], str]
+"""Says why C may not read (or else write) so many bytes at an address."""
+
+_VALUED: Final = bytes([ByteState.WITH_VALUE])
+
+
+@dataclass(frozen=True, slots=True)
+class Saved:
+    """A variable that lives in a register, where it lies while the program is stopped.
+
+    Attributes:
+        name: the variable.
+        ctype: its type.
+        address: where it lies.
+        flag: where it stands whether it has a value; None when it needs no telling.
+        is_unset: whether it surely has none.
+    """
+
+    name: str
+    ctype: CType
+    address: int
+    flag: int | None = None
+    is_unset: bool = False
+
+    @property
+    def end(self) -> int:
+        """The address behind it."""
+        return self.address + self.ctype.size
+
+    def has_value(self, memory: npt.NDArray[np.uint8]) -> bool:
+        """Tells whether it has a value."""
+        if self.flag is None:
+            return not self.is_unset
+        return not self.is_unset and bool(memory[self.flag : self.flag + 4].any())
+
+    def widened(self, content: bytes) -> bytes:
+        """Gives the whole register with a value, as the program keeps it."""
+        ctype = self.ctype
+        if not isinstance(ctype, IntegerType | FloatType | EnumType | PointerType):
+            return content
+        size = MEMORY_SIZE[VALUE_TYPE[ctype.memory]]
+        signed = isinstance(ctype, IntegerType | EnumType) and ctype.signed
+        value = int.from_bytes(content[: ctype.size], "little", signed=signed)
+        return value.to_bytes(size, "little", signed=signed)
+
+
+class StoppedMemory:
+    """The memory of a program that has stopped; it stays valid when the program goes on.
+
+    Attributes:
+        trusting: whether the bytes may be read that C cannot touch, as the allocator does.
+    """
+
+    def __init__(self, stopped: Stopped, explain: Explain) -> None:
+        self.trusting = False
+        self._memory, self._shadow = stopped.memory, stopped.shadow
+        self._explain = explain
+        self._saved: dict[int, Saved] = {}
+        self._journal: list[tuple[int, bytes, bytes]] = []
+
+    def begin(self, saved: Iterable[Saved]) -> None:
+        """Begins an evaluation that may use these variables."""
+        self._saved = {each.address: each for each in saved}
+        self._journal = []
+
+    def undo(self) -> None:
+        """Takes back all changes since `begin`."""
+        while self._journal:
+            address, content, states = self._journal.pop()
+            self._put(address, content, states)
+
+    def has_changed(self) -> bool:
+        """Tells whether there are other bytes, or states, than there were at `begin`."""
+        before: dict[int, tuple[int, int]] = {}
+        for address, content, states in reversed(self._journal):
+            known = states or _VALUED * len(content)
+            pairs = zip(content, known, strict=True)
+            before.update((address + n, pair) for n, pair in enumerate(pairs))
+        return any(
+            (int(self._memory[at]), int(self._shadow[at]) if len(self._shadow) else 255) != pair
+            for at, pair in before.items()
+        )
+
+    def read(self, address: int, size: int, *, judged: bool = True) -> bytes:
+        """Gives bytes; they need not have values unless they are `judged`.
+
+        Raises:
+            EvaluationError: C may not read them.
+        """
+        content = self._memory[address : address + size].tobytes()
+        saved = self._saved_at(address, size)
+        if saved is not None:
+            if judged and not saved.has_value(self._memory):
+                raise EvaluationError(f"'{saved.name}' is uninitialised")
+        else:
+            states = self.states(address, size)
+            if states != _VALUED * size and not self.trusting:
+                self._refuse(address, size, states, judged=judged)
+        return content
+
+    def _refuse(self, address: int, size: int, states: bytes, *, judged: bool) -> None:
+        is_there = len(states) == size and ByteState.INACCESSIBLE not in states
+        if judged or not is_there:
+            raise EvaluationError(self._explain(address, size, True))
+
+    def states(self, address: int, size: int) -> bytes:
+        """Gives the states of bytes, fewer at the end of the memory."""
+        if len(self._shadow):
+            return self._shadow[address : address + size].tobytes()
+        inside = min(address + size, MEMORY_BYTES) - max(address, NULL_SIZE)
+        return _VALUED * inside if address >= NULL_SIZE else b""
+
+    def _saved_at(self, address: int, size: int) -> Saved | None:
+        """Gives the variable in a register that bytes belong to."""
+        for each in self._saved.values():
+            if each.address <= address and address + size <= each.end:
+                return each
+        return None
+
+    def write(self, address: int, content: bytes, states: bytes = b"") -> None:
+        """Changes bytes; they have values unless `states` says otherwise.
+
+        Raises:
+            EvaluationError: C may not write them.
+        """
+        size = len(content)
+        found = self._saved_at(address, size)
+        if found is not None:
+            whole = self._memory[found.address : found.address + found.ctype.size].copy()
+            whole[address - found.address :][:size] = np.frombuffer(content, np.uint8)
+            self._change(found.address, found.widened(whole.tobytes()), b"")
+            if found.flag is not None:
+                self._change(found.flag, b"\1\0\0\0", b"")
+            return
+        known = self.states(address, size)
+        if not self.trusting and (len(known) < size or ByteState.INACCESSIBLE in known):
+            raise EvaluationError(self._explain(address, size, False))
+        is_own = self.trusting and ByteState.INACCESSIBLE in known
+        self._change(address, content, known if is_own else states or _VALUED * size)
+
+    def state(self, address: int) -> int:
+        """Gives the state of a byte."""
+        return int(self._shadow[address]) if address < len(self._shadow) else 0
+
+    def mark(self, address: int, size: int, state: int) -> None:
+        """Sets the states of bytes."""
+        if len(self._shadow):
+            content = self._memory[address : address + size].tobytes()
+            self._change(address, content, bytes([state]) * len(content))
+
+    def _change(self, address: int, content: bytes, states: bytes) -> None:
+        """Puts bytes, and states if there are any, and notes what was there."""
+        part = slice(address, address + len(content))
+        known = self._shadow[part].tobytes() if states and len(self._shadow) else b""
+        self._journal.append((address, self._memory[part].tobytes(), known))
+        self._put(address, content, states)
+
+    def _put(self, address: int, content: bytes, states: bytes) -> None:
+        part = slice(address, address + len(content))
+        self._memory[part] = np.frombuffer(content, np.uint8)
+        if states and len(self._shadow):
+            self._shadow[part] = np.frombuffer(states, np.uint8)

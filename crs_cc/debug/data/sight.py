@@ -1,0 +1,221 @@
+"""Looks at a stopped program's memory: what lies at an address, and why C may not touch it.
+
+What is seen is that of the moment; when the program goes on, another look is needed.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Callable
+from functools import cached_property
+from pathlib import Path
+from typing import Final
+
+from crs_cc.debug.data.interpret import SCRATCH
+from crs_cc.debug.data.memory import Saved
+from crs_cc.debug.data.scope import Frame, homes, is_own
+from crs_cc.debug.data.values import Value
+from crs_cc.debug.world.state_rows import StateField
+from crs_cc.ir.names import in_library
+from crs_cc.ir.program import ByteState
+from crs_cc.ir.types import ArrayType, CType, IntegerType
+from crs_cc.runtime.diagnosis.diagnose import diagnose
+from crs_cc.runtime.diagnosis.inspect import Stopped
+from crs_cc.runtime.diagnosis.object_text import count, object_name
+from crs_cc.runtime.diagnosis.objects import Object
+from crs_cc.runtime.diagnosis.returned import returned_local
+from crs_cc.runtime.diagnosis.values import Style, Values, place_name
+from crs_cc.runtime.diagnosis.variables import Variables
+from crs_cc.runtime.layout import NULL_SIZE, STACK_TOP
+from crs_cc.runtime.sites import CallSite
+
+REPEATS: Final = 10
+"""So many equal elements are written as one, as gdb does it."""
+
+SHORT: Final = Style(longest=80, most_elements=16, repeats=REPEATS)
+"""For lists of variables, a line for each."""
+
+FULL: Final = Style(
+    longest=100_000, most_elements=200, longest_text=200, most_nested=20, repeats=REPEATS
+)
+"""For a value that somebody asked for."""
+
+
+STATE_NAMES: Final = ("State", "__report_State")
+"""What the library calls `State[]`, in each dialect."""
+
+_WORD: Final = 4
+_GONE: Final = bytes([ByteState.INACCESSIBLE])
+_WITHOUT: Final = bytes([ByteState.WITHOUT_VALUE])
+
+
+class Sight:
+    """Reads a stopped program for people.
+
+    Attributes:
+        stopped: the program.
+    """
+
+    def __init__(
+        self,
+        stopped: Stopped,
+        scratch: Callable[[int, int], bytes],
+        fields: tuple[StateField, ...] = (),
+    ) -> None:
+        """Looks at a program.
+
+        Args:
+            stopped: the program.
+            scratch: reads the scratch memory of expressions.
+            fields: what the numbers of `State[]` mean for its robot.
+        """
+        self.stopped = stopped
+        self._fields = fields
+        self._scratch = scratch
+        self._variables = Variables(stopped)
+
+    @cached_property
+    def short(self) -> Values:
+        """Writes values in at most a line."""
+        return self._values(SHORT)
+
+    @cached_property
+    def full(self) -> Values:
+        """Writes values as far as anybody wants to read."""
+        return self._values(FULL)
+
+    def _values(self, style: Style) -> Values:
+        return Values(self.read, self.states, self.name_of, self.function_at, style)
+
+    def read(self, address: int, size: int) -> bytes:
+        """Gives the bytes at an address, as many as there are."""
+        if address >= SCRATCH:
+            return self._scratch(address, size)
+        return self._variables.read(address, size)
+
+    def states(self, address: int, size: int) -> bytes:
+        """Gives the states of bytes; nothing where all have values."""
+        if address >= SCRATCH:
+            return b""
+        states = self._variables.states(address, size)
+        saved = None if states.strip(_GONE) else self._saved(address, size)
+        if saved is None:
+            return states
+        return b"" if saved.has_value(self.stopped.memory) else _WITHOUT * size
+
+    def is_accessible(self, address: int, size: int) -> bool:
+        """Tells whether C may look at bytes, with values or not."""
+        there, states = self.read(address, size), self.states(address, size)
+        return len(there) == size and ByteState.INACCESSIBLE not in states
+
+    def value(self, address: int, ctype: CType) -> Value:
+        """Gives the object of a type at an address; it need not have a value."""
+        content, states = self.read(address, ctype.size), self.states(address, ctype.size)
+        fields = self._state_fields(address, ctype) if self._fields else ()
+        return Value(self, ctype, content, states, address, fields=fields)
+
+    def _state_fields(self, address: int, ctype: CType) -> tuple[StateField, ...]:
+        """Gives what the numbers at an address mean if they are some of `State[]`."""
+        number = ctype.element if isinstance(ctype, ArrayType) else ctype
+        if self._state is None or not isinstance(number, IntegerType) or number.size != _WORD:
+            return ()
+        first, rest = divmod(address - self._state, _WORD)
+        return self._fields[first:][: ctype.size // _WORD] if first >= 0 and not rest else ()
+
+    @cached_property
+    def _state(self) -> int | None:
+        """The address of the vendor's `State[]`; None when the program has it not."""
+        for name in STATE_NAMES:
+            data = self.stopped.program.data.get(name)
+            if data is not None and not is_own(data.location):
+                return self.stopped.compiled.addresses[name]
+        return None
+
+    def function_at(self, pointer: int) -> str:
+        """Gives the name of the function that a pointer stands for; "" if there is none."""
+        return self._variables.values.function_at(pointer)
+
+    def name_of(self, address: int, target: CType) -> str:
+        """Says what a pointer to a type points to."""
+        known = self._saved(address)
+        if known is not None and known.address == address:
+            return f"&{known.name}"
+        if NULL_SIZE <= address < self.stopped.stack_pointer():
+            gone = returned_local(self.stopped, address)
+            what = f"ended {object_name(gone)}" if gone else "in a function that has returned"
+            return f"{address:#x} ({what})"
+        found = self._variables.objects.at(address)
+        if found is None:
+            return f"{address:#x} (nothing is there)"
+        named = self._variables.values.object_at(address, target)
+        if named and found.state == "alive":
+            return named
+        return f"{named or hex(address)} ({_described(found, address)})"
+
+    def _saved(self, address: int, size: int = 1) -> Saved | None:
+        """Gives the variable whose register is saved at an address."""
+        if address >= STACK_TOP:
+            return None
+        stack = self.stopped.stack
+        around = bisect_right(stack, address, key=lambda each: each.fp)
+        # What was passed to a function that has no room for its frame lies above that.
+        for active in [*stack[:1], *stack[around : around + 1]]:
+            frame = Frame.of(self.stopped, active)
+            for home in homes(self.stopped.compiled.info(active.function)):
+                saved = frame.saved(home)
+                if saved and saved.address <= address and address + size <= saved.end:
+                    return saved
+        return None
+
+    def explain(self, address: int, size: int, reading: bool) -> str:
+        """Says why C may not read, or else write, bytes."""
+        beside = self._saved(address)
+        if beside is not None:
+            return f"'{beside.name}' lives in a register: nothing is beside it"
+        kind, blamed, found = diagnose(self.stopped, address, size, "read" if reading else "write")
+        what = "an unknown object" if found is None else object_name(found)
+        match kind:
+            case "null pointer":
+                return "the pointer is null" + (f" (and {address} more)" if address else "")
+            case "uninitialised read":
+                return f"{_part(found, address) or what} is uninitialised"
+            case "use after free":
+                return f"{what} is freed{_at(found.freed) if found else ''}"
+            case "use after scope" | "use after return":
+                return f"{what} does not exist now: its block has ended, or not begun"
+            case "out of bounds" if found is not None:
+                side = "before the start" if blamed < found.address else "past the end"
+                return f"{address:#x} is {side} of {what}"
+        return f"{address:#x} is outside of all objects of the program"
+
+
+def _part(found: Object | None, address: int) -> str:
+    """Names the part of a variable at an address."""
+    if found is None or found.variable is None:
+        return ""
+    return f"'{place_name(found.name, found.variable.ctype, address - found.address)}'"
+
+
+def _described(found: Object, address: int) -> str:
+    """Says what an object is that an address lies in, or near."""
+    distance = found.distance(address)
+    where = ""
+    if distance:
+        where = "before " if distance < 0 else "past the end of "
+        if distance > 1:
+            where = f"{count(distance - 1, 'byte')} {where}"
+    elif address != found.address and not found.name:
+        where = f"{count(address - found.address, 'byte')} into "
+    state = {"alive": "", "freed": "freed ", "ended": "ended "}[found.state]
+    if found.kind == "heap block":
+        made = f"{state}heap block of {count(found.size, 'byte')}"
+        return f"{where}{made}{_at(found.allocated, 'from')}"
+    return f"{where}{state}{object_name(found)}"
+
+
+def _at(sites: tuple[CallSite, ...], word: str = "at") -> str:
+    """Says where the user's code did something: ` at wander.c:12`."""
+    for site in sites:
+        if not in_library(site.location):
+            return f" {word} {Path(site.location.file).name}:{site.location.line}"
+    return ""

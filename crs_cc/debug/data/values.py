@@ -1,0 +1,172 @@
+"""Values of a stopped program: a line of text each, and their parts when somebody asks for them.
+
+A value holds the bytes that were there when it was made. Behind pointers it looks into the memory
+as that is now, so it is of use until the program goes on.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.ir.program import ByteState
+from crs_cc.ir.types import (
+    ArrayType,
+    CType,
+    EnumType,
+    FloatType,
+    FunctionType,
+    IntegerType,
+    Member,
+    PointerType,
+    RecordType,
+    VoidType,
+)
+from crs_cc.runtime.diagnosis.values import Values, bit_field
+
+if TYPE_CHECKING:
+    from crs_cc.debug.data.sight import Sight
+    from crs_cc.debug.world.state_rows import StateField
+
+UNINITIALISED: Final = "uninitialised"
+_VALUED: Final = bytes([ByteState.WITH_VALUE])
+_GONE: Final = bytes([ByteState.INACCESSIBLE])
+
+
+@dataclass(frozen=True, slots=True)
+class Value:
+    """A value.
+
+    Attributes:
+        sight: what looks at the program.
+        type: its C type.
+        content: its bytes; those of a bit-field are those of an object of its type.
+        states: the `ByteState`s of these bytes; none when all have values.
+        address: where it lies; None for a value that was computed, and for a bit-field.
+        first: the number of its first element, if it is a slice of an array.
+        fields: what the numbers of `State[]` are called and mean, if these are some of them.
+    """
+
+    sight: Sight
+    type: CType
+    content: bytes
+    states: bytes = b""
+    address: int | None = None
+    first: int = 0
+    fields: tuple[StateField, ...] = ()
+
+    @property
+    def is_initialised(self) -> bool:
+        """Tells whether all its bytes have values."""
+        return not self.states.strip(_VALUED)
+
+    @property
+    def exists(self) -> bool:
+        """Tells whether C may look at any of its bytes."""
+        return not self.states or bool(self.states.strip(_GONE))
+
+    @property
+    def text(self) -> str:
+        """Gives the value in a line."""
+        return self._written(self.sight.short)
+
+    @property
+    def full(self) -> str:
+        """Gives the value in a line that may be long: up to 200 elements of each array."""
+        return self._written(self.sight.full)
+
+    def _written(self, values: Values) -> str:
+        if isinstance(self.type, VoidType):
+            return "void"
+        is_plain = not isinstance(self.type, ArrayType | RecordType)
+        if is_plain and not self.is_initialised:
+            return UNINITIALISED
+        if is_plain and self.fields and isinstance(self.number, int):
+            meaning, number = self.fields[0].text(self.number), str(self.number)
+            return meaning if meaning.startswith(number) else f"{number} ({meaning})"
+        return values.show(self.type, self.content, self.states)
+
+    @property
+    def number(self) -> int | float | None:
+        """Gives a number, an enum or the address in a pointer; None for all else."""
+        if not self.is_initialised or not self.content:
+            return None
+        if isinstance(self.type, FloatType):
+            return float(struct.unpack("<f" if self.type.size == 4 else "<d", self.content)[0])
+        if isinstance(self.type, IntegerType | EnumType):
+            return int.from_bytes(self.content, "little", signed=self.type.signed)
+        if isinstance(self.type, PointerType):
+            return int.from_bytes(self.content, "little")
+        return None
+
+    @property
+    def child_count(self) -> int:
+        """Gives how many parts it has."""
+        match self.type:
+            case ArrayType():
+                size = self.type.element.size
+                return len(self.content) // size if size else 0
+            case RecordType():
+                return sum(1 for _ in self._members())
+            case PointerType():
+                return int(self.target() is not None)
+        return 0
+
+    def children(self, start: int = 0, count: int | None = None) -> Iterator[tuple[str, Value]]:
+        """Gives its parts with their names: members, elements, or what a pointer points to.
+
+        Args:
+            start: number of the first one.
+            count: how many; None for all.
+        """
+        stop = self.child_count if count is None else min(self.child_count, start + count)
+        match self.type:
+            case ArrayType():
+                for number in range(start, stop):
+                    name = f" {self.fields[number].name}" if number < len(self.fields) else ""
+                    yield f"[{self.first + number}]{name}", self.element(number)
+            case RecordType():
+                for member in list(self._members())[start:stop]:
+                    yield member.name or f"<{member.type}>", self.member(member)
+            case PointerType():
+                target = self.target()
+                if target is not None and start < stop:
+                    yield "*", target
+
+    def element(self, number: int) -> Value:
+        """Gives an element of an array."""
+        assert isinstance(self.type, ArrayType)
+        size = self.type.element.size
+        part = self._part(self.type.element, number * size, size)
+        return replace(part, fields=self.fields[number : number + 1])
+
+    def _members(self) -> Iterator[Member]:
+        """Gives the members that hold anything: no bit-fields without names."""
+        assert isinstance(self.type, RecordType)
+        for member in self.type.record.members or []:
+            if member.name is not None or isinstance(member.type, RecordType):
+                yield member
+
+    def member(self, member: Member) -> Value:
+        """Gives a member of a struct or union."""
+        part = self._part(member.type, member.offset, member.spread or member.type.size)
+        if member.bit_width is None:
+            return part
+        return replace(part, content=bit_field(member, part.content), address=None)
+
+    def _part(self, ctype: CType, offset: int, size: int) -> Value:
+        part = slice(offset, offset + size)
+        address = None if self.address is None else self.address + offset
+        return Value(self.sight, ctype, self.content[part], self.states[part], address)
+
+    def target(self) -> Value | None:
+        """Gives what a pointer points to, if C may look at it and it is not just text."""
+        assert isinstance(self.type, PointerType)
+        target, address = self.type.target, self.number
+        if not isinstance(address, int) or isinstance(target, FunctionType | VoidType):
+            return None
+        if not self.sight.is_accessible(address, target.size) or not target.size:
+            return None
+        return self.sight.value(address, target)

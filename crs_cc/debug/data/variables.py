@@ -1,0 +1,60 @@
+"""The variables that a stopped program has, with their values."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from crs_cc.debug.data.prepare import TypeOf
+from crs_cc.debug.data.scope import Frame, Kind, Scopes, concrete
+from crs_cc.debug.data.sight import Sight
+from crs_cc.debug.data.values import Value
+from crs_cc.runtime.diagnosis.inspect import StackFrame
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """A variable of a stopped program.
+
+    Attributes:
+        name: its name.
+        value: its value.
+        scope: "parameter", "local", "static" (of a function) or "global".
+        is_hidden: whether its name means another one where the function stands.
+    """
+
+    name: str
+    value: Value
+    scope: Kind
+    is_hidden: bool = False
+
+
+def variables_of(
+    scopes: Scopes, type_of: TypeOf, sight: Sight, active: StackFrame
+) -> list[Variable]:
+    """Gives the variables of an active function, those of the innermost block first.
+
+    Parameters come last; what is declared behind the place, or does not exist there, is left out.
+    """
+    frame = Frame.of(sight.stopped, active)
+    sizes = frame.sizes(scopes.extents(active.function), sight.stopped.memory)
+    found: dict[str, None] = {}
+    variables = []
+    for home in scopes.of(active.function):
+        name, ctype = home.variable.name, concrete(type_of(home.variable), sizes)
+        if ctype is None or not home.is_visible(active.location):
+            continue
+        value = sight.value(frame.address(home), ctype)
+        if home.variable.is_indirect:
+            value = value.target() or value
+        if value.exists:
+            variables.append(Variable(name, value, home.kind, name in found))
+            found[name] = None
+    return sorted(variables, key=lambda each: each.scope == "parameter")
+
+
+def globals_of(scopes: Scopes, sight: Sight) -> list[Variable]:
+    """Gives the global variables of the user's own files, by their names."""
+    return [
+        Variable(home.variable.name, sight.value(home.at, home.variable.ctype), home.kind)
+        for home in scopes.globals_()
+    ]

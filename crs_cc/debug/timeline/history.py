@@ -1,0 +1,191 @@
+"""Snapshots of a run by their instants: how many there are, and which.
+
+The shorter the way from a snapshot to where the user wants to be, the sooner the run is there; but
+snapshots take time and memory. So on the way forward there is one every few timesteps, as many as
+cost little beside running (`INTERVAL`), and more of them just before the place that the user went
+back to last, as the next wish is most often a step further back. When there is no memory
+left, snapshots are thinned: those go first whose gap would be small beside their distance from
+where the run is. So they lie dense near the user and ever sparser far away, and where the user goes
+back to, running again fills the gaps. None of this looks at a clock.
+
+The start is always kept, and so is the snapshot behind every change that the user makes: the
+programs do not do that again by themselves.
+"""
+
+from __future__ import annotations
+
+import copy
+from bisect import bisect_left, bisect_right
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from crs_cc.debug.timeline.position import Position
+from crs_cc.debug.timeline.sharing import Store
+
+if TYPE_CHECKING:
+    from crs_cc.debug.timeline.console import ConsolePlace
+    from crs_cc.session.result import SessionSnapshot
+
+MOST_BYTES: Final = 256 * 2**20
+"""Memory for snapshots by default [bytes]; chosen by us."""
+
+INTERVAL: Final = 5
+"""Timesteps from one snapshot to the next, for one robot."""
+
+ROBOTS_LATER: Final = 8
+"""For every so many robots more, a timestep more: a snapshot's cost grows faster than a step's."""
+
+NEAR, FINER = 2, 5
+"""So many intervals before the place that the user went back to, they are so much shorter."""
+
+LONGEST_WALK: Final = 64
+"""The most intervals that are run through at once on the way back."""
+
+_LEFT: Final = 7 / 8  # of the memory, when snapshots have been thinned
+_ROUNDS: Final = 1e-3  # what a round counts of a timestep, about
+
+
+@dataclass(frozen=True, slots=True)
+class Kept:
+    """A whole run: the session, and what had been written and read."""
+
+    session: SessionSnapshot
+    console: ConsolePlace
+
+
+class History:
+    """The snapshots of one run, and where the user has changed it."""
+
+    def __init__(self, most_bytes: int = MOST_BYTES, robots: int = 1) -> None:
+        """Begins with no snapshot; the first one that it is given is the start.
+
+        Args:
+            most_bytes: how much memory the snapshots may take, unless all are needed.
+            robots: how many robots the run has.
+        """
+        self._most_bytes = most_bytes
+        self._interval = INTERVAL + robots // ROBOTS_LATER
+        self._farthest = LONGEST_WALK * self._interval
+        self._store = Store()
+        self._positions: list[Position] = []
+        self._kept: dict[Position, Kept] = {}
+        self._edits: list[Position] = []
+        self._user: Position | None = None  # where the user went back to last
+        self._here = Position(0, 0)
+
+    @property
+    def size(self) -> int:
+        """Gives the memory that the snapshots take [bytes]."""
+        return self._store.size
+
+    def __len__(self) -> int:
+        return len(self._positions)
+
+    def wants(self, position: Position) -> bool:
+        """Tells whether a snapshot of the start of a timestep is worth its cost."""
+        number = bisect_right(self._positions, position)
+        gap = position.timestep - self._positions[number - 1].timestep
+        interval = self._interval
+        if self._user is not None:
+            ahead = self._user.timestep - position.timestep
+            interval //= FINER if 0 <= ahead < NEAR * interval else 1
+        return gap >= interval
+
+    def keep(self, position: Position, kept: Kept) -> None:
+        """Takes a snapshot."""
+        if position in self._kept:
+            self._store.drop(self._kept[position])
+        else:
+            self._positions.insert(bisect_left(self._positions, position), position)
+        self._kept[position] = self._store.take(kept)
+        self._here = position
+        if self.size > self._most_bytes:
+            self._thin()
+
+    def branch(self, position: Position, kept: Kept) -> None:
+        """Takes the snapshot behind a change: all that was later is no longer so."""
+        first = bisect_left(self._positions, position)
+        for each in self._positions[first:]:
+            self._store.drop(self._kept.pop(each))
+        del self._positions[first:]
+        self._edits[:] = [each for each in self._edits if each < position] + [position]
+        self._user = None
+        self.keep(position, kept)
+
+    def fork(self, position: Position) -> History:
+        """Gives a history of its own that has the snapshots up to an instant."""
+        other = copy.copy(self)  # in the same store, with the same bound for both
+        other._positions = self._positions[: bisect_right(self._positions, position)]
+        other._edits = [each for each in self._edits if each <= position]
+        other._kept = {each: self._store.take(self._kept[each]) for each in other._positions}
+        return other
+
+    def at(self, position: Position) -> Kept:
+        """Gives the snapshot of an instant of which there is one."""
+        kept = self._store.give(self._kept[position])
+        assert isinstance(kept, Kept)
+        return kept
+
+    def latest(self) -> Position:
+        """Gives the latest instant of which there is a snapshot."""
+        return self._positions[-1]
+
+    def places(self, before: Position) -> Sequence[Position]:
+        """Gives all instants before this one of which there are snapshots, rising."""
+        return self._positions[: bisect_left(self._positions, before)]
+
+    def visit(self, position: Position) -> None:
+        """Takes note that the user is here, or just before, and not at the latest instant."""
+        self._user = self._here = position
+
+    def before(self, position: Position) -> tuple[Position, Kept]:
+        """Gives the latest snapshot that is not later than an instant, where the user wants to be.
+
+        What lies before it is filled in when the run comes there again.
+        """
+        found = self._positions[bisect_right(self._positions, position) - 1]
+        self.visit(position)
+        return found, self.at(found)
+
+    def back_from(self, position: Position) -> Iterator[Position]:
+        """Gives the instants of snapshots before this one, the latest first, for a walk back.
+
+        Those near are given one by one. Then some are left out: more and more, as whoever looks for
+        something that far back will look further still, and every piece of the way has its price.
+        """
+        places = self._positions[: bisect_left(self._positions, position)]
+        number, last, reach = len(places), position.timestep, 0
+        while number:
+            number -= 1
+            while number and last - places[number - 1].timestep <= reach:
+                number -= 1
+            yield places[number]
+            last, reach = places[number].timestep, min(2 * reach + self._interval, self._farthest)
+
+    def next_edit(self, position: Position) -> Position | None:
+        """Gives the next instant behind this one at which the user has changed something."""
+        number = bisect_right(self._edits, position)
+        return self._edits[number] if number < len(self._edits) else None
+
+    def _thin(self) -> None:
+        """Drops snapshots until there is room."""
+        places = np.array([each.timestep + _ROUNDS * each.round for each in self._positions])
+        here = self._here.timestep + _ROUNDS * self._here.round
+        needed = np.array([each in self._edits for each in self._positions])
+        needed[0] = True
+        left = list(range(len(places)))
+        fewest = len(left) // 2  # what other branches have, too, takes no less for being dropped
+        while self.size > _LEFT * self._most_bytes and len(left) > fewest:
+            at, free = places[left], ~needed[left]
+            free[-1] = False
+            if not free.any():
+                break
+            gaps = np.full(len(at), np.inf)
+            gaps[1:-1] = (at[2:] - at[:-2]) / (1.0 + np.abs(at[1:-1] - here))
+            gaps[~free] = np.inf
+            gone = left.pop(int(gaps.argmin()))
+            self._store.drop(self._kept.pop(self._positions[gone]))
+        self._positions = [self._positions[number] for number in left]

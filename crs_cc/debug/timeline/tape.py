@@ -1,0 +1,134 @@
+"""What programs were given in each round of a run, so that they can run again without the world.
+
+To look for something in the past only the programs have to run again; most of a run's time goes to
+the world. A program's round is a function of its state, of the fuel that it gets and of the message
+that it finds in its slot, which is the answer to its request. So these two are noted, for as long
+a piece of the past as there is memory for.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final, Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.debug.timeline.position import Position
+from crs_cc.requests import MESSAGE
+
+if TYPE_CHECKING:
+    from crs_cc.runtime.fleet import Fleet
+
+MOST_BYTES: Final = 128 * 2**20
+"""Memory for what is noted [bytes]; chosen by us."""
+
+_ROUND: Final = 800
+"""What noting a round takes besides what is in its arrays, about [bytes]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Round:
+    """What programs were given in a round.
+
+    Messages are mostly zeros, and only the other bytes are kept.
+
+    Attributes:
+        robots: the robots whose programs ran, rising.
+        fuel: what each got [instructions].
+        places: of the messages that they found, a bit for each byte that is not zero.
+        content: these bytes.
+    """
+
+    robots: npt.NDArray[np.intp]
+    fuel: npt.NDArray[np.int64]
+    places: npt.NDArray[np.uint8]
+    content: npt.NDArray[np.uint8]
+
+    @classmethod
+    def of(
+        cls,
+        robots: npt.NDArray[np.intp],
+        fuel: npt.NDArray[np.int64],
+        messages: npt.NDArray[np.void],
+    ) -> Self:
+        """Makes it of what robots got, and the messages, of dtype `MESSAGE`, that they found."""
+        content = messages.view(np.uint8)
+        places = content != 0
+        return cls(robots, fuel, np.packbits(places), content[places])
+
+    @property
+    def size(self) -> int:
+        """Gives what it takes [bytes]."""
+        arrays = self.robots, self.fuel, self.places, self.content
+        return _ROUND + sum(array.nbytes for array in arrays)
+
+    def give(self, fleet: Fleet) -> None:
+        """Gives it to the programs again."""
+        messages = np.zeros(len(self.robots), MESSAGE)
+        content = messages.view(np.uint8)
+        content[np.unpackbits(self.places, count=len(content)).view(np.bool_)] = self.content
+        fleet.slots["run"][self.robots] = 1
+        fleet.slots["fuel"][self.robots] = self.fuel
+        fleet.reply(self.robots, messages)
+
+
+class Tape:
+    """The rounds of a run, and how many each timestep had."""
+
+    def __init__(self, most_bytes: int = MOST_BYTES) -> None:
+        self._most_bytes = most_bytes
+        self._bytes = 0
+        self._rounds: dict[tuple[int, int], Round] = {}
+        self._counts: dict[int, int] = {}
+
+    def note(self, place: Position, pending: npt.NDArray[np.int64], fleet: Fleet) -> None:
+        """Notes a round that begins.
+
+        Args:
+            place: the instant before it.
+            pending: by robot, the fuel that it gets; 0 for those that do not run.
+            fleet: the programs, which have been answered.
+        """
+        key = place.timestep, place.round
+        if key in self._rounds:
+            return
+        robots = np.flatnonzero(pending)
+        self._rounds[key] = Round.of(robots, pending[robots], fleet.messages(robots))
+        self._bytes += self._rounds[key].size
+        while self._bytes > self._most_bytes:
+            oldest = next(iter(self._rounds))
+            self._bytes -= self._rounds.pop(oldest).size
+
+    def end(self, timestep: int, rounds: int) -> None:
+        """Notes how many rounds a timestep had."""
+        self._counts[timestep] = rounds
+
+    def round_at(self, place: Position) -> Round | None:
+        """Gives the round that begins at an instant; None when it is not known."""
+        return self._rounds.get((place.timestep, place.round))
+
+    def knows(self, begin: Position, limit: Position) -> bool:
+        """Tells whether all rounds from one instant up to another are known."""
+        first = begin.round
+        for timestep in range(begin.timestep, limit.timestep + 1):
+            is_last = timestep == limit.timestep
+            if not is_last and timestep not in self._counts:
+                return False
+            end = limit.round + (limit.robot >= 0) if is_last else self._counts[timestep]
+            if any((timestep, number) not in self._rounds for number in range(first, end)):
+                return False
+            first = 0
+        return True
+
+    def rounds_in(self, timestep: int) -> int | None:
+        """Gives how many rounds a timestep had; None when that is not known."""
+        return self._counts.get(timestep)
+
+    def forget(self, place: Position) -> None:
+        """Forgets the rounds that begin at an instant or later, as they will be other ones."""
+        here = place.timestep, place.round + (place.robot >= 0)
+        for key in [each for each in self._rounds if each >= here]:
+            self._bytes -= self._rounds.pop(key).size
+        for timestep in [each for each in self._counts if each >= place.timestep]:
+            del self._counts[timestep]

@@ -1,0 +1,352 @@
+"""Changes that a user makes in the world, in a few words: `move robot0 to 1 2 90`.
+
+Each is checked whole before anything changes. Numbers are in metres and degrees, or have a unit as
+in world files. `EDITS` has them all; the help is made of it.
+
+>>> from crs_cc.sim.environment import Environment
+>>> from crs_cc.sim.files.world_xml import empty_world
+>>> environment = Environment(empty_world(), seed=1)
+>>> edit(environment, "move robot0 to 1 2 90")
+'robot0 is at 1.000, 2.000 m, 90.0 deg now'
+>>> edit(environment, "degrade robot0 sonar.3 noise 5cm dropouts 0.1")
+'robot0 has degradation0 now: sonar 3, noise 0.05m, dropouts 0.1'
+>>> edit(environment, "heal robot0")
+'robot0 has lost degradation0'
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.world.rows import angle, instant, pose_text
+from crs_cc.sim.degradation.model import DEVICES, described
+from crs_cc.sim.files.degradation_elements import degradation
+from crs_cc.sim.files.document import Element, Reader
+from crs_cc.sim.model import Pose
+from crs_cc.sim.quantity import ANGLE, HEAT, LENGTH
+from crs_cc.sim.unknown import unknown
+from crs_cc.source import Diagnostics
+
+if TYPE_CHECKING:
+    from crs_cc.sim.degradation.model import Degradation
+    from crs_cc.sim.environment import Environment
+    from crs_cc.sim.model import Robot
+
+Words = Sequence[str]
+
+_MOST_WORDS: Final = 40
+_LONGEST: Final = 60
+_FLAGS: Final = {"dead": "yes", "stuck": "hold"}
+_VALUES: Final = (
+    "bias", "gain", "noise", "step", "stuck", "delay", "dropouts", "onset", "duration", "recovery",
+)  # fmt: skip
+
+FAULTS: Final = (*_VALUES, "dead", "for")
+"""The words that say what is wrong with a device, and when."""
+
+
+@dataclass(frozen=True, slots=True)
+class Edit:
+    """A kind of change.
+
+    Attributes:
+        syntax: the words behind its name, those that may be left out in brackets.
+        summary: what it does, in a line.
+        text: what else there is to say.
+        do: does it with the words behind its name; gives what it did, in a sentence.
+    """
+
+    syntax: str
+    summary: str
+    text: str
+    do: Callable[[Environment, Words], str]
+
+
+def edit(environment: Environment, text: str) -> str:
+    """Changes the world, and gives what was done, in a sentence.
+
+    Args:
+        environment: the world, anywhere in a timestep.
+        text: a change, as `EDITS` has them.
+
+    Raises:
+        DebugError: it cannot be done, and why; then nothing has changed.
+    """
+    words = text.replace("=", " ").split()
+    if not words:
+        raise DebugError(f"change what? {_choice()}")
+    if len(words) > _MOST_WORDS:
+        raise DebugError(f"a change has at most {_MOST_WORDS} words")
+    if words[0] not in EDITS:
+        raise DebugError(f"{words[0][:_LONGEST]!r} is no change of the world: {_choice()}")
+    wanted = EDITS[words[0]]
+    try:
+        return wanted.do(environment, words[1:])
+    except ValueError as wrong:
+        raise DebugError(str(wrong)) from None
+
+
+def _choice() -> str:
+    return f"write {', '.join(EDITS)}"
+
+
+def _wrong_words(name: str) -> ValueError:
+    return ValueError(f"write {name} {EDITS[name].syntax}")
+
+
+# -- who stands where ------------------------------------------------------------------------------
+
+
+def _move(environment: Environment, words: Words) -> str:
+    if len(words) not in (4, 5) or words[1] != "to":
+        raise _wrong_words("move")
+    name = _name(environment, words[0])
+    heading_rad = _heading_rad(environment, name)
+    if len(words) == 5:
+        heading_rad = ANGLE.parse(words[4])
+    place = Pose(LENGTH.parse(words[2]), LENGTH.parse(words[3]), heading_rad)
+    environment.carry(name, place)
+    return f"{name} is at {pose_text(place.x_m, place.y_m, place.heading_rad)} now"
+
+
+def _turn(environment: Environment, words: Words) -> str:
+    if len(words) != 3 or words[1] != "to":
+        raise _wrong_words("turn")
+    name = _name(environment, words[0])
+    place = _pose(environment, name, ANGLE.parse(words[2]))
+    environment.carry(name, place)
+    return f"{name} points to {angle(place.heading_rad)} now"
+
+
+def _remove(environment: Environment, words: Words) -> str:
+    if len(words) != 1:
+        raise _wrong_words("remove")
+    name, robots = words[0], [robot.id for robot in environment.world.robots]
+    if name in robots:
+        environment.dismiss_robot(robots.index(name))
+        return f"{name} leaves the world at {instant(environment.end_s)}"
+    environment.take_away(name)
+    return f"{name} is gone"
+
+
+def _name(environment: Environment, name: str) -> str:
+    """Gives the name of what can be carried, and refuses others."""
+    known = (*(robot.id for robot in environment.world.robots), *environment.pushables)
+    if name not in known:
+        if name in environment.names:
+            raise ValueError(f"{name!r} stands firm: what can be moved is {', '.join(known[:20])}")
+        raise ValueError(unknown("robot or movable thing", name, known))
+    return name
+
+
+def _pose(environment: Environment, name: str, heading_rad: float) -> Pose:
+    """Gives where something is that can be carried, turned to a heading."""
+    x_m, y_m = environment.state.bodies.position_m[environment.names.index(name)].tolist()
+    return Pose(x_m, y_m, heading_rad)
+
+
+def _heading_rad(environment: Environment, name: str) -> float:
+    state, body = environment.state, environment.names.index(name)
+    is_robot = body < len(environment.world.robots)
+    return float((state.heading_rad if is_robot else state.bodies.angle_rad)[body])
+
+
+# -- what is wrong with devices --------------------------------------------------------------------
+
+
+def _degrade(environment: Environment, words: Words) -> str:
+    if len(words) < 3:
+        raise _wrong_words("degrade")
+    robot = _robot(environment, words[0])
+    attributes = {"robot": robot.id, **_device(words[1]), **_faults(words[2:])}
+    diagnostics = Diagnostics()
+    element = Element("degrade", 1, attributes)
+    found = degradation(element, robot.model, Reader("", diagnostics))
+    if found is None:
+        text = diagnostics.messages[0].text
+        raise ValueError(text.removeprefix("degrade, "))
+    name = environment.degradations.add(found)
+    return f"{robot.id} has {name} now: {described(found, robot.model)}"
+
+
+def _faults(words: Words) -> dict[str, str]:
+    """Gives the attributes of a `<degradation>` that words stand for."""
+    attributes: dict[str, str] = {}
+    left = list(words)
+    while left:
+        word = left.pop(0)
+        if word not in FAULTS:
+            raise ValueError(unknown("fault", word, FAULTS))
+        has_value = bool(left) and left[0] not in FAULTS
+        if word in _FLAGS and not has_value:
+            attributes[word] = _FLAGS[word]
+        elif word == "dead" or not has_value:
+            raise ValueError(f"{word} has {'no' if word == 'dead' else 'a'} value")
+        else:
+            attributes["duration" if word == "for" else word] = left.pop(0)
+    return attributes
+
+
+def _device(text: str) -> dict[str, str]:
+    """Gives the attributes for a device, `sonar`, or for one of its elements, `sonar.3`."""
+    device, dot, element = text.partition(".")
+    return {"device": device, "element": element} if dot else {"device": device}
+
+
+def _heal(environment: Environment, words: Words) -> str:
+    """Removes degradations: one by its name, or all of a robot, a device or an element."""
+    if len(words) not in (1, 2):
+        raise _wrong_words("heal")
+    control = environment.degradations
+    own = [each for each in control.all() if each.id == words[0]] if len(words) == 1 else []
+    if own:
+        robot = _robot(environment, own[0].robot)
+    else:
+        robot = _robot(environment, words[0])
+        own = [each for each in control.all() if each.robot == robot.id]
+        if len(words) == 2:
+            own = [each for each in own if _concerns(each, robot, words[1])]
+    if not own:
+        raise ValueError(f"nothing is wrong with {robot.id}{''.join(f' {x}' for x in words[1:])}")
+    for each in own:
+        control.remove(each.id)
+    return f"{robot.id} has lost {', '.join(each.id for each in own)}"
+
+
+def _concerns(each: Degradation, robot: Robot, text: str) -> bool:
+    """Tells whether a degradation is one of a device or of its element."""
+    device, _, element = text.partition(".")
+    if device not in DEVICES:
+        raise ValueError(unknown("device", device, tuple(DEVICES)))
+    if each.device != device:
+        return False
+    names = DEVICES[device].elements(robot.model)
+    own = "" if each.element is None else names[each.element]
+    return not element or element in {own, str(each.element)}
+
+
+def _robot(environment: Environment, name: str) -> Robot:
+    robots = environment.world.robots
+    for robot in robots:
+        if robot.id == name:
+            return robot
+    raise ValueError(unknown("robot", name, [robot.id for robot in robots]))
+
+
+# -- energy, heat, messages ------------------------------------------------------------------------
+
+
+def _charge(environment: Environment, words: Words) -> str:
+    if len(words) != 2:
+        raise _wrong_words("charge")
+    robot = _robot(environment, words[0])
+    text = words[1].removesuffix("%")
+    percent = float(text) if text.replace(".", "", 1).isdigit() else math.nan
+    if not 0.0 <= percent <= 100.0:
+        raise ValueError(f"{words[1][:_LONGEST]!r} is no charge: write 0 to 100, in per cent")
+    environment.charge(environment.world.robots.index(robot), percent / 100)
+    return f"the battery of {robot.id}'s motors has {percent:g} % now"
+
+
+def _heat(environment: Environment, words: Words) -> str:
+    if len(words) != 2:
+        raise _wrong_words("heat")
+    name = words[0]
+    if name not in environment.names:
+        raise ValueError(unknown("thing", name, environment.names))
+    heat = HEAT.parse(words[1])
+    if heat < 0.0:
+        raise ValueError("a heat is 0 or more")
+    environment.warm(name, heat)
+    return f"{name} has a heat of {heat:g} now"
+
+
+def _shut(environment: Environment, words: Words) -> str:
+    way = _way(words, "shut")
+    environment.communication.shut(**way)
+    return f"{_way_text(way)} shut now"
+
+
+def _open(environment: Environment, words: Words) -> str:
+    way = _way(words, "open")
+    environment.communication.open(**way)
+    return f"{_way_text(way)} open now"
+
+
+def _way(words: Words, name: str) -> dict[str, str]:
+    """Gives the way of messages that words stand for: `radio from robot0 to robot1`."""
+    left, way = list(words), {}
+    if left and left[0] not in ("from", "to", "all"):
+        way["channel"] = left.pop(0)
+    if left == ["all"]:
+        return {}
+    for word, role in (("from", "sender"), ("to", "receiver")):
+        if len(left) > 1 and left[0] == word:
+            way[role] = left[1]
+            del left[:2]
+    if left or not way:
+        raise _wrong_words(name)
+    return way
+
+
+def _way_text(way: dict[str, str]) -> str:
+    parts = [way.get("channel", "all that goes" if way else "everything")]
+    parts += [f"from {way['sender']}"] if "sender" in way else []
+    parts += [f"to {way['receiver']}"] if "receiver" in way else []
+    return f"{' '.join(parts)} is"
+
+
+EDITS: Final = {
+    "move": Edit(
+        "NAME to X Y [HEADING]",
+        "Carry a robot, or what can be pushed, to a free place.",
+        "It is done as by hand: a robot's odometry does not hear of it, its motors go on, and what"
+        " it holds stays behind. X and Y are in metres, HEADING in degrees, counter-clockwise from"
+        " x; all may have units.",
+        _move,
+    ),
+    "turn": Edit(
+        "NAME to HEADING", "Turn a robot, or what can be pushed, on the spot.", "As by hand.", _turn
+    ),
+    "remove": Edit(
+        "NAME",
+        "Take a thing, or a robot, out of the world.",
+        "A thing is gone at once; a robot leaves at the end of the timestep, and its program ends.",
+        _remove,
+    ),
+    "degrade": Edit(
+        "ROBOT DEVICE[.ELEMENT] FAULT...",
+        "Let a device of a robot be wrong: degrade robot0 sonar.3 dead.",
+        "Faults and units are those of world files: dead, stuck [VALUE], bias VALUE, gain VALUE,"
+        " noise VALUE, step VALUE, delay TIME, dropouts SHARE; when: onset TIME, for TIME, recovery"
+        " TIME.",
+        _degrade,
+    ),
+    "heal": Edit(
+        "ROBOT [DEVICE[.ELEMENT]]",
+        "Take away what is wrong with a robot, or with one of its devices.",
+        "Or one degradation, by its name.",
+        _heal,
+    ),
+    "charge": Edit(
+        "ROBOT PERCENT", "Let so much be left in the battery of a robot's motors.", "", _charge
+    ),
+    "heat": Edit("NAME HEAT", "Let a robot or a thing be so hot.", "", _heat),
+    "shut": Edit(
+        "[CHANNEL] [from ROBOT] [to ROBOT]",
+        "Let no messages pass that begin there from now on.",
+        "shut all is every way.",
+        _shut,
+    ),
+    "open": Edit(
+        "[CHANNEL] [from ROBOT] [to ROBOT]",
+        "Open a way of messages that was shut in the same words.",
+        "",
+        _open,
+    ),
+}
+"""All changes, by the word that they begin with."""

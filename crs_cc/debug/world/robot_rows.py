@@ -1,0 +1,223 @@
+"""A robot as rows for a screen: where it is and believes to be, what it does, senses and awaits.
+
+Places are those of the start of the timestep, as everything in the environment. What the robot has
+told its program stands in `State[]`, see `state_rows`; what stands here is what is.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from crs_cc.debug.world.happenings import switches
+from crs_cc.debug.world.rows import Row, angle, instant, length, pose_text
+from crs_cc.requests import CODES, REQUESTS
+from crs_cc.sim.degradation.model import described
+from crs_cc.sim.states.messages import ARRIVED
+from crs_cc.sim.step import AxisSlice, slice_of, slices_of
+from crs_cc.units import m_to_inch
+
+if TYPE_CHECKING:
+    from crs_cc.session.result import RobotResult
+    from crs_cc.session.session import Session
+    from crs_cc.sim.environment import Environment
+    from crs_cc.sim.robot_model import RobotModel
+
+_TURNING: Final = frozenset({"steering", "turret"})
+
+HEADINGS: Final = ("robot", "name", "program", "does", "clock", "x", "y", "heading")
+"""The columns of `summary`."""
+
+
+def summary(session: Session, robot: int) -> tuple[str, ...]:
+    """Gives a robot in one row of a table, whose columns are `HEADINGS`."""
+    result = session.robot_result(robot)
+    x_m, y_m, heading_rad = result.pose
+    place = (length(x_m), length(y_m), angle(heading_rad % math.tau))
+    if not session.environment.state.presence.present[robot]:
+        place = ("-", "-", "-")
+    clock = instant(_clock_s(session, robot, result))
+    return (str(robot), result.id, result.program, activity(session, robot), clock, *place)
+
+
+def robot_rows(session: Session, robot: int) -> list[Row]:
+    """Gives all there is to say about a robot."""
+    environment, result = session.environment, session.robot_result(robot)
+    model = environment.world.robots[robot].model
+    rows = [
+        Row("robot", f"{result.id}, number {robot}, a {model.name}"),
+        Row("program", f"{result.program}: {activity(session, robot)}"),
+        Row("clock", f"{instant(_clock_s(session, robot, result))}, {result.fuel:,} instructions"),
+    ]
+    if not environment.state.presence.present[robot]:
+        return rows
+    rows += [
+        Row("connected", "yes" if environment.state.connected[robot] else "no"),
+        Row("pose", pose_text(*result.pose)),
+        _odometry(environment, robot, result),
+        _command(environment, robot),
+        Row("way", f"{length(result.distance_m)} in all, {result.collisions} collisions"),
+        *_touches(environment, robot),
+        *_bumpers(environment, robot, model),
+        *_sonars(environment, robot),
+        *_devices(environment, robot, model),
+        *_degradations(environment, robot, model),
+    ]
+    return rows
+
+
+def activity(session: Session, robot: int) -> str:
+    """Gives what a robot's program does, or what became of it, in words."""
+    result = session.robot_result(robot)
+    if result.outcome == "exited":
+        return f"exited with {result.exit_status}"
+    if result.outcome == "failed":
+        return "stopped by an error"
+    if result.outcome != "running":
+        return "left the world" if result.outcome == "left" else "has not joined"
+    on_link = session.request_on_link(robot)
+    if on_link is not None:
+        code, due_s = on_link
+        return f"{_function(code)} is on the link until {instant(due_s)}"
+    return _waits(session.environment, robot) or "runs"
+
+
+def _clock_s(session: Session, robot: int, result: RobotResult) -> float:
+    """Gives a program's clock; that of one that waits for something stands at the present."""
+    if result.outcome != "running":
+        return result.time_s
+    clock_s = session.now_s(robot)
+    return clock_s if math.isfinite(clock_s) else session.time_s
+
+
+def _waits(environment: Environment, robot: int) -> str:
+    """Gives what a robot waits for in words, empty if it does not."""
+    waits = environment.state.waits
+    code = int(waits.code[robot])
+    if not code:
+        return ""
+    name, what = _function(code), "the axes stand"
+    if code == CODES["RECEIVE"]:
+        what = "a message comes"
+    else:
+        axes = environment.world.robots[robot].model.drive.axis_names
+        chosen = [axis for axis, on in zip(axes, waits.axes[robot], strict=False) if on]
+        if chosen:
+            what = f"{' and '.join(chosen)} stand{'s' * (len(chosen) == 1)}"
+    until_s = float(waits.until_s[robot])
+    most = f", or it is {instant(until_s)}" if math.isfinite(until_s) else ""
+    return f"{name} waits until {what}{most}"
+
+
+def _function(code: int) -> str:
+    """Gives the C function that posts a request; its name where none is declared."""
+    if code not in REQUESTS:
+        return f"request {code}"
+    return REQUESTS[code].prototype.partition("(")[0].split()[-1].lstrip("*")
+
+
+def _odometry(environment: Environment, robot: int, result: RobotResult) -> Row:
+    """Gives where the robot believes to be; the turret's direction where there is one."""
+    odometry = environment.state.odometry
+    turret: tuple[Row, ...] = ()
+    if environment.world.robots[robot].model.drive.turret is not None:
+        turret = (Row("turret", angle(float(odometry.turret_rad[robot]) % math.tau)),)
+    return Row("odometry", pose_text(*result.odometry), turret)
+
+
+def _command(environment: Environment, robot: int) -> Row:
+    """Gives the motion command that runs, which slice of it, and what the axes do."""
+    state = environment.state
+    axes = tuple(each.model.drive.axis_names for each in environment.world.robots)
+    now = slice_of(slices_of(state, axes, environment.timestep_s), robot)
+    speeds = state.drive.axes.speed[robot].tolist()
+    was_told = bool(state.drive.command[robot])
+    children = tuple(
+        _axis(axis, speed, was_told=was_told, is_limp=bool(limp))
+        for axis, speed, limp in zip(now.axes, speeds, state.drive.limp[robot], strict=False)
+    )
+    if not now.command:
+        return Row("command", "none runs", children)
+    count = "without an end" if now.count is None else f"of {now.count}"
+    return Row("command", f"{now.command.lower()}, timestep {now.number} {count}", children)
+
+
+def _axis(axis: AxisSlice, speed: float, *, was_told: bool, is_limp: bool) -> Row:
+    show = angle if axis.name in _TURNING else length
+    text = f"{show(speed)}/s"
+    if was_told:
+        text += f", {show(axis.travelled)} since the command"
+    if was_told and axis.total is not None:
+        text += f" of {show(axis.total)}"
+    return Row(axis.name, text + (", limp" if is_limp else ""))
+
+
+def _touches(environment: Environment, robot: int) -> Iterator[Row]:
+    """Gives what touched the robot in the timestep before."""
+    robots, things = np.divmod(environment.state.contacts_before, len(environment.names))
+    touched = [environment.names[thing] for thing in things[robots == robot].tolist()]
+    yield Row("touches", ", ".join(touched) or "nothing")
+
+
+def _bumpers(environment: Environment, robot: int, model: RobotModel) -> Iterator[Row]:
+    if model.bumpers:
+        pressed = switches(int(environment.state.bumpers.pressed[robot]), model)
+        yield Row("bumpers", ", ".join(pressed) or "none is pressed")
+
+
+def _sonars(environment: Environment, robot: int) -> Iterator[Row]:
+    """Gives the last echo of each sonar, as it came, and who heard the nearest."""
+    sonar = environment.state.sonar
+    model = environment.world.robots[robot].model
+    sonars = model.sonar_modes[int(sonar.mode[robot])].sonars
+    if not sonars:
+        return
+    echo_m = sonar.echo_m[robot]
+    nearest = min(sonars, key=lambda each: float(echo_m[each.id]))
+    children = tuple(
+        Row(f"{each.id} at {angle(each.direction_rad)}", _echo(float(echo_m[each.id])))
+        for each in sonars
+    )
+    text = "no echo"
+    if math.isfinite(echo_m[nearest.id]):
+        text = f"nearest {_echo(float(echo_m[nearest.id]))} by {nearest.id}"
+    yield Row("sonar", text, children)
+
+
+def _echo(echo_m: float) -> str:
+    if not math.isfinite(echo_m):
+        return "no echo"
+    return f"{length(echo_m)} ({m_to_inch(echo_m):.1f} in)"
+
+
+def _devices(environment: Environment, robot: int, model: RobotModel) -> Iterator[Row]:
+    """Gives what only some robots have: batteries that get empty, heat, hands, messages."""
+    state = environment.state
+    batteries = ("computer battery", model.computer_battery), ("motor battery", model.motor_battery)
+    for (name, battery), charge in zip(batteries, environment.charges(robot), strict=True):
+        if math.isfinite(battery.capacity_j):
+            yield Row(name, f"{100 * charge:.1f} %")
+    if state.heat.left[robot]:
+        yield Row("heat", f"{state.heat.left[robot]:g}")
+    for name, thing in zip(("gripper", "hand"), state.bodies.holds.thing[robot], strict=True):
+        if thing >= 0:
+            yield Row(name, f"holds {environment.pushables[int(thing)]}")
+    inbox = state.messages.receptions
+    waiting = int(((inbox["receiver"] == robot) & (inbox["status"] == ARRIVED)).sum())
+    if state.messages.sent[robot] or waiting:
+        yield Row("messages", f"{state.messages.sent[robot]} sent, {waiting} in the inbox")
+
+
+def _degradations(environment: Environment, robot: int, model: RobotModel) -> Iterator[Row]:
+    name, control = environment.world.robots[robot].id, environment.degradations
+    found = tuple(
+        Row(each.id, f"{described(each, model)} ({control.phase(each.id)})")
+        for each in control.all()
+        if each.robot == name
+    )
+    if found:
+        acting = sum(control.phase(row.name) == "acts" for row in found)
+        yield Row("degradations", f"{acting} of {len(found)} act", found)

@@ -1,0 +1,154 @@
+"""Snapshots lie where they are needed, in bounded memory; changes of the user are never lost."""
+
+from __future__ import annotations
+
+import itertools
+from typing import Any
+
+import numpy as np
+
+from crs_cc.debug.timeline.console import ConsolePlace
+from crs_cc.debug.timeline.history import INTERVAL, History, Kept
+from crs_cc.debug.timeline.position import BEGINNING, Position
+from crs_cc.runtime.pages import CHUNK
+
+
+def moment(number: int, size: int = 100) -> Kept:
+    """Gives a snapshot that is unlike all others."""
+    content: Any = np.random.default_rng(number).integers(0, 256, size, np.uint8)
+    return Kept(content, ConsolePlace(number, ()))
+
+
+def at(timestep: int) -> Position:
+    return Position(timestep, 0)
+
+
+def forward(history: History, first: int, last: int, size: int = 100) -> None:
+    """Runs over some timesteps as the engine does."""
+    for timestep in range(first, last):
+        if history.wants(at(timestep)):
+            history.keep(at(timestep), moment(timestep, size))
+
+
+def begun(**options: int) -> History:
+    history = History(**options)
+    history.keep(BEGINNING, moment(0))
+    return history
+
+
+def timesteps(history: History, until: int) -> list[int]:
+    places, here = [], at(until)
+    while here > BEGINNING:
+        here, _ = history.before(Position(here.timestep - 1, 999))
+        places.append(here.timestep)
+    return places[::-1]
+
+
+def test_before_gives_the_latest_that_is_not_later() -> None:
+    history = begun()
+    history.keep(at(5), moment(5))
+    history.keep(Position(5, 2, 0, 40), moment(6))
+    assert history.before(at(4))[0] == BEGINNING
+    assert history.before(at(5))[0] == at(5)
+    assert history.before(Position(5, 2, 0, 39))[0] == at(5)
+    found, kept = history.before(Position(9, 0))
+    assert found == Position(5, 2, 0, 40)
+    assert kept.console.written == 6
+    assert np.array_equal(kept.session, moment(6).session)
+
+
+def test_on_the_way_forward_there_is_one_in_each_interval() -> None:
+    history = begun()
+    forward(history, 0, 4 * INTERVAL + 1)
+    assert timesteps(history, 100) == [n * INTERVAL for n in range(5)]
+
+
+def test_many_robots_have_longer_intervals() -> None:
+    history = begun(robots=80)
+    forward(history, 0, 16)
+    assert timesteps(history, 100) == [0, 15]
+
+
+def test_where_the_user_goes_back_to_gaps_are_filled() -> None:
+    history = begun()
+    forward(history, 0, 101)
+    found, _ = history.before(Position(83, 1, 0, 7))
+    assert found == at(80)
+    forward(history, 80, 84)
+    assert timesteps(history, 87)[-5:] == [80, 81, 82, 83, 85]
+    forward(history, 100, 111)
+    assert timesteps(history, 111)[-3:] == [100, 105, 110]
+
+
+def test_old_snapshots_are_thinned_and_the_start_is_kept() -> None:
+    history = begun(most_bytes=100 * CHUNK)
+    forward(history, 0, 5000, CHUNK)
+    assert history.size <= 100 * CHUNK
+    assert len(history) > 50
+    places = timesteps(history, 5000)
+    assert places[0] == 0
+    assert places[-5:] == [4975, 4980, 4985, 4990, 4995]
+    away = [(4995 - one, other - one) for one, other in itertools.pairwise(places)]
+    assert all(gap <= max(INTERVAL, 0.5 * distance) for distance, gap in away)
+
+
+def test_snapshots_lie_dense_where_the_user_is() -> None:
+    history = begun(most_bytes=100 * CHUNK)
+    forward(history, 0, 2000, CHUNK)
+    found, _ = history.before(at(700))
+    forward(history, found.timestep, 700, CHUNK)
+    places = timesteps(history, 700)
+    assert places[-5:] == [695, 696, 697, 698, 699]
+    assert history.size <= 100 * CHUNK
+
+
+def test_what_the_user_changed_is_never_thinned() -> None:
+    history = begun(most_bytes=30 * CHUNK)
+    forward(history, 0, 12, CHUNK)
+    edit = Position(11, 3, 0, 99)
+    history.branch(edit, moment(-1 % 1000, CHUNK))
+    forward(history, 12, 2000, CHUNK)
+    assert history.before(Position(12, 0))[0] >= edit
+    assert np.array_equal(history.at(edit).session, moment(999, CHUNK).session)
+    assert history.next_edit(BEGINNING) == edit
+    assert history.next_edit(edit) is None
+
+
+def test_a_change_drops_all_that_was_later() -> None:
+    history = begun()
+    forward(history, 0, 31)
+    history.branch(at(20), moment(777))
+    assert timesteps(history, 100) == [0, 5, 10, 15, 20]
+    assert history.at(at(20)).console.written == 777
+    history.branch(at(10), moment(778))
+    assert history.next_edit(BEGINNING) == at(10)
+    assert history.next_edit(at(10)) is None
+
+
+def test_changes_alone_may_take_more_than_there_is() -> None:
+    history = begun(most_bytes=3 * CHUNK)
+    for timestep in range(1, 9):
+        history.branch(at(timestep), moment(timestep, CHUNK))
+    assert timesteps(history, 9) == list(range(9))
+
+
+def test_a_walk_back_begins_with_small_steps_and_goes_on_in_large_ones() -> None:
+    history = begun()
+    forward(history, 0, 2001)
+    walk = [place.timestep for place in history.back_from(at(1998))]
+    assert walk[:4] == [1995, 1990, 1975, 1940]
+    assert walk[-1] == 0
+    assert len(walk) < 20
+    assert list(history.back_from(BEGINNING)) == []
+
+
+def test_a_branch_takes_no_memory_for_what_it_has_in_common_with_the_other() -> None:
+    history = begun()
+    forward(history, 0, 100, 10 * CHUNK)
+    before = history.size
+    other = history.fork(at(50))
+    assert other.size - before < CHUNK
+    assert timesteps(other, 100)[-1] == 50
+    other.branch(at(20), moment(1, CHUNK))
+    assert np.array_equal(history.at(at(50)).session, moment(50, 10 * CHUNK).session)
+    assert history.places(at(20)) == [at(0), at(5), at(10), at(15)]
