@@ -87,6 +87,10 @@ class FileNames:
         self.lines: Mapping[str, Sequence[str]] = diagnostics.lines
         self._locals = {(each.name, each.location): each.type for each in _locals(self._unit)}
 
+    def defines(self, function: str) -> bool:
+        """Tells whether the file, or a header that it includes, defines a function."""
+        return any(each.symbol.link_name == function for each in self._unit.functions)
+
     def knows(self, name: str) -> bool:
         """Tells whether a name means something outside of functions."""
         return self._unit.scope.find(name) is not None

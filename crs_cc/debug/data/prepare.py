@@ -88,7 +88,8 @@ class Names:
 
     def __init__(self, program: DebugProgram) -> None:
         self._program = program
-        self._files: dict[str, FileNames] = {}
+        self._paths = {str(path): path for path in program.paths}
+        self._files: dict[str, FileNames | str] = {}
 
     def of(self, function: str, file: str) -> FileNames:
         """Gives the names that the C file of a function knows.
@@ -100,18 +101,27 @@ class Names:
         Raises:
             DebugError: the file is not any more what the program was made of.
         """
-        paths = {str(path): path for path in self._program.paths}
         unit = function.rpartition(":")[0]
-        name = next((each for each in (unit, file) if each in paths), next(iter(paths)))
+        known = next((each for each in (unit, file) if each in self._paths), None)
+        if known is None:  # it stands in a header
+            files = [self._file(each) for each in self._paths]
+            return next((each for each in files if each.defines(function)), files[0])
+        return self._file(known)
+
+    def _file(self, name: str) -> FileNames:
+        """Gives what a C file knows; it is read once, even if nothing comes of that."""
         if name not in self._files:
             try:
-                found = FileNames(paths[name], self._program.options)
+                found = FileNames(self._paths[name], self._program.options)
             except CompileError as error:
                 first = error.diagnostics[0]
-                raise DebugError(f"{first.location}: {first.text}; has it changed?") from None
-            self._check(found)
-            self._files[name] = found
-        return self._files[name]
+                self._files[name] = f"{first.location}: {first.text}; has it changed?"
+            else:
+                self._files[name] = self._change(found) or found
+        names = self._files[name]
+        if isinstance(names, str):
+            raise DebugError(names)
+        return names
 
     def types(self, function: str, file: str) -> TypeOf:
         """Gives what tells the types of variables, in terms of the C file of a function.
@@ -124,11 +134,12 @@ class Names:
         except DebugError:
             return lambda variable: variable.ctype
 
-    def _check(self, found: FileNames) -> None:
+    def _change(self, found: FileNames) -> str:
+        """Says that the file is not any more what the program was made of; "" when it is."""
         for file, lines in self._program.executable.detail().lines.items():
             if file in found.lines and list(found.lines[file]) != list(lines):
-                text = f"{file} has changed since the program was built: what names mean is unknown"
-                raise DebugError(text)
+                return f"{file} has changed since the program was built: what names mean is unknown"
+        return ""
 
 
 class Preparation:

@@ -489,3 +489,17 @@ int main(void) { struct big big = {{0}}; return down(0, big); }
     assert "next" in {each.name for each in evaluator.variables(stopped.stack[1])}
     for each in evaluator.variables():
         assert each.value.full
+
+
+def test_functions_of_headers_know_the_names_of_their_files(tmp_path: Path) -> None:
+    (tmp_path / "shared.h").write_text(
+        "static int scaled(int by) { return by * factor; /* STOP */ }\n"
+        "int once(int by) { return by + factor; /* ONCE */ }\n"
+    )
+    first = "int once(int by);\nint other(void);\nint main(void) { return other() + once(1); }\n"
+    second = 'static int factor = 3;\n#include "shared.h"\nint other(void) { return scaled(2); }\n'
+    stopping = Stopping(tmp_path, first, second)
+    header = str(tmp_path / "shared.h")
+    stopping.lines[header] = Path(header).read_text().splitlines()
+    assert stopping.run().evaluator().evaluate("by * factor").value.text == "6"
+    assert stopping.run("ONCE").evaluator().evaluate("by * factor").value.text == "3"
