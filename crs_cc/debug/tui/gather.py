@@ -149,9 +149,11 @@ def _frames(debugger: Debugger) -> Iterator[Choice]:
 
 
 def _robots(debugger: Debugger) -> Iterator[Choice]:
-    session = debugger.session
-    for number, name in enumerate(debugger.names[:_MOST_ROBOTS]):
-        text = " ".join(filter(None, [name, _pose(session, number)]))
+    """Gives the robots; of very many those around the one that is looked at."""
+    session, names = debugger.session, debugger.names
+    first = max(0, min(debugger.robot - _MOST_ROBOTS // 2, len(names) - _MOST_ROBOTS))
+    for number in range(first, min(first + _MOST_ROBOTS, len(names))):
+        text = " ".join(filter(None, [names[number], _pose(session, number)]))
         yield Choice(number, text, activity(session, number), number == debugger.robot)
 
 
