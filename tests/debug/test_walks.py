@@ -37,7 +37,8 @@ class Walk:
         self.changes = 0
 
     def go(self, steps: int) -> None:
-        moves = (self._tick, self._tick, self._step, self._goto, self._change)
+        moves = [self._tick, self._tick, self._step, self._goto, self._change]
+        moves += [self._resume] * any(self.debugger.breakpoints)
         for _ in range(steps):
             with contextlib.suppress(DebugError):
                 self.random.choice(moves)()
@@ -50,6 +51,9 @@ class Walk:
     def _step(self) -> None:
         step: Callable[..., object] = self.random.choice([self.debugger.step, self.debugger.next])
         step(self.random.randint(1, 4), backward=self.random.random() < 0.4)
+
+    def _resume(self) -> None:
+        self.debugger.resume(backward=self.random.random() < 0.7)
 
     def _goto(self) -> None:
         self.debugger.goto(self.random.choice(list(self.seen)))
@@ -84,10 +88,10 @@ class Walk:
 @pytest.mark.parametrize(
     ("program", "world", "seed", "steps"),
     [
-        ("square.c", "room.xml", 1, 25),
-        pytest.param("wander.c", "complex-3r.xml", 2, 100, marks=pytest.mark.slow),
-        pytest.param("clear_aisle.c", "warehouse.xml", 4, 100, marks=pytest.mark.slow),
-        pytest.param("platoon.c", "platoon.xml", 5, 100, marks=pytest.mark.slow),
+        ("square.c", "room.xml", 1, 12),
+        pytest.param("wander.c", "complex-3r.xml", 2, 60, marks=pytest.mark.slow),
+        pytest.param("clear_aisle.c", "warehouse.xml", 4, 60, marks=pytest.mark.slow),
+        pytest.param("platoon.c", "platoon.xml", 5, 60, marks=pytest.mark.slow),
     ],
 )
 def test_the_same_instant_is_the_same_to_the_byte_whatever_way_leads_to_it(
@@ -96,5 +100,9 @@ def test_the_same_instant_is_the_same_to_the_byte_whatever_way_leads_to_it(
     debugger = debugger_at([SAMPLES / program], world)
     debugger.start()
     walk = Walk(debugger, seed)
+    if steps > 50:
+        debugger.add_catchpoint("bumper")
+        debugger.add_catchpoint("degradation")
+        debugger.add_breakpoint("vm")
     walk.go(steps)
-    assert walk.changes >= 3
+    assert walk.changes
