@@ -37,6 +37,18 @@ int main(void)
 """
 
 
+def _install(folder: Path) -> str:
+    """Installs what the lock file says; gives why it cannot be, empty if it could."""
+    command = ["npm", "ci", "--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error"]
+    try:
+        done = subprocess.run(
+            command, cwd=folder, capture_output=True, text=True, timeout=120, check=False
+        )
+    except subprocess.TimeoutExpired:
+        return "its registry does not answer"
+    return "" if not done.returncode else (done.stderr.strip() or "it failed").splitlines()[0]
+
+
 @pytest.fixture(scope="session")
 def modules() -> Path:
     """Gives a folder with the client, installed once for each content of the lock file."""
@@ -49,13 +61,9 @@ def modules() -> Path:
         folder.mkdir(parents=True, exist_ok=True)
         for name in ("package.json", "package-lock.json"):
             shutil.copy(HERE / name, folder)
-        command = ["npm", "ci", "--ignore-scripts", "--no-audit", "--no-fund", "--silent"]
-        done = subprocess.run(
-            command, cwd=folder, capture_output=True, text=True, timeout=120, check=False
-        )
-        if done.returncode:
-            reason = done.stderr.strip().splitlines()[-1:] or ["npm failed"]
-            pytest.skip(f"npm cannot install the public DAP client: {reason[0]}")
+        reason = _install(folder)
+        if reason:
+            pytest.skip(f"npm cannot install the public DAP client: {reason}")
         (folder / "installed").touch()
     return folder / "node_modules"
 
