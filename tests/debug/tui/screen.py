@@ -40,6 +40,15 @@ async def settle(pilot: Pilot[int]) -> None:
     await pilot.pause()
 
 
+async def until(pilot: Pilot[int], holds: Callable[[], bool]) -> None:
+    """Waits for something that is to happen soon, however busy the computer is."""
+    for _ in range(500):
+        if holds():
+            return
+        await pilot.pause(0.02)
+    raise AssertionError("it did not happen")
+
+
 async def enter(pilot: Pilot[int], line: str) -> None:
     """Types a line, quicker than key by key."""
     pilot.app.query_one(CommandLine).value = line

@@ -12,7 +12,7 @@ from crs_cc.debug.tui.source_pane import SourcePane
 from crs_cc.debug.tui.time_line import TimeLine
 from crs_cc.debug.tui.variables_pane import VariablesPane
 from tests.debug.tui.fake import FakeWork
-from tests.debug.tui.screen import LARGE, TINY, drive, enter, settle, text_of
+from tests.debug.tui.screen import LARGE, TINY, drive, enter, settle, text_of, until
 
 
 def test_function_keys_work_while_somebody_types_and_letters_elsewhere() -> None:
@@ -68,13 +68,12 @@ def test_the_screen_lives_while_the_program_runs_and_ctrl_c_stops_it() -> None:
 
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
         await pilot.press("f5")
-        await pilot.pause(0.2)
-        assert text_of(app).startswith(" running  continue: 4.50 s   Ctrl-C stops it")
+        running = " running  continue: 4.50 s   Ctrl-C stops it"
+        await until(pilot, lambda: text_of(app).startswith(running))
         await pilot.press("f11", "f2")  # a key that is held down does not pile up
         assert app.query_one(Panes).picked == "stack"
         app.action_pick("output")
-        await pilot.pause(0.2)
-        assert "0 0\n2 2\n" in text_of(app)
+        await until(pilot, lambda: "0 0\n2 2\n" in text_of(app))
         await pilot.press("ctrl+c")
         await settle(pilot)
         assert not app.query_one(StatusBar).running
@@ -194,23 +193,20 @@ def test_another_file_of_the_program_is_shown_until_the_run_moves() -> None:
 def test_f1_shows_the_keys() -> None:
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
         await pilot.press("f1")
-        await pilot.pause()
-        assert "F6 Shift-F5 C" in text_of(app)
+        await until(pilot, lambda: "F6 Shift-F5 C" in text_of(app))
         await pilot.press("escape")
-        await pilot.pause()
-        assert not isinstance(app.screen, HelpPage)
+        await until(pilot, lambda: not isinstance(app.screen, HelpPage))
 
     drive(FakeWork(), session)
 
 
 def test_a_pane_can_have_the_screen_for_itself() -> None:
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
+        source = app.query_one(SourcePane)
         await pilot.press("escape", "z")
-        await pilot.pause()
-        assert app.query_one(SourcePane).size.height == 19
+        await until(pilot, lambda: source.size.height == 19)
         await pilot.press("z")
-        await pilot.pause()
-        assert app.query_one(SourcePane).size.height < 19
+        await until(pilot, lambda: source.size.height < 19)
 
     drive(FakeWork(), session)
 
@@ -242,7 +238,7 @@ def test_ctrl_d_and_the_command_quit_leave() -> None:
 
     async def with_command(pilot: Pilot[int], app: DebugApp) -> None:
         await enter(pilot, "quit")
-        await pilot.pause(0.1)
+        await until(pilot, lambda: app.return_value is not None)
 
     assert drive(FakeWork(), with_key).return_value == 0
     assert drive(FakeWork(), with_command).return_value == 0
@@ -254,8 +250,7 @@ def test_what_a_program_reads_is_typed_where_commands_are() -> None:
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
         for answer in ("enter", "ctrl+d"):
             await enter(pilot, "until")
-            await pilot.pause(0.05)
-            assert "scout reads: " in text_of(app)
+            await until(pilot, lambda: "scout reads: " in text_of(app))
             app.query_one(CommandLine).value = "" if answer == "ctrl+d" else " 42"
             await pilot.press(answer)
             await settle(pilot)
