@@ -89,7 +89,7 @@ class Bench:
 
     folder: Path
     robots: int
-    minutes: float
+    minutes: int
 
     def __post_init__(self) -> None:
         self.program = self.folder / "drive.c"
@@ -179,14 +179,10 @@ def backward(bench: Bench, table: Table, debugger: Debugger, minute_s: float) ->
     minute = round(60 / bench.world.timestep_s)
     debugger.add_breakpoint("minute", robot=0)
     debugger.goto_timestep(bench.timesteps - 1)
-    debugger.resume(backward=True)
-    reached = debugger.position
-    debugger.resume(backward=True)
-    last = debugger.position
-    debugger.goto_timestep(reached.timestep - 1)
     seconds = timed(lambda: debugger.resume(backward=True))
-    if debugger.position != last or reached.timestep - last.timestep < minute - 2:
-        sys.exit(f"went from {reached} to {debugger.position}, not to {last}")
+    back = bench.timesteps - debugger.position.timestep
+    if abs(back - minute) > 1:
+        sys.exit(f"went {back} timesteps back, not {minute}: {debugger.stop}")
     table.row("reverse-continue, a minute", seconds, seconds / minute_s, "x a minute forward")
     middle = bench.timesteps // 2 + 3
     seconds = timed(lambda: debugger.goto_timestep(middle))
@@ -196,7 +192,7 @@ def backward(bench: Bench, table: Table, debugger: Debugger, minute_s: float) ->
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n", 1)[0])
     parser.add_argument("robots", nargs="*", type=int, default=[1, 100])
-    parser.add_argument("--minutes", type=float, default=10.0, help="at least 3 (default 10)")
+    parser.add_argument("--minutes", type=int, default=10, help="whole ones (default 10)")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         for robots in options.robots:
