@@ -94,6 +94,7 @@ class Desk:
         """Does an order; whatever goes wrong is a line of the answer."""
         self._works = True
         self._streams.take()  # the look before has shown it
+        self.shell.debugger.run.interrupted = False  # it came too late for the order before
         debugger = self.shell.debugger
         before, looked_at = debugger.position, (debugger.robot, debugger.frame)
         answer, errors = Text(), list[str]()

@@ -134,6 +134,14 @@ def test_what_a_program_reads_is_asked_for_and_its_output_cannot_move_the_cursor
     assert done.look.source.line == 16
 
 
+def test_an_interrupt_that_comes_too_late_stops_nothing(desk: Desk) -> None:
+    press(desk, "print 1")
+    desk.interrupt()
+    done = press(desk, "next")
+    assert done.moved
+    assert done.look.state.startswith("main ")
+
+
 def test_what_is_wrong_is_a_line_and_the_run_stays_where_it_is(desk: Desk) -> None:
     for line in ("foo", "print nothing", "break 4711", "frame 7", "goto -1", "robot x"):
         done = press(desk, line)
