@@ -12,7 +12,7 @@ What it is, as constant data:
 What changes:
 
 - `state`: all of it, an array or more for each device, of which each has a file in `states/`;
-  `growth`: how a robot is added to it.
+  `growth`: how a robot is added to it; `packing`: how it is kept as one block of bytes.
 - `setting`: all that follows from it; `presence`: who comes and goes; `relocation`: who is carried.
 
 What happens in a timestep:
