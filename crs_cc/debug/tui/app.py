@@ -29,9 +29,8 @@ from crs_cc.debug.tui.source_pane import SourcePane
 from crs_cc.debug.tui.texts import Console, Output
 from crs_cc.debug.tui.time_line import TimeLine
 from crs_cc.debug.tui.variables_pane import VariablesPane
-from crs_cc.debug.tui.work import Done, Order, Work
+from crs_cc.debug.tui.work import PROMPT, Done, Order, Work
 
-_PROMPT: Final = "(crs) "
 _WAIT_S: Final = 0.15  # before and between the times that it is said that something runs
 
 
@@ -109,7 +108,7 @@ class DebugApp(App[int]):
         yield Panes(id="panes")
         yield TimeLine(id="time")
         with Horizontal(id="prompt"):
-            yield Label(_PROMPT)
+            yield Label(PROMPT)
             yield CommandLine(self._work.complete, id="command")
         yield ButtonBar(id="keys")
 
@@ -165,6 +164,7 @@ class DebugApp(App[int]):
             self.exit(0)
             return
         self._tell(order, done)
+        self.query_one("#prompt Label", Label).update(done.prompt)
         self._show(done.look, moved=done.moved)
         self._go_on()
         self._pursue()
@@ -305,7 +305,7 @@ class DebugApp(App[int]):
     def _ask_for(self, robot: str) -> None:
         """Takes what is typed as the input of a robot's program; as commands for an empty name."""
         self._asks = robot
-        self.query_one("#prompt Label", Label).update(_reads(robot) if robot else _PROMPT)
+        self.query_one("#prompt Label", Label).update(_reads(robot) if robot else PROMPT)
 
     def _give(self, line: str | None) -> None:
         self.query_one("#console", Console).echo(line or "", _reads(self._asks))

@@ -59,10 +59,12 @@ class Desk:
         self._scripts = scripts
         self._has_begun = False
         self._works = False
+        self._is_interrupted = False
         self._look = Look()
 
     def interrupt(self) -> None:
         """Makes what is being done come to an end; from any thread."""
+        self._is_interrupted = True
         self.shell.debugger.interrupt()
         self._streams.end()
 
@@ -94,7 +96,9 @@ class Desk:
         """Does an order; whatever goes wrong is a line of the answer."""
         self._works = True
         self._streams.take()  # the look before has shown it
-        self.shell.debugger.run.interrupted = False  # it came too late for the order before
+        self._is_interrupted = self.shell.debugger.run.interrupted = (
+            False  # it came too late for the order before
+        )
         debugger = self.shell.debugger
         before, looked_at = debugger.position, (debugger.robot, debugger.frame)
         answer, errors = Text(), list[str]()
@@ -111,7 +115,14 @@ class Desk:
         finally:
             self._works = False
         has_moved = debugger.position != before
-        return Done(self._look, answer, tuple(errors), has_moved, self.shell.has_ended)
+        return Done(
+            self._look,
+            answer,
+            tuple(errors),
+            has_moved,
+            self.shell.has_ended,
+            self.shell.prompt,
+        )
 
     def _note_stop(self) -> None:
         """Lets the time line show where the run stopped by itself."""
@@ -142,6 +153,11 @@ class Desk:
     def _begin(self) -> Iterator[Line | SourceLine]:
         try:
             for line in self._scripts:
+                if self.shell.has_ended:
+                    return
+                if self._is_interrupted:
+                    yield Line("the script is left where it was interrupted", "error")
+                    return
                 yield from self.shell.execute(line or "#")
         except DebugError as error:  # a script that cannot be read
             yield Line(str(error), "error")

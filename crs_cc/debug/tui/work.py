@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import Final, Protocol
 
 from rich.text import Text
 
 from crs_cc.debug.tui.look import Key, Look, Written
+
+PROMPT: Final = "(crs) "
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +42,7 @@ class Done:
         errors: what is wrong with it, a line each.
         moved: the run stands elsewhere.
         leaves: the user wants to leave.
+        prompt: what asks for the next line.
     """
 
     look: Look
@@ -47,6 +50,7 @@ class Done:
     errors: tuple[str, ...] = ()
     moved: bool = False
     leaves: bool = False
+    prompt: str = PROMPT
 
 
 class Work(Protocol):

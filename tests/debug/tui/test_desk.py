@@ -134,6 +134,18 @@ def test_what_a_program_reads_is_asked_for_and_its_output_cannot_move_the_cursor
     assert done.look.source.line == 16
 
 
+def test_scripts_come_first_and_breakpoints_take_commands(program: DebugProgram) -> None:
+    script = ["break square", "commands", "print n", "end", "", "continue", "quit", "next"]
+    desk = Desk(Debugger(empty_world(), [program]), Streams(), script[:2])
+    assert desk.do(Order()).prompt == ">"
+    assert press(desk, "end").prompt == "(crs) "
+    desk = Desk(Debugger(empty_world(), [program]), Streams(), script)
+    done = desk.do(Order())
+    assert done.leaves
+    assert done.look.source.line == 7
+    assert "$1 = 3" in done.answer.plain
+
+
 def test_an_interrupt_that_comes_too_late_stops_nothing(desk: Desk) -> None:
     press(desk, "print 1")
     desk.interrupt()
