@@ -96,10 +96,9 @@ class Desk:
         """Does an order; whatever goes wrong is a line of the answer."""
         self._works = True
         self._streams.take()  # the look before has shown it
-        self._is_interrupted = self.shell.debugger.run.interrupted = (
-            False  # it came too late for the order before
-        )
         debugger = self.shell.debugger
+        # An interrupt that came too late for the order before is none of this one.
+        self._is_interrupted = debugger.run.interrupted = False
         before, looked_at = debugger.position, (debugger.robot, debugger.frame)
         answer, errors = Text(), list[str]()
         try:
@@ -115,14 +114,8 @@ class Desk:
         finally:
             self._works = False
         has_moved = debugger.position != before
-        return Done(
-            self._look,
-            answer,
-            tuple(errors),
-            has_moved,
-            self.shell.has_ended,
-            self.shell.prompt,
-        )
+        leaves, prompt = self.shell.has_ended, self.shell.prompt
+        return Done(self._look, answer, tuple(errors), has_moved, leaves, prompt)
 
     def _note_stop(self) -> None:
         """Lets the time line show where the run stopped by itself."""
