@@ -320,9 +320,9 @@ class Traveller:
             InterruptedRunError: the user wants it; the run is somewhere on the way.
         """
         run = self._run
-        if run.session.halted == robot and run.begun(robot) == statements:
+        if not run.is_astray and run.session.halted == robot and run.begun(robot) == statements:
             return True
-        if run.begun(robot) >= statements:
+        if run.is_astray or run.begun(robot) >= statements:
             run.history.visit(run.position)
             run.restore(run.history.at(self._snapshot(robot, statements, run.position)))
         run.arm(Marks(all=frozenset({robot}), since={robot: statements}))

@@ -239,3 +239,37 @@ def test_backward_from_the_middle_of_a_round_with_the_world_asked_for(loop: Debu
     loop.add_catchpoint("collision")
     loop.next(3)
     assert loop.resume(backward=True).reason == "beginning"
+
+
+WAITING = """\
+#include <unistd.h>
+static int work(int n)
+{
+    sleep(1);
+    return n;
+}
+static void busy(void)
+{
+    int i;
+    for (i = 0; i < 100; i++)
+        ;
+}
+int main(void)
+{
+    busy();
+    return work(3);
+}
+"""
+
+
+def test_back_from_where_nobody_stands_the_clock_is_that_of_the_instant(tmp_path: Path) -> None:
+    debugger = debugger_of(WAITING, folder=tmp_path)
+    debugger.start()
+    debugger.goto_timestep(5)
+    stop = debugger.finish(backward=True)
+    assert line(debugger) == 16
+    assert stop.time_s < 0.01
+    state, here = debugger.session.state_hash(), debugger.position
+    debugger.goto_timestep(3)
+    debugger.goto(here)
+    assert debugger.session.state_hash() == state

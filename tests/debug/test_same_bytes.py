@@ -1,8 +1,8 @@
 """Whatever way leads to an instant of a run, forward or backward, it is the same to the byte.
 
-Every sample is led to and fro by chance: all kinds of steps, breakpoints, jumps. Wherever it comes
-by for a second time, state and output are what they were. In the end it is run on, and it has all
-come out as in a run that nobody looked at.
+Every sample is led to and fro by chance: all kinds of steps, breakpoints, watchpoints, jumps.
+Wherever it comes by for a second time, state and output are what they were. In the end it is run
+on, and it has all come out as in a run that nobody looked at.
 """
 
 from __future__ import annotations
@@ -60,10 +60,21 @@ class Trial:
         debugger.goto_timestep(self.chance.randrange(TIMESTEPS))
         self.compare()
         debugger.select_robot(self.chance.randrange(len(debugger.names)))
+        self.watch()
         for _ in range(MOVES):
             self.move(backward=False)
         for _ in range(MOVES):
             self.move(backward=self.chance.random() < 0.7)
+
+    def watch(self) -> None:
+        """Watches something that is to be seen here, and what was watched before no longer."""
+        debugger = self.debugger
+        for each in debugger.breakpoints:
+            if each.watch:
+                debugger.remove(each.number)
+        names = [each.name for each in (*debugger.variables(), *debugger.globals_())]
+        with contextlib.suppress(DebugError, IndexError):  # nothing is to be seen
+            debugger.add_watchpoint(self.chance.choice(names), "access")
 
     def move(self, *, backward: bool) -> None:
         """Does one of all moves."""

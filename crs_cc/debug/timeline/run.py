@@ -61,6 +61,8 @@ class Run:
         tape: what the programs were given in it.
         programs: by robot, its program.
         interrupted: set by whoever wants `advance` to raise `InterruptedRunError`.
+        is_astray: whether this is no instant of the run: programs ran past where they should, or
+            without the world. Then only `seek` or `restore` lead on.
     """
 
     def __init__(
@@ -91,7 +93,7 @@ class Run:
         self._step: Step | None = None
         self._marks = Marks()
         self._stopped: dict[int, Stopped] = {}  # by robot, as long as nothing moves
-        self._astray = False  # ran past the limit: not a place to be
+        self.is_astray = False
         self.session = Session(
             world,
             [program.executable for program in programs],
@@ -213,7 +215,7 @@ class Run:
                 self.restore(self.history.at(edit))
                 return instant
             if limit is not None and self._has_passed(limit) and self.position != limit:
-                self._astray = True
+                self.is_astray = True
                 return _LIMIT
             instant = self._end_round() if self.session.halted is None else _STATEMENT
             instant = self._with_accesses(instant)
@@ -249,9 +251,9 @@ class Run:
                 if ahead.kind == "limit":
                     break
                 yield ahead
-            self._astray = True
+            self.is_astray = True
             return
-        self._astray = True
+        self.is_astray = True
         self._recall(begin)
         while self.position < limit:
             self._answer_interrupt()
@@ -364,7 +366,7 @@ class Run:
     def seek(self, target: Position) -> None:
         """Goes to an instant that the run has been at; nothing interrupts that."""
         position, kept = self.history.before(target)
-        if self._astray or not position <= self.position <= target:
+        if self.is_astray or not position <= self.position <= target:
             self.restore(kept)
         everywhere, since = frozenset[int](), {}
         if target.robot >= 0:
@@ -375,7 +377,7 @@ class Run:
 
     def restore(self, kept: Kept) -> None:
         """Goes to where a snapshot was made."""
-        self._astray = False
+        self.is_astray = False
         self._stopped.clear()
         self.session.restore(kept.session)
         self.console.restore(kept.console)
@@ -387,7 +389,7 @@ class Run:
         console.is_live = self.console.is_live
         self.history, self.console, self.chronicle = history, console, chronicle
         self.tape = Tape()
-        self._astray = True
+        self.is_astray = True
 
     def changed(self) -> None:
         """Takes note that the user has changed something: from here on the run is another."""
