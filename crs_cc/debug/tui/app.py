@@ -14,6 +14,7 @@ from textual.app import App, ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal
 from textual.message import Message
+from textual.screen import Screen
 from textual.timer import Timer
 from textual.widgets import Label
 
@@ -114,14 +115,19 @@ class DebugApp(App[int]):
 
     def on_mount(self) -> None:
         """Shows the start."""
-        self.query_one("#keys", ButtonBar).buttons = tuple(
+        self.main.query_one("#keys", ButtonBar).buttons = tuple(
             Button(each.label, f"simulate('{each.keys.split(',')[0]}')", each.shown)
             for each in SHORTCUTS
             if each.label
         )
-        self.query_one(CommandLine).focus()
+        self.main.query_one(CommandLine).focus()
         self._work.listen(self._hear)
         self._order(Order())
+
+    @property
+    def main(self) -> Screen[object]:
+        """Gives the screen below the page of help."""
+        return self.screen_stack[0]
 
     @property
     def is_idle(self) -> bool:
@@ -159,18 +165,18 @@ class DebugApp(App[int]):
         self._current = None
         if self._slow is not None:
             self._slow.stop()
-        self.query_one(StatusBar).running = ""
+        self.main.query_one(StatusBar).running = ""
         if self._leaving or done.leaves:
             self.exit(0)
             return
         self._tell(order, done)
-        self.query_one("#prompt Label", Label).update(done.prompt)
+        self.main.query_one("#prompt Label", Label).update(done.prompt)
         self._show(done.look, moved=done.moved)
         self._go_on()
         self._pursue()
 
     def _tell(self, order: Order, done: Done) -> None:
-        console = self.query_one("#console", Console)
+        console = self.main.query_one("#console", Console)
         if order.line is not None and (order.is_typed or done.answer.plain or done.errors):
             console.echo(order.line)
         console.answer(done.answer)
@@ -178,26 +184,26 @@ class DebugApp(App[int]):
             console.error(line)
         has_failed = done.moved and done.look.badge == "error"
         if (order.is_typed and done.answer.plain) or done.errors or has_failed:
-            self.query_one(Panes).pick("console")
-            self.screen.add_class("-answer")
+            self.main.query_one(Panes).pick("console")
+            self.main.add_class("-answer")
 
     def _show(self, look: Look, *, moved: bool) -> None:
         if moved:
-            self.screen.remove_class("-answer")
+            self.main.remove_class("-answer")
         if look.source.file != self._file:
             self._file = ""
         self._look = look
-        self.query_one(StatusBar).look = look
-        self.query_one(Panes).show(look, moved=moved)
-        line = self.query_one(TimeLine)
+        self.main.query_one(StatusBar).look = look
+        self.main.query_one(Panes).show(look, moved=moved)
+        line = self.main.query_one(TimeLine)
         line.end_s, line.time_s, line.happened = look.end_s, look.time_s, look.events
 
     def _say_running(self) -> None:
         """Says what runs, how far it is, and what it writes; most orders are done before."""
         if self._current is not None and self._current.line is not None:
             line = self._current.line or "again"
-            self.query_one(StatusBar).running = f"{line}: {self._work.time_s:.2f} s"
-            self.query_one("#output", Output).add(self._work.take_output())
+            self.main.query_one(StatusBar).running = f"{line}: {self._work.time_s:.2f} s"
+            self.main.query_one("#output", Output).add(self._work.take_output())
 
     # -- what the user does --------------------------------------------------------------------
 
@@ -224,11 +230,11 @@ class DebugApp(App[int]):
 
     def action_breakpoint(self) -> None:
         """Sets a breakpoint at the marked line of the source, or removes it."""
-        self._toggle(self.query_one(SourcePane).cursor)
+        self._toggle(self.main.query_one(SourcePane).cursor)
 
     def action_here(self) -> None:
         """Runs to the marked line."""
-        source = self.query_one(SourcePane)
+        source = self.main.query_one(SourcePane)
         self.action_press(f"advance {source.file}:{source.cursor}")
 
     def _toggle(self, line: int) -> None:
@@ -242,7 +248,7 @@ class DebugApp(App[int]):
         """Shows another file of the program."""
         files = self._look.source.files
         if files:
-            shown = files.index(self.query_one(SourcePane).file)
+            shown = files.index(self.main.query_one(SourcePane).file)
             self._file = files[(shown + 1) % len(files)]
             self._look_again()
 
@@ -253,29 +259,29 @@ class DebugApp(App[int]):
 
     def action_pane(self, steps: int) -> None:
         """Shows another of the lower panes."""
-        self.query_one(Panes).move(steps)
+        self.main.query_one(Panes).move(steps)
 
     def action_pick(self, name: str) -> None:
         """Shows one of the lower panes."""
-        panes = self.query_one(Panes)
+        panes = self.main.query_one(Panes)
         panes.pick(name)
         panes.pane(name).focus()
 
     def action_zoom(self) -> None:
         """Shows the pane with the focus alone, or all again."""
-        panes = self.query_one(Panes)
-        alone = self.focused if self.focused in panes.children else self.query_one(SourcePane)
+        panes = self.main.query_one(Panes)
+        alone = self.focused if self.focused in panes.children else self.main.query_one(SourcePane)
         for each in panes.children:
             each.set_class(each is alone, "-alone")
-        self.screen.toggle_class("-zoomed")
+        self.main.toggle_class("-zoomed")
 
     def action_type(self) -> None:
         """Goes to the command line, or from there to the source."""
         if isinstance(self.screen, HelpPage):
             self.pop_screen()
             return
-        line = self.query_one(CommandLine)
-        (self.query_one(SourcePane) if line.has_focus else line).focus()
+        line = self.main.query_one(CommandLine)
+        (self.main.query_one(SourcePane) if line.has_focus else line).focus()
 
     def action_simulate(self, key: str) -> None:
         """Does as if a key had been pressed."""
@@ -300,15 +306,15 @@ class DebugApp(App[int]):
     def on_asked(self, message: Asked) -> None:
         """Lets the user type what a program reads."""
         self._ask_for(message.robot)
-        self.query_one(CommandLine).focus()
+        self.main.query_one(CommandLine).focus()
 
     def _ask_for(self, robot: str) -> None:
         """Takes what is typed as the input of a robot's program; as commands for an empty name."""
         self._asks = robot
-        self.query_one("#prompt Label", Label).update(_reads(robot) if robot else PROMPT)
+        self.main.query_one("#prompt Label", Label).update(_reads(robot) if robot else PROMPT)
 
     def _give(self, line: str | None) -> None:
-        self.query_one("#console", Console).echo(line or "", _reads(self._asks))
+        self.main.query_one("#console", Console).echo(line or "", _reads(self._asks))
         self._ask_for("")
         self._work.give(line)
 

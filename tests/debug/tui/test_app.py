@@ -194,10 +194,15 @@ def test_f1_shows_the_keys() -> None:
     async def session(pilot: Pilot[int], app: DebugApp) -> None:
         await pilot.press("f1")
         await until(pilot, lambda: "F6 Shift-F5 C" in text_of(app))
+        for key in ("f11", "f2", "f4", "f9", "ctrl+c"):  # keys go on working below it
+            await pilot.press(key)
+            await settle(pilot)
         await pilot.press("escape")
         await until(pilot, lambda: not isinstance(app.screen, HelpPage))
 
-    drive(FakeWork(), session)
+    work = FakeWork()
+    drive(work, session)
+    assert work.lines == ["step", "delete 1"]
 
 
 def test_a_pane_can_have_the_screen_for_itself() -> None:
