@@ -83,6 +83,14 @@ def _no_object(_address: int, _target: CType) -> str:
     return ""
 
 
+def _shown(content: bytes, states: bytes) -> bytes:
+    """Gives bytes as they are shown: those without values are all the same."""
+    if not states.strip(_KNOWN):
+        return content
+    pairs = zip(content, states.ljust(len(content), _KNOWN), strict=False)
+    return bytes(byte if state in _KNOWN else 0 for byte, state in pairs)
+
+
 def _no_function(_number: int) -> str:
     return ""
 
@@ -168,10 +176,10 @@ class Values:
         if depth >= self.style.most_nested or size == 0:
             return "{...}"
         parts: list[str] = []
-        start = 0
+        start, shown = 0, _shown(content, states)
         while start < len(content) and len(parts) < self.style.most_elements:
             part = slice(start, start + size)
-            count = self._run(content, states, start, size) if self.style.repeats else 1
+            count = self._run(shown, states, start, size) if self.style.repeats else 1
             text = self._show(element, content[part], states[part], depth + 1)
             parts.append(text if count == 1 else f"{text} <repeats {count} times>")
             start += count * size

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import struct
+from dataclasses import replace
 
 import pytest
 
@@ -27,7 +28,7 @@ from crs_cc.ir.types import (
     Record,
     RecordType,
 )
-from crs_cc.runtime.diagnosis.values import LONGEST, Values, place_name
+from crs_cc.runtime.diagnosis.values import BRIEF, LONGEST, Values, place_name
 
 STRING = PointerType(CHAR)
 MODE = EnumType(Enumeration("mode", {"IDLE": 0, "TURN": 5}))
@@ -133,6 +134,12 @@ def test_a_list_that_bites_its_tail_is_written_once() -> None:
 )
 def test_what_has_no_value_is_not_shown(ctype: CType, states: bytes, wanted: str) -> None:
     assert Values().show(ctype, bytes(ctype.size), states) == wanted
+
+
+def test_elements_without_values_are_equal_whatever_was_there_before() -> None:
+    values = Values(style=replace(BRIEF, repeats=3))
+    states = b"\x01" * 5 + b"\xff"
+    assert values.show(ArrayType(CHAR, 6), b"abcdef", states) == "{? <repeats 5 times>, 102 'f'}"
 
 
 @pytest.mark.parametrize(
