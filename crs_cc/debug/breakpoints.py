@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.world.happenings import Happening, happenings, is_of
+from crs_cc.debug.world.happenings import happenings, is_of
 from crs_cc.ir.names import plain_name
 
 if TYPE_CHECKING:
@@ -176,32 +176,22 @@ class Breakpoints:
 
     def _at_ends(self, run: Run, ended: Sequence[int]) -> list[Hit]:
         return [
-            Hit(each, robot, f"the program of {run.name(robot)} exited")
+            Hit(each, robot, f"the program of {run.name(robot)} ended")
             for each in self._all.values()
             for robot in ended
             if each.kind == "catchpoint" and each.text == "exit" and each.concerns(robot)
         ]
 
     def _at_timestep(self, run: Run, instant: Instant) -> list[Hit]:
+        ends = self._at_ends(run, instant.ended)
         wanted = [each for each in self._all.values() if each.kind == "catchpoint" and each.enabled]
         kinds = tuple(dict.fromkeys(each.text for each in wanted if each.text != "exit"))
         if not kinds or instant.step is None:
-            return []
+            return ends
         happened = happenings(instant.step, run.session.environment.world, kinds)
-        return [
+        return ends + [
             Hit(each, one.robot, one.text)
             for each in wanted
-            if (one := _first(happened, each)) is not None
+            for one in happened
+            if is_of(one.kind, [each.text]) and each.robot in {None, one.robot}
         ]
-
-
-def _first(happened: Iterable[Happening], wanted: Breakpoint) -> Happening | None:
-    """Gives the first happening that a catchpoint waits for."""
-    return next(
-        (
-            each
-            for each in happened
-            if is_of(each.kind, [wanted.text]) and wanted.robot in {None, each.robot}
-        ),
-        None,
-    )

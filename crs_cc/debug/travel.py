@@ -32,6 +32,7 @@ It is told whether the run goes forward under the user's eyes: then hits are cou
 Tell = Callable[[Hit], str]
 """Says what happened to what is watched."""
 
+_MOST_TOLD: Final = 5
 _FIRST_WINDOW: Final = 64
 _WIDER: Final = 16
 
@@ -109,10 +110,8 @@ class Traveller:
 
     def _reason(self, instant: Instant, aim: Aim | None) -> Stop | None:
         """Gives why to stop at an instant, if there is a reason."""
-        stop = self._failure(instant)
-        if stop is None:
-            hits = [*self._breakpoints.met(self._run, instant), *self._breakpoints.touched(instant)]
-            stop = self._hit(hits, counts=True)
+        hits = [*self._breakpoints.met(self._run, instant), *self._breakpoints.touched(instant)]
+        stop = _both(self._failure(instant), self._hit(hits, counts=True))
         if stop is not None:
             return stop
         if instant.kind == "statement" and aim is not None:
@@ -130,7 +129,11 @@ class Traveller:
         failed = [robot for robot in instant.ended if run.has_failed(robot)]
         if not failed:
             return None
-        return self.stop("error", failed[0], run.session.fleet.report(failed[0]).text)
+        texts = [run.session.fleet.report(robot).text for robot in failed]
+        if len(failed) > 1:
+            pairs = zip(failed, texts, strict=True)
+            texts = [f"{run.name(robot)}: {text}" for robot, text in pairs]
+        return self.stop("error", failed[0], "; ".join(texts))
 
     def _hit(self, met: list[Hit], *, counts: bool) -> Stop | None:
         """Gives the stop for those of some breakpoints that count, if any does."""
@@ -145,7 +148,7 @@ class Traveller:
         if not hits:
             return None
         first = hits[0]
-        stop = self.stop(first.breakpoint.kind, first.robot, "; ".join(texts))
+        stop = self.stop(first.breakpoint.kind, first.robot, _joined(texts))
         numbers = dict.fromkeys(each.breakpoint.number for each in hits)
         return replace(stop, breakpoints=tuple(numbers))
 
@@ -184,7 +187,7 @@ class Traveller:
             run.seek(BEGINNING)
             return self.stop("beginning")
         try:
-            for position in list(run.history.back_from(start)):
+            for position in run.history.back_from(start):
                 found = self._last(position, limit, start)
                 if found is not None:
                     return self._to(found)
@@ -211,9 +214,8 @@ class Traveller:
         return _together(found) if found else None
 
     def _met(self, instant: Instant) -> _Found | None:
-        stop = self._failure(instant)
-        if stop is None:
-            stop = self._hit(self._breakpoints.met(self._run, instant), counts=False)
+        hit = self._hit(self._breakpoints.met(self._run, instant), counts=False)
+        stop = _both(self._failure(instant), hit)
         return None if stop is None else _Found(stop, stop.position)
 
     def _touched(self, instant: Instant) -> Iterator[_Found]:
@@ -338,3 +340,17 @@ def _together(found: list[_Found]) -> _Found:
     numbers = dict.fromkeys(number for each in stops for number in each.breakpoints)
     text = "; ".join(each.text for each in stops if each.text)
     return replace(found[-1], stop=replace(stops[-1], breakpoints=tuple(numbers), text=text))
+
+
+def _joined(texts: list[str]) -> str:
+    """Gives what happened at the same time in one line, and of much only the first."""
+    more = [f"and {len(texts) - _MOST_TOLD} more"] if len(texts) > _MOST_TOLD else []
+    return "; ".join(texts[:_MOST_TOLD] + more)
+
+
+def _both(failure: Stop | None, hit: Stop | None) -> Stop | None:
+    """Gives one stop for an error and for the breakpoints that were met at the same time."""
+    if failure is None or hit is None:
+        return failure or hit
+    text = "; ".join(each for each in (failure.text, hit.text) if each)
+    return replace(failure, breakpoints=hit.breakpoints, text=text)

@@ -156,14 +156,14 @@ class History:
         Those near are given one by one. Then some are left out: more and more, as whoever looks for
         something that far back will look further still, and every piece of the way has its price.
         """
-        places = self._positions[: bisect_left(self._positions, position)]
-        number, last, reach = len(places), position.timestep, 0
-        while number:
+        place, reach = position, 0
+        while number := bisect_left(self._positions, place):  # some may have gone meanwhile
             number -= 1
-            while number and last - places[number - 1].timestep <= reach:
+            while number and place.timestep - self._positions[number - 1].timestep <= reach:
                 number -= 1
-            yield places[number]
-            last, reach = places[number].timestep, min(2 * reach + self._interval, self._farthest)
+            place = self._positions[number]
+            yield place
+            reach = min(2 * reach + self._interval, self._farthest)
 
     def next_edit(self, position: Position) -> Position | None:
         """Gives the next instant behind this one at which the user has changed something."""

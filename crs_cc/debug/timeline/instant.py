@@ -55,7 +55,8 @@ class Instant:
         kind: a program stopped before a `statement`; a `round` or a `timestep` has ended; or the
             `limit` has been passed.
         posted: the requests that programs posted in the round: robot and code of each, rising.
-        ended: the programs that ended in the round, or failed.
+        ended: the programs that ended in the round, or failed; those whose robots left with the
+            timestep.
         step: what happened in the timestep.
         over: whether the timestep was the last one, as no program is left.
         accesses: what happened to what is watched.

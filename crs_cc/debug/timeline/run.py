@@ -281,7 +281,7 @@ class Run:
         if place.robot < 0:
             if place.round == self.tape.rounds_in(place.timestep):
                 session.timesteps, session.rounds = place.timestep + 1, 0
-                return Instant("timestep")
+                return Instant("timestep", ended=self.tape.ended_in(place.timestep))
             assert round_ is not None
             round_.give(session.fleet)
             self._note_begun()
@@ -355,11 +355,14 @@ class Run:
         return Instant("round", posted, tuple(ended.tolist()))
 
     def _end_cycle(self) -> Instant:
-        self.tape.end(self.session.timesteps, self.session.rounds)
-        goes_on = self.session.end_cycle()
+        session = self.session
+        timestep, rounds, alive = session.timesteps, session.rounds, session.alive.copy()
+        goes_on = session.end_cycle()
+        ended = tuple(np.flatnonzero(alive & ~session.alive).tolist())
+        self.tape.end(timestep, rounds, ended)
         assert self._step is not None
-        self.chronicle.hear(self._step, self.session.environment)
-        return Instant("timestep", step=self._step, over=not goes_on)
+        self.chronicle.hear(self._step, session.environment)
+        return Instant("timestep", ended=ended, step=self._step, over=not goes_on)
 
     # -- going anywhere ----------------------------------------------------------------------
 

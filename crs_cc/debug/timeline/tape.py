@@ -81,6 +81,7 @@ class Tape:
         self._bytes = 0
         self._rounds: dict[tuple[int, int], Round] = {}
         self._counts: dict[int, int] = {}
+        self._ended: dict[int, tuple[int, ...]] = {}
 
     def note(self, place: Position, pending: npt.NDArray[np.int64], fleet: Fleet) -> None:
         """Notes a round that begins.
@@ -100,9 +101,15 @@ class Tape:
             oldest = next(iter(self._rounds))
             self._bytes -= self._rounds.pop(oldest).size
 
-    def end(self, timestep: int, rounds: int) -> None:
-        """Notes how many rounds a timestep had."""
+    def end(self, timestep: int, rounds: int, ended: tuple[int, ...] = ()) -> None:
+        """Notes how many rounds a timestep had, and whose programs ended with it."""
         self._counts[timestep] = rounds
+        if ended:
+            self._ended[timestep] = ended
+
+    def ended_in(self, timestep: int) -> tuple[int, ...]:
+        """Gives the robots whose programs ended with a timestep, as they left."""
+        return self._ended.get(timestep, ())
 
     def round_at(self, place: Position) -> Round | None:
         """Gives the round that begins at an instant; None when it is not known."""
@@ -132,3 +139,4 @@ class Tape:
             self._bytes -= self._rounds.pop(key).size
         for timestep in [each for each in self._counts if each >= place.timestep]:
             del self._counts[timestep]
+            self._ended.pop(timestep, None)
