@@ -139,9 +139,18 @@ class Shell:
                 self._again = _again(command, text)
             yield from _as_lines(command.run(self, arguments))
         except DebugError as error:
-            self.failures += 1
-            self._due.clear()
-            yield Line(str(error), "error")
+            yield self._refuse(str(error))
+        except OSError:  # the system's: whoever read the output may have gone away
+            raise
+        except Exception as error:  # ours; what the user has done so far must not be lost
+            wrong = " ".join(f"{type(error).__name__}: {error}".split())
+            yield self._refuse(f"internal error: {wrong}; please report it")
+
+    def _refuse(self, text: str) -> Line:
+        """Takes note that a command could not be done."""
+        self.failures += 1
+        self._due.clear()
+        return Line(text, "error")
 
 
 def _again(command: Command, text: str) -> str:

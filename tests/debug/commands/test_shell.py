@@ -1,0 +1,53 @@
+"""What lies between the lines that are typed: here, what must not end the debugger."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Never
+
+import pytest
+
+from crs_cc.debug.commands.shell import Shell
+from crs_cc.debug.engine import Debugger
+from tests.debug.debuggee import debugger_of
+
+QUIET = """\
+int main(void)
+{
+    return 0;
+}
+"""
+
+
+@pytest.fixture
+def shell(tmp_path: Path) -> Shell:
+    return Shell(debugger_of(QUIET, folder=tmp_path))
+
+
+def failing(monkeypatch: pytest.MonkeyPatch, error: BaseException) -> None:
+    """Lets `step` meet an error."""
+
+    def fail(*_: object, **__: object) -> Never:
+        raise error
+
+    monkeypatch.setattr(Debugger, "step", fail)
+
+
+def test_a_mistake_of_ours_is_a_line_and_the_debugger_lives_on(
+    shell: Shell, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    failing(monkeypatch, ValueError("no\n\tnumber"))
+    answer = [(line.text, line.kind) for line in shell.execute("step")]
+    said = "internal error: ValueError: no number; please report it"
+    assert answer == [(said, "error")]
+    assert shell.failures == 1
+    assert [line.text for line in shell.execute("echo alive")] == ["alive"]
+
+
+@pytest.mark.parametrize("error", [KeyboardInterrupt(), SystemExit(3), BrokenPipeError()])
+def test_what_is_no_mistake_of_ours_goes_through(
+    shell: Shell, monkeypatch: pytest.MonkeyPatch, error: BaseException
+) -> None:
+    failing(monkeypatch, error)
+    with pytest.raises(type(error)):
+        list(shell.execute("step"))
