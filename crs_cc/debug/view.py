@@ -15,7 +15,7 @@ from crs_cc.debug.data.variables import Variable
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.timeline.run import Run
-from crs_cc.debug.world.state_rows import state_fields
+from crs_cc.debug.world.state_rows import StateField, state_fields
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 from crs_cc.source import Location
@@ -182,6 +182,10 @@ class View:
     def globals_(self, *, robot: int | None = None) -> list[Variable]:
         """Gives the global variables of a program, by their names."""
         return self.evaluator(self.robot if robot is None else robot).globals_()
+
+    def told_state(self, robot: int | None = None) -> list[tuple[StateField, Value]]:
+        """Gives what a program was told in the vendor's `State[]`; nothing when it has it not."""
+        return self.evaluator(self.robot if robot is None else robot).sight().told_state()
 
     def type_of(self, text: str) -> CType:
         """Gives the type that an expression has, or that it names.

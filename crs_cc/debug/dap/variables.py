@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.dap.arguments import RefusalError
 from crs_cc.debug.dap.parts import FrameHandle, Parts, part_of, parts_of, shown
-from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.robot_rows import robot_rows
-from crs_cc.debug.world.state_rows import state_fields
+from crs_cc.debug.world.state_rows import state_rows
 from crs_cc.debug.world.world_rows import world_rows
 from crs_cc.ir.types import ArrayType
 
@@ -19,7 +18,6 @@ if TYPE_CHECKING:
     from crs_cc.debug.dap.arguments import Arguments
     from crs_cc.debug.dap.framing import Message
     from crs_cc.debug.dap.session import EditorSession
-    from crs_cc.debug.data.values import Value
     from crs_cc.debug.data.variables import Variable
     from crs_cc.debug.world.rows import Row
 
@@ -54,7 +52,7 @@ def scopes_at(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
     for name in _SCOPES:
         if at.frame is None and name == "Locals":
             continue
-        if name == "State" and _state(session, at) is None:
+        if name == "State" and not session.opened().told_state(at.robot):
             continue
         scope = {
             "name": name,
@@ -140,31 +138,13 @@ def _variables(
         yield {"name": name, **shown(session, each.value, expression, at)}
 
 
-def _state(session: EditorSession, at: FrameHandle) -> Value | None:
-    """Gives a program's `State[]`, if it has one."""
-    debugger = session.opened()
-    frame = debugger.first_own_frame(at.robot) if at.frame is not None else None
-    try:
-        value = debugger.look_up("State", robot=at.robot, frame=frame)
-    except DebugError:
-        return None
-    return value if isinstance(value.type, ArrayType) else None
-
-
 def _state_rows(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
     """Gives the numbers of `State[]` with their names and units."""
-    debugger, state = session.opened(), _state(session, at)
-    if state is None:
-        return
-    drive = debugger.session.environment.world.robots[at.robot].model.drive
-    dialect = debugger.run.programs[at.robot].options.dialect
-    fields = state_fields(dialect, synchro=drive.steering is not None)
-    for field, (_, value) in zip(fields, state.children(), strict=False):
-        number = value.number
-        text = field.text(number) if isinstance(number, int) else value.text
+    told = session.opened().told_state(at.robot)
+    for row, (field, _) in zip(state_rows(told), told, strict=True):
         yield {
-            "name": f"[{field.index}] {field.name}",
-            "value": text,
+            "name": row.name,
+            "value": row.text,
             "variablesReference": 0,
             "evaluateName": f"State[{field.index}]",
         }

@@ -18,7 +18,7 @@ from crs_cc.debug.data.values import Value
 from crs_cc.debug.world.state_rows import StateField
 from crs_cc.ir.names import in_library
 from crs_cc.ir.program import ByteState
-from crs_cc.ir.types import ArrayType, CType, IntegerType
+from crs_cc.ir.types import LONG, ArrayType, CType, IntegerType
 from crs_cc.runtime.diagnosis.diagnose import diagnose
 from crs_cc.runtime.diagnosis.inspect import Stopped
 from crs_cc.runtime.diagnosis.object_text import count, object_name
@@ -121,6 +121,16 @@ class Sight:
             return ()
         first, rest = divmod(address - self._state, _WORD)
         return self._fields[first:][: ctype.size // _WORD] if first >= 0 and not rest else ()
+
+    def told_state(self) -> list[tuple[StateField, Value]]:
+        """Gives the numbers of the vendor's `State[]`; none when the program has it not."""
+        if self._state is None:
+            return []
+        places = range(self._state, self._state + _WORD * len(self._fields), _WORD)
+        return [
+            (each, self.value(place, LONG))
+            for each, place in zip(self._fields, places, strict=True)
+        ]
 
     @cached_property
     def _state(self) -> int | None:

@@ -94,15 +94,7 @@ class _Tree:
     def state(self, group: Key) -> Iterator[Row]:
         """Gives the numbers of `State[]` by their names; none where a program has none."""
         debugger = self._debugger
-        try:
-            values = [each.number for _, each in debugger.look_up("State").children()]
-        except DebugError:
-            return iter(())
-        dialect = debugger.run.programs[debugger.robot].options.dialect
-        drive = debugger.session.environment.world.robots[debugger.robot].model.drive
-        numbers = [int(each) if each is not None else 0 for each in values]
-        found = state_rows(numbers, dialect, synchro=drive.steering is not None)
-        return self._rows(found, (*group, str(debugger.robot)))
+        return self._rows(state_rows(debugger.told_state()), (*group, str(debugger.robot)))
 
     def robot(self, group: Key) -> Iterator[Row]:
         """Gives what there is to say about the robot."""

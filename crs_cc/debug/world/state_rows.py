@@ -13,17 +13,17 @@ program in its dialect is shown with these (`robot_api.report`).
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING, Final, Literal
 
-from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.rows import Row, angle, length
 from crs_cc.robot_api import STATE
 from crs_cc.units import inch_to_m, tenths_deg_to_rad, tenths_inch_to_m
 
 if TYPE_CHECKING:
+    from crs_cc.debug.data.values import Value
     from crs_cc.debug.view import View
     from crs_cc.sim.robot_model import RobotModel
 
@@ -100,14 +100,14 @@ def state_fields(dialect: Dialect, *, synchro: bool = False) -> tuple[StateField
     return tuple(fields[index] for index in sorted(fields))
 
 
-def state_rows(
-    values: Sequence[int], dialect: Dialect = "nomad", *, synchro: bool = False
-) -> list[Row]:
-    """Gives the numbers that a program has in its `State[]` as rows, as many as it has."""
-    fields = state_fields(dialect, synchro=synchro)
+def state_rows(told: Iterable[tuple[StateField, Value]]) -> list[Row]:
+    """Gives the numbers that a program has in its `State[]` as rows."""
     return [
-        Row(f"[{each.index}] {each.name}", each.text(value))
-        for each, value in zip(fields, values, strict=False)
+        Row(
+            f"[{each.index}] {each.name}",
+            each.text(value.number) if isinstance(value.number, int) else value.text,
+        )
+        for each, value in told
     ]
 
 
@@ -116,17 +116,14 @@ def told_state(view: View, robot: int) -> list[Row]:
 
     What the robot has no device for is left out, unless it is not 0.
     """
-    try:
-        parts = view.look_up("State", robot=robot).children()
-    except DebugError:
-        return []
-    numbers = [part.number for _, part in parts]
-    values = [int(number) if number is not None else 0 for number in numbers]
     model = view.session.environment.world.robots[robot].model
-    dialect, synchro = view.run.programs[robot].options.dialect, model.drive.steering is not None
     missing = [name for name, device in _devices(model).items() if not device]
-    rows = zip(state_rows(values, dialect, synchro=synchro), values, strict=False)
-    return [row for row, value in rows if value or not any(name in row.name for name in missing)]
+    told = view.told_state(robot)
+    return [
+        row
+        for row, (_, value) in zip(state_rows(told), told, strict=True)
+        if value.number or not any(name in row.name for name in missing)
+    ]
 
 
 def _devices(model: RobotModel) -> dict[str, object]:

@@ -70,6 +70,24 @@ def test_a_program_without_state_says_so(tmp_path: Path) -> None:
     assert said(shell, "info State") == ["the program of robot0 has no State[]"]
 
 
+OWN_STATE = """\
+#include <math.h>
+double State[3] = {0.5, 2};
+int main(void)
+{
+    State[2] = NAN;
+    return 0;
+}
+"""
+
+
+def test_a_state_of_the_users_own_is_not_taken_for_the_vendors(tmp_path: Path) -> None:
+    shell = Shell(debugger_of(OWN_STATE, folder=tmp_path))
+    said(shell, "next", "next")
+    assert said(shell, "print State[2]")[0].endswith("nan")
+    assert said(shell, "info state") == ["the program of robot0 has no State[]"]
+
+
 def test_a_map_is_drawn_whole_or_around_a_robot(shell: Shell) -> None:
     whole = said(shell, "map")
     assert 8 <= len(whole) <= 24

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.debug.world.state_rows import state_fields, state_rows
+from crs_cc.debug.world.state_rows import state_fields
 
 INCLUDE = Path(__file__).parents[3] / "crs_cc" / "runtime" / "lib" / "include"
 
@@ -25,11 +25,16 @@ def test_every_name_stands_for_its_index_in_the_header(dialect, header, synchro)
     assert len(known) >= 27
 
 
+def told(values: list[int], dialect: str = "nomad") -> dict[str, str]:
+    fields = state_fields(dialect)
+    return {field.name: field.text(value) for field, value in zip(fields, values, strict=True)}
+
+
 def test_numbers_are_told_in_their_units_and_in_ours() -> None:
     values = [0] * 45
     values[17], values[18], values[33], values[34], values[36] = 100, 255, 5, -393, 900
     values[38], values[39], values[41], values[1] = 100, -50, 3, 15
-    shown = {row.name.split()[1]: row.text for row in state_rows(values)}
+    shown = told(values)
     assert shown["STATE_SONAR_0"] == "100 in = 2.540 m"
     assert shown["STATE_SONAR_1"] == "no echo"
     assert shown["STATE_BUMPER"] == "bits 0, 2"
@@ -45,7 +50,7 @@ def test_numbers_are_told_in_their_units_and_in_ours() -> None:
 def test_the_reports_dialect_has_its_own_units_and_the_heat() -> None:
     values = [0] * 46
     values[17], values[18], values[33], values[45] = 1000, -1, 1, 12
-    shown = {row.name.split()[1]: row.text for row in state_rows(values, "report")}
+    shown = told(values, "report")
     assert shown["STATE_SONAR_0"] == "1000 0.1in = 2.540 m"
     assert shown["STATE_SONAR_1"] == "no echo"
     assert (shown["STATE_BUMPER"], shown["STATE_HEAT"]) == ("1", "12")
