@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from random import Random
+
 import pytest
 from textual.pilot import Pilot
 
@@ -7,6 +9,7 @@ from crs_cc.debug.tui.app import DebugApp
 from crs_cc.debug.tui.bars import StatusBar
 from crs_cc.debug.tui.command_line import CommandLine
 from crs_cc.debug.tui.help_page import HelpPage
+from crs_cc.debug.tui.keys import SHORTCUTS
 from crs_cc.debug.tui.panes import Panes
 from crs_cc.debug.tui.source_pane import SourcePane
 from crs_cc.debug.tui.time_line import TimeLine
@@ -278,3 +281,23 @@ def test_a_mistake_of_ours_ends_the_screen_and_is_raised_without_a_picture_of_it
         app.show(headless=True)
     shown = capsys.readouterr()
     assert "Traceback" not in shown.out + shown.err
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(2))
+def test_whatever_is_pressed_does_no_harm(seed: int) -> None:
+    random = Random(seed)
+    keys = [key for each in SHORTCUTS for key in (*each.keys.split(","), each.letter)]
+    keys = [key for key in keys if key not in {"", "ctrl+q", "f5", "c"}]
+    keys += ["tab", "up", "down", "left", "right", "enter", "home", "end", "x", "pagedown"]
+
+    async def session(pilot: Pilot[int], app: DebugApp) -> None:
+        for _ in range(15):
+            await pilot.press(random.choice(keys))
+            place = random.randrange(app.size.width), random.randrange(app.size.height - 1)
+            await pilot.click(offset=place)
+            if random.random() < 0.1:
+                await pilot.resize_terminal(*random.choice([(1, 2), TINY, (120, 20), LARGE]))
+        await settle(pilot)
+
+    drive(FakeWork(), session)
