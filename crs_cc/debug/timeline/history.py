@@ -66,10 +66,10 @@ class History:
             most_bytes: how much memory the snapshots may take, unless all are needed.
             robots: how many robots the run has.
         """
-        self._most_bytes = most_bytes
+        self._more_bytes = most_bytes // 2
         self._interval = INTERVAL + robots // ROBOTS_LATER
         self._farthest = LONGEST_WALK * self._interval
-        self._store = Store()
+        self._store = Store(most_bytes)
         self._positions: list[Position] = []
         self._kept: dict[Position, Kept] = {}
         self._edits: list[Position] = []
@@ -102,7 +102,7 @@ class History:
             self._positions.insert(bisect_left(self._positions, position), position)
         self._kept[position] = self._store.take(kept)
         self._here = position
-        if self.size > self._most_bytes:
+        if self.size > self._store.most_bytes:
             self._thin()
 
     def branch(self, position: Position, kept: Kept) -> None:
@@ -116,8 +116,13 @@ class History:
         self.keep(position, kept)
 
     def fork(self, position: Position) -> History:
-        """Gives a history of its own that has the snapshots up to an instant."""
-        other = copy.copy(self)  # in the same store, with the same bound for both
+        """Gives a history of its own that has the snapshots up to an instant.
+
+        Both share what they have in common, and there is room for more, half of what one has: the
+        snapshots of the one that is left must not take all room from the other.
+        """
+        other = copy.copy(self)
+        self._store.most_bytes += self._more_bytes
         other._positions = self._positions[: bisect_right(self._positions, position)]
         other._edits = [each for each in self._edits if each <= position]
         other._kept = {each: self._store.take(self._kept[each]) for each in other._positions}
@@ -178,7 +183,7 @@ class History:
         needed[0] = True
         left = list(range(len(places)))
         fewest = len(left) // 2  # what other branches have, too, takes no less for being dropped
-        while self.size > _LEFT * self._most_bytes and len(left) > fewest:
+        while self.size > _LEFT * self._store.most_bytes and len(left) > fewest:
             at, free = places[left], ~needed[left]
             free[-1] = False
             if not free.any():

@@ -71,10 +71,12 @@ class Store:
 
     Attributes:
         size: what is held [bytes].
+        most_bytes: what those who use it keep to [bytes].
     """
 
-    def __init__(self) -> None:
+    def __init__(self, most_bytes: int = 0) -> None:
         self.size = 0
+        self.most_bytes = most_bytes
         self._chunks: dict[bytes, _Held] = {}
         self._objects: dict[int, _Held] = {}
 

@@ -152,3 +152,12 @@ def test_a_branch_takes_no_memory_for_what_it_has_in_common_with_the_other() -> 
     other.branch(at(20), moment(1, CHUNK))
     assert np.array_equal(history.at(at(50)).session, moment(50, 10 * CHUNK).session)
     assert history.places(at(20)) == [at(0), at(5), at(10), at(15)]
+
+
+def test_a_branch_has_room_for_snapshots_of_its_own() -> None:
+    history = begun(most_bytes=40 * CHUNK)
+    forward(history, 0, 1000, CHUNK)
+    other = history.fork(at(500))
+    other.branch(at(500), moment(1, CHUNK))
+    forward(other, 501, 1000, CHUNK)
+    assert sum(place > at(500) for place in other.places(at(1000))) > 5
