@@ -73,8 +73,9 @@ class Canvas:
             rank: their rank.
             gap: one of so many dots is drawn.
         """
+        numbers = self._numbers(style, len(ends))
         seen, ends = clipped(ends, ACROSS * self.columns, DOWN * self.rows)
-        numbers = self._numbers(style, len(seen))[seen]
+        numbers = numbers[seen]
         spans = ends[:, 2:] - ends[:, :2]
         counts = np.ceil(np.abs(spans).max(axis=1, initial=0.0)).astype(np.intp) + 1
         line = np.repeat(np.arange(len(ends)), counts)[:_MOST_DOTS]

@@ -30,6 +30,15 @@ def test_what_lies_outside_is_left_out() -> None:
     canvas.lines(np.array([[-1e9, -1e9, -1e9, 1e9]]), "", 0)
 
 
+def test_lines_that_are_seen_keep_their_styles_whatever_else_is_outside() -> None:
+    canvas = Canvas(1, 1)
+    ends = np.array([[-9.0, 0.0, -5.0, 3.0], [9.0, 0.0, 9.0, 3.0], [0.0, 0.0, 1.0, 0.0]])
+    canvas.lines(ends, ["a", "b", "c"], 0)
+    assert canvas.pieces() == [[("⠉", "c")]]
+    canvas.lines(ends, "d", 1)
+    assert canvas.pieces() == [[("⠉", "d")]]
+
+
 def test_a_cell_has_the_style_of_the_highest_rank_in_it_whatever_came_first() -> None:
     for order in ((0, 1), (1, 0)):
         canvas = Canvas(1, 1)
