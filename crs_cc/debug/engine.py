@@ -10,7 +10,7 @@ from __future__ import annotations
 import contextlib
 import math
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
@@ -196,10 +196,8 @@ class Debugger(Points):
         """
         if timestep < 0:
             raise DebugError("time begins at 0")
-        target = Position(timestep, 0)
-        if target <= max(self.position, self.run.history.latest()):
-            return self.goto(target)
-        return self._arrive(self._traveller.to_timestep(timestep))
+        with self._showing_new():
+            return self._to_timestep(timestep)
 
     def goto_time(self, time_s: float) -> Stop:
         """Goes to the start of the timestep that an instant lies in.
@@ -222,13 +220,29 @@ class Debugger(Points):
             raise DebugError("statements are counted from 1")
         start = self.position
         try:
-            is_there = self._traveller.to_statement(self.robot, number - 1)
+            with self._showing_new():
+                is_there = self._traveller.to_statement(self.robot, number - 1)
         except InterruptedRunError:
             return self._arrive(self._traveller.stop("interrupt"))
         if not is_there:
             self.run.seek(start)
             raise DebugError(f"{self.names[self.robot]}'s program ends before statement {number}")
         return self._arrive(self._traveller.stop("goto", self.robot))
+
+    def _to_timestep(self, timestep: int) -> Stop:
+        target = Position(timestep, 0)
+        if target <= max(self.position, self.run.history.latest()):
+            return self.goto(target)
+        return self._arrive(self._traveller.to_timestep(timestep))
+
+    @contextlib.contextmanager
+    def _showing_new(self) -> Iterator[None]:
+        """Shows what programs write for the first time while the run goes where the user wants."""
+        self.run.console.shows_new = True
+        try:
+            yield
+        finally:
+            self.run.console.shows_new = False
 
     def _spot(self) -> Spot | None:
         return self._traveller.spot(self.robot)
@@ -364,7 +378,7 @@ class Debugger(Points):
         try:
             self.branches.switch(name)
             there = self.position
-            self.goto_timestep(here.timestep)
+            self._to_timestep(here.timestep)  # showing nothing: it is taken back again
             facts_there = facts(self)
             self.run.seek(there)
         finally:

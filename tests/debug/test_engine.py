@@ -113,6 +113,58 @@ def test_a_breakpoint_that_cannot_be_is_refused(loop: Debugger) -> None:
             loop.add_breakpoint(place)
 
 
+PRINTS = """\
+#include <stdio.h>
+#include "Nclient.h"
+int main(void)
+{
+    printf("here\\n");
+    connect_robot(1);
+    while (1)
+        gs();
+}
+"""
+
+
+@pytest.mark.parametrize("how", ["timestep", "time", "statement"])
+def test_going_to_where_the_run_has_not_been_shows_what_is_written_on_the_way_once(
+    how: str, tmp_path: Path
+) -> None:
+    shown: list[bytes] = []
+
+    def show(_robot: int, _stream: int, content: bytes) -> None:
+        shown.append(content)
+
+    debugger = debugger_of(PRINTS, folder=tmp_path, output=show)
+    debugger.start()
+    goes = {
+        "timestep": lambda: debugger.goto_timestep(1),
+        "time": lambda: debugger.goto_time(0.1),
+        "statement": lambda: debugger.goto_statement(3),
+    }
+    goes[how]()
+    written = debugger.run.console.text()
+    assert written.startswith(b"here\n")
+    assert b"".join(shown) == written
+    debugger.goto_statement(1)
+    goes[how]()
+    assert b"".join(shown) == written
+
+
+def test_comparing_shows_nothing_of_the_other_branch(tmp_path: Path) -> None:
+    shown: list[bytes] = []
+    debugger = debugger_of(
+        PRINTS, folder=tmp_path, output=lambda _robot, _stream, content: shown.append(content)
+    )
+    debugger.start()
+    debugger.branch("other")
+    debugger.goto_timestep(1)
+    before = list(shown)
+    assert before
+    debugger.compare("main")
+    assert shown == before
+
+
 def test_output_goes_back_with_the_run(loop: Debugger) -> None:
     loop.add_breakpoint("16")
     loop.resume()

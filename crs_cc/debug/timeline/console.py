@@ -49,11 +49,12 @@ class Console:
 
     Attributes:
         is_live: whether what programs write is shown as they do, for the first time or again.
+        shows_new: whether what they write for the first time is shown in any case.
     """
 
     def __init__(self, output: Output, read: Input) -> None:
         """Takes what shows the output, and what gives the input."""
-        self.is_live = False
+        self.is_live = self.shows_new = False
         self._show = output
         self._ask = read
         self._content = bytearray()
@@ -75,7 +76,8 @@ class Console:
             InternalError: it has been here before, and did not write this.
         """
         writer, at = robot * _STREAMS + stream, self._at
-        if at == len(self._writers):
+        is_new = at == len(self._writers)
+        if is_new:
             self._writers.append(writer)
             self._content += content
             self._ends.append(len(self._content))
@@ -83,7 +85,7 @@ class Console:
             text = f"the run did not repeat itself: robot {robot} wrote {content!r} this time"
             raise InternalError.at(Location("debugger"), text)
         self._at += 1
-        if self.is_live:
+        if self.is_live or (is_new and self.shows_new):
             self._show(robot, stream, content)
 
     def read(self, robot: int, wanted: int) -> bytes:
