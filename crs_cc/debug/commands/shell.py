@@ -67,7 +67,12 @@ class Shell:
     @property
     def prompt(self) -> str:
         """Gives what asks for the next line."""
-        return PROMPT if self._collected is None else _MORE
+        return _MORE if self.is_collecting else PROMPT
+
+    @property
+    def is_collecting(self) -> bool:
+        """Tells whether the next line is one of a breakpoint's commands, whatever it says."""
+        return self._collected is not None
 
     def execute(self, text: str) -> Iterator[Line | SourceLine]:
         """Does what a line says; an empty one does the last command again, if that makes sense."""

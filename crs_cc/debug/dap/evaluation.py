@@ -38,7 +38,8 @@ def evaluate(session: EditorSession, arguments: Arguments) -> Message:
         line = value.full if context == "clipboard" else value.text
         return shown(session, value, text, at, text=line, key="result")
     _look_from(debugger, at)
-    if not _is_expression(debugger, at, text):
+    assert session.shell is not None
+    if session.shell.is_collecting or not _is_expression(debugger, at, text):
         return _command(session, text)
     value = debugger.evaluate(text, robot=at.robot, frame=at.frame)
     session.afterwards = session.tell_changed

@@ -101,6 +101,24 @@ def test_a_command_that_moves_is_followed_by_a_stop(client: Client) -> None:
     assert "moved on" in client.refused("scopes", frameId=frame)
 
 
+def test_commands_of_a_breakpoint_are_no_expressions_though_variables_are_named_like_them(
+    client: Client,
+) -> None:
+    def console(text: str) -> str:
+        frame = client.frames()[0]["id"]
+        result: str = client.ask("evaluate", expression=text, context="repl", frameId=frame)[
+            "result"
+        ]
+        return result
+
+    console("b 17")
+    console("commands 2")
+    assert console("row") == ""  # is a variable
+    assert console("i = 3") == ""
+    assert console("end") == ""
+    assert console("i = 1") == "1"
+
+
 def test_completions_are_names_and_commands(client: Client) -> None:
     frame = client.frames()[0]["id"]
 
