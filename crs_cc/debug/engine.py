@@ -28,6 +28,7 @@ from crs_cc.debug.timeline.run import InterruptedRunError, Run
 from crs_cc.debug.travel import Traveller
 from crs_cc.debug.view import Frame
 from crs_cc.debug.world.edits import edit
+from crs_cc.debug.world.happenings import Happening
 from crs_cc.session.host import Client, Input, Output, discard, no_input
 
 if TYPE_CHECKING:
@@ -86,6 +87,10 @@ class Debugger(Points):
     def interrupt(self) -> None:
         """Lets what is running stop soon; may be called from anywhere."""
         self.run.interrupted = True
+
+    def forget_interrupt(self) -> None:
+        """Forgets an interrupt that came when what it was meant for had ended."""
+        self.run.interrupted = False
 
     def start(self) -> Stop:
         """Goes to the first statement of the first program that begins."""
@@ -284,7 +289,9 @@ class Debugger(Points):
 
     def _arrive(self, stop: Stop) -> Stop:
         """Lets the user look at where the run has stopped."""
-        self.stop, self.run.interrupted = stop, False
+        self.stop = stop
+        self.forget_interrupt()
+        self._note(stop)
         if stop.robot >= 0:
             self.robot = stop.robot
         for number in stop.breakpoints:
@@ -294,6 +301,13 @@ class Debugger(Points):
         about = next(frames, None)
         self.frame = self.first_own_frame() if about is None else about.number
         return stop
+
+    def _note(self, stop: Stop) -> None:
+        """Lets time lines show where the run stopped by itself."""
+        if stop.breakpoints or stop.reason == "error":
+            kind = "error" if stop.reason == "error" else "stop"
+            happening = Happening(stop.time_s, kind, stop.robot, stop.why)
+            self.run.chronicle.note(stop.position.timestep, happening)
 
     # -- changing ------------------------------------------------------------------------------
 

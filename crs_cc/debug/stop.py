@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Final, Literal
 
 from crs_cc.debug.timeline.position import Position
 
@@ -12,6 +12,16 @@ Reason = Literal[
     "beginning", "interrupt", "tick",
 ]  # fmt: skip
 """`exit` is the end of one program, `end` that of the last one; `beginning` is met backward."""
+
+WORDS: Final[dict[Reason, str]] = {
+    "start": "the run is at its beginning",
+    "beginning": "the run is at its beginning: nothing was before",
+    "interrupt": "interrupted",
+    "tick": "a timestep has ended",
+    "exit": "the program has ended",
+    "end": "all programs have ended",
+}
+"""What all screens say of reasons that need words, and of which nothing more is known."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,3 +46,12 @@ class Stop:
     breakpoints: tuple[int, ...] = ()
     text: str = ""
     function: str = ""
+
+    @property
+    def why(self) -> str:
+        """Why, in a line; nothing for a step that went as far as was asked."""
+        if self.text:
+            return self.text.partition("\n")[0]
+        if self.breakpoints:
+            return f"{self.reason} {', '.join(map(str, self.breakpoints))}"
+        return "" if self.reason in {"step", "goto"} else WORDS.get(self.reason, self.reason)

@@ -258,6 +258,14 @@ int main(void)
 """
 
 
+def test_an_interrupt_that_came_too_late_can_be_forgotten(tmp_path: Path) -> None:
+    debugger = debugger_of(PRINTS, folder=tmp_path)
+    debugger.start()
+    debugger.interrupt()
+    debugger.forget_interrupt()
+    assert debugger.step().reason == "step"
+
+
 @pytest.mark.parametrize(
     "move",
     [

@@ -8,21 +8,18 @@ from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.commands.breakpoints import name_of
 from crs_cc.debug.commands.command import Answer, Line, SourceLine
+from crs_cc.debug.stop import WORDS
 from crs_cc.debug.world.robot_rows import activity
 
 if TYPE_CHECKING:
     from crs_cc.debug.breakpoints import Breakpoint
     from crs_cc.debug.engine import Debugger
-    from crs_cc.debug.stop import Reason, Stop
+    from crs_cc.debug.stop import Stop
     from crs_cc.debug.timeline.position import Position
     from crs_cc.debug.view import Frame
 
-_SAID: Final[dict[Reason, str]] = {
-    "start": "The run is at its beginning.",
-    "beginning": "The run is at its beginning: nothing was before.",
-    "interrupt": "Interrupted.",
-}
-"""What is said of a stop that has no text of its own."""
+_SAID: Final = frozenset({"start", "beginning", "interrupt"})
+"""Reasons that are said in words where a stop has no text of its own."""
 
 _MOST_ENDS: Final = 5
 _LONGEST_ARGUMENT: Final = 40  # characters
@@ -77,7 +74,9 @@ def stop_lines(
     """
     now = standing(debugger)
     hit = ", ".join(name_of(known[number]) for number in stop.breakpoints if number in known)
-    text = stop.text or ("" if hit else _SAID.get(stop.reason, ""))
+    text = stop.text
+    if not text and not hit and stop.reason in _SAID:
+        text = f"{WORDS[stop.reason].capitalize()}."
     if stop.reason == "end":
         text = f"All programs have ended: {_ends(debugger)}. The way leads back from here."
     elif stop.reason == "exit" and not text:

@@ -184,7 +184,7 @@ class EditorSession:
 
         with self._inbox.watched(interrupt):
             yield
-        debugger.run.interrupted = False  # by what came when it had stopped
+        debugger.forget_interrupt()  # by what came when it had stopped
 
     def tell_changed(self) -> None:
         """Tells that whatever the client knows of the programs may be another now."""

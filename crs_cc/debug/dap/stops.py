@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.dap.session import Motion
+from crs_cc.debug.stop import WORDS
 from crs_cc.debug.world.rows import instant
 from crs_cc.errors import ProgramError
 
@@ -31,12 +32,8 @@ _REASONS: Final[dict[Reason, str]] = {
 """The protocol's words for our reasons; `exited` is none of its own, as is allowed."""
 
 _SAID: Final[dict[Reason, str]] = {
-    "start": "Before the first statement",
-    "beginning": "The beginning of the run: nothing was before",
-    "exit": "The program has ended",
+    **{reason: words.capitalize() for reason, words in WORDS.items()},
     "end": "All programs have ended: step back, or continue to end the session",
-    "interrupt": "Paused",
-    "tick": "A timestep has ended",
     "goto": "Went there",
     "step": "Stepped",
     "breakpoint": "Breakpoint",

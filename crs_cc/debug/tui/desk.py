@@ -17,12 +17,11 @@ from crs_cc.debug.commands.complete import complete
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.commands.table import matching
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.tui.gather import gather, why, written
+from crs_cc.debug.tui.gather import gather, written
 from crs_cc.debug.tui.look import Look, Written
 from crs_cc.debug.tui.printable import printable
 from crs_cc.debug.tui.streams import Streams
 from crs_cc.debug.tui.work import Done, Order
-from crs_cc.debug.world.happenings import Happening
 
 if TYPE_CHECKING:
     from crs_cc.debug.engine import Debugger
@@ -98,12 +97,12 @@ class Desk:
         self._streams.take()  # the look before has shown it
         debugger = self.shell.debugger
         # An interrupt that came too late for the order before is none of this one.
-        self._is_interrupted = debugger.run.interrupted = False
+        self._is_interrupted = False
+        debugger.forget_interrupt()
         before, looked_at = debugger.position, (debugger.robot, debugger.frame)
         answer, errors = Text(), list[str]()
         try:
             self._answer(order, before, answer, errors)
-            self._note_stop()
             if (debugger.position, (debugger.robot, debugger.frame)) != (before, looked_at):
                 order = replace(order, file="")
             self._look = gather(self.shell, order)
@@ -116,14 +115,6 @@ class Desk:
         has_moved = debugger.position != before
         leaves, prompt = self.shell.has_ended, self.shell.prompt
         return Done(self._look, answer, tuple(errors), has_moved, leaves, prompt)
-
-    def _note_stop(self) -> None:
-        """Lets the time line show where the run stopped by itself."""
-        stop = self.shell.debugger.stop
-        if stop.breakpoints or stop.reason == "error":
-            kind = "error" if stop.reason == "error" else "stop"
-            happening = Happening(stop.time_s, kind, stop.robot, why(stop))
-            self.shell.debugger.run.chronicle.note(stop.position.timestep, happening)
 
     def _answer(self, order: Order, before: Position, answer: Text, errors: list[str]) -> None:
         count = 0

@@ -19,22 +19,9 @@ if TYPE_CHECKING:
 
     from crs_cc.debug.commands.shell import Shell
     from crs_cc.debug.engine import Debugger
-    from crs_cc.debug.stop import Reason, Stop
     from crs_cc.debug.tui.streams import Piece
     from crs_cc.debug.tui.work import Order
     from crs_cc.session.session import Session
-
-_WHY: Final[dict[Reason, str]] = {
-    "start": "at the beginning",
-    "step": "",
-    "goto": "",
-    "tick": "new timestep",
-    "exit": "the program has ended",
-    "end": "all programs have ended",
-    "beginning": "at the beginning, nothing was before",
-    "interrupt": "interrupted",
-}
-"""Why a run has stopped, where it has no words of its own."""
 
 _BLOCK: Final = 1000
 """Pieces of output that leave the screen at once; the last one to two thousand are shown."""
@@ -71,15 +58,6 @@ def gather(shell: Shell, order: Order) -> Look:
     )
 
 
-def why(stop: Stop) -> str:
-    """Gives why a run has stopped, in a line; nothing for a step that went as far as was asked."""
-    if stop.text:
-        return stop.text.partition("\n")[0]
-    if stop.breakpoints:
-        return f"{stop.reason} {', '.join(map(str, stop.breakpoints))}"
-    return _WHY.get(stop.reason, stop.reason)
-
-
 def _badge(debugger: Debugger) -> Badge:
     if debugger.stop.reason == "error":
         return "error"
@@ -93,7 +71,7 @@ def _state(debugger: Debugger) -> str:
     if stands.frame is not None:
         file = stands.frame.location.file
         where = where.replace(file, PurePath(file).name)
-    return ": ".join(filter(None, [why(stop), where]))
+    return ": ".join(filter(None, [stop.why, where]))
 
 
 def _statement(debugger: Debugger) -> str:

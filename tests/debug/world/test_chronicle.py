@@ -48,6 +48,16 @@ def kinds(debugger: Debugger) -> list[str]:
     return [each.kind for each in debugger.run.chronicle.happenings()]
 
 
+def test_stops_are_known_whatever_screen_there_is(program: DebugProgram) -> None:
+    debugger = Debugger(WALL, [program])
+    debugger.add_breakpoint("main")
+    debugger.resume()
+    debugger.goto_timestep(0)
+    debugger.resume()
+    told = [each.text for each in debugger.run.chronicle.happenings() if each.kind == "stop"]
+    assert told == ["breakpoint 1"]
+
+
 def test_what_happened_stays_known_when_the_run_goes_back_and_comes_once(
     crashed: Debugger,
 ) -> None:
