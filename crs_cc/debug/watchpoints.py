@@ -11,11 +11,10 @@ from dataclasses import dataclass
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.debug.data.values import Value
+from crs_cc.debug.data.values import GONE, Value
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.watch import Access, Content, Watched
 from crs_cc.ir.names import plain_name
-from crs_cc.ir.program import ByteState
 from crs_cc.runtime.layout import HEADER_SIZE, STACK_TOP
 
 if TYPE_CHECKING:
@@ -25,7 +24,6 @@ if TYPE_CHECKING:
     from crs_cc.ir.types import CType
     from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 
-_GONE: Final = bytes([ByteState.INACCESSIBLE])
 _SIMPLE: Final = re.compile(r"[\w.\[\]]+|\w+->[\w.\[\]]+")
 _DEEPEST: Final = 20
 
@@ -111,7 +109,7 @@ def told(watchpoint: Watchpoint, access: Access, sight: Sight) -> str:
 
 def _value(sight: Sight, watchpoint: Watchpoint, content: Content) -> Value:
     there, states = content
-    known = states if states.strip(_GONE) else b""  # of a register nobody keeps the states
+    known = states if states.strip(GONE) else b""  # of a register nobody keeps the states
     return Value(sight, watchpoint.type, there, known, watchpoint.watched.address)
 
 

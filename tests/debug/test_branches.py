@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -114,7 +115,10 @@ def test_branches_are_compared_at_the_same_instant(tmp_path: Path) -> None:
     here = debugger.position
     found = {each.name: (each.here, each.there) for each in debugger.compare("main")}
     assert found["speed"] == ("100", "50")
-    assert "true pose" in found or "pose" in found
+    poses = [tuple(map(float, re.findall(r"-?[\d.]+", text))) for text in found["pose"]]
+    assert [pose[1:] for pose in poses] == [(0.0, 0.0)] * 2
+    assert 0.0 < poses[1][0] < poses[0][0]
+    assert [text.split(",")[0] for text in found["command left"]] == ["0.254 m/s", "0.127 m/s"]
     assert debugger.position == here
     assert debugger.branches.current.name == "fast"
     with pytest.raises(DebugError):

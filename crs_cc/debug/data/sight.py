@@ -14,7 +14,7 @@ from typing import Final
 from crs_cc.debug.data.interpret import SCRATCH
 from crs_cc.debug.data.memory import Saved
 from crs_cc.debug.data.scope import Frame, homes, is_own
-from crs_cc.debug.data.values import Value
+from crs_cc.debug.data.values import GONE, Value
 from crs_cc.debug.world.state_rows import StateField
 from crs_cc.ir.names import in_library
 from crs_cc.ir.program import ByteState
@@ -45,7 +45,6 @@ STATE_NAMES: Final = ("State", "__report_State")
 """What the library calls `State[]`, in each dialect."""
 
 _WORD: Final = 4
-_GONE: Final = bytes([ByteState.INACCESSIBLE])
 _WITHOUT: Final = bytes([ByteState.WITHOUT_VALUE])
 
 
@@ -98,7 +97,7 @@ class Sight:
         if address >= SCRATCH:
             return b""
         states = self._variables.states(address, size)
-        saved = None if states.strip(_GONE) else self._saved(address, size)
+        saved = None if states.strip(GONE) else self._saved(address, size)
         if saved is None:
             return states
         return b"" if saved.has_value(self.stopped.memory) else _WITHOUT * size

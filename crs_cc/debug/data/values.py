@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 UNINITIALISED: Final = "uninitialised"
 _VALUED: Final = bytes([ByteState.WITH_VALUE])
-_GONE: Final = bytes([ByteState.INACCESSIBLE])
+GONE: Final = bytes([ByteState.INACCESSIBLE])
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,7 +65,7 @@ class Value:
     @property
     def exists(self) -> bool:
         """Tells whether C may look at any of its bytes."""
-        return not self.states or bool(self.states.strip(_GONE))
+        return not self.states or bool(self.states.strip(GONE))
 
     @property
     def text(self) -> str:

@@ -18,6 +18,7 @@ from textual.screen import Screen
 from textual.timer import Timer
 from textual.widgets import Label
 
+from crs_cc.debug.commands.shell import PROMPT
 from crs_cc.debug.tui.bars import Button, ButtonBar, StatusBar
 from crs_cc.debug.tui.chart_pane import ChartPane
 from crs_cc.debug.tui.choices import Choices
@@ -30,7 +31,7 @@ from crs_cc.debug.tui.source_pane import SourcePane
 from crs_cc.debug.tui.texts import Console, Output
 from crs_cc.debug.tui.time_line import TimeLine
 from crs_cc.debug.tui.variables_pane import VariablesPane
-from crs_cc.debug.tui.work import PROMPT, Done, Order, Work
+from crs_cc.debug.tui.work import Done, Order, Work
 
 _WAIT_S: Final = 0.15  # before and between the times that it is said that something runs
 

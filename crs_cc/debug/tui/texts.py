@@ -10,6 +10,7 @@ from rich.text import Text
 from textual import events
 from textual.widgets import RichLog
 
+from crs_cc.debug.commands.shell import PROMPT
 from crs_cc.debug.tui.look import Written
 from crs_cc.debug.tui.printable import printable
 
@@ -33,7 +34,7 @@ class Console(RichLog):
         self._texts: deque[Text] = deque(maxlen=_MOST_LINES)
         self._wrapped_at = 0
 
-    def echo(self, line: str, prompt: str = "(crs) ") -> None:
+    def echo(self, line: str, prompt: str = PROMPT) -> None:
         """Shows what was typed."""
         self._add(Text(prompt + printable(line), _ECHO))
 

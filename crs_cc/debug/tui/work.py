@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Final, Protocol
+from typing import Protocol
 
 from rich.text import Text
 
+from crs_cc.debug.commands.shell import PROMPT
 from crs_cc.debug.tui.look import Key, Look, Written
-
-PROMPT: Final = "(crs) "
 
 
 @dataclass(frozen=True, slots=True)
