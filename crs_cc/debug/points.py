@@ -47,9 +47,8 @@ class Points(View):
         Raises:
             DebugError: there is no such place, or the condition is no expression there.
         """
-        robot, location = options.get("robot"), self.location()
-        looked_at = self.run.programs[self.robot if robot is None else robot]
-        here = location.file if location else str(looked_at.paths[0])
+        robot = options.get("robot")
+        here = self.current_file(robot)
         robots = range(len(self.run.programs)) if robot is None else [robot]
         found = find_place(place, self.run.programs, robots, here)
         return self._add("breakpoint", place, found, options)

@@ -122,6 +122,12 @@ class View:
         frame = self.current_frame()
         return None if frame is None or frame.is_library else frame.location
 
+    def current_file(self, robot: int | None = None) -> str:
+        """Gives the file where the user looks, or the first one of a robot's program."""
+        here = self.location()
+        robot = self.robot if robot is None else robot
+        return here.file if here else str(self.run.programs[robot].paths[0])
+
     def source(self, file: str) -> Sequence[str]:
         """Gives the lines of a C file; none for a file that is not the user's."""
         for program in self.run.programs:

@@ -152,7 +152,7 @@ def _listed(shell: Shell, text: str) -> Location:
     """Gives the place that lines are listed around: a line with or without code, a function."""
     file, _, line = text.strip().rpartition(":")
     if line.isascii() and line.isdigit() and len(line) < 9:
-        known = file or current_file(shell)
+        known = file or shell.debugger.current_file()
         for path in shell.debugger.run.programs[shell.debugger.robot].executable.detail().lines:
             if is_file(path, known):
                 return Location(path, int(line))
@@ -172,12 +172,6 @@ def _here(shell: Shell) -> Location:
     return place
 
 
-def current_file(shell: Shell) -> str:
-    """Gives the file where the program stands, or the program's first."""
-    here, robot = shell.debugger.location(), shell.debugger.robot
-    return here.file if here else str(shell.debugger.run.programs[robot].paths[0])
-
-
 def find_line(shell: Shell, text: str) -> Location:
     """Gives the line that a place means.
 
@@ -185,7 +179,7 @@ def find_line(shell: Shell, text: str) -> Location:
         DebugError: there is no such line, or function.
     """
     debugger = shell.debugger
-    file = current_file(shell)
+    file = debugger.current_file()
     found = find_place(text, debugger.run.programs, [debugger.robot], file).location
     if found is None:
         raise DebugError(f"'{text}' is the robot's, and stands in no file of the program")
