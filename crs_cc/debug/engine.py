@@ -12,6 +12,7 @@ import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.aims import Aim, BackAim, Calls, Spot, ToCaller, ToLine, ToStatement
@@ -106,8 +107,8 @@ class Debugger(Points):
         """Goes to the next line, into calls; or to the start of the line before."""
         robot = self.robot
         if backward:
-            return self._repeat(count, lambda: self._back(BackAim(robot)))
-        return self._repeat(count, lambda: self._go(ToLine(robot, self._spot())))
+            return self._repeat(count, lambda: self._traveller.backward_to(BackAim(robot)))
+        return self._repeat(count, lambda: self._forward(ToLine(robot, self._spot())))
 
     def next(self, count: int = 1, *, backward: bool = False) -> Stop:
         """Goes to the next line, past calls; or to the start of the one before."""
@@ -118,8 +119,9 @@ class Debugger(Points):
         """Goes to the next statement, into calls; or to the one before."""
         robot = self.robot
         if backward:
-            return self._repeat(count, lambda: self._back(BackAim(robot, whole_line=False)))
-        return self._repeat(count, lambda: self._go(ToStatement(robot)))
+            aim = partial(BackAim, robot, whole_line=False)
+            return self._repeat(count, lambda: self._traveller.backward_to(aim()))
+        return self._repeat(count, lambda: self._forward(ToStatement(robot)))
 
     def finish(self, *, backward: bool = False) -> Stop:
         """Goes to where the function has returned, and tells what; or back to where it was called.
@@ -133,7 +135,8 @@ class Debugger(Points):
         if frame is None or callers is None or not callers.functions:
             raise DebugError("the outermost function has no caller to go to")
         if backward:
-            return self._back(BackAim(robot, callers, whole_line=False))
+            aim = BackAim(robot, callers, whole_line=False)
+            return self._arrive(self._traveller.backward_to(aim))
         stop = self._go(ToCaller(robot, callers))
         if stop.reason != "step":
             return stop
@@ -161,7 +164,7 @@ class Debugger(Points):
 
     def until(self) -> Stop:
         """Goes to the next line past calls that stands further down, so out of loops."""
-        return self._next(onward=True)
+        return self._arrive(self._next(onward=True))
 
     def advance(self, place: str) -> Stop:
         """Goes to a place, or to where the function has returned.
@@ -255,10 +258,10 @@ class Debugger(Points):
     def _next(self, *, onward: bool = False) -> Stop:
         calls = self._own_calls()
         spot = None if calls is None else self._spot()
-        return self._go(ToLine(self.robot, spot, calls, onward))
+        return self._forward(ToLine(self.robot, spot, calls, onward))
 
     def _next_back(self) -> Stop:
-        return self._back(BackAim(self.robot, self._own_calls()))
+        return self._traveller.backward_to(BackAim(self.robot, self._own_calls()))
 
     def _own_calls(self) -> Calls | None:
         """Gives the active calls of the user's functions; None when there are none."""
@@ -267,28 +270,31 @@ class Debugger(Points):
         return self._traveller.calls(self.robot)
 
     def _go(self, aim: Aim | None, until: Position | None = None) -> Stop:
+        return self._arrive(self._forward(aim, until))
+
+    def _forward(self, aim: Aim | None, until: Position | None = None) -> Stop:
         if aim is not None and self.run.is_over(aim.robot) and self.run.goes_on:
             raise DebugError(f"{self.names[aim.robot]}'s program has ended; others go on")
         self.run.console.is_live = True
         try:
-            return self._arrive(self._traveller.forward(aim, until))
+            return self._traveller.forward(aim, until)
         finally:
             self.run.console.is_live = False
-
-    def _back(self, aim: BackAim) -> Stop:
-        return self._arrive(self._traveller.backward_to(aim))
 
     def _repeat(self, count: int, move: Move) -> Stop:
         if not 1 <= count <= _MOST_STEPS:
             raise DebugError(f"a count is from 1 to {_MOST_STEPS:,}")
-        for _ in range(count):
+        for left in reversed(range(count)):
             stop = move()
             if stop.reason != "step":
                 break
-        return stop
+            if left and self.run.interrupted:  # between two moves nothing else would hear of it
+                stop = self._traveller.stop("interrupt", self.robot)
+                break
+        return self._arrive(stop)
 
     def _arrive(self, stop: Stop) -> Stop:
-        """Lets the user look at where the run has stopped."""
+        """Ends what the user asked for: lets him look at where the run has stopped."""
         self.stop = stop
         self.forget_interrupt()
         self._note(stop)

@@ -295,6 +295,31 @@ def test_whatever_goes_forward_can_be_interrupted(
     assert debugger.step().reason == "step"
 
 
+@pytest.mark.parametrize("verb", ["step", "next", "step_statement"])
+@pytest.mark.parametrize("backward", [False, True])
+def test_an_interrupt_between_two_of_many_steps_is_heard(
+    verb: str, backward: bool, loop: Debugger, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    loop.goto_statement(8)
+    traveller = loop._traveller
+    way = "backward_to" if backward else "forward"
+    go, moves = getattr(traveller, way), 0
+
+    def move(*arguments: object) -> Stop:
+        nonlocal moves
+        stop: Stop = go(*arguments)
+        moves += 1
+        if moves == 2:
+            loop.interrupt()  # when the move is done, but before its end is noticed
+        return stop
+
+    monkeypatch.setattr(traveller, way, move)
+    stop = getattr(loop, verb)(5, backward=backward)
+    assert (stop.reason, moves) == ("interrupt", 2)
+    assert not loop.run.interrupted
+    assert getattr(loop, verb)(backward=backward).reason == "step"
+
+
 def test_backward_from_the_middle_of_a_round_with_the_world_asked_for(loop: Debugger) -> None:
     loop.add_catchpoint("collision")
     loop.next(3)
