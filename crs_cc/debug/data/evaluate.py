@@ -111,6 +111,7 @@ class Evaluator:
             fields: what the numbers of `State[]` mean for its robot.
         """
         self.kept: dict[str, Value] = {} if kept is None else kept
+        self._replaced: list[tuple[str, Value | None]] = []  # by the last expression, of `kept`
         self._stopped = stopped
         self._names = names
         self._fields = fields
@@ -134,8 +135,10 @@ class Evaluator:
         keeping = kept_in(text)
         if keeping is not None:
             found = self.evaluate(keeping[1], frame)
+            self._replaced.append((keeping[0], self.kept.get(keeping[0])))
             self.kept[keeping[0]] = found.value
             return found
+        self._replaced.clear()
         stopped = self._stopped()
         frame = frame or _innermost(stopped)
         wanted = slice_in(text)
@@ -150,8 +153,14 @@ class Evaluator:
         return Evaluation(value, self._memory.has_changed())
 
     def undo(self) -> None:
-        """Takes back what the last expression changed."""
+        """Takes back what the last expression changed, in what is kept, too."""
         self._memory.undo()
+        while self._replaced:
+            name, before = self._replaced.pop()
+            if before is None:
+                del self.kept[name]
+            else:
+                self.kept[name] = before
 
     def holds(self, text: str, frame: StackFrame | None = None) -> bool:
         """Tells whether a condition is true; whatever it does is taken back.
