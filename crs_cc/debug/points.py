@@ -162,7 +162,7 @@ class Points(View):
             return True, ""
         if own.condition:
             try:
-                if not self._holds(own, hit.robot):
+                if not self._holds(own, self._whose(hit)):
                     return False, ""
             except DebugError as error:
                 return True, f"the condition of breakpoint {own.number} has no value: {error}"
@@ -172,8 +172,15 @@ class Points(View):
                 own.ignore -= 1
                 return False, ""
             if own.log:
-                self.say(self._logged(own.log, hit.robot))
+                self.say(self._logged(own.log, self._whose(hit)))
         return not own.log, ""
+
+    def _whose(self, hit: Hit) -> int:
+        """Gives the robot in whose program a breakpoint's expressions are evaluated."""
+        if hit.robot >= 0:
+            return hit.robot
+        own = hit.breakpoint.robot  # what was met is of no robot
+        return self.robot if own is None else own
 
     def _holds(self, own: Breakpoint, robot: int) -> bool:
         """Tells whether a condition is true: that of a variable's watchpoint in its function."""

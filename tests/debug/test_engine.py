@@ -236,6 +236,16 @@ def test_looking_changes_nothing(loop: Debugger) -> None:
     assert loop.look_up("total").number == 3
 
 
+def test_an_expression_that_is_refused_keeps_no_value(loop: Debugger) -> None:
+    loop.look_up("$old = 7")
+    for name in ("new", "old"):
+        with pytest.raises(DebugError):
+            loop.look_up(f"${name} = total = 5")
+    assert loop.look_up("$old").number == 7
+    with pytest.raises(DebugError):
+        loop.look_up("$new")
+
+
 def test_a_function_of_the_library_stops_before_the_statements_that_call_it(
     loop: Debugger,
 ) -> None:
@@ -324,6 +334,21 @@ def test_backward_from_the_middle_of_a_round_with_the_world_asked_for(loop: Debu
     loop.add_catchpoint("collision")
     loop.next(3)
     assert loop.resume(backward=True).reason == "beginning"
+
+
+def test_the_condition_on_what_is_of_no_robot_is_not_of_the_last_robots_program(
+    tmp_path: Path,
+) -> None:
+    source = "#include <unistd.h>\nint mine = {};\nint main(void) {{ sleep(1); return mine; }}\n"
+    sources = [source.format(number) for number in (1, 2, 3)]
+    debugger = debugger_of(*sources, folder=tmp_path, world="platoon.xml")
+    said: list[str] = []
+    debugger.say = said.append
+    debugger.start()
+    point = debugger.add_catchpoint("tick", condition="mine == 1")
+    debugger.add_catchpoint("tick", log="{mine}", robot=None)
+    assert debugger.tick(1).breakpoints == (point.number,)
+    assert said == ["1"]
 
 
 WAITING = """\
