@@ -13,6 +13,9 @@ from crs_cc.debug.tui.work import Work
 
 SMALL, LARGE, TINY = (80, 24), (160, 50), (40, 10)
 
+NO_BARS = dict.fromkeys(map(ord, "▁▂▃▄▅▆▇▉▊▋▌▍▎▏"), " ")
+"""Leaves out where scroll bars stand, which is no matter of what is shown."""
+
 Session = Callable[[Pilot[int], DebugApp], Awaitable[None]]
 
 
@@ -56,6 +59,6 @@ async def enter(pilot: Pilot[int], line: str) -> None:
 
 
 def text_of(app: DebugApp) -> str:
-    """Gives the characters on the screen, without what stands empty at the right."""
+    """Gives the characters on the screen, without scroll bars and what is empty at the right."""
     strips = app.screen._compositor.render_strips()
-    return "\n".join(strip.text.rstrip() for strip in strips) + "\n"
+    return "\n".join(strip.text.translate(NO_BARS).rstrip() for strip in strips) + "\n"

@@ -19,7 +19,7 @@ from crs_cc.debug.tui.desk import Desk
 from crs_cc.debug.tui.streams import Streams
 from crs_cc.sim.files.world_xml import load_world
 from tests.debug.debuggee import ROOT, debug_program
-from tests.debug.tui.screen import LARGE, SMALL, TINY, drive, enter, settle, text_of
+from tests.debug.tui.screen import LARGE, NO_BARS, SMALL, TINY, drive, enter, settle, text_of
 
 SCREENS = Path(__file__).parent / "screens"
 PICTURE = ROOT / "docs" / "images" / "debugger.svg"
@@ -107,4 +107,4 @@ def plain(picture: str) -> str:
 def words(picture: str) -> list[str]:
     """Gives what a picture says, whatever its colours."""
     texts = re.findall(r"<text [^>]*>(.*?)</text>", picture, re.DOTALL)
-    return " ".join(unescape(each) for each in texts).split()
+    return " ".join(unescape(each) for each in texts).translate(NO_BARS).split()
