@@ -51,6 +51,16 @@ class _Found:
     target: Position
     function: str = ""
 
+    def may_count_with(self, later: _Found) -> bool:
+        """Tells whether this may be passed on the way to what came later in the same round.
+
+        Of what a program met again and again the last time is enough: it may have been very often.
+        """
+        mine, its = self.stop, later.stop
+        if (mine.robot, mine.breakpoints) == (its.robot, its.breakpoints):
+            return False
+        return self.target >= Position(later.target.timestep, later.target.round)
+
 
 class Traveller:
     """Takes a run to where there is a reason to stop."""
@@ -209,8 +219,7 @@ class Traveller:
         for instant in run.again(begin, limit, needs_world=self._breakpoints.need_world()):
             for each in (self._met(instant), *self._touched(instant)):
                 if each is not None and each.target < start:
-                    round_ = Position(each.target.timestep, each.target.round)
-                    found = [*(one for one in found if one.target >= round_), each]
+                    found = [*(one for one in found if one.may_count_with(each)), each]
         return _together(found) if found else None
 
     def _met(self, instant: Instant) -> _Found | None:

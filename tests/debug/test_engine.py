@@ -383,3 +383,23 @@ def test_back_from_where_nobody_stands_the_clock_is_that_of_the_instant(tmp_path
     debugger.goto_timestep(3)
     debugger.goto(here)
     assert debugger.session.state_hash() == state
+
+
+OFTEN = """\
+int main(void)
+{
+    int i, sum = 0;
+    for (i = 0; i < 20000; i++)
+        sum += i & 1;
+    return sum;
+}
+"""
+
+
+def test_a_breakpoint_that_is_met_very_often_is_gone_back_to(tmp_path: Path) -> None:
+    debugger = debugger_of(OFTEN, folder=tmp_path)
+    debugger.add_breakpoint("6", temporary=True)
+    debugger.resume()
+    debugger.add_breakpoint("5")
+    debugger.resume(backward=True)
+    assert (line(debugger), debugger.look_up("i").number) == (5, 19999)
