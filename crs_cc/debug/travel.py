@@ -331,11 +331,15 @@ class Traveller:
             InterruptedRunError: the user wants it; the run is somewhere on the way.
         """
         run = self._run
-        if not run.is_astray and run.session.halted == robot and run.begun(robot) == statements:
-            return True
-        if run.is_astray or run.begun(robot) >= statements:
+
+        def is_there() -> bool:
+            return run.session.halted == robot and run.begun(robot) == statements
+
+        if run.is_astray or (run.begun(robot) >= statements and not is_there()):
             run.history.visit(run.position)
             run.restore(run.history.at(self._snapshot(robot, statements, run.position)))
+        if is_there():  # the user has changed something there, so there is a snapshot
+            return True
         run.arm(Marks(all=frozenset({robot}), since={robot: statements}))
         while run.goes_on and not run.is_over(robot):
             if run.advance().kind == "statement" and run.begun(robot) == statements:

@@ -143,3 +143,16 @@ def test_an_edit_of_the_world_is_part_of_the_run(tmp_path: Path) -> None:
     assert east_m(debugger) == x_m
     with pytest.raises(DebugError):
         debugger.edit_world("move robot9 to 1 2")
+
+
+def test_back_to_the_very_statement_where_something_was_changed(counting: Debugger) -> None:
+    counting.next()
+    changed = counting.evaluate("i = 1") and counting.position
+    counting.resume()
+    here = counting.position
+    for back in (counting.step, counting.next):
+        back(backward=True)
+        assert counting.position == changed
+        counting.goto(here)
+    counting.goto_statement(changed.statements + 1)
+    assert counting.position == changed

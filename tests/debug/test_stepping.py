@@ -13,7 +13,6 @@ import pytest
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.stop import Stop
-from crs_cc.debug.timeline.position import Position
 from tests.debug.debuggee import debugger_of, line
 
 Move = Callable[[], Stop]
@@ -424,8 +423,3 @@ def test_a_robot_that_comes_later_is_stepped_from_when_it_comes(tmp_path: Path) 
     debugger.select_robot("hearer")
     assert debugger.goto_statement(3).robot == 1
     assert line(debugger) == 8  # line 7 has two
-    debugger.goto_timestep(0)
-    debugger.select_robot("hearer")
-    with pytest.raises(DebugError):
-        debugger.goto_statement(100)
-    assert debugger.position == Position(0, 0)
