@@ -59,9 +59,10 @@ class Points(View):
         Raises:
             DebugError: there is no such kind.
         """
-        return self._add(
-            "catchpoint", what if what == "exit" else checked_kind(what), None, options
-        )
+        if what == "error":
+            raise DebugError("nothing is needed for errors: they always stop the run")
+        kind = what if what == "exit" else checked_kind(what)
+        return self._add("catchpoint", kind, None, options)
 
     def add_watchpoint(
         self, expression: str, kind: Access = "change", **options: Any

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 _COLUMNS: Final = 78
 _ROWS: Final = 24
 _AROUND_M: Final = 6.0
+_LEAST_M, _MOST_M = 0.01, 100_000.0
 """The size of a map, which is the same on every terminal, as scripts have it; chosen by us."""
 
 
@@ -84,8 +85,8 @@ def _across_m(text: str) -> float:
         across_m = LENGTH.parse(text)
     except ValueError as wrong:
         raise DebugError(str(wrong)) from None
-    if not across_m > 0.0:
-        raise DebugError("what is to be seen must be longer than 0")
+    if not _LEAST_M <= across_m <= _MOST_M:
+        raise DebugError(f"what is to be seen is from {_LEAST_M:g} to {_MOST_M:g} m")
     return across_m
 
 

@@ -81,7 +81,7 @@ def checked_kind(name: str) -> str:
         DebugError: there is no such kind.
     """
     if name not in KINDS:
-        raise DebugError(unknown("kind of happenings", name, tuple(KINDS)))
+        raise DebugError(unknown("kind of happenings", name, ("exit", *KINDS)))
     return name
 
 

@@ -19,9 +19,10 @@ INTRODUCTION = """\
 
     crs debug wander.c room.xml
 
-steps through a control program and its world together, forward and backward. Programs, worlds and
-options are those of `crs run`. The run stands still while you look: nothing in it depends on how
-long you take, or on being watched.
+steps through a control program and its world together, forward and backward. Programs and worlds
+are those of `crs run`, and so are the options, but for those that end or show a run (`--max-time`,
+`--plot`, `--trace`, `--json`, `--summary`). The run stands still while you look: nothing in it
+depends on how long you take, or on being watched. An error of a program always stops it.
 
 **Screens.** On a terminal there is the full screen (`--tui`), where F1 tells the keys; `--repl` is
 a plain prompt. Both take the commands below, and so does the debug console of an editor

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from crs_cc.debug.commands import world
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.edits import EDITS
@@ -97,7 +98,7 @@ def test_a_map_is_drawn_whole_or_around_a_robot(shell: Shell) -> None:
     assert close != whole
     assert said(shell, "map nobody") == ["there is no robot 'nobody': there are robot0"]
     assert said(shell, "map robot0 wide")[0].startswith("'wide' is not a length")
-    assert said(shell, "map robot0 0") == ["what is to be seen must be longer than 0"]
+    assert said(shell, "map robot0 0") == ["what is to be seen is from 0.01 to 100000 m"]
 
 
 def test_a_change_of_the_world_is_another_run_backward_and_forward_the_same(shell: Shell) -> None:
@@ -160,3 +161,9 @@ def test_every_change_has_help(shell: Shell) -> None:
 def test_what_is_caught_is_told(shell: Shell) -> None:
     answer = said(shell, "move robot0 to 5.5 3 0", "catch collision", "continue")
     assert any("robot0 touched" in line for line in answer)
+
+
+@pytest.mark.parametrize("across", ["1e-300", "1e-9", "0", "-1", "nan", "1e300"])
+def test_a_map_of_next_to_nothing_is_refused(across: str) -> None:
+    with pytest.raises(DebugError):
+        world._across_m(across)
