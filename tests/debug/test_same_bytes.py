@@ -21,6 +21,7 @@ from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.program import DebugProgram
 from crs_cc.debug.stop import Stop
+from crs_cc.debug.timeline.instant import Instant
 from crs_cc.debug.timeline.position import Position
 from crs_cc.frontend.options import Options
 from crs_cc.session.build import build_executable
@@ -40,6 +41,9 @@ Bytes = tuple[str, bytes]
 
 TIMESTEPS = 30
 """How far the run goes: behind that, the user interrupts it."""
+
+INSTANTS = 2000
+"""As many are looked at on the way back: then the user interrupts that, too."""
 
 JUMPS = 2
 MOVES = 10
@@ -105,17 +109,24 @@ class Trial:
 
 @contextmanager
 def impatient(debugger: Debugger) -> Iterator[None]:
-    """Interrupts what is still running at a certain timestep."""
+    """Interrupts what is still running at a certain timestep, and what takes long to go back."""
     run = debugger.run
-    hear = run.step
+    hear, again = run.step, run.again
 
     def step(step: Step) -> None:
         hear(step)
         if run.session.timesteps >= TIMESTEPS:
             debugger.interrupt()
 
+    def again_but_not_for_long(*piece: Any, **options: Any) -> Iterator[Instant]:
+        for number, instant in enumerate(again(*piece, **options)):
+            if number == INSTANTS:
+                debugger.interrupt()
+            yield instant
+
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(run, "step", step)
+        patch.setattr(run, "again", again_but_not_for_long)
         yield
 
 
