@@ -13,6 +13,7 @@ HERE: Final = Path(__file__).parent
 ALL: Final = 1_000_000
 
 FIRST_OF_EACH_FILE: Final = {
+    HERE / "c": ALL,
     HERE / "cli": 4,
     HERE / "debug": 1,
     HERE / "device": 1,

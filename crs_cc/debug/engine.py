@@ -390,18 +390,22 @@ class Debugger(Points):
         The other one runs on if it has not come so far.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: there is no such one, or it ends before.
         """
         own, here = self.branches.current.name, self.position
+        looked_at = self.robot, self.frame, self.stop
         self.goto_timestep(here.timestep)
         facts_here = facts(self)
         try:
             self.branches.switch(name)
             there = self.position
             self._to_timestep(here.timestep)  # showing nothing: it is taken back again
-            facts_there = facts(self)
+            reached, facts_there = self.position.timestep, facts(self)
             self.run.seek(there)
         finally:
             self.branches.switch(own)
-            self.goto(here)
+            self.run.seek(here)
+            self.robot, self.frame, self.stop = looked_at
+        if reached != here.timestep:
+            raise DebugError(f"branch '{name}' has ended, or was interrupted, before this timestep")
         return differences(facts_here, facts_there)

@@ -156,3 +156,12 @@ def test_back_to_the_very_statement_where_something_was_changed(counting: Debugg
         counting.goto(here)
     counting.goto_statement(changed.statements + 1)
     assert counting.position == changed
+
+
+def test_to_compare_leaves_what_is_looked_at(tmp_path: Path) -> None:
+    debugger = debugger_of(DRIVE, folder=tmp_path, world="pair.xml")
+    debugger.add_breakpoint("8", robot=1)
+    stop = debugger.resume()
+    debugger.branch("other")
+    debugger.compare("main")
+    assert (debugger.robot, debugger.stop) == (1, stop)

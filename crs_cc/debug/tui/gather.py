@@ -75,7 +75,7 @@ def _state(debugger: Debugger) -> str:
 
 
 def _statement(debugger: Debugger) -> str:
-    return f", statement {debugger.run.begun(debugger.robot)}"
+    return f", before stmt {debugger.run.begun(debugger.robot) + 1}"
 
 
 def _timestep_s(debugger: Debugger) -> float:

@@ -95,7 +95,7 @@ class FakeWork:
             state="breakpoint 1, main () at sum.c:9",
             time_s=3.25,
             end_s=10.0,
-            place="timestep 32, statement 120",
+            place="timestep 32, before stmt 121",
             source=self.source(order),
             frames=(
                 Choice(0, "main ()", f"sum.c:{self.line}", True),
