@@ -106,13 +106,22 @@ def test_programs_take_arguments_input_and_files_from_launch(
     assert server.wait(WAIT_S) == 0
 
 
+def _hear_interrupts() -> None:
+    """Undoes what is handed down to jobs in the background: that they hear no Ctrl-C."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 @pytest.fixture
 def port(tmp_path: Path) -> Iterator[int]:
     """Gives the port of a server."""
     command = [sys.executable, "-m", "crs_cc", "debug", "--dap", "0"]
     environment = os.environ | {"PYTHONPATH": str(ROOT)}
     with subprocess.Popen(
-        command, stderr=subprocess.PIPE, env=environment, cwd=tmp_path
+        command,
+        stderr=subprocess.PIPE,
+        env=environment,
+        cwd=tmp_path,
+        preexec_fn=_hear_interrupts,  # noqa: PLW1509 - no threads here
     ) as process:
         assert process.stderr is not None
         said = process.stderr.readline().decode()
