@@ -19,6 +19,7 @@ import pytest
 
 from crs_cc.cli.status import INTERRUPTED
 from tests.debug.dap.programs import LOOP
+from tests.debug.dap.test_processes import hear_interrupts
 
 HERE = Path(__file__).parent / "node"
 ROOT = Path(__file__).parents[3]
@@ -73,7 +74,13 @@ def port() -> Iterator[int]:
     """Gives the port of a server that serves one editor after the other."""
     command = [sys.executable, "-m", "crs_cc", "debug", "--dap", "0"]
     environment = os.environ | {"PYTHONPATH": str(ROOT)}
-    with subprocess.Popen(command, env=environment, stderr=subprocess.PIPE, text=True) as server:
+    with subprocess.Popen(
+        command,
+        env=environment,
+        stderr=subprocess.PIPE,
+        text=True,
+        preexec_fn=hear_interrupts,  # noqa: PLW1509 - no threads here
+    ) as server:
         assert server.stderr is not None
         said = server.stderr.readline()
         yield int(said.rpartition(":")[2])

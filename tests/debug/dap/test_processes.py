@@ -106,7 +106,7 @@ def test_programs_take_arguments_input_and_files_from_launch(
     assert server.wait(WAIT_S) == 0
 
 
-def _hear_interrupts() -> None:
+def hear_interrupts() -> None:
     """Undoes what is handed down to jobs in the background: that they hear no Ctrl-C."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
 
@@ -121,7 +121,7 @@ def port(tmp_path: Path) -> Iterator[int]:
         stderr=subprocess.PIPE,
         env=environment,
         cwd=tmp_path,
-        preexec_fn=_hear_interrupts,  # noqa: PLW1509 - no threads here
+        preexec_fn=hear_interrupts,  # noqa: PLW1509 - no threads here
     ) as process:
         assert process.stderr is not None
         said = process.stderr.readline().decode()
