@@ -24,12 +24,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+from crs_cc.core.source import Diagnostics
 from crs_cc.requests import FAILED
 from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Host, HostRequest
-from crs_cc.source import Diagnostics
 
 KERNELS = Path(__file__).parent / "kernels"
 FUEL = 10**12

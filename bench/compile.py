@@ -122,17 +122,17 @@ def run(source: Path, environment: dict[str, str]) -> tuple[float, float]:
 
 def stages(source: Path) -> dict[str, float]:
     """Gives the processor time of each stage of the compiler [s]."""
-    from crs_cc.frontend.check import Unit
-    from crs_cc.frontend.check_unit import check_unit
-    from crs_cc.frontend.lower_unit import lower_unit
-    from crs_cc.frontend.options import Options
-    from crs_cc.frontend.parse import parse
-    from crs_cc.frontend.preprocess import preprocess
+    from crs_cc.core.source import Diagnostics, Location
+    from crs_cc.frontend.check.checker import Unit
+    from crs_cc.frontend.check.unit import check_unit
+    from crs_cc.frontend.lower.unit import lower_unit
+    from crs_cc.frontend.parse.parser import parse
+    from crs_cc.frontend.preprocess.options import Options
+    from crs_cc.frontend.preprocess.preprocessor import preprocess
     from crs_cc.ir.verify import verify
     from crs_cc.runtime.executable import make_executable
     from crs_cc.runtime.link import link
     from crs_cc.session.library import HEADERS, library
-    from crs_cc.source import Diagnostics, Location
 
     times: dict[str, float] = {}
 

@@ -20,15 +20,15 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+from crs_cc.core.source import Diagnostics
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.program import DebugProgram
-from crs_cc.frontend.options import Options
+from crs_cc.frontend.preprocess.options import Options
 from crs_cc.session.build import build_executable
 from crs_cc.session.library import HEADERS
 from crs_cc.session.session import Session
 from crs_cc.sim.files.world_xml import load_world
-from crs_cc.sim.model import WorldModel
-from crs_cc.source import Diagnostics
+from crs_cc.sim.model.world import WorldModel
 
 PROGRAM = r"""
 #include <stdio.h>

@@ -30,14 +30,14 @@ from pathlib import Path
 
 import numpy as np
 
+from crs_cc.core.source import Diagnostics
 from crs_cc.session.build import build_executable
 from crs_cc.session.session import Session
+from crs_cc.sim.devices.ray_caster import Surroundings
 from crs_cc.sim.files.world_xml import load_world
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.geometry.surroundings import Surroundings
 from crs_cc.sim.physics.simulation import REBUILD
-from crs_cc.source import Diagnostics
 
 PROGRAM = """
 #include <Nclient.h>

@@ -15,11 +15,11 @@ import tempfile
 import time
 from pathlib import Path
 
+from crs_cc.core.source import Diagnostics
 from crs_cc.requests import SUSPENDED
 from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.session.build import build_executable
-from crs_cc.source import Diagnostics
 
 PROGRAM = """
 #include <crs_request.h>

@@ -15,11 +15,11 @@ import time
 import numpy as np
 
 from crs_cc.requests import CODES, MESSAGE
-from crs_cc.sim.communication import PREDEFINED
-from crs_cc.sim.environment import Environment
+from crs_cc.sim.comms.message_log import Fate
+from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files.world_xml import parse_world
-from crs_cc.sim.messages.traffic import Fate
-from crs_cc.sim.model import WorldModel
+from crs_cc.sim.model.communication import PREDEFINED
+from crs_cc.sim.model.world import WorldModel
 
 CYCLES = 10
 

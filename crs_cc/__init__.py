@@ -13,12 +13,12 @@ from typing import TYPE_CHECKING, Final
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from crs_cc.errors import CompileError, CrsError, InternalError, ProgramError, WorldError
-    from crs_cc.frontend.options import Dialect
+    from crs_cc.core.errors import CompileError, CrsError, InternalError, ProgramError, WorldError
+    from crs_cc.frontend.preprocess.options import Dialect
     from crs_cc.runtime.executable import Executable
     from crs_cc.session.session import Session
-    from crs_cc.sim.degradation.model import Degradation
     from crs_cc.sim.files.world_xml import load_world
+    from crs_cc.sim.model.degradation import Degradation
 
 __version__ = "0.1.0"
 
@@ -35,12 +35,12 @@ __all__ = [
 ]
 
 _HOMES: Final = {
-    "Degradation": "crs_cc.sim.degradation.model",
+    "Degradation": "crs_cc.sim.model.degradation",
     "Session": "crs_cc.session.session",
     "load_world": "crs_cc.sim.files.world_xml",
     **dict.fromkeys(
         ("CompileError", "CrsError", "InternalError", "ProgramError", "WorldError"),
-        "crs_cc.errors",
+        "crs_cc.core.errors",
     ),
 }
 
@@ -58,8 +58,8 @@ def compile_c(*paths: str | Path, dialect: Dialect | None = None) -> Executable:
     """
     from pathlib import Path
 
+    from crs_cc.core.source import Diagnostics
     from crs_cc.session.build import build_executable
-    from crs_cc.source import Diagnostics
 
     return build_executable([Path(path) for path in paths], Diagnostics(), dialect=dialect)
 

@@ -15,9 +15,9 @@ from pathlib import Path
 import click
 import pytest
 
-from crs_cc import errors
 from crs_cc.cli import status
 from crs_cc.cli.main import main
+from crs_cc.core import errors
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text()

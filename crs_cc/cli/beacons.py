@@ -6,8 +6,8 @@ import math
 from typing import Final
 
 from crs_cc.cli.svg import Page, Point, View
-from crs_cc.sim.handling.model import Gripper
-from crs_cc.sim.model import WorldModel
+from crs_cc.sim.model.handling import Gripper
+from crs_cc.sim.model.world import WorldModel
 
 _LIGHT: Final = "#e6a700"
 _SOUND: Final = "#7a5195"

@@ -12,9 +12,9 @@ import click
 from crs_cc.cli.compiler_options import CompilerOptions, compiler_options, merged
 from crs_cc.cli.inputs import demand_readable, is_world
 from crs_cc.cli.messages import as_data, say, show
-from crs_cc.errors import CompileError, CrsError, InternalError, WorldError
-from crs_cc.frontend.scope import ENTRIES
-from crs_cc.source import Diagnostic, Diagnostics
+from crs_cc.core.errors import CompileError, CrsError, InternalError, WorldError
+from crs_cc.core.source import Diagnostic, Diagnostics
+from crs_cc.frontend.check.scope import ENTRIES
 
 if TYPE_CHECKING:
     from crs_cc.ir.program import Program

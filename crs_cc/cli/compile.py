@@ -12,7 +12,7 @@ import click
 from crs_cc.cli.compiler_options import CompilerOptions, compiler_options, gathered
 from crs_cc.cli.inputs import demand_readable
 from crs_cc.cli.messages import show
-from crs_cc.source import Diagnostics
+from crs_cc.core.source import Diagnostics
 
 if TYPE_CHECKING:
     from crs_cc.ir.program import Program
@@ -73,7 +73,7 @@ def compile_source(
         CompileError: the C source is at fault.
     """
     from crs_cc.frontend.dialect import dialect_of, form
-    from crs_cc.frontend.options import Options
+    from crs_cc.frontend.preprocess.options import Options
     from crs_cc.frontend.unit import compile_file
     from crs_cc.ir.verify import verify
     from crs_cc.session.library import HEADERS

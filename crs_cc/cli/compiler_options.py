@@ -12,9 +12,9 @@ from typing import Any
 import click
 
 from crs_cc.cli.messages import say
-from crs_cc.errors import CrsError
-from crs_cc.frontend.options import DIALECTS, STANDARDS, Dialect
-from crs_cc.source import Diagnostic, Diagnostics
+from crs_cc.core.errors import CrsError
+from crs_cc.core.source import Diagnostic, Diagnostics
+from crs_cc.frontend.preprocess.options import DIALECTS, STANDARDS, Dialect
 
 
 @dataclass(frozen=True, slots=True)

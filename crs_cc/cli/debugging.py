@@ -11,25 +11,25 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from crs_cc.cli import full_screen
-from crs_cc.cli.keep import keep
 from crs_cc.cli.load import load
 from crs_cc.cli.messages import is_coloured, show_before_run
+from crs_cc.cli.save_files import keep
+from crs_cc.core.source import Diagnostics
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.program import DebugProgram
 from crs_cc.debug.repl.keyboard import Keyboard
 from crs_cc.debug.repl.repl import Repl, Scripts
 from crs_cc.debug.repl.terminal import Terminal
 from crs_cc.frontend.dialect import dialect_of
-from crs_cc.frontend.options import Options
+from crs_cc.frontend.preprocess.options import Options
 from crs_cc.session.host import no_input
 from crs_cc.session.library import HEADERS
-from crs_cc.source import Diagnostics
 
 if TYPE_CHECKING:
     from crs_cc.cli.compiler_options import CompilerOptions
     from crs_cc.cli.debug import DebugOptions
     from crs_cc.cli.load import Loaded
-    from crs_cc.frontend.options import Dialect
+    from crs_cc.frontend.preprocess.options import Dialect
     from crs_cc.session.host import Input, Output
 
 

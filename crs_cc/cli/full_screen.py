@@ -70,7 +70,7 @@ def show(
     """
     from crs_cc.debug.repl.repl import Scripts
     from crs_cc.debug.tui.app import DebugApp
-    from crs_cc.debug.tui.desk import Desk
+    from crs_cc.debug.tui.controller import Desk
     from crs_cc.debug.tui.streams import Streams
 
     streams = Streams()

@@ -16,9 +16,9 @@ from typing import Final
 
 import click
 
-from crs_cc.errors import CompileError, CrsError, WorldError
+from crs_cc.core.errors import CompileError, CrsError, WorldError
+from crs_cc.core.source import Location
 from crs_cc.session.files import EEXIST, Disk
-from crs_cc.source import Location
 
 LARGEST_FILE: Final = 64 * 2**20  # that a program can be given to read [bytes]
 

@@ -8,10 +8,10 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Final
 
-from crs_cc.sim.degradation.model import Degradation, described
 from crs_cc.sim.files.world_xml import Definitions
-from crs_cc.sim.model import Robot, WorldModel, is_pushable
-from crs_cc.sim.robot_model import RobotModel
+from crs_cc.sim.model.degradation import Degradation, described
+from crs_cc.sim.model.robot import RobotModel
+from crs_cc.sim.model.world import Robot, WorldModel, is_pushable
 
 _MOST: Final = 10
 

@@ -10,15 +10,15 @@ import click
 
 from crs_cc.cli.compiler_options import gathered, merged
 from crs_cc.cli.inputs import demand_readable
+from crs_cc.core.source import Diagnostics, Location
 from crs_cc.session.build import build_executable
 from crs_cc.sim.files.world_xml import empty_world, known_robots, load_world
-from crs_cc.source import Diagnostics, Location
 
 if TYPE_CHECKING:
     from crs_cc.cli.program_options import ProgramOptions
-    from crs_cc.frontend.options import Dialect
+    from crs_cc.frontend.preprocess.options import Dialect
     from crs_cc.runtime.executable import Executable
-    from crs_cc.sim.model import Robot, WorldModel
+    from crs_cc.sim.model.world import Robot, WorldModel
 
 
 _ARGUMENT_HINT: Final = "arguments of the program itself stand behind --"

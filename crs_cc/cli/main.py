@@ -30,7 +30,7 @@ from crs_cc.cli.messages import say, show
 from crs_cc.cli.new import new
 from crs_cc.cli.run import run
 from crs_cc.cli.status import BROKEN_PIPE, INTERRUPTED, SYSTEM
-from crs_cc.errors import CrsError, InternalError
+from crs_cc.core.errors import CrsError, InternalError
 
 _EPILOG = """
 \b

@@ -14,7 +14,7 @@ from typing import Final, TextIO
 
 import click
 
-from crs_cc.source import Diagnostic, underline
+from crs_cc.core.source import Diagnostic, underline
 
 MAX_MESSAGES: Final = 50
 WARNINGS_BEFORE_RUN: Final = 2

@@ -15,17 +15,26 @@ import numpy as np
 
 from crs_cc.cli.beacons import draw_beacons, draw_fingers
 from crs_cc.cli.relief import PAPER, draw_relief, ground_m
-from crs_cc.cli.sights import draw_sights
+from crs_cc.cli.sensor_overlay import draw_sights
 from crs_cc.cli.svg import Page, Point, View
 from crs_cc.cli.tracks import FloatArray, simplified
 from crs_cc.cli.x11_colours import HEX
-from crs_cc.sim.colours import hexadecimal
-from crs_cc.sim.drawings import Drawing
+from crs_cc.core.quantity import round_length
+from crs_cc.sim.engine.drawings import Drawing
+from crs_cc.sim.engine.robot_colours import colour
+from crs_cc.sim.engine.sensor_overlay import Beam
 from crs_cc.sim.geometry.scene import corners_m
-from crs_cc.sim.model import PLAIN, Cylinder, Robot, Solid, Thing, Wall, WorldModel, is_pushable
-from crs_cc.sim.quantity import round_length
-from crs_cc.sim.robot_colours import colour
-from crs_cc.sim.sights import Beam
+from crs_cc.sim.model.colours import hexadecimal
+from crs_cc.sim.model.world import (
+    PLAIN,
+    Cylinder,
+    Robot,
+    Solid,
+    Thing,
+    Wall,
+    WorldModel,
+    is_pushable,
+)
 
 _LONG_SIDE_PX: Final = 760.0
 _SHORT_SIDE_PX: Final = 240.0

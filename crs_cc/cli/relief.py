@@ -9,8 +9,8 @@ import numpy as np
 
 from crs_cc.cli.svg import Page, View
 from crs_cc.cli.tracks import FloatArray
-from crs_cc.sim.ground.model import Ground, HeightMap, Patch
-from crs_cc.sim.ground.terrain import Terrain
+from crs_cc.sim.geometry.terrain import Terrain
+from crs_cc.sim.model.ground import Ground, HeightMap, Patch
 
 PAPER = "#fbfaf7"
 """What pictures are drawn on."""

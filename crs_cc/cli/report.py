@@ -14,17 +14,17 @@ from typing import TYPE_CHECKING, Any, Final
 import click
 
 from crs_cc.cli.messages import is_coloured, printable, render, say
-from crs_cc.frontend.scope import ENTRIES
+from crs_cc.core.source import Diagnostic
+from crs_cc.frontend.check.scope import ENTRIES
 from crs_cc.ir.names import plain_name
-from crs_cc.source import Diagnostic
 
 if TYPE_CHECKING:
+    from crs_cc.core.source import Location
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
     from crs_cc.runtime.diagnosis.objects import Object
     from crs_cc.runtime.diagnosis.report import ErrorReport
     from crs_cc.runtime.sites import CallSite
     from crs_cc.session.result import RobotResult
-    from crs_cc.source import Location
 
 _ALIKE: Final = 3
 

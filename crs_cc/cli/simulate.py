@@ -16,28 +16,28 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.cli.interrupt import Interrupt
-from crs_cc.cli.keep import dropped, keep, missed
 from crs_cc.cli.load import Loaded, load
 from crs_cc.cli.messages import as_data, is_terminal, say, show, show_before_run
 from crs_cc.cli.output import ProgramOutput, ProgressLine, read_line
 from crs_cc.cli.plot import Picture, Trip
 from crs_cc.cli.report import show_reports
+from crs_cc.cli.save_files import dropped, keep, missed
 from crs_cc.cli.summary import Run, as_json, exit_status
 from crs_cc.cli.tracks import Tracks
-from crs_cc.errors import CrsError
+from crs_cc.core.errors import CrsError
+from crs_cc.core.source import Diagnostic, Diagnostics
 from crs_cc.session.session import Session
-from crs_cc.sim.drawings import drawings_in
+from crs_cc.sim.engine.drawings import drawings_in
+from crs_cc.sim.engine.sensor_overlay import sights
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.model import Pose, Thing
-from crs_cc.sim.sights import sights
-from crs_cc.source import Diagnostic, Diagnostics
+from crs_cc.sim.model.world import Pose, Thing
 
 if TYPE_CHECKING:
     from crs_cc.cli.run import RunOptions
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
-    from crs_cc.session.crew import Listener
-    from crs_cc.sim.model import WorldModel
-    from crs_cc.sim.step import Step
+    from crs_cc.session.session_state import Listener
+    from crs_cc.sim.engine.step import Step
+    from crs_cc.sim.model.world import WorldModel
 
 FloatArray = npt.NDArray[np.float64]
 

@@ -1,4 +1,4 @@
-"""The exit statuses of `crs` that are not an error class's own (see `crs_cc.errors`)."""
+"""The exit statuses of `crs` that are not an error class's own (see `crs_cc.core.errors`)."""
 
 from typing import Final
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from crs_cc import __version__
 from crs_cc.cli.report import call_data, report_data
 from crs_cc.cli.status import INTERRUPTED
-from crs_cc.errors import ProgramError
+from crs_cc.core.errors import ProgramError
 
 if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.active_call import ActiveCall

@@ -1,20 +1,21 @@
 """The debugger: forward and backward through programs and their world.
 
-Who begins here reads `engine` first. It is what a user can do, without a screen, and comes in three
-steps: `view` (what he looks at), on it `points` (what the run stops at), on that `engine` (moving,
-changing, branches). `errors` has what he can do wrong, `program` what is needed of a program.
+Read `engine` first: what a user can do, without a screen. It builds on `view` (what the user looks
+at) and `stop_points` (what the run stops at), and adds moving, changing, branches. `errors` has the
+errors a user can make, `program` what the debugger needs of a program.
 
-- `timeline/`: a run at any instant of itself. A `Position` counts an instant of a run; an `Instant`
-  is what the run has come to there, and what has just happened; a `Stop` tells the user.
-- `travel`: goes on, or back, to where there is a reason to stop; `aims`: the reasons of stepping.
-- `places`: breakpoints' places in the user's words; `calls`: statements that call a function of the
-  library; `breakpoints`: which of them an instant meets; `stop`: why a run has stopped.
-- `watch`: accesses to watched bytes, found out inside the sandbox; `watchpoints`: what the user
-  calls these bytes.
-- `branches`: courses of events beside each other; `comparison`: what differs between two.
+- `timeline/`: a run at any point of its history. A `Position` counts; an `Instant` is the state
+  that the run has reached there; a `Stop` reports it to the user.
+- `navigator`: moves the run forward or back to the next reason to stop; `step_conditions`: the
+  reasons of stepping.
+- `locations`: where breakpoints are, as the user writes it; `calls`: statements that call a library
+  function; `breakpoints`: which of them are hit; `stop`: why a run has stopped.
+- `watch`: accesses to watched bytes, detected inside the sandbox; `watchpoints`: the expressions
+  that users watch.
+- `branches`: alternative histories; `comparison`: what differs between two of them.
 - `data/`: C expressions, and values by their types.
-- `world/`: what is seen of the world, can be waited for in it, and changed.
+- `world/`: what is shown of the world, can be waited for in it, and changed.
 
-Screens use the engine, and it knows none of them: `commands/` is the one table of what can be
-typed, `repl/` a prompt, `tui/` the full screen, `dap/` serves editors.
+Screens use the engine, which knows none of them: `commands/` is the one table of commands, `repl/`
+a prompt, `tui/` the full screen, `dap/` serves editors.
 """

@@ -9,15 +9,15 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.core.suggest import unknown
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.position import Position
-from crs_cc.sim.unknown import unknown
 
 if TYPE_CHECKING:
     from crs_cc.debug.timeline.console import Console
     from crs_cc.debug.timeline.history import History
     from crs_cc.debug.timeline.run import Run
-    from crs_cc.debug.world.chronicle import Chronicle
+    from crs_cc.debug.world.event_history import Chronicle
 
 FIRST: Final = "main"
 """The name of the branch that a run begins as."""

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.world.happenings import happenings, is_of
+from crs_cc.debug.world.events import happenings, is_of
 from crs_cc.ir.names import plain_name
 
 if TYPE_CHECKING:
-    from crs_cc.debug.places import Place
+    from crs_cc.debug.locations import Place
     from crs_cc.debug.timeline.instant import Instant, Touch
     from crs_cc.debug.timeline.run import Run
     from crs_cc.debug.watch import Watched

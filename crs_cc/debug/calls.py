@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from crs_cc.core.source import Location
 from crs_cc.debug.program import DebugProgram
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.ir.program import Block, Call, Function, Statement
-from crs_cc.source import Location
 
 
 def calling(program: DebugProgram, name: str) -> frozenset[int]:

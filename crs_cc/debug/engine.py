@@ -15,26 +15,26 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.debug.aims import Aim, BackAim, Calls, Spot, ToCaller, ToLine, ToStatement
 from crs_cc.debug.branches import Branch, Branches, Checkpoint
 from crs_cc.debug.comparison import Difference, differences, facts
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.points import Points
+from crs_cc.debug.navigator import Traveller
+from crs_cc.debug.step_conditions import Aim, BackAim, Calls, Spot, ToCaller, ToLine, ToStatement
 from crs_cc.debug.stop import Stop
+from crs_cc.debug.stop_points import Points
 from crs_cc.debug.timeline.console import Console
 from crs_cc.debug.timeline.history import History
 from crs_cc.debug.timeline.position import BEGINNING, Position
 from crs_cc.debug.timeline.run import InterruptedRunError, Run
-from crs_cc.debug.travel import Traveller
 from crs_cc.debug.view import Frame
 from crs_cc.debug.world.edits import edit
-from crs_cc.debug.world.happenings import Happening
+from crs_cc.debug.world.events import Happening
 from crs_cc.session.host import Client, Input, Output, discard, no_input
 
 if TYPE_CHECKING:
     from crs_cc.debug.program import DebugProgram
-    from crs_cc.sim.model import WorldModel
+    from crs_cc.sim.model.world import WorldModel
 
 Move = Callable[[], Stop]
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from crs_cc.frontend.options import Options
+from crs_cc.frontend.preprocess.options import Options
 from crs_cc.runtime.executable import Executable
 
 

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from crs_cc.core.source import Location
 from crs_cc.debug.data.evaluate import Evaluator
 from crs_cc.debug.data.prepare import Names
 from crs_cc.debug.data.values import Value
@@ -18,7 +19,6 @@ from crs_cc.debug.timeline.run import Run
 from crs_cc.debug.world.state_rows import StateField, state_fields
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
-from crs_cc.source import Location
 
 if TYPE_CHECKING:
     from crs_cc.ir.types import CType

@@ -45,10 +45,10 @@ from crs_cc.runtime.watched import (
 if TYPE_CHECKING:
     import numpy.typing as npt
 
+    from crs_cc.core.source import Location
     from crs_cc.runtime.diagnosis.inspect import StackFrame
     from crs_cc.runtime.executable import Executable
     from crs_cc.runtime.fleet import Fleet
-    from crs_cc.source import Location
 
 MOST: Final = RANGES // 2
 """Most objects of one robot that can be watched at once: each needs a range, some one more."""

@@ -19,7 +19,7 @@ from crs_cc.runtime.layout import HEADER_SIZE, STACK_TOP
 
 if TYPE_CHECKING:
     from crs_cc.debug.data.evaluate import Evaluator
-    from crs_cc.debug.data.sight import Sight
+    from crs_cc.debug.data.memory_inspection import Sight
     from crs_cc.debug.watch import Kind
     from crs_cc.ir.types import CType
     from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped

@@ -6,8 +6,8 @@ stand before the body and behind it; declarations right before its first stateme
 The function is put in as tokens at the places of the body's first and last token, so that no line
 or column changes.
 
->>> from crs_cc.frontend.lex import lex
->>> from crs_cc.source import Diagnostics, Location
+>>> from crs_cc.frontend.parse.lexer import lex
+>>> from crs_cc.core.source import Diagnostics, Location
 >>> def tokens_of(text):
 ...     return lex(text, lambda line, column: Location("a.c", line, column), Diagnostics())
 >>> source = "void f() { st(); } int far = 9; vm(far);"
@@ -22,10 +22,10 @@ from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Final, Literal, TypeAlias
 
-from crs_cc.frontend.hopeless import report
-from crs_cc.frontend.lex import Token
-from crs_cc.frontend.scope import ENTRIES
-from crs_cc.source import Diagnostics
+from crs_cc.core.source import Diagnostics
+from crs_cc.frontend.check.scope import ENTRIES
+from crs_cc.frontend.error_limit import report
+from crs_cc.frontend.parse.lexer import Token
 
 Kind: TypeAlias = Literal["declaration", "function", "statement", "stray"]
 

@@ -10,12 +10,12 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
+from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.body import items_of
-from crs_cc.frontend.cpp.includes import Refusal, read_regular_file
-from crs_cc.frontend.lex import lex
-from crs_cc.frontend.options import Dialect, Options
-from crs_cc.frontend.preprocess import preprocess
-from crs_cc.source import Diagnostics
+from crs_cc.frontend.parse.lexer import lex
+from crs_cc.frontend.preprocess.includes import Refusal, read_regular_file
+from crs_cc.frontend.preprocess.options import Dialect, Options
+from crs_cc.frontend.preprocess.preprocessor import preprocess
 
 _RUNCODE: Final = "runcode"
 _VENDORS_HEADER: Final = "nclient.h"

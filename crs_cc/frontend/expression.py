@@ -22,23 +22,23 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
-from crs_cc.errors import CompileError
-from crs_cc.frontend import tree
-from crs_cc.frontend.check import CheckError, FunctionState, Unit, expression
-from crs_cc.frontend.check_operator import is_lvalue
-from crs_cc.frontend.hopeless import GiveUp
-from crs_cc.frontend.lex import lex
-from crs_cc.frontend.lower import Lowering, effect, place, value, value_type
-from crs_cc.frontend.lower_graph import tidy
-from crs_cc.frontend.lower_unit import UnitLowering
-from crs_cc.frontend.options import Options
-from crs_cc.frontend.parse import parse_expression
-from crs_cc.frontend.scope import FunctionSymbol, ObjectSymbol, TypedefName
-from crs_cc.frontend.tree_parts import everything
+from crs_cc.core.errors import CompileError
+from crs_cc.core.source import Diagnostics, Location
+from crs_cc.frontend.check import tree
+from crs_cc.frontend.check.checker import CheckError, FunctionState, Unit, expression
+from crs_cc.frontend.check.operators import is_lvalue
+from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol, TypedefName
+from crs_cc.frontend.check.tree_parts import everything
+from crs_cc.frontend.error_limit import GiveUp
+from crs_cc.frontend.lower.graph import tidy
+from crs_cc.frontend.lower.lowerer import Lowering, effect, place, value, value_type
+from crs_cc.frontend.lower.unit import UnitLowering
+from crs_cc.frontend.parse.lexer import lex
+from crs_cc.frontend.parse.parser import parse_expression
+from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import check_file
 from crs_cc.ir.program import Block, Function, Operand, Parameter, Program, Return, Variable
 from crs_cc.ir.types import ArrayType, CType, FunctionType, PointerType, RecordType, VoidType
-from crs_cc.source import Diagnostics, Location
 
 EXPRESSION: Final = "<expression>"
 """The name of the file that the expression stands in, and of the function that it becomes."""

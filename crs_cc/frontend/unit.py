@@ -2,8 +2,8 @@
 
     preprocess -> parse -> check -> lower
 
->>> from crs_cc.frontend.options import Options
->>> from crs_cc.source import Diagnostics
+>>> from crs_cc.frontend.preprocess.options import Options
+>>> from crs_cc.core.source import Diagnostics
 >>> source = "int twice(int n) { return 2 * n; }"
 >>> program = compile_text(source, "twice.c", Options(), Diagnostics())
 >>> list(program.functions)
@@ -18,23 +18,23 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, TypeVar
 
-from crs_cc.errors import CompileError
+from crs_cc.core.errors import CompileError
+from crs_cc.core.source import Diagnostics, Location
 from crs_cc.frontend.body import suggest_dialect, with_body
-from crs_cc.frontend.check import Unit
-from crs_cc.frontend.check_unit import check_unit
-from crs_cc.frontend.hopeless import GiveUp
-from crs_cc.frontend.lex import lex
-from crs_cc.frontend.lower_unit import lower_unit
-from crs_cc.frontend.macro_notes import add_macro_notes
-from crs_cc.frontend.options import Options
-from crs_cc.frontend.parse import parse
-from crs_cc.frontend.preprocess import preprocess, preprocess_text
-from crs_cc.frontend.warn import warn_unit
+from crs_cc.frontend.check.checker import Unit
+from crs_cc.frontend.check.unit import check_unit
+from crs_cc.frontend.error_limit import GiveUp
+from crs_cc.frontend.lower.unit import lower_unit
+from crs_cc.frontend.parse.lexer import lex
+from crs_cc.frontend.parse.parser import parse
+from crs_cc.frontend.preprocess.macro_notes import add_macro_notes
+from crs_cc.frontend.preprocess.options import Options
+from crs_cc.frontend.preprocess.preprocessor import preprocess, preprocess_text
+from crs_cc.frontend.warn.suspicious import warn_unit
 from crs_cc.ir.program import Program
-from crs_cc.source import Diagnostics, Location
 
 if TYPE_CHECKING:
-    from crs_cc.frontend.preprocess import Preprocessed
+    from crs_cc.frontend.preprocess.preprocessor import Preprocessed
 
 Result = TypeVar("Result")
 

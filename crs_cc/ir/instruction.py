@@ -10,9 +10,9 @@ from enum import IntEnum
 from typing import TYPE_CHECKING, Any, Final, Literal, SupportsIndex, TypeAlias
 
 if TYPE_CHECKING:
+    from crs_cc.core.source import Location
     from crs_cc.ir.program import Block
     from crs_cc.ir.types import CType
-    from crs_cc.source import Location
 
 ValueType: TypeAlias = Literal["i32", "i64", "f32", "f64"]
 MemoryType: TypeAlias = Literal["i8", "u8", "i16", "u16", "i32", "i64", "f32", "f64"]

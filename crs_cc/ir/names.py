@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from crs_cc.source import Location
+from crs_cc.core.source import Location
 
 LIBRARY: Final = "<library>/"
 """The names of the C library's files begin with it."""

@@ -19,7 +19,7 @@ Names of operators are WebAssembly's (`i32.add`, `f64.convert_i32_s`), with C's 
 two differ: the division operators and the conversions from floating to integer types never trap
 silently, codegen adds the checks. `ir.instruction` holds the instructions one by one.
 
->>> from crs_cc.source import Location
+>>> from crs_cc.core.source import Location
 >>> here = Location("twice.c", 1, 1)
 >>> n = Register(0, "i32")
 >>> double = Register(1, "i32")
@@ -78,8 +78,8 @@ from crs_cc.ir.instruction import (
 )
 
 if TYPE_CHECKING:
+    from crs_cc.core.source import Location
     from crs_cc.ir.types import CType
-    from crs_cc.source import Location
 
 __all__ = [
     "MEMORY_SIZE",

@@ -4,7 +4,7 @@ Registers are `%name.number`, frame slots `$name.number`, global names `@name`. 
 place in the C source where it differs from the line before.
 
 >>> from crs_cc.ir.program import Binary, Block, Constant, Function, Parameter, Register, Return
->>> from crs_cc.source import Location
+>>> from crs_cc.core.source import Location
 >>> here = Location("twice.c", 1, 1)
 >>> n, double = Register(0, "i32"), Register(1, "i32")
 >>> body = Block("entry", [Binary(here, double, "i32.mul", n, Constant("i32", 2))])
@@ -25,6 +25,7 @@ from collections.abc import Callable, Iterator
 from textwrap import TextWrapper
 from typing import Final
 
+from crs_cc.core.source import Location
 from crs_cc.ir.program import (
     VARARGS,
     Address,
@@ -62,7 +63,6 @@ from crs_cc.ir.program import (
     Switch,
     Unary,
 )
-from crs_cc.source import Location
 
 _COMMENT_COLUMN: Final = 50
 _BYTES_PER_LINE: Final = 16

@@ -4,15 +4,15 @@ The code generator takes verified programs only. Whatever C source comes in, the
 give a program that passes; a violation is our fault and never the user's.
 
 >>> from crs_cc.ir.program import Block, Branch, Constant, Function, Program
->>> from crs_cc.source import Location
+>>> from crs_cc.core.source import Location
 >>> here = Location("loop.c", 1, 1)
 >>> loop = Block("loop")
 >>> loop.terminator = Branch(here, Constant("f64", 1.0), loop, loop)
 >>> verify(Program({"main": Function("main", here, blocks=[loop])}))
 Traceback (most recent call last):
     ...
-crs_cc.errors.InternalError: loop.c:1:1: error: malformed IR in 'main', block 'loop': condition \
-has type f64, not i32
+crs_cc.core.errors.InternalError: loop.c:1:1: error: malformed IR in 'main', block 'loop': \
+condition has type f64, not i32
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from crs_cc.errors import InternalError
+from crs_cc.core.errors import InternalError
+from crs_cc.core.source import Diagnostic, Location
 from crs_cc.ir.program import MEMORY_SIZE, VALUE_TYPE, Block, Data, Function, Program, Slot
 from crs_cc.ir.verify_block import BlockVerifier
-from crs_cc.source import Diagnostic, Location
 
 
 def verify(program: Program) -> None:

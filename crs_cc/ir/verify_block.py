@@ -10,6 +10,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from typing import Final, get_args
 
+from crs_cc.core.source import Location
 from crs_cc.ir.operators import OPERATORS
 from crs_cc.ir.program import (
     MEMORY_SIZE,
@@ -53,7 +54,6 @@ from crs_cc.ir.program import (
     ValueType,
 )
 from crs_cc.requests import ERROR_KINDS
-from crs_cc.source import Location
 
 Faults = Iterator[str]
 _BITS: Final = {"i32": 32, "i64": 64}

@@ -186,7 +186,7 @@ CONFIGURATION: Final = Group("Configuration", (
         refreshes=ALL, posts=("CONF_SG",), under_ndirect=_NO_SENSOR,
         chosen="The threshold is the largest mean square of the distances of points from their"
         " segment; before the first call what the vendor's header advises holds, 50, 4 and 30."
-        " `crs_cc/sim/geometry/segments.py` tells the rest.",
+        " `crs_cc/sim/geometry/split_and_merge.py` tells the rest.",
     ),
     Function(
         "int conf_tm(unsigned char timeout)",
@@ -231,7 +231,7 @@ READING: Final = Group("Reading", (
         chosen="A reading changes when its echo comes, 1.8 ms after the firing for each foot, or"
         " when the sound has been to the end of the range and back. The parameters of <sonars> in a"
         " robot definition say what is heard; the formulas are in `crs_cc/sim/geometry/echoes.py`"
-        " and `crs_cc/sim/sensors/sonar_errors.py`.",
+        " and `crs_cc/sim/devices/sonar/errors.py`.",
     ),
     Function(
         "int get_rc(void)", "reads the odometry's pose", refreshes="STATE_CONF_*",
@@ -281,7 +281,7 @@ READING: Final = Group("Reading", (
         "float voltMotorGet(void)",
         "gives the voltage of the motors' battery [V], as the last state told it", source=_BOTH,
         chosen="Below the cut-off of the definition, 10.8 V, the motors have no force any more. How"
-        " it drains is told in `crs_cc/sim/sensors/battery.py`.",
+        " it drains is told in `crs_cc/sim/devices/battery.py`.",
     ),
     Function(
         "int tk(char *talk)", "speaks", posts=("TK",), source=(HEADER, OURS),

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from crs_cc.core.source import Location
 from crs_cc.ir.program import Function, Register
 from crs_cc.runtime.layout import Frame
 from crs_cc.runtime.sites import CallSite, Site, StatementSite
 from crs_cc.runtime.wasm import Module
-from crs_cc.source import Location
 
 
 @dataclass(slots=True)

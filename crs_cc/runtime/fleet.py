@@ -26,6 +26,7 @@ import numpy as np
 import numpy.typing as npt
 import wasmtime
 
+from crs_cc.core.source import Location
 from crs_cc.requests import ERROR_KINDS, FAILED, MESSAGE, SLOT
 from crs_cc.runtime import pages
 from crs_cc.runtime.driver import HEADER, SLOTS, driver
@@ -34,7 +35,6 @@ from crs_cc.runtime.layout import MEMORY_BYTES, STACK_TOP
 from crs_cc.runtime.pages import CHUNK
 from crs_cc.runtime.wasm import PAGE
 from crs_cc.runtime.watched import WATCHED
-from crs_cc.source import Location
 
 if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.active_call import ActiveCall

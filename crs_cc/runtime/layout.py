@@ -23,7 +23,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Final
 
-from crs_cc.errors import CompileError
+from crs_cc.core.errors import CompileError
 from crs_cc.ir.program import Function, Parameter, Register, SetJump, Slot
 
 NULL_SIZE: Final = 4096

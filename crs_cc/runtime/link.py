@@ -13,8 +13,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Final, Protocol
 
-from crs_cc.errors import CompileError
-from crs_cc.ir.agreement import agree
+from crs_cc.core.errors import CompileError
+from crs_cc.core.source import Diagnostics, Location
+from crs_cc.ir.liveness import all_instructions
 from crs_cc.ir.names import LIBRARY, in_library
 from crs_cc.ir.program import (
     Address,
@@ -28,9 +29,8 @@ from crs_cc.ir.program import (
     Relocation,
     Store,
 )
+from crs_cc.ir.type_compat import agree
 from crs_cc.ir.types import CType
-from crs_cc.ir.uses import all_instructions
-from crs_cc.source import Diagnostics, Location
 
 ROOT: Final = "__crs_start"
 """The library's function that calls `main`; everything reachable from it is linked."""

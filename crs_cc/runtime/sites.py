@@ -18,8 +18,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final, Literal
 
+from crs_cc.core.source import Location
 from crs_cc.ir.program import Variable
-from crs_cc.source import Location
 
 Access = Literal["", "read", "write"]
 

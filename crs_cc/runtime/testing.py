@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from crs_cc.core.source import Location
 from crs_cc.ir.program import Address as AddressOf
 from crs_cc.ir.program import (
     Binary,
@@ -19,7 +20,6 @@ from crs_cc.ir.program import (
 )
 from crs_cc.requests import CODES, MESSAGE
 from crs_cc.runtime.executable import Executable, make_executable
-from crs_cc.source import Location
 
 
 def counting_program(rounds: int = 10) -> Executable:

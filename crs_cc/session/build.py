@@ -9,13 +9,13 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from crs_cc.errors import CompileError
-from crs_cc.frontend.cpp.includes import digest
-from crs_cc.frontend.options import Dialect, Options
-from crs_cc.garbage import without_collector
+from crs_cc.core.errors import CompileError
+from crs_cc.core.gc_pause import without_collector
+from crs_cc.core.source import Diagnostic, Diagnostics
+from crs_cc.frontend.preprocess.includes import digest
+from crs_cc.frontend.preprocess.options import Dialect, Options
 from crs_cc.runtime.executable import Detail, Executable, load_executable
 from crs_cc.session import cache
-from crs_cc.source import Diagnostic, Diagnostics
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,15 +10,15 @@ import functools
 from collections.abc import Sequence
 from pathlib import Path
 
-from crs_cc.errors import CompileError, InternalError
-from crs_cc.frontend.options import Options
+from crs_cc.core.errors import CompileError, InternalError
+from crs_cc.core.source import Diagnostics, Location
+from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_text
 from crs_cc.ir.names import LIBRARY
 from crs_cc.ir.program import Data, Function, Program
 from crs_cc.ir.verify import verify
 from crs_cc.runtime import link
 from crs_cc.session import cache
-from crs_cc.source import Diagnostics, Location
 
 SOURCES = Path(link.__file__).parent / "lib"
 HEADERS = SOURCES / "include"

@@ -13,8 +13,8 @@ if TYPE_CHECKING:
     from crs_cc.runtime.executable import Executable
     from crs_cc.runtime.fleet import Snapshot
     from crs_cc.session.files import DiskSnapshot
-    from crs_cc.sim.setting import Snapshot as EnvironmentSnapshot
-    from crs_cc.sim.state import EnvState
+    from crs_cc.sim.engine.world_data import Snapshot as EnvironmentSnapshot
+    from crs_cc.sim.state.env_state import EnvState
 
 Pose = tuple[float, float, float]
 """x [m], y [m], heading [rad, counter-clockwise from x]."""

@@ -29,13 +29,13 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.requests import CODES, REQUESTS, SUSPENDED
-from crs_cc.session.crew import ENDLESS, Crew
 from crs_cc.session.host import (
     HOST_CODES,
     SYSTEM_CALL,
     TIME_SERVERS,
     HostRequest,
 )
+from crs_cc.session.session_state import ENDLESS, Crew
 
 if TYPE_CHECKING:
     from crs_cc.session.host import TimeServer

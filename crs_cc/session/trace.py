@@ -19,9 +19,9 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Final
 
-from crs_cc.sim.events import Event
-from crs_cc.sim.messages.traffic import events
-from crs_cc.sim.step import Answer, AxisSlice, RobotSlice, Step, describe_slice
+from crs_cc.sim.comms.message_log import events
+from crs_cc.sim.engine.step import Answer, AxisSlice, RobotSlice, Step, describe_slice
+from crs_cc.sim.state.events import Event
 
 _MOST_VALUES: Final = 16  # a reply has up to 62
 _TURNING: Final = frozenset({"steering", "turret"})

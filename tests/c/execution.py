@@ -11,13 +11,13 @@ import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from crs_cc.core.source import Diagnostic, Diagnostics
 from crs_cc.requests import FAILED
 from crs_cc.runtime.diagnosis.failure import Failure
 from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Host, HostRequest
-from crs_cc.source import Diagnostic, Diagnostics
 
 HERE = Path(__file__).parent
 ENDLESS = 10**9  # fuel that no case needs

@@ -23,12 +23,12 @@ from pathlib import Path
 import pytest
 
 from crs_cc.cli.report import render_report
-from crs_cc.errors import CompileError
+from crs_cc.core.errors import CompileError
+from crs_cc.core.source import Diagnostics
 from crs_cc.requests import ERROR_KINDS
 from crs_cc.runtime.diagnosis.failure import Failure
 from crs_cc.runtime.diagnosis.report import report
 from crs_cc.session.build import build_executable
-from crs_cc.source import Diagnostics
 from tests.c.execution import (
     ENDLESS,
     HERE,

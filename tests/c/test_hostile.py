@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.errors import CrsError
+from crs_cc.core.errors import CrsError
 from crs_cc.requests import ERROR_KINDS
 from crs_cc.session.session import Session
 from crs_cc.sim.files.world_xml import parse_world

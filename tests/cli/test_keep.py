@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.cli.keep import keep
 from crs_cc.cli.main import main
+from crs_cc.cli.save_files import keep
 
 COPY = r"""
 #include <stdio.h>

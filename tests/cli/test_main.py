@@ -12,8 +12,8 @@ import pytest
 from crs_cc import __version__
 from crs_cc.cli import check
 from crs_cc.cli.main import crs, main
-from crs_cc.errors import InternalError
-from crs_cc.source import Location
+from crs_cc.core.errors import InternalError
+from crs_cc.core.source import Location
 
 
 def run_crs(*arguments: str, **options: object) -> subprocess.CompletedProcess[str]:

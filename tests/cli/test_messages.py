@@ -8,7 +8,7 @@ import sys
 import pytest
 
 from crs_cc.cli.messages import MAX_LINE_LENGTH, MAX_MESSAGES, is_coloured, render, show
-from crs_cc.source import Diagnostic, Location
+from crs_cc.core.source import Diagnostic, Location
 
 ORDINARY = Diagnostic(
     "error", Location("wander.c", 3, 9), "unknown name 'sped'", "\tvm(sped, 0, 0);", "did you mean?"

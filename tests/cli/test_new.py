@@ -87,7 +87,7 @@ def test_check_tells_of_the_ground_and_of_degradations(
 
 
 def test_the_robots_that_come_with_crs_are_told(capfd: pytest.CaptureFixture[str]) -> None:
-    for path in sorted((ROOT / "crs_cc" / "sim" / "robots").glob("*.xml")):
+    for path in sorted((ROOT / "crs_cc" / "sim" / "files" / "robots").glob("*.xml")):
         assert main(["check", str(path)]) == 0
     assert "synchro drive" in capfd.readouterr().out
 

@@ -12,11 +12,21 @@ from lxml import etree
 
 from crs_cc.cli.plot import Picture, Trip
 from crs_cc.cli.tracks import Tracks, simplified
-from crs_cc.sim.drawings import LINE, ROBOT, Drawing
-from crs_cc.sim.ground.model import Ground, HeightMap, Patch
-from crs_cc.sim.model import Area, Box, Cylinder, Material, Polygon, Pose, Robot, Wall, WorldModel
-from crs_cc.sim.robot_colours import colour
-from crs_cc.sim.robot_model import Drive, RobotModel
+from crs_cc.sim.engine.drawings import LINE, ROBOT, Drawing
+from crs_cc.sim.engine.robot_colours import colour
+from crs_cc.sim.model.ground import Ground, HeightMap, Patch
+from crs_cc.sim.model.robot import Drive, RobotModel
+from crs_cc.sim.model.world import (
+    Area,
+    Box,
+    Cylinder,
+    Material,
+    Polygon,
+    Pose,
+    Robot,
+    Wall,
+    WorldModel,
+)
 from tests.sim.gripping import GRIPPER, gripping
 
 SVG = "{http://www.w3.org/2000/svg}"

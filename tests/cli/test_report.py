@@ -8,11 +8,11 @@ import click
 import pytest
 
 from crs_cc.cli.report import render_report, report_data, show_reports
+from crs_cc.core.source import Location
 from crs_cc.runtime.diagnosis.active_call import ActiveCall
 from crs_cc.runtime.diagnosis.objects import Object
 from crs_cc.runtime.diagnosis.report import ErrorReport
 from crs_cc.runtime.sites import CallSite
-from crs_cc.source import Location
 from tests.cli.test_summary import robot
 
 PLACE = Location("wander.c", 12, 14, last=21)

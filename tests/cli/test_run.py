@@ -554,7 +554,7 @@ def test_an_unknown_robot_is_told_with_those_there_are(capfd: pytest.CaptureFixt
 
 
 def test_a_robot_can_be_of_ones_own_making(capfd: pytest.CaptureFixture[str]) -> None:
-    text = (Path(crs_cc.sim.__file__).parent / "robots" / "scout.xml").read_text()
+    text = (Path(crs_cc.sim.__file__).parent / "files" / "robots" / "scout.xml").read_text()
     Path("slow.xml").write_text(text.replace('speed="10in/s"', 'speed="1in/s"'))
     for world, ends_s in (((), 5), (("pair.xml",), 5)):
         assert main(["run", "drive.c", *world, "--robot", "slow.xml", "--json"]) == 0

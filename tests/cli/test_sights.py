@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from crs_cc.cli.plot import Picture
-from crs_cc.sim.sights import sights
+from crs_cc.sim.engine.sensor_overlay import sights
 from tests.device.robot import scout_with
 from tests.nclient.drive import drive
 from tests.sim.driver import SCOUT_RADIUS_M

@@ -10,10 +10,10 @@ import pytest
 from crs_cc.cli import table
 from crs_cc.cli.summary import Run, as_json, exit_status
 from crs_cc.cli.table import MAX_ROWS, print_summary
+from crs_cc.core.source import Location
 from crs_cc.runtime.diagnosis.active_call import ActiveCall
 from crs_cc.runtime.diagnosis.report import ErrorReport
 from crs_cc.session.result import RobotResult, RunResult
-from crs_cc.source import Location
 
 FAILURE = ErrorReport("null pointer", Location("wander.c", 7, 3), "null pointer: 'p' is null")
 

@@ -7,13 +7,13 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from crs_cc.core.source import Diagnostics
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.program import DebugProgram
-from crs_cc.frontend.options import Options
+from crs_cc.frontend.preprocess.options import Options
 from crs_cc.session.build import build_executable
 from crs_cc.session.library import HEADERS
 from crs_cc.sim.files.world_xml import empty_world, load_world
-from crs_cc.source import Diagnostics
 
 ROOT = Path(__file__).parents[2]
 

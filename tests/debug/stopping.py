@@ -5,17 +5,17 @@ from __future__ import annotations
 import contextlib
 from pathlib import Path
 
+from crs_cc.core.source import Diagnostics
 from crs_cc.debug.data.evaluate import Evaluator
 from crs_cc.debug.data.prepare import Names
 from crs_cc.debug.program import DebugProgram
 from crs_cc.debug.world.state_rows import state_fields
-from crs_cc.frontend.options import Options
+from crs_cc.frontend.preprocess.options import Options
 from crs_cc.requests import SUSPENDED
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Host, HostRequest
 from crs_cc.session.library import HEADERS
-from crs_cc.source import Diagnostics
 
 
 class EndError(Exception):

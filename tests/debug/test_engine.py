@@ -10,7 +10,7 @@ import pytest
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.stop import Stop
-from crs_cc.sim.step import Step
+from crs_cc.sim.engine.step import Step
 from tests.debug.debuggee import debugger_of, line
 
 LOOP = """\

@@ -6,14 +6,14 @@ from pathlib import Path
 
 import pytest
 
+from crs_cc.core.source import Diagnostics
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.program import DebugProgram
 from crs_cc.debug.world.state_rows import told_state
-from crs_cc.frontend.options import Options
+from crs_cc.frontend.preprocess.options import Options
 from crs_cc.session.build import build_executable
 from crs_cc.session.library import HEADERS
 from crs_cc.sim.files.world_xml import load_world
-from crs_cc.source import Diagnostics
 
 ROOT = Path(__file__).parents[2]
 TABLE_2 = ROOT / "samples" / "scout_c" / "report_table2.c"

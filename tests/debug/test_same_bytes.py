@@ -17,21 +17,21 @@ from typing import Any
 
 import pytest
 
+from crs_cc.core.source import Diagnostics
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.program import DebugProgram
 from crs_cc.debug.stop import Stop
 from crs_cc.debug.timeline.instant import Instant
 from crs_cc.debug.timeline.position import Position
-from crs_cc.frontend.options import Options
+from crs_cc.frontend.preprocess.options import Options
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Output
 from crs_cc.session.library import HEADERS
 from crs_cc.session.session import Session
+from crs_cc.sim.engine.step import Step
 from crs_cc.sim.files.world_xml import load_world
-from crs_cc.sim.model import WorldModel
-from crs_cc.sim.step import Step
-from crs_cc.source import Diagnostics
+from crs_cc.sim.model.world import WorldModel
 from tests.samples.driving import ROOT, SAMPLES
 from tests.samples.test_samples import RUNS
 from tests.samples.test_samples import Run as Sample

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from crs_cc.core.source import Diagnostics
 from crs_cc.runtime.executable import Executable
 from crs_cc.session.build import build_executable
 from crs_cc.session.session import Session
 from crs_cc.sim.files.world_xml import load_world
-from crs_cc.source import Diagnostics
 
 ROOT = Path(__file__).parents[2]
 

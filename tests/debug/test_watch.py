@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from crs_cc.core.source import Diagnostics
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.watch import MOST, Access, Kind, Watched, Watches
 from crs_cc.ir.names import plain_name
@@ -18,7 +19,6 @@ from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.fleet import Fleet, Snapshot
 from crs_cc.session.build import build_executable, build_watching
 from crs_cc.session.host import Host, HostRequest
-from crs_cc.source import Diagnostics
 from tests.c.execution import cases
 from tests.c.execution import name as case_name
 

@@ -7,12 +7,12 @@ from pathlib import Path
 
 import pytest
 
+from crs_cc.core.source import Diagnostics
 from crs_cc.debug.watch import MOST, Watched
 from crs_cc.ir.names import in_library
 from crs_cc.runtime.diagnosis.inspect import StackFrame
 from crs_cc.runtime.executable import Executable
 from crs_cc.session.build import build_executable
-from crs_cc.source import Diagnostics
 from tests.debug.test_watch import Watching, compare
 from tests.fuzz.generator.program import generate
 

@@ -9,7 +9,7 @@ from crs_cc.sim.files import world_xml
 
 def scout_with(folder: Path, *devices: str) -> str:
     """Writes the definition of a Scout with more devices, elements of XML, and gives its path."""
-    text = (Path(world_xml.__file__).parents[1] / "robots" / "scout.xml").read_text()
+    text = (Path(world_xml.__file__).parents[0] / "robots" / "scout.xml").read_text()
     path = folder / "scout-with.xml"
     path.write_text(text.replace("<computer-battery", f"{''.join(devices)}<computer-battery", 1))
     return str(path)

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.errors import WorldError
+from crs_cc.core.errors import WorldError
 from crs_cc.sim.files.world_xml import empty_world, load_robot, parse_world
 from tests.device.robot import scout_with
 from tests.nclient.drive import drive

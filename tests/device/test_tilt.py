@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.sim.environment import Environment
+from crs_cc.sim.engine.environment import Environment
 from tests.device.robot import scout_with
 from tests.nclient.drive import drive
 

@@ -6,11 +6,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from crs_cc.errors import WorldError
+from crs_cc.core.errors import WorldError
 from crs_cc.session.library import HEADERS
-from crs_cc.sim.environment import Environment
+from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files.world_xml import empty_world, load_robot, parse_world
-from crs_cc.sim.states import timers
+from crs_cc.sim.state import timers
 from tests.device.robot import scout_with
 from tests.nclient.drive import drive
 from tests.sim.driver import Driver

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from contextlib import suppress
 
-from crs_cc.errors import CompileError
-from crs_cc.frontend.options import Options
+from crs_cc.core.errors import CompileError
+from crs_cc.core.source import Diagnostics
+from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_text
 from crs_cc.ir.program import Function, Program
 from crs_cc.ir.text import to_text
 from crs_cc.ir.types import CType
 from crs_cc.ir.verify import verify
-from crs_cc.source import Diagnostics
 
 
 def compiled(source: str) -> Program:

@@ -14,12 +14,12 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
 
-from crs_cc.errors import CompileError
-from crs_cc.frontend.options import Options
+from crs_cc.core.errors import CompileError
+from crs_cc.core.source import Diagnostics
+from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_text
 from crs_cc.ir.verify import verify
 from crs_cc.session.library import HEADERS
-from crs_cc.source import Diagnostics
 
 CORPUS: Final = Path(__file__).parent.parent / "c"
 FINDINGS: Final = Path("build/fuzz-frontend")

@@ -11,10 +11,10 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.frontend.cpp.tokens import tokenise
-from crs_cc.frontend.options import Options
-from crs_cc.frontend.preprocess import Preprocessed, preprocess_text
-from crs_cc.source import Diagnostics
+from crs_cc.core.source import Diagnostics
+from crs_cc.frontend.preprocess.options import Options
+from crs_cc.frontend.preprocess.preprocessor import Preprocessed, preprocess_text
+from crs_cc.frontend.preprocess.tokens import tokenise
 
 DATA = Path(__file__).parent / "data" / "preprocess"
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from pycparser.c_lexer import CLexer
 
-from crs_cc.frontend.lex import lex
-from crs_cc.source import Diagnostics, Location
+from crs_cc.core.source import Diagnostics, Location
+from crs_cc.frontend.parse.lexer import lex
 
 SOURCE = r"""
 typedef unsigned long size_t; struct s { int a : 3; } *p, q[4];

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from crs_cc.frontend.literal import character, number, single, string
+from crs_cc.frontend.parse.literal import character, number, single, string
 
 NUMBERS = {
     "0": (0, "int"), "017": (15, "int"), "0x7fffffff": (2147483647, "int"),

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.errors import CompileError
-from crs_cc.frontend.options import Options
+from crs_cc.core.errors import CompileError
+from crs_cc.core.source import Diagnostics
+from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_file
 from crs_cc.session.library import HEADERS
-from crs_cc.source import Diagnostics
 from tests.frontend.compiling import messages
 
 UNDECLARED = "error: use of undeclared identifier 'sped'"

@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 from pycparser.c_parser import CParser
 
-from crs_cc.frontend.options import Options
-from crs_cc.frontend.preprocess import preprocess
-from crs_cc.source import Diagnostics
+from crs_cc.core.source import Diagnostics
+from crs_cc.frontend.preprocess.options import Options
+from crs_cc.frontend.preprocess.preprocessor import preprocess
 from tests.frontend.preprocessing import cases, messages, result, run, tokens, without_attributes
 
 

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.frontend.cpp.includes import MAX_FILE_SIZE
-from crs_cc.frontend.options import Options
-from crs_cc.frontend.preprocess import Preprocessed, preprocess
-from crs_cc.source import Diagnostics
+from crs_cc.core.source import Diagnostics
+from crs_cc.frontend.preprocess.includes import MAX_FILE_SIZE
+from crs_cc.frontend.preprocess.options import Options
+from crs_cc.frontend.preprocess.preprocessor import Preprocessed, preprocess
 from tests.frontend.preprocessing import tokens
 
 SECRET = "the_content_of_a_file_that_a_program_must_not_read"

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.frontend.cpp import state
-from crs_cc.frontend.options import Options
-from crs_cc.frontend.preprocess import preprocess
-from crs_cc.source import Diagnostics
+from crs_cc.core.source import Diagnostics
+from crs_cc.frontend.preprocess import state
+from crs_cc.frontend.preprocess.options import Options
+from crs_cc.frontend.preprocess.preprocessor import preprocess
 from tests.frontend.preprocessing import messages, result, run
 
 

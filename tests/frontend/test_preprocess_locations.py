@@ -12,9 +12,9 @@ import pytest
 from pycparser import c_ast
 from pycparser.c_parser import CParser
 
-from crs_cc.frontend.options import Options
-from crs_cc.frontend.preprocess import Preprocessed, preprocess
-from crs_cc.source import Diagnostics, Location
+from crs_cc.core.source import Diagnostics, Location
+from crs_cc.frontend.preprocess.options import Options
+from crs_cc.frontend.preprocess.preprocessor import Preprocessed, preprocess
 from tests.frontend.preprocessing import run, without_attributes
 
 SOURCE = """\

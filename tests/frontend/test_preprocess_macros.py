@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from crs_cc.frontend.options import Options
+from crs_cc.frontend.preprocess.options import Options
 from tests.frontend.preprocessing import cases, messages, result, run, tokens
 
 

@@ -7,10 +7,10 @@ import inspect
 import pytest
 from pycparser import c_ast
 
-from crs_cc.frontend import check_unit
-from crs_cc.frontend.check import EXPRESSIONS, STATEMENTS, CheckError, Unit
-from crs_cc.frontend.refuse import PARTS, REFUSED, refused
-from crs_cc.source import Diagnostics, Location
+from crs_cc.core.source import Diagnostics, Location
+from crs_cc.frontend.check import unit
+from crs_cc.frontend.check.checker import EXPRESSIONS, STATEMENTS, CheckError, Unit
+from crs_cc.frontend.parse.unsupported import PARTS, REFUSED, refused
 
 NODES = [
     each
@@ -21,7 +21,7 @@ NODES = [
 
 @pytest.mark.parametrize("node", NODES)
 def test_every_node_class_has_exactly_one_fate(node: type) -> None:
-    is_checked = node in EXPRESSIONS or node in STATEMENTS or node in check_unit.EXTERNAL
+    is_checked = node in EXPRESSIONS or node in STATEMENTS or node in unit.EXTERNAL
     assert [is_checked, node in PARTS, node in REFUSED].count(True) == 1
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from crs_cc.frontend.options import STANDARDS, Options
+from crs_cc.frontend.preprocess.options import STANDARDS, Options
 from tests.frontend.preprocessing import result
 
 VERSION = "__STDC_VERSION__ __STRICT_ANSI__ linux __linux__"

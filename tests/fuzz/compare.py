@@ -11,14 +11,14 @@ import signal
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from crs_cc.errors import CrsError
-from crs_cc.frontend.options import Options
+from crs_cc.core.errors import CrsError
+from crs_cc.core.source import Diagnostics
+from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_file
 from crs_cc.ir.verify import verify
 from crs_cc.runtime.executable import make_executable
 from crs_cc.runtime.link import link
 from crs_cc.session.library import HEADERS, library
-from crs_cc.source import Diagnostics
 from tests.c.execution import Run, Stepping
 from tests.gcc import Result, complaint, run
 

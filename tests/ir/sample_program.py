@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from crs_cc.core.source import Location
 from crs_cc.ir.program import (
     VARARGS,
     Address,
@@ -35,7 +36,6 @@ from crs_cc.ir.program import (
     Terminator,
     Unary,
 )
-from crs_cc.source import Location
 
 
 def at(line: int, column: int = 5) -> Location:

@@ -6,9 +6,9 @@ import sys
 
 import pytest
 
+from crs_cc.core.source import Location
 from crs_cc.ir.program import Block, Function, Jump, Program, Return
 from crs_cc.ir.text import to_text
-from crs_cc.source import Location
 
 HERE = Location("long.c", 1, 1)
 

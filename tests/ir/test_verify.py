@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
-from crs_cc.errors import InternalError
+from crs_cc.core.errors import InternalError
 from crs_cc.ir.program import (
     VARARGS,
     Address,

@@ -13,14 +13,14 @@ from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 
-from crs_cc.frontend.options import Dialect
+from crs_cc.core.source import Diagnostics
+from crs_cc.core.units import m_to_inch
+from crs_cc.frontend.preprocess.options import Dialect
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Client
 from crs_cc.session.session import Session
+from crs_cc.sim.engine.step import Step
 from crs_cc.sim.files.world_xml import SCOUT, parse_world
-from crs_cc.sim.step import Step
-from crs_cc.source import Diagnostics
-from crs_cc.units import m_to_inch
 
 HEADERS = ("stdio", "stdlib", "string", "math", "unistd", "sys/time", "crs")
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from crs_cc.sim.drawings import drawings_in
+from crs_cc.sim.engine.drawings import drawings_in
 from tests.nclient.drive import drive
 
 DRAWINGS = """connect_robot(1);

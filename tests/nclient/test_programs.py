@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from crs_cc.errors import CompileError
-from crs_cc.frontend.options import Options
+from crs_cc.core.errors import CompileError
+from crs_cc.core.source import Diagnostics
+from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_text
 from crs_cc.session.library import HEADERS
-from crs_cc.source import Diagnostics
 from tests.nclient.drive import drive
 
 OWN_MACROS = """

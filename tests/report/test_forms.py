@@ -6,12 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.errors import CompileError
+from crs_cc.core.errors import CompileError
+from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.dialect import dialect_of
-from crs_cc.frontend.options import Dialect, Options
+from crs_cc.frontend.preprocess.options import Dialect, Options
 from crs_cc.session.build import build_executable
 from crs_cc.session.library import HEADERS
-from crs_cc.source import Diagnostics
 from tests.nclient.drive import drive
 
 OPTIONS = Options(system_paths=(HEADERS,))

@@ -6,11 +6,11 @@ import re
 
 import pytest
 
-from crs_cc.frontend.options import Options
+from crs_cc.core.source import Diagnostics
+from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_text
 from crs_cc.robot_api.report import COMMANDS, REPORT_STATE, Command
 from crs_cc.session.library import HEADERS, library
-from crs_cc.source import Diagnostics
 from tests.robot_api.dialects import section
 
 HEADER = (HEADERS / "crs" / "report.h").read_text()

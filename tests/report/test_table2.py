@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.errors import CompileError
+from crs_cc.core.errors import CompileError
+from crs_cc.core.source import Diagnostics
 from crs_cc.session.build import build_executable
-from crs_cc.source import Diagnostics
 
 EXCERPT = (Path(__file__).parent / "table2.txt").read_text().splitlines()
 SAMPLE = Path(__file__).parents[2] / "samples" / "scout_c" / "report_table2.c"

@@ -25,12 +25,12 @@ from crs_cc.robot_api import (
     Function,
     Name,
 )  # fmt: skip
-from crs_cc.sim.environment import Environment
+from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files.world_xml import empty_world
 from tests.robot_api.dialects import section
 
 PAGE = Path(__file__).parents[2] / "docs" / "robot-api.md"
-ROBOTS = Path(crs_cc.sim.__file__).parent / "robots"
+ROBOTS = Path(crs_cc.sim.__file__).parent / "files" / "robots"
 
 INTRODUCTION = """\
 <!-- made by tests/robot_api/test_page.py of crs_cc/robot_api; edit there,
@@ -179,8 +179,8 @@ def chosen() -> Iterator[str]:
                 yield f"- `{each.name}`: {each.chosen}"
     yield ""
     yield (
-        "Numbers that nothing tells are in the robot definitions (`crs_cc/sim/robots`), each with"
-        " its reason, to be changed by a definition of one's own:\n"
+        "Numbers that nothing tells are in the robot definitions (`crs_cc/sim/files/robots`), each"
+        " with its reason, to be changed by a definition of one's own:\n"
     )
     yield "| robot | parameter | value | what it is |"
     yield "| --- | --- | --- | --- |"

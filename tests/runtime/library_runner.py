@@ -6,7 +6,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from crs_cc.frontend.options import Options
+from crs_cc.core.source import Diagnostics
+from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_text
 from crs_cc.ir.verify import verify
 from crs_cc.requests import FAILED, RETURNED
@@ -15,7 +16,6 @@ from crs_cc.runtime.fleet import Fleet
 from crs_cc.runtime.link import link
 from crs_cc.session.host import HOST_CODES, Host, HostRequest
 from crs_cc.session.library import HEADERS, library
-from crs_cc.source import Diagnostics
 
 FUEL = 1_000_000_000_000
 

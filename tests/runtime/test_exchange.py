@@ -8,11 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from crs_cc.core.source import Diagnostics
 from crs_cc.runtime.executable import Executable, make_executable
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Host, HostRequest
-from crs_cc.source import Diagnostics
 from tests.c.execution import cases, name
 
 PROGRAM = """\

@@ -7,6 +7,7 @@ import gc
 import numpy as np
 import pytest
 
+from crs_cc.core.source import Location
 from crs_cc.ir.program import (
     Address,
     Block,
@@ -25,7 +26,6 @@ from crs_cc.runtime.executable import Executable, make_executable
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.runtime.layout import MEMORY_BYTES
 from crs_cc.runtime.testing import counting_program
-from crs_cc.source import Location
 
 HERE = Location("wild.c", 7, 3)
 

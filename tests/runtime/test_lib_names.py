@@ -6,12 +6,12 @@ import re
 
 import pytest
 
-from crs_cc.frontend.options import Options
-from crs_cc.frontend.scope import ENTRIES
+from crs_cc.core.source import Diagnostics
+from crs_cc.frontend.check.scope import ENTRIES
+from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_file, compile_text
 from crs_cc.runtime.link import references
 from crs_cc.session.library import HEADERS, SOURCES, library
-from crs_cc.source import Diagnostics
 
 DIALECT = "crs/report.h"
 """What takes the place of `Nclient.h` in the report's dialect."""

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from crs_cc.errors import CompileError
-from crs_cc.frontend.options import Options
+from crs_cc.core.errors import CompileError
+from crs_cc.core.source import Diagnostic, Diagnostics
+from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_text
 from crs_cc.ir.program import Program
 from crs_cc.requests import FAILED
@@ -13,7 +14,6 @@ from crs_cc.runtime.executable import make_executable
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.runtime.link import link
 from crs_cc.session.library import HEADERS, library
-from crs_cc.source import Diagnostic, Diagnostics
 
 
 def linked(*sources: str, diagnostics: Diagnostics | None = None) -> Program:

@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from crs_cc.core.source import Diagnostics
 from crs_cc.runtime import pages
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.session.build import build_executable
-from crs_cc.source import Diagnostics
 
 COUNT = 64
 NO_OBJECTS = range(0)

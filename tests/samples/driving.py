@@ -9,13 +9,13 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.frontend.options import Dialect
+from crs_cc.core.source import Diagnostics
+from crs_cc.frontend.preprocess.options import Dialect
 from crs_cc.session.build import build_executable
 from crs_cc.session.result import RobotResult
 from crs_cc.session.session import Session
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.model import WorldModel
-from crs_cc.source import Diagnostics
+from crs_cc.sim.model.world import WorldModel
 
 ROOT = Path(__file__).parents[2]
 SAMPLES = ROOT / "samples" / "scout_c"

@@ -18,9 +18,9 @@ from pathlib import Path
 import pytest
 
 from crs_cc.cli.main import main
-from crs_cc.frontend.options import Dialect
+from crs_cc.frontend.preprocess.options import Dialect
 from crs_cc.sim.files.world_xml import load_world
-from crs_cc.sim.model import Pose, WorldModel
+from crs_cc.sim.model.world import Pose, WorldModel
 from tests.samples import properties
 from tests.samples.driving import ROOT, SAMPLES, WORLDS, Drive
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from crs_cc.core.source import Diagnostics
 from crs_cc.runtime.executable import Executable
 from crs_cc.session.build import build_executable
 from crs_cc.session.session import Session
 from crs_cc.sim.files.world_xml import parse_world
-from crs_cc.sim.model import WorldModel
-from crs_cc.source import Diagnostics
+from crs_cc.sim.model.world import WorldModel
 
 HALL = parse_world(
     b"""<world version="1">

@@ -14,13 +14,13 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.errors import CompileError
+from crs_cc.core.errors import CompileError
+from crs_cc.core.source import Diagnostics, Location
 from crs_cc.ir.program import Function
 from crs_cc.session import build as build_module
 from crs_cc.session import cache
 from crs_cc.session import library as library_module
 from crs_cc.session.build import build_executable
-from crs_cc.source import Diagnostics, Location
 
 PROGRAM = '#include "speed.h"\nmain() { return SPEED; }\n'
 

@@ -21,7 +21,7 @@ import pytest
 from crs_cc.runtime.executable import Executable
 from crs_cc.session.session import Session
 from crs_cc.sim.files.world_xml import load_robot, parse_world
-from crs_cc.sim.model import Pose, Robot
+from crs_cc.sim.model.world import Pose, Robot
 from tests.session.programs import LOOP, ROAM, build
 
 GATE = 'id="guest" x="19m" y="2m" heading="180deg"'
@@ -225,7 +225,7 @@ def test_many_come_and_go(roam: Executable):
 
 
 def test_another_kind_of_robot_joins(roam: Executable, tmp_path: Path):
-    nomad = load_robot(Path(__file__).parents[2] / "crs_cc/sim/robots/nomad200.xml")
+    nomad = load_robot(Path(__file__).parents[2] / "crs_cc/sim/files/robots/nomad200.xml")
     session = run_to(begun(yard(), roam), 0.5)
     session.add_robot(replace(GUEST, model=nomad), roam)
     session.add_robot(replace(GUEST, id="third", start=Pose(17.0, 1.0)), roam)

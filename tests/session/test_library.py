@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.errors import InternalError
+from crs_cc.core.errors import InternalError
 from crs_cc.session import library as library_module
 from crs_cc.session.library import SOURCES, CachedLibrary, index_of_sources
 

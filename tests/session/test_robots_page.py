@@ -14,7 +14,7 @@ import pytest
 
 from crs_cc.cli.main import main
 from crs_cc.sim.files.world_xml import known_robots, load_robot
-from crs_cc.sim.robot_model import RobotModel
+from crs_cc.sim.model.robot import RobotModel
 from tests.sim.files.test_world_xml import SIM
 
 ROOT = Path(__file__).parents[2]

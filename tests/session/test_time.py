@@ -10,9 +10,9 @@ import pytest
 from crs_cc.runtime.executable import Executable
 from crs_cc.session.host import SYSTEM_CALL
 from crs_cc.session.session import Session
+from crs_cc.sim.engine.step import Step
 from crs_cc.sim.files.world_xml import empty_world
-from crs_cc.sim.model import Pose, WorldModel
-from crs_cc.sim.step import Step
+from crs_cc.sim.model.world import Pose, WorldModel
 from tests.session.programs import build, run
 
 COUNT = """#include <stdio.h>

@@ -9,10 +9,10 @@ from pathlib import Path
 from crs_cc.session import trace as trace_module
 from crs_cc.session.session import Session
 from crs_cc.session.trace import Trace
-from crs_cc.sim.environment import Environment
-from crs_cc.sim.events import Event
+from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files import world_xml
 from crs_cc.sim.files.world_xml import empty_world, load_world
+from crs_cc.sim.state.events import Event
 from tests.session.programs import build
 
 ROBOTS = Path(world_xml.__file__).parents[1] / "robots"

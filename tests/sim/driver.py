@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 
 from crs_cc.requests import CODES, MESSAGE
-from crs_cc.sim.environment import Environment
+from crs_cc.sim.engine.environment import Environment
+from crs_cc.sim.engine.step import Step
 from crs_cc.sim.files import world_xml
 from crs_cc.sim.files.world_xml import load_world, parse_world
-from crs_cc.sim.step import Step
 
 INCH = 0.0254
 SCOUT_RADIUS_M = 8 * INCH
@@ -89,7 +89,7 @@ def own_world(
 
     In `things`, `<robot` stands for such a robot; without `things` there is one at the origin.
     """
-    text = (Path(world_xml.__file__).parents[1] / "robots" / f"{robot}.xml").read_text()
+    text = (Path(world_xml.__file__).parents[0] / "robots" / f"{robot}.xml").read_text()
     for old, new in changes:
         assert old in text
         text = text.replace(old, new)

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from crs_cc.errors import WorldError
-from crs_cc.sim.sensors.battery import COMPUTERS, MOTORS
-from crs_cc.sim.state_vector import CONF_X, MOTOR_STATUS, VEL_RIGHT
+from crs_cc.core.errors import WorldError
+from crs_cc.sim.devices.battery import COMPUTERS, MOTORS
+from crs_cc.sim.devices.vendor_state import CONF_X, MOTOR_STATUS, VEL_RIGHT
 from tests.sim.driver import INCH, Driver, open_world, own_world, world_of
 
 CPU = 'capacity="204Wh" power="20W" curve="10.5 11.5 11.8 12.0 12.2 12.4 12.7"'

@@ -11,7 +11,7 @@ import pytest
 from lxml import etree
 
 from crs_cc.cli.main import main
-from crs_cc.errors import WorldError
+from crs_cc.core.errors import WorldError
 from crs_cc.sim.files.world_xml import load_world
 from tests.sim.broken_worlds import BREAKAGES, hostile_files
 

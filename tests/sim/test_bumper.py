@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.errors import WorldError
-from crs_cc.sim.sensors.bumper import Bumpers
-from crs_cc.sim.state_vector import BUMPER
+from crs_cc.core.errors import WorldError
+from crs_cc.sim.devices.bumper import Bumpers
+from crs_cc.sim.devices.vendor_state import BUMPER
 from tests.sim.driver import INCH, SCOUT_RADIUS_M, Driver, own_world, world_of
 
 EIGHT = '<ring switches="8"/>'

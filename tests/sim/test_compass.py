@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.sim.state_vector import COMPASS, CONF_TURRET
+from crs_cc.sim.devices.vendor_state import COMPASS, CONF_TURRET
 from tests.sim.driver import Driver, open_world, own_world
 
 PLAIN = 'offset="0deg" deviation="0deg" calibration="180s" rate="10Hz" noise="0deg" on="no"'

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.errors import WorldError
+from crs_cc.core.errors import WorldError
 from crs_cc.sim.files.world_xml import load_world, parse_world
-from crs_cc.sim.model import Pose, WorldModel
+from crs_cc.sim.model.world import Pose, WorldModel
 
 LEG = '<define name="leg"><cylinder id="post" x="0" y="0" radius="2cm" heat="1"/></define>'
 TABLE = """<define name="table"><box id="top" x="0" y="0" length="1m" width="60cm"/>

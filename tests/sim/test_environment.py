@@ -13,13 +13,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from crs_cc.requests import CODES, MESSAGE, REQUESTS
-from crs_cc.sim.commands import HANDLERS, WAITS
-from crs_cc.sim.environment import Environment
+from crs_cc.sim.devices.vendor_state import CONF_X, MOTOR_STATUS, VEL_RIGHT
+from crs_cc.sim.engine.environment import Environment
+from crs_cc.sim.engine.handlers import HANDLERS, WAITS
+from crs_cc.sim.engine.step import describe_slice
 from crs_cc.sim.files import world_xml
 from crs_cc.sim.files.world_xml import empty_world, load_world
-from crs_cc.sim.model import Area, WorldModel
-from crs_cc.sim.state_vector import CONF_X, MOTOR_STATUS, VEL_RIGHT
-from crs_cc.sim.step import describe_slice
+from crs_cc.sim.model.world import Area, WorldModel
 from tests.sim.driver import INCH, Driver, open_world, told, world_of
 
 ROBOT_CODES = sorted(code for code, row in REQUESTS.items() if row.server != "host")

@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
+from crs_cc.sim.devices.gripper.fingers import between
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.handling.fingers import between
 from tests.sim.driver import world_of
 from tests.sim.gripping import CLOSE, OPEN, gripping, kinds, tell
 

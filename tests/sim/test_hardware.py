@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from crs_cc.sim.hardware import ALL, Axes, advance, plan_move, plan_speed
+from crs_cc.sim.state.motion_profile import ALL, Axes, advance, plan_move, plan_speed
 
 ZERO = np.array([0.0])
 

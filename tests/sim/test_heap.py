@@ -12,7 +12,7 @@ import sys
 
 import pytest
 
-from crs_cc.sim.environment import Environment
+from crs_cc.sim.engine.environment import Environment
 from tests.sim.driver import Driver, world_of
 
 pytestmark = pytest.mark.slow

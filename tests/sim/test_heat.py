@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from crs_cc.errors import WorldError
+from crs_cc.core.errors import WorldError
 from crs_cc.sim.files.world_xml import load_world
 from tests.sim.driver import SCOUT_RADIUS_M, Driver, open_world, world_of
 

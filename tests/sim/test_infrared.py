@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.errors import WorldError
-from crs_cc.sim.state_vector import IR_0
+from crs_cc.core.errors import WorldError
+from crs_cc.sim.devices.vendor_state import IR_0
 from tests.sim.driver import Driver, open_world, own_world
 
 RING = slice(IR_0, IR_0 + 16)

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from crs_cc.requests import CODES, MESSAGE
-from crs_cc.sim.environment import Environment
+from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files.world_xml import parse_world
 from tests.sim.driver import Driver, world_of
 

@@ -5,10 +5,10 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.errors import WorldError
+from crs_cc.core.errors import WorldError
 from crs_cc.requests import CODES, MESSAGE
-from crs_cc.sim.geometry.segments import segments
-from crs_cc.sim.state_vector import LASER
+from crs_cc.sim.devices.vendor_state import LASER
+from crs_cc.sim.geometry.split_and_merge import segments
 from tests.sim.driver import INCH, Driver, open_world, own_world, world_of
 
 NOMAD = '<robot definition="nomad200" x="0" y="0"/>'

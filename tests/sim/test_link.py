@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from crs_cc.requests import CODES, MESSAGE, REQUESTS
-from crs_cc.sim.environment import Environment
+from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files.world_xml import empty_world, known_robots, parse_world
 
 NOWHERE = {

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from crs_cc.errors import WorldError
+from crs_cc.core.errors import WorldError
 from crs_cc.sim.files.map_elements import rectangles
 from crs_cc.sim.files.world_xml import load_world, parse_world
-from crs_cc.sim.model import WorldModel
+from crs_cc.sim.model.world import WorldModel
 
 ROOM = """
 ##########

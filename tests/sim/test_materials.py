@@ -6,9 +6,9 @@ import math
 
 import pytest
 
-from crs_cc.errors import WorldError
+from crs_cc.core.errors import WorldError
 from crs_cc.sim.files.world_xml import parse_world
-from crs_cc.sim.model import PLAIN, TALL_M, Material, WorldModel
+from crs_cc.sim.model.world import PLAIN, TALL_M, Material, WorldModel
 
 WOOD = '<material name="wood" colour="brown" sonar="0.9" infrared="0.25"/>'
 

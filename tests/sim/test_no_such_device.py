@@ -5,14 +5,14 @@ from pathlib import Path
 import pytest
 
 from crs_cc.requests import CODES
-from crs_cc.sim.commands import HANDLERS
-from crs_cc.sim.environment import Environment
+from crs_cc.sim.engine.environment import Environment
+from crs_cc.sim.engine.handlers import HANDLERS
 from crs_cc.sim.files import world_xml
 from crs_cc.sim.files.world_xml import load_world
-from crs_cc.sim.states.timers import CAMERA, COMPASS, GPS, HEAT, INFRARED, LASER, LIGHT, SOUND, TILT
+from crs_cc.sim.state.timers import CAMERA, COMPASS, GPS, HEAT, INFRARED, LASER, LIGHT, SOUND, TILT
 from tests.sim.driver import Driver
 
-ROBOTS = sorted((Path(world_xml.__file__).parents[1] / "robots").glob("*.xml"))
+ROBOTS = sorted((Path(world_xml.__file__).parents[0] / "robots").glob("*.xml"))
 DEVICES = """<gps/><inclinometer/><camera/><gripper/><arm/><light-sensors/><microphones/><lamp/>
     <speaker/><computer-battery"""
 BARE = """<robot-definition version="1" name="bare"><body radius="10cm" mass="3kg"/>

@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
+from crs_cc.sim.devices.vendor_state import CONF_STEER, CONF_X, CONF_Y
 from crs_cc.sim.files.world_xml import load_robot, load_world
-from crs_cc.sim.state_vector import CONF_STEER, CONF_X, CONF_Y
 from tests.sim.driver import INCH, Driver, open_world
 from tests.sim.test_traction import SCOUT
 

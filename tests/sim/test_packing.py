@@ -9,8 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.files.world_xml import load_world
-from crs_cc.sim.packing import packed
-from crs_cc.sim.state import EnvState
+from crs_cc.sim.state.env_state import EnvState
+from crs_cc.sim.state.snapshot_codec import packed
 
 ROOT = Path(__file__).parents[2]
 

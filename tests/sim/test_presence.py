@@ -15,9 +15,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from crs_cc.sim.environment import Environment
+from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files.world_xml import load_robot
-from crs_cc.sim.model import Pose
+from crs_cc.sim.model.world import Pose
 from tests.device.robot import scout_with
 from tests.nclient.drive import drive
 from tests.sim.driver import SCOUT_RADIUS_M, Driver, world_of

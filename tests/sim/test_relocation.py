@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from crs_cc.sim.model import Pose
+from crs_cc.sim.model.world import Pose
 from tests.sim.driver import SCOUT_RADIUS_M, Driver, open_world, world_of
 
 THINGS = (

@@ -101,10 +101,10 @@ def test_programs_are_told_that_it_is_like_a_scout(kind: str):
 
 @pytest.mark.parametrize("kind", ["pioneer2dx", "amigobot"])
 def test_the_noisy_setup_deviates(kind: str):
-    noisy = load_robot(SIM / "robots" / f"{kind}.xml", "noisy")
+    noisy = load_robot(SIM / "files" / "robots" / f"{kind}.xml", "noisy")
     assert noisy.sonar_board.noise_m > 0.0
     assert noisy.sonars == _model(kind).sonars
 
 
 def _model(kind: str):
-    return load_robot(SIM / "robots" / f"{kind}.xml")
+    return load_robot(SIM / "files" / "robots" / f"{kind}.xml")

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.sim.state_vector import (
+from crs_cc.sim.devices.vendor_state import (
     BUMPER,
     CONF_STEER,
     CONF_X,

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 from crs_cc.robot_api.device import DEVICE_GROUPS
-from crs_cc.sim.degradation.model import DEVICES
+from crs_cc.sim.model.degradation import DEVICES
 from tests.sim.test_world_format_page import Schema
 
 ROOT = Path(__file__).parents[2]
@@ -28,7 +28,7 @@ class Row:
 
     Attributes:
         title: what it is called.
-        module: its file in `crs_cc.sim.sensors`.
+        module: its file in `crs_cc.sim.devices`.
         element: its element in a robot definition; empty for none.
         reads: the C functions that read it.
         says: what else there is to say.
@@ -137,7 +137,7 @@ def overview() -> Iterator[str]:
 
 def section(row: Row, schema: Schema) -> Iterator[str]:
     """Gives what the page says of one sensor."""
-    module = importlib.import_module(f"crs_cc.sim.sensors.{row.module}")
+    module = importlib.import_module(f"crs_cc.sim.devices.{row.module}")
     text = inspect.getdoc(module) or ""
     yield f"\n## {row.title}\n"
     yield paragraphs(text.split("\n\n", 1)[1])

@@ -9,13 +9,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from crs_cc.sim.environment import Environment
+from crs_cc.core.units import SOUND_MPS
+from crs_cc.sim.devices.sonar.errors import SonarErrors
+from crs_cc.sim.devices.vendor_state import CONF_X, SONAR_0
+from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files.world_xml import empty_world
-from crs_cc.sim.model import Area, Pose, Robot, WorldModel
-from crs_cc.sim.sensors.sonar_errors import SonarErrors
-from crs_cc.sim.sonar_model import SonarBoard
-from crs_cc.sim.state_vector import CONF_X, SONAR_0
-from crs_cc.units import SOUND_MPS
+from crs_cc.sim.model.sonar import SonarBoard
+from crs_cc.sim.model.world import Area, Pose, Robot, WorldModel
 from tests.sim.driver import INCH, SCOUT_RADIUS_M, Driver, open_world, world_of
 
 RING = slice(SONAR_0, SONAR_0 + 16)

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.sim.state_vector import (
+from crs_cc.sim.devices.vendor_state import (
     BUMPER,
     CONF_STEER,
     CONF_TURRET,
@@ -17,7 +17,7 @@ from crs_cc.sim.state_vector import (
     VEL_RIGHT,
     VEL_TURRET,
 )
-from crs_cc.sim.step import describe_slice
+from crs_cc.sim.engine.step import describe_slice
 from tests.sim.driver import INCH, Driver, open_world, world_of
 
 N200 = '<robot definition="nomad200" x="0" y="0"/>'

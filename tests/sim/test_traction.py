@@ -5,12 +5,12 @@ from pathlib import Path
 
 import pytest
 
+from crs_cc.sim.devices.vendor_state import CONF_X, CONF_Y, MOTOR_STATUS, VEL_LEFT, VEL_RIGHT
 from crs_cc.sim.files import world_xml
 from crs_cc.sim.files.world_xml import load_world
-from crs_cc.sim.state_vector import CONF_X, CONF_Y, MOTOR_STATUS, VEL_LEFT, VEL_RIGHT
 from tests.sim.driver import INCH, SCOUT_RADIUS_M, Driver, world_of
 
-SCOUT = Path(world_xml.__file__).parents[1] / "robots" / "scout.xml"
+SCOUT = Path(world_xml.__file__).parents[0] / "robots" / "scout.xml"
 ROOM_IN = 10 / INCH - 8  # where a robot's middle is when it touches the east edge
 
 

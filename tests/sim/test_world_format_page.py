@@ -18,9 +18,13 @@ PAGE = ROOT / "docs" / "world-format.md"
 SIM = Path(crs_cc.sim.__file__).parent
 XS = "{http://www.w3.org/2001/XMLSchema}"
 TEMPLATES = SIM.parent / "cli" / "templates"
+ROBOTS = SIM / "files" / "robots"
 EXAMPLES = {  # the first file that has an element shows it
     "world.xsd": [TEMPLATES / "world.xml", *sorted((ROOT / "worlds").rglob("*.xml"))],
-    "robot.xsd": [TEMPLATES / "robot.xml", *sorted((SIM / "robots").glob("*.xml"), reverse=True)],
+    "robot.xsd": [
+        TEMPLATES / "robot.xml",
+        *sorted((ROBOTS).glob("*.xml"), reverse=True),
+    ],
 }
 LONGEST = 500
 

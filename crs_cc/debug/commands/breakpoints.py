@@ -17,7 +17,7 @@ from crs_cc.debug.commands.arguments import (
 from crs_cc.debug.commands.command import Answer, Command, Group
 from crs_cc.debug.commands.log_text import log_text
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.world.happenings import KINDS
+from crs_cc.debug.world.events import KINDS
 
 if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell

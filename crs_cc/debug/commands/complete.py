@@ -14,10 +14,10 @@ from crs_cc.debug.commands.command import Completes
 from crs_cc.debug.commands.stack import functions
 from crs_cc.debug.commands.table import find, matching
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.places import is_file
+from crs_cc.debug.locations import is_file
 from crs_cc.debug.world.edits import FAULTS
-from crs_cc.debug.world.happenings import KINDS
-from crs_cc.sim.degradation.model import DEVICES
+from crs_cc.debug.world.events import KINDS
+from crs_cc.sim.model.degradation import DEVICES
 
 if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell

@@ -12,7 +12,7 @@ from crs_cc.ir.program import ByteState
 from crs_cc.ir.types import ArrayType, FloatType, PointerType, RecordType
 
 if TYPE_CHECKING:
-    from crs_cc.debug.data.sight import Sight
+    from crs_cc.debug.data.memory_inspection import Sight
     from crs_cc.debug.data.values import Value
 
 _FLOATS: Final = {4: "<f", 8: "<d"}

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.core.source import Location
 from crs_cc.debug.commands.arguments import demand, demand_none, take_count
 from crs_cc.debug.commands.command import Answer, Command, Group, SourceLine
 from crs_cc.debug.commands.listing import Listing
 from crs_cc.debug.commands.stops import frame_text
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.places import find_place, is_file
+from crs_cc.debug.locations import find_place, is_file
 from crs_cc.ir.names import in_library, plain_name
-from crs_cc.source import Location
 
 if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell

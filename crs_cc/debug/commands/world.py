@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.core.quantity import LENGTH
 from crs_cc.debug.commands.arguments import demand_none, take_count, take_robot
 from crs_cc.debug.commands.command import Answer, Command, Group
 from crs_cc.debug.errors import DebugError
@@ -12,7 +13,6 @@ from crs_cc.debug.world.rows import lines
 from crs_cc.debug.world.run_chart import run_chart
 from crs_cc.debug.world.state_rows import told_state
 from crs_cc.debug.world.world_rows import world_rows
-from crs_cc.sim.quantity import LENGTH
 
 if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell

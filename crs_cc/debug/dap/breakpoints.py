@@ -14,12 +14,12 @@ from typing import TYPE_CHECKING, Final, Literal
 from crs_cc.debug.errors import DebugError
 
 if TYPE_CHECKING:
+    from crs_cc.core.source import Location
     from crs_cc.debug.breakpoints import Breakpoint
     from crs_cc.debug.dap.framing import Message
     from crs_cc.debug.dap.session import EditorSession
     from crs_cc.debug.engine import Debugger
     from crs_cc.debug.watch import Kind as Access
-    from crs_cc.source import Location
 
 Group = tuple[str, str]
 """What is replaced together: `line` with the file, `function`, `data`, `exception`."""

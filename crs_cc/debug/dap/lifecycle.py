@@ -6,8 +6,8 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.dap.arguments import RefusalError
+from crs_cc.debug.dap.breakpoint_requests import FILTERS
 from crs_cc.debug.dap.launch import read_launch
-from crs_cc.debug.dap.wishes import FILTERS
 
 if TYPE_CHECKING:
     from crs_cc.debug.dap.arguments import Arguments

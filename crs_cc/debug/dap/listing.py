@@ -15,9 +15,9 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, Final, Self
 
+from crs_cc.core.source import Location
 from crs_cc.debug.dap.arguments import RefusalError
 from crs_cc.ir.text import FunctionText
-from crs_cc.source import Location
 
 if TYPE_CHECKING:
     from crs_cc.debug.program import DebugProgram

@@ -11,7 +11,7 @@ from crs_cc.debug.dap.arguments import RefusalError
 from crs_cc.debug.dap.session import Motion
 from crs_cc.debug.dap.stops import tell_end
 from crs_cc.debug.engine import Debugger
-from crs_cc.debug.places import find_place
+from crs_cc.debug.locations import find_place
 
 if TYPE_CHECKING:
     from crs_cc.debug.dap.arguments import Arguments

@@ -5,14 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.dap import (
+    breakpoint_requests,
     evaluation,
+    inspection_requests,
     lifecycle,
-    looking,
     memory,
     motion,
     sources,
     variables,
-    wishes,
 )
 
 if TYPE_CHECKING:
@@ -38,16 +38,16 @@ HANDLERS: Final[Mapping[str, Handler]] = {
     "gotoTargets": motion.goto_targets,
     "goto": motion.goto,
     "restartFrame": motion.restart_frame,
-    "setBreakpoints": wishes.set_breakpoints,
-    "setFunctionBreakpoints": wishes.set_function_breakpoints,
-    "dataBreakpointInfo": wishes.data_breakpoint_info,
-    "setDataBreakpoints": wishes.set_data_breakpoints,
-    "setExceptionBreakpoints": wishes.set_exception_breakpoints,
-    "threads": looking.threads,
-    "stackTrace": looking.stack_trace,
-    "scopes": looking.scopes,
+    "setBreakpoints": breakpoint_requests.set_breakpoints,
+    "setFunctionBreakpoints": breakpoint_requests.set_function_breakpoints,
+    "dataBreakpointInfo": breakpoint_requests.data_breakpoint_info,
+    "setDataBreakpoints": breakpoint_requests.set_data_breakpoints,
+    "setExceptionBreakpoints": breakpoint_requests.set_exception_breakpoints,
+    "threads": inspection_requests.threads,
+    "stackTrace": inspection_requests.stack_trace,
+    "scopes": inspection_requests.scopes,
     "variables": variables.variables,
-    "exceptionInfo": looking.exception_info,
+    "exceptionInfo": inspection_requests.exception_info,
     "evaluate": evaluation.evaluate,
     "setVariable": evaluation.set_variable,
     "setExpression": evaluation.set_expression,

@@ -13,12 +13,12 @@ import traceback
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
+from crs_cc.core.errors import CrsError
 from crs_cc.debug.dap.arguments import Arguments, RefusalError
 from crs_cc.debug.dap.connection import ClientGoneError
 from crs_cc.debug.dap.framing import Message
 from crs_cc.debug.dap.stops import tell_stop
 from crs_cc.debug.errors import DebugError
-from crs_cc.errors import CrsError
 
 if TYPE_CHECKING:
     from crs_cc.debug.dap.inbox import Inbox, Request

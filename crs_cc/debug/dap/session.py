@@ -12,8 +12,8 @@ from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.dap.arguments import Arguments, RefusalError
 from crs_cc.debug.dap.breakpoints import EditorBreakpoints
 from crs_cc.debug.dap.handles import Handles
+from crs_cc.debug.dap.locations import ClientPlaces
 from crs_cc.debug.dap.output import OutputEvents
-from crs_cc.debug.dap.places import ClientPlaces
 from crs_cc.debug.engine import Debugger
 
 if TYPE_CHECKING:

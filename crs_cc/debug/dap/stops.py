@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.core.errors import ProgramError
 from crs_cc.debug.dap.session import Motion
 from crs_cc.debug.stop import WORDS
 from crs_cc.debug.world.rows import instant
-from crs_cc.errors import ProgramError
 
 if TYPE_CHECKING:
     from crs_cc.debug.dap.framing import Message

@@ -15,8 +15,11 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any, Final
 
+from crs_cc.core.source import Location
+from crs_cc.debug.data.expression_memory import EvaluationError
 from crs_cc.debug.data.interpret import SCRATCH, Interpreter
 from crs_cc.debug.data.memory import Saved, StoppedMemory
+from crs_cc.debug.data.memory_inspection import Sight
 from crs_cc.debug.data.notation import Slice, kept_in, slice_in
 from crs_cc.debug.data.operators import unsigned
 from crs_cc.debug.data.prepare import (
@@ -28,8 +31,6 @@ from crs_cc.debug.data.prepare import (
     Use,
 )
 from crs_cc.debug.data.scope import Frame, Scopes
-from crs_cc.debug.data.scratch import EvaluationError
-from crs_cc.debug.data.sight import Sight
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.data.variables import Variable, globals_of, variables_of
 from crs_cc.debug.errors import DebugError
@@ -48,7 +49,6 @@ from crs_cc.ir.types import (
 )
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 from crs_cc.session.library import library
-from crs_cc.source import Location
 
 MOST_ELEMENTS: Final = 100_000
 """Longer slices are refused."""

@@ -13,8 +13,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Final, Protocol
 
+from crs_cc.debug.data.expression_memory import EvaluationError, Scratch
 from crs_cc.debug.data.operators import compute, signed, unsigned
-from crs_cc.debug.data.scratch import EvaluationError, Scratch
 from crs_cc.ir.names import plain_name
 from crs_cc.ir.program import (
     MEMORY_SIZE,

@@ -14,7 +14,7 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.debug.data.scratch import EvaluationError
+from crs_cc.debug.data.expression_memory import EvaluationError
 from crs_cc.ir.program import MEMORY_SIZE, VALUE_TYPE, ByteState
 from crs_cc.ir.types import CType, EnumType, FloatType, IntegerType, PointerType
 from crs_cc.runtime.diagnosis.inspect import Stopped

@@ -10,17 +10,17 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Final
 
+from crs_cc.core.errors import CompileError
+from crs_cc.core.source import Diagnostics, Location
 from crs_cc.debug.data.notation import NAME, Kept, Outer, restored, rewritten
 from crs_cc.debug.data.scope import Home, Scopes, concrete
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.program import DebugProgram
-from crs_cc.errors import CompileError
 from crs_cc.frontend.expression import CompiledExpression, FileNames
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.ir.program import Variable
 from crs_cc.ir.types import CType, PointerType, is_variably_modified
-from crs_cc.source import Diagnostics, Location
 
 LONGEST: Final = 10_000
 """Longer expressions are refused [characters]."""

@@ -14,9 +14,10 @@ from typing import Final, Literal
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.core.source import Location
 from crs_cc.debug.data.memory import Saved
-from crs_cc.frontend.scope import ObjectSymbol
-from crs_cc.frontend.vla import EXTENT
+from crs_cc.frontend.check.scope import ObjectSymbol
+from crs_cc.frontend.check.vla import EXTENT
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.ir.program import Data, Program, Register, Variable
 from crs_cc.ir.types import ArrayType, CType, PointerType, is_variably_modified
@@ -24,7 +25,6 @@ from crs_cc.runtime.compiled import Compiled, FunctionInfo
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 from crs_cc.runtime.layout import NULL_SIZE, RESUME
 from crs_cc.session.library import HEADERS
-from crs_cc.source import Location
 
 _SYSTEM: Final = f"{HEADERS}/"
 """What the library's headers declare has its place there."""

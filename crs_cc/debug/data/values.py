@@ -27,7 +27,7 @@ from crs_cc.ir.types import (
 from crs_cc.runtime.diagnosis.values import Values, bit_field
 
 if TYPE_CHECKING:
-    from crs_cc.debug.data.sight import Sight
+    from crs_cc.debug.data.memory_inspection import Sight
     from crs_cc.debug.world.state_rows import StateField
 
 UNINITIALISED: Final = "uninitialised"

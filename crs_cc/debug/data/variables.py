@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from crs_cc.debug.data.memory_inspection import Sight
 from crs_cc.debug.data.prepare import TypeOf
 from crs_cc.debug.data.scope import Frame, Kind, Scopes, concrete
-from crs_cc.debug.data.sight import Sight
 from crs_cc.debug.data.values import Value
 from crs_cc.runtime.diagnosis.inspect import StackFrame
 

@@ -28,9 +28,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final
 
-from crs_cc.errors import InternalError
+from crs_cc.core.errors import InternalError
+from crs_cc.core.source import Location
 from crs_cc.session.host import Input, Output
-from crs_cc.source import Location
 
 _STREAMS: Final = 4
 """More than any stream's number: a robot and a stream are kept as one number."""

@@ -22,8 +22,8 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from crs_cc.debug.timeline.chunk_store import Store
 from crs_cc.debug.timeline.position import Position
-from crs_cc.debug.timeline.sharing import Store
 
 if TYPE_CHECKING:
     from crs_cc.debug.timeline.console import ConsolePlace

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal
 if TYPE_CHECKING:
     from crs_cc.debug.timeline.position import Position
     from crs_cc.debug.watch import Access, Watched
-    from crs_cc.sim.step import Step
+    from crs_cc.sim.engine.step import Step
 
 
 @dataclass(frozen=True, slots=True)

@@ -21,11 +21,11 @@ import numpy.typing as npt
 
 from crs_cc.debug.timeline.console import Console
 from crs_cc.debug.timeline.history import History, Kept
+from crs_cc.debug.timeline.input_log import Tape
 from crs_cc.debug.timeline.instant import Instant, Marks, Touch
 from crs_cc.debug.timeline.position import BEGINNING, Position
-from crs_cc.debug.timeline.tape import Tape
 from crs_cc.debug.watch import Watches
-from crs_cc.debug.world.chronicle import Chronicle
+from crs_cc.debug.world.event_history import Chronicle
 from crs_cc.requests import CODES, FAILED, SUSPENDED
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 from crs_cc.session.build import build_watching
@@ -35,8 +35,8 @@ if TYPE_CHECKING:
     from crs_cc.debug.program import DebugProgram
     from crs_cc.runtime.executable import Executable
     from crs_cc.runtime.sites import StatementSite
-    from crs_cc.sim.model import WorldModel
-    from crs_cc.sim.step import Step
+    from crs_cc.sim.engine.step import Step
+    from crs_cc.sim.model.world import WorldModel
 
 
 IndexArray = npt.NDArray[np.intp]

@@ -20,13 +20,13 @@ from textual.widgets import Label
 
 from crs_cc.debug.commands.shell import PROMPT
 from crs_cc.debug.tui.bars import Button, ButtonBar, StatusBar
-from crs_cc.debug.tui.chart_pane import ChartPane
 from crs_cc.debug.tui.choices import Choices
 from crs_cc.debug.tui.command_line import CommandLine
 from crs_cc.debug.tui.help_page import HelpPage
 from crs_cc.debug.tui.keys import SHORTCUTS
-from crs_cc.debug.tui.look import OPEN, Look
+from crs_cc.debug.tui.map_pane import ChartPane
 from crs_cc.debug.tui.panes import Panes
+from crs_cc.debug.tui.screen_data import OPEN, Look
 from crs_cc.debug.tui.source_pane import SourcePane
 from crs_cc.debug.tui.texts import Console, Output
 from crs_cc.debug.tui.time_line import TimeLine

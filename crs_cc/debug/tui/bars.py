@@ -14,8 +14,8 @@ from textual.reactive import reactive
 from textual.strip import Strip
 from textual.widget import Widget
 
-from crs_cc.debug.tui.look import Look
 from crs_cc.debug.tui.printable import printable
+from crs_cc.debug.tui.screen_data import Look
 
 _WIDE: Final = 110  # columns; in less there is no room for counts of timesteps
 _KEY: Final = Style(bold=True, color="yellow")

@@ -8,8 +8,8 @@ from textual.message import Message
 from textual.widgets import OptionList
 from textual.widgets.option_list import Option
 
-from crs_cc.debug.tui.look import Choice
 from crs_cc.debug.tui.printable import printable
+from crs_cc.debug.tui.screen_data import Choice
 
 _CURRENT = "▶ "
 

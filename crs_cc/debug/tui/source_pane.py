@@ -19,8 +19,8 @@ from textual.message import Message
 from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
-from crs_cc.debug.tui.look import SourceLook
 from crs_cc.debug.tui.printable import printable
+from crs_cc.debug.tui.screen_data import SourceLook
 
 _MARKS: Final = 3  # cells before the line number: breakpoint, arrow, space
 _CONTEXT: Final = 4  # lines to keep in sight around the current one

@@ -11,8 +11,8 @@ from textual import events
 from textual.widgets import RichLog
 
 from crs_cc.debug.commands.shell import PROMPT
-from crs_cc.debug.tui.look import Written
 from crs_cc.debug.tui.printable import printable
+from crs_cc.debug.tui.screen_data import Written
 
 _MOST_LINES: Final = 2000
 _ERROR: Final = Style(color="red")

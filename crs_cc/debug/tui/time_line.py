@@ -16,7 +16,7 @@ from textual.reactive import reactive
 from textual.strip import Strip
 from textual.widget import Widget
 
-from crs_cc.debug.world.happenings import Happening
+from crs_cc.debug.world.events import Happening
 
 _MARKS: Final = {
     "error": ("✖", Style(color="red", bold=True)),

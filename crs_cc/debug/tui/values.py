@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.tui.look import Key, Row
+from crs_cc.debug.tui.screen_data import Key, Row
 from crs_cc.debug.world.robot_rows import robot_rows
 from crs_cc.debug.world.state_rows import state_rows
 from crs_cc.debug.world.world_rows import world_rows

@@ -10,8 +10,8 @@ from textual.message import Message
 from textual.widgets import Tree
 from textual.widgets.tree import TreeNode
 
-from crs_cc.debug.tui.look import Key, Row
 from crs_cc.debug.tui.printable import printable
+from crs_cc.debug.tui.screen_data import Key, Row
 
 _NAME: Final = "cyan"
 _CHANGED: Final = "bold yellow"

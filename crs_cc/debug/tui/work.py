@@ -9,7 +9,7 @@ from typing import Protocol
 from rich.text import Text
 
 from crs_cc.debug.commands.shell import PROMPT
-from crs_cc.debug.tui.look import Key, Look, Written
+from crs_cc.debug.tui.screen_data import Key, Look, Written
 
 
 @dataclass(frozen=True, slots=True)

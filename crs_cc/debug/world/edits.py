@@ -3,7 +3,7 @@
 Each is checked whole before anything changes. Numbers are in metres and degrees, or have a unit as
 in world files. `EDITS` has them all; the help is made of it.
 
->>> from crs_cc.sim.environment import Environment
+>>> from crs_cc.sim.engine.environment import Environment
 >>> from crs_cc.sim.files.world_xml import empty_world
 >>> environment = Environment(empty_world(), seed=1)
 >>> edit(environment, "move robot0 to 1 2 90")
@@ -21,20 +21,20 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.core.quantity import ANGLE, HEAT, LENGTH
+from crs_cc.core.source import Diagnostics
+from crs_cc.core.suggest import unknown
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.rows import angle, instant, pose_text
-from crs_cc.sim.degradation.model import DEVICES, described
 from crs_cc.sim.files.degradation_elements import degradation
 from crs_cc.sim.files.document import Element, Reader
-from crs_cc.sim.model import Pose
-from crs_cc.sim.quantity import ANGLE, HEAT, LENGTH
-from crs_cc.sim.unknown import unknown
-from crs_cc.source import Diagnostics
+from crs_cc.sim.model.degradation import DEVICES, described
+from crs_cc.sim.model.world import Pose
 
 if TYPE_CHECKING:
-    from crs_cc.sim.degradation.model import Degradation
-    from crs_cc.sim.environment import Environment
-    from crs_cc.sim.model import Robot
+    from crs_cc.sim.engine.environment import Environment
+    from crs_cc.sim.model.degradation import Degradation
+    from crs_cc.sim.model.world import Robot
 
 Words = Sequence[str]
 

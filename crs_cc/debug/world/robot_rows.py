@@ -12,19 +12,19 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.debug.world.happenings import switches
+from crs_cc.core.units import m_to_inch
+from crs_cc.debug.world.events import switches
 from crs_cc.debug.world.rows import Row, angle, instant, length, pose_text
 from crs_cc.requests import CODES, REQUESTS
-from crs_cc.sim.degradation.model import described
-from crs_cc.sim.states.messages import ARRIVED
-from crs_cc.sim.step import AxisSlice, slice_of, slices_of
-from crs_cc.units import m_to_inch
+from crs_cc.sim.engine.step import AxisSlice, slice_of, slices_of
+from crs_cc.sim.model.degradation import described
+from crs_cc.sim.state.messages import ARRIVED
 
 if TYPE_CHECKING:
     from crs_cc.session.result import RobotResult
     from crs_cc.session.session import Session
-    from crs_cc.sim.environment import Environment
-    from crs_cc.sim.robot_model import RobotModel
+    from crs_cc.sim.engine.environment import Environment
+    from crs_cc.sim.model.robot import RobotModel
 
 _TURNING: Final = frozenset({"steering", "turret"})
 

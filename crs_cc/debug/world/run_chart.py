@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.debug.world import chart
+from crs_cc.debug.world import world_map
 
 if TYPE_CHECKING:
     from crs_cc.debug.view import View
@@ -16,7 +16,7 @@ _MOST_PATHS: Final = 30  # more are a tangle
 
 def run_chart(
     view: View, columns: int, rows: int, *, robot: int = -1, across_m: float | None = None
-) -> chart.Chart:
+) -> world_map.Chart:
     """Draws a run as it stands.
 
     Args:
@@ -34,8 +34,8 @@ def run_chart(
         for number, path in enumerate(chronicle.paths(timestep)[:_MOST_PATHS])
     ]
     if across_m is None:
-        seen = chart.View.whole(environment, columns, rows, paths)
+        seen = world_map.View.whole(environment, columns, rows, paths)
     else:
-        seen = chart.View.around(environment, robot, columns, rows, across_m)
+        seen = world_map.View.around(environment, robot, columns, rows, across_m)
     contacts = chronicle.contacts(timestep)
-    return chart.Chart(environment, seen, robot=robot, paths=paths, contacts=contacts)
+    return world_map.Chart(environment, seen, robot=robot, paths=paths, contacts=contacts)

@@ -18,14 +18,14 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING, Final, Literal
 
+from crs_cc.core.units import inch_to_m, tenths_deg_to_rad, tenths_inch_to_m
 from crs_cc.debug.world.rows import Row, angle, length
 from crs_cc.robot_api import STATE
-from crs_cc.units import inch_to_m, tenths_deg_to_rad, tenths_inch_to_m
 
 if TYPE_CHECKING:
     from crs_cc.debug.data.values import Value
     from crs_cc.debug.view import View
-    from crs_cc.sim.robot_model import RobotModel
+    from crs_cc.sim.model.robot import RobotModel
 
 Dialect = Literal["nomad", "report"]
 

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from crs_cc.debug.world.rows import Row, instant, length, pose_text
-from crs_cc.sim.messages.traffic import MEANINGS
-from crs_cc.sim.model import is_pushable
+from crs_cc.sim.comms.message_log import MEANINGS
+from crs_cc.sim.model.world import is_pushable
 
 if TYPE_CHECKING:
-    from crs_cc.sim.environment import Environment
+    from crs_cc.sim.engine.environment import Environment
 
 
 def world_rows(environment: Environment) -> list[Row]:

@@ -13,7 +13,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
-from crs_cc.ir.assigned import Assignments
+from crs_cc.core.source import Location
+from crs_cc.ir.definite_assignment import Assignments
 from crs_cc.ir.program import (
     MEMORY_SIZE,
     VARARGS,
@@ -32,7 +33,7 @@ from crs_cc.ir.program import (
 )
 from crs_cc.requests import slot_offset
 from crs_cc.runtime.codegen import indices, shadow
-from crs_cc.runtime.codegen.carried import Carried
+from crs_cc.runtime.codegen.deferred_checks import Carried
 from crs_cc.runtime.codegen.indices import (
     ADDRESS,
     MAILBOX,
@@ -42,13 +43,12 @@ from crs_cc.runtime.codegen.indices import (
     STATES,
     WIDE_STATES,
 )
-from crs_cc.runtime.codegen.places import Places, Proved
+from crs_cc.runtime.codegen.locations import Places, Proved
 from crs_cc.runtime.codegen.plain_memory import LOADS, STORES, PlainMemory
 from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.layout import NULL_SIZE
 from crs_cc.runtime.sites import Access, Site
 from crs_cc.runtime.wasm import UNLIKELY, Instr
-from crs_cc.source import Location
 
 _At: TypeAlias = tuple[Instr, int]
 """An instruction that pushes an address, and the offset to use with it."""

@@ -12,8 +12,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
-from crs_cc.errors import CompileError
-from crs_cc.ir.assigned import Assignments
+from crs_cc.core.errors import CompileError
+from crs_cc.ir.definite_assignment import Assignments
+from crs_cc.ir.liveness import Liveness, all_instructions
 from crs_cc.ir.names import in_library
 from crs_cc.ir.program import (
     Block,
@@ -37,12 +38,12 @@ from crs_cc.ir.program import (
     Switch,
     ValueType,
 )
-from crs_cc.ir.uses import Liveness, all_instructions
 from crs_cc.requests import MESSAGE, SUSPENDED, slot_offset
-from crs_cc.runtime.codegen import frame_states, homes, jumps
-from crs_cc.runtime.codegen.carried import Carried
+from crs_cc.runtime.codegen import frame_states, jumps, spill_slots
+from crs_cc.runtime.codegen.breakpoint_bitmap import begin, stop_if_marked
 from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
 from crs_cc.runtime.codegen.checked_memory import CheckedMemory
+from crs_cc.runtime.codegen.deferred_checks import Carried
 from crs_cc.runtime.codegen.dispatch import add_dispatchers
 from crs_cc.runtime.codegen.flow import LANDING, UNWIND, Landing, Node
 from crs_cc.runtime.codegen.indices import (
@@ -61,7 +62,6 @@ from crs_cc.runtime.codegen.indices import (
     SP,
     STATUS,
 )
-from crs_cc.runtime.codegen.marks import begin, stop_if_marked
 from crs_cc.runtime.codegen.names import Names
 from crs_cc.runtime.codegen.nesting import emit
 from crs_cc.runtime.codegen.plain_memory import PlainMemory
@@ -240,7 +240,7 @@ class _FunctionCode:
         site = Site("damaged stack", self.function.location)
         self.selector.fail(site, [("local.get", LABEL)])
         self.selector.code = node.code
-        homes.load(self.selector, self.frame, self.saved, debug=self.debug)
+        spill_slots.load(self.selector, self.frame, self.saved, debug=self.debug)
         landings = [landing for landing, _ in self.landings]
         add_dispatchers(node, start, landings, LABEL, damaged)
         return node
@@ -258,7 +258,7 @@ class _FunctionCode:
         for parameter, offset in zip(self.function.parameters, self.frame.parameters, strict=True):
             self._load_parameter(parameter, offset)
         if self.debug and self.landings:
-            code += homes.clear(self.frame, self.saved)
+            code += spill_slots.clear(self.frame, self.saved)
         if self.shadowed:
             code += frame_states.enter(self.function, self.frame)
         code += self.selector.watching.entering() if self.selector.watching else []
@@ -281,7 +281,7 @@ class _FunctionCode:
             activation = [self.selector.value(each) for each in activations[:1]]
             left = [*self.returning(), *self.left()]
             code += jumps.leave(activation, self.frame.jump_value, left)
-        homes.save(self.selector, self.frame, self.saved, self.number)
+        spill_slots.save(self.selector, self.frame, self.saved, self.number)
         return [*code, ("local.get", STATUS), ("local.get", FUEL)]
 
     # -- suspending ---------------------------------------------------------------------------

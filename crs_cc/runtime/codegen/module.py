@@ -10,10 +10,11 @@ from __future__ import annotations
 
 from typing import Final
 
-from crs_cc.errors import CompileError
+from crs_cc.core.errors import CompileError
 from crs_cc.ir.program import ByteState, Data, Program
 from crs_cc.requests import FAILED, slot_offset
 from crs_cc.runtime.codegen import jumps, shadow
+from crs_cc.runtime.codegen.breakpoint_bitmap import add_marks
 from crs_cc.runtime.codegen.checked_arithmetic import product_fits
 from crs_cc.runtime.codegen.function_code import Build, generate
 from crs_cc.runtime.codegen.indices import (
@@ -24,7 +25,6 @@ from crs_cc.runtime.codegen.indices import (
     SHADOW,
     SLOT_GLOBAL,
 )
-from crs_cc.runtime.codegen.marks import add_marks
 from crs_cc.runtime.codegen.names import Names
 from crs_cc.runtime.codegen.signatures import asked_for_values, pointer_tables
 from crs_cc.runtime.codegen.watching import watch, watching_begins

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import Final
 
+from crs_cc.core.source import Location
 from crs_cc.ir.program import (
     Base,
     ByteState,
@@ -31,7 +32,6 @@ from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.layout import NULL_SIZE
 from crs_cc.runtime.sites import Access, Site
 from crs_cc.runtime.wasm import Instr
-from crs_cc.source import Location
 
 LOADS: Final[dict[MemoryType, str]] = {
     "i8": "i32.load8_s", "u8": "i32.load8_u", "i16": "i32.load16_s", "u16": "i32.load16_u",

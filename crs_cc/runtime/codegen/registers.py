@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
+from crs_cc.ir.liveness import Liveness, alive_before, all_instructions, reads, writes
 from crs_cc.ir.loops import loop_headers
 from crs_cc.ir.program import Block, Call, Function, Register, Request, SetJump, Statement
-from crs_cc.ir.uses import Liveness, alive_before, all_instructions, reads, writes
 
 CHARGES: Final = {"i32": 8, "i64": 8, "f32": 16, "f64": 16}
 """What a frame must count for a local [bytes], by its type."""

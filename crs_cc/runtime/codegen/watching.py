@@ -22,6 +22,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.ir.liveness import all_instructions, reads, writes
 from crs_cc.ir.names import in_library
 from crs_cc.ir.program import (
     MEMORY_SIZE,
@@ -41,7 +42,6 @@ from crs_cc.ir.program import (
     Statement,
     Store,
 )
-from crs_cc.ir.uses import all_instructions, reads, writes
 from crs_cc.runtime.codegen.indices import (
     ADDRESS,
     BEGUN_GLOBAL,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from crs_cc.source import Location
+from crs_cc.core.source import Location
 
 
 @dataclass(frozen=True, slots=True)

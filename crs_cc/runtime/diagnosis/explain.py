@@ -16,7 +16,7 @@ from crs_cc.ir.names import plain_name
 from crs_cc.ir.program import Program
 from crs_cc.ir.types import CType, PointerType, spell
 from crs_cc.runtime.diagnosis.active_call import ActiveCall
-from crs_cc.runtime.diagnosis.blame import names_in, pointer_in
+from crs_cc.runtime.diagnosis.expression_text import names_in, pointer_in
 from crs_cc.runtime.diagnosis.failure import Failure
 from crs_cc.runtime.diagnosis.inspect import StackFrame
 from crs_cc.runtime.diagnosis.object_text import count, object_name, object_notes

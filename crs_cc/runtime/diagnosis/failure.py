@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from crs_cc.core.source import Location
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 from crs_cc.runtime.diagnosis.objects import Object
 from crs_cc.runtime.sites import Access
-from crs_cc.source import Location
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,11 +9,11 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.core.source import Location
 from crs_cc.ir.program import Program
 from crs_cc.runtime.compiled import Compiled
 from crs_cc.runtime.layout import FUNCTION, HEADER_SIZE, NULL_SIZE, RESUME, STACK_TOP, Frame
 from crs_cc.runtime.link import ROOT
-from crs_cc.source import Location
 
 MOST_ACTIVE: Final = (STACK_TOP - NULL_SIZE) // HEADER_SIZE
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Final, Literal, TypeVar
 
+from crs_cc.core.source import Location
 from crs_cc.ir.program import Data, Program, Slot, Variable
 from crs_cc.runtime.compiled import Compiled
 from crs_cc.runtime.diagnosis import heap
@@ -20,7 +21,6 @@ from crs_cc.runtime.diagnosis.inspect import Stopped
 from crs_cc.runtime.layout import HEADER_SIZE, STACK_TOP
 from crs_cc.runtime.link import HEAP_SYMBOLS
 from crs_cc.runtime.sites import CallSite, arguments_size
-from crs_cc.source import Location
 
 NEAR: Final = 4096
 """An object further away than so many bytes has nothing to do with an address."""

@@ -12,15 +12,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
+from crs_cc.core.source import Location, underline
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.runtime.diagnosis.active_call import ActiveCall
-from crs_cc.runtime.diagnosis.blame import names_in
 from crs_cc.runtime.diagnosis.explain import Case, Explanation, explain
+from crs_cc.runtime.diagnosis.expression_text import names_in
 from crs_cc.runtime.diagnosis.failure import Failure
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 from crs_cc.runtime.diagnosis.objects import Object
 from crs_cc.runtime.diagnosis.variables import Variables
-from crs_cc.source import Location, underline
 
 FIRST_CALLS: Final = 3
 LAST_CALLS: Final = 2

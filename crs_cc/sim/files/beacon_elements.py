@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from crs_cc.sim.beacon_model import (
+from crs_cc.core.quantity import ANGLE, BRIGHTNESS, LENGTH, LOUDNESS
+from crs_cc.sim.files.document import Element, Reader
+from crs_cc.sim.files.sensor_elements import period_s
+from crs_cc.sim.model.beacons import (
     MAX_LIGHT_SENSORS,
     TONES,
     Light,
@@ -10,9 +13,6 @@ from crs_cc.sim.beacon_model import (
     Microphones,
     Sound,
 )
-from crs_cc.sim.files.document import Element, Reader
-from crs_cc.sim.files.sensor_elements import period_s
-from crs_cc.sim.quantity import ANGLE, BRIGHTNESS, LENGTH, LOUDNESS
 
 
 def lights(root: Element, reader: Reader) -> tuple[Light, ...]:

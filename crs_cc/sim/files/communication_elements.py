@@ -7,7 +7,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final
 
-from crs_cc.sim.communication import (
+from crs_cc.core.quantity import DATA_RATE, LENGTH, TIME
+from crs_cc.core.suggest import unknown
+from crs_cc.sim.files.document import Element, Reader
+from crs_cc.sim.model.communication import (
     ANY,
     LONGEST_QUEUE,
     MAX_CHANNELS,
@@ -16,9 +19,6 @@ from crs_cc.sim.communication import (
     Communication,
     Shut,
 )
-from crs_cc.sim.files.document import Element, Reader
-from crs_cc.sim.quantity import DATA_RATE, LENGTH, TIME
-from crs_cc.sim.unknown import unknown
 
 MAX_SHUTS: Final = 1000
 LONGEST_DELAY_S: Final = 60.0

@@ -16,13 +16,13 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Final
 
+from crs_cc.core.quantity import MASS
+from crs_cc.core.suggest import unknown
 from crs_cc.sim.files.document import Element, Reader
+from crs_cc.sim.files.object_ids import name_things
 from crs_cc.sim.files.solid_elements import SolidElements, pose
-from crs_cc.sim.model import Pose, Solid, Wall
-from crs_cc.sim.naming import name_things
-from crs_cc.sim.physics.friction import floor_m2
-from crs_cc.sim.quantity import MASS
-from crs_cc.sim.unknown import unknown
+from crs_cc.sim.model.mass_properties import floor_m2
+from crs_cc.sim.model.world import Pose, Solid, Wall
 
 MAX_DEFINITIONS: Final = 400
 MAX_PARTS: Final = 250

@@ -17,23 +17,24 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.sim.degradation.model import (
+from crs_cc.core.quantity import RATIO, TIME
+from crs_cc.core.suggest import unknown
+from crs_cc.sim.model.degradation import (
     DEVICES,
     HOLD,
+    MAX_MEMORY,
     Degradation,
     Device,
     complaint,
     element_of,
+    memory_size,
     shown,
 )
-from crs_cc.sim.quantity import RATIO, TIME
-from crs_cc.sim.states.degradation import MAX_MEMORY, memory_size
-from crs_cc.sim.unknown import unknown
 
 if TYPE_CHECKING:
     from crs_cc.sim.files.document import Element, Reader
-    from crs_cc.sim.model import Robot
-    from crs_cc.sim.robot_model import RobotModel
+    from crs_cc.sim.model.robot import RobotModel
+    from crs_cc.sim.model.world import Robot
 
 _UNKNOWN: Final = -1
 

@@ -3,7 +3,7 @@
 A `Reader` does not stop at the first mistake: it notes it with its place, and gives a stand-in, so
 that a user hears of all mistakes at once.
 
->>> from crs_cc.source import Diagnostics
+>>> from crs_cc.core.source import Diagnostics
 >>> reader = Reader("room.xml", Diagnostics())
 >>> wall = Element("wall", 7, {"x1": "150cm", "x2": "wide", "thickness": "-1"})
 >>> reader.quantity(wall, "x1", LENGTH), reader.quantity(wall, "x2", LENGTH)
@@ -23,8 +23,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Final
 
-from crs_cc.sim.quantity import LENGTH, RATIO, Kind
-from crs_cc.source import Diagnostics, Location
+from crs_cc.core.quantity import LENGTH, RATIO, Kind
+from crs_cc.core.source import Diagnostics, Location
 
 __all__ = ["LENGTH", "Element", "Reader"]
 

@@ -8,11 +8,11 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.core.quantity import ANGLE, LENGTH
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.files.image import picture
-from crs_cc.sim.ground.model import Ground, HeightMap, Patch
-from crs_cc.sim.model import Area
-from crs_cc.sim.quantity import ANGLE, LENGTH
+from crs_cc.sim.model.ground import Ground, HeightMap, Patch
+from crs_cc.sim.model.world import Area
 
 HIGHEST_M: Final = 100.0
 MOST_PIXELS: Final = 128

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from crs_cc.core.quantity import ANGLE, FORCE, LENGTH, MASS, TIME, TURN_RATE
 from crs_cc.sim.files.document import Element, Reader
-from crs_cc.sim.handling.model import Arm, Gripper, Joint
-from crs_cc.sim.quantity import ANGLE, FORCE, LENGTH, MASS, TIME, TURN_RATE
+from crs_cc.sim.model.handling import Arm, Gripper, Joint
 
 
 def gripper(root: Element, radius_m: float, reader: Reader) -> Gripper | None:

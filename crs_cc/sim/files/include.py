@@ -12,11 +12,11 @@ from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 from typing import Final
 
-from crs_cc.errors import WorldError
+from crs_cc.core.errors import WorldError
+from crs_cc.core.source import Diagnostics
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.files.nearby import read_below
 from crs_cc.sim.files.xml_document import MAX_BYTES, elements, lines_of
-from crs_cc.source import Diagnostics
 
 MAX_FILES: Final = 32
 MAX_DEPTH: Final = 8

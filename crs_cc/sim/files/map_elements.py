@@ -16,11 +16,11 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.core.quantity import ANGLE, LENGTH, RATIO
 from crs_cc.sim.files.document import Element
 from crs_cc.sim.files.image import picture
 from crs_cc.sim.files.solid_elements import SolidElements
-from crs_cc.sim.model import Area, Box, Pose
-from crs_cc.sim.quantity import ANGLE, LENGTH, RATIO
+from crs_cc.sim.model.world import Area, Box, Pose
 
 MAX_RECTANGLES: Final = 10_000
 """How many boxes one map may become."""

@@ -12,10 +12,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
-from crs_cc.sim.colours import rgb
+from crs_cc.core.suggest import unknown
 from crs_cc.sim.files.document import Element, Reader
-from crs_cc.sim.model import PLAIN, Material
-from crs_cc.sim.unknown import unknown
+from crs_cc.sim.model.colours import rgb
+from crs_cc.sim.model.world import PLAIN, Material
 
 
 class Materials:

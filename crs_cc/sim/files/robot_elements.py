@@ -5,10 +5,7 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from crs_cc.requests import REQUESTS
-from crs_cc.sim.files import beacon_elements, handling_elements, sensor_elements, sonar_elements
-from crs_cc.sim.files.document import Element, Reader
-from crs_cc.sim.quantity import (
+from crs_cc.core.quantity import (
     ACCELERATION,
     ANGLE,
     FORCE,
@@ -22,9 +19,13 @@ from crs_cc.sim.quantity import (
     TURN_RATE,
     Kind,
 )
-from crs_cc.sim.robot_model import Axis, Drive, Heat, Link, Odometry, RobotModel
-from crs_cc.sim.sonar_model import Sonar
-from crs_cc.sim.unknown import unknown
+from crs_cc.core.suggest import unknown
+from crs_cc.requests import REQUESTS
+from crs_cc.sim.files import beacon_elements, handling_elements, sensor_elements, sonar_elements
+from crs_cc.sim.files.document import Element, Reader
+from crs_cc.sim.model.axis import Axis
+from crs_cc.sim.model.robot import Drive, Heat, Link, Odometry, RobotModel
+from crs_cc.sim.model.sonar import Sonar
 
 VENDOR_MODELS: Final = ("nomad200", "nomad150", "scout")
 """The vendor's models by their numbers (vendor header `Nclient.h` 1.29: MODEL_N200, ...)."""

@@ -6,10 +6,10 @@ import math
 from dataclasses import replace
 from typing import Final
 
-from crs_cc.sim.colours import rgb
+from crs_cc.core.quantity import ANGLE, ENERGY, FORCE, FREQUENCY, LENGTH, POWER, TIME, VOLTAGE
 from crs_cc.sim.files.document import Element, Reader
-from crs_cc.sim.quantity import ANGLE, ENERGY, FORCE, FREQUENCY, LENGTH, POWER, TIME, VOLTAGE
-from crs_cc.sim.sensor_model import (
+from crs_cc.sim.model.colours import rgb
+from crs_cc.sim.model.sensors import (
     ENDLESS,
     ENDLESS_MOTORS,
     MAX_COLUMNS,

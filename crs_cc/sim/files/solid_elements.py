@@ -7,10 +7,11 @@ from typing import Final, TypedDict
 
 import numpy as np
 
+from crs_cc.core.quantity import ANGLE, HEAT, LENGTH, MASS
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.files.material_elements import Materials
-from crs_cc.sim.geometry.polygon import complaint
-from crs_cc.sim.model import (
+from crs_cc.sim.model.polygon import complaint
+from crs_cc.sim.model.world import (
     EVERYWHERE_M,
     FIXED_KG,
     TALL_M,
@@ -22,7 +23,6 @@ from crs_cc.sim.model import (
     Solid,
     Wall,
 )
-from crs_cc.sim.quantity import ANGLE, HEAT, LENGTH, MASS
 
 MAX_CORNERS: Final = 250
 SHORTEST_M: Final = 0.001

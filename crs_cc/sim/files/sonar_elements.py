@@ -6,10 +6,10 @@ import math
 from dataclasses import replace
 from typing import Final
 
+from crs_cc.core.quantity import ANGLE, LENGTH, TIME
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.files.sensor_elements import half_angle_rad
-from crs_cc.sim.quantity import ANGLE, LENGTH, TIME
-from crs_cc.sim.sonar_model import MAX_SONARS, SONAR_TICK_S, Sonar, SonarBoard, SonarMode
+from crs_cc.sim.model.sonar import MAX_SONARS, SONAR_TICK_S, Sonar, SonarBoard, SonarMode
 
 _RATE: Final = 15  # times 4 ms: what nearly all programs give to `conf_sn`
 _MOST_RATE: Final = 255

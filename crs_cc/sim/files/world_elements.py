@@ -9,6 +9,7 @@ from itertools import islice
 from pathlib import Path, PurePosixPath
 from typing import Final, Literal, TypeAlias
 
+from crs_cc.core.quantity import HEAT, LENGTH, TIME
 from crs_cc.sim.files.beacon_elements import lights, sounds
 from crs_cc.sim.files.communication_elements import communication
 from crs_cc.sim.files.composite_elements import CompositeElements
@@ -18,12 +19,11 @@ from crs_cc.sim.files.ground_elements import ground
 from crs_cc.sim.files.include import Included
 from crs_cc.sim.files.map_elements import map_boxes
 from crs_cc.sim.files.material_elements import Materials
+from crs_cc.sim.files.object_ids import check_parts, name_things
 from crs_cc.sim.files.solid_elements import SHORTEST_M, SolidElements, pose, spread
 from crs_cc.sim.geometry.placement import misplaced, overlapping_things
-from crs_cc.sim.model import Area, Box, Cylinder, Polygon, Robot, Solid, Wall, WorldModel
-from crs_cc.sim.naming import check_parts, name_things
-from crs_cc.sim.quantity import HEAT, LENGTH, TIME
-from crs_cc.sim.robot_model import RobotModel
+from crs_cc.sim.model.robot import RobotModel
+from crs_cc.sim.model.world import Area, Box, Cylinder, Polygon, Robot, Solid, Wall, WorldModel
 
 SHORTEST_TIMESTEP_S: Final = 0.001
 LONGEST_TIMESTEP_S: Final = 0.1

@@ -11,7 +11,7 @@ say is checked afterwards.
 ('scout', 16)
 >>> parse_world(b"<world version='1'><area length='6m'/></world>", "room")
 Traceback (most recent call last):
-crs_cc.errors.WorldError: room:1: error: <area> lacks the attribute 'width'
+crs_cc.core.errors.WorldError: room:1: error: <area> lacks the attribute 'width'
     <world version='1'><area length='6m'/></world>
 """
 
@@ -23,7 +23,9 @@ from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 from typing import Final
 
-from crs_cc.errors import WorldError
+from crs_cc.core.errors import WorldError
+from crs_cc.core.source import Diagnostic, Diagnostics, Location
+from crs_cc.core.suggest import unknown
 from crs_cc.sim.files.composite_elements import CompositeElements
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.files.include import Included
@@ -40,16 +42,14 @@ from crs_cc.sim.files.xml_document import (
     raise_errors,
     read_file,
 )
-from crs_cc.sim.model import WorldModel
-from crs_cc.sim.robot_model import Drive, RobotModel
-from crs_cc.sim.unknown import unknown
-from crs_cc.source import Diagnostic, Diagnostics, Location
+from crs_cc.sim.model.robot import Drive, RobotModel
+from crs_cc.sim.model.world import WorldModel
 
 SCOUT: Final = "scout"
 """The kind of robot where nothing else is said."""
 
 _HERE: Final = Path(__file__).parent
-_ROBOTS: Final = _HERE.parent / "robots"
+_ROBOTS: Final = _HERE / "robots"
 _STAND_IN: Final = RobotModel("unknown", 0.001, Drive(1.0))
 _EMPTY_WORLD: Final = b"""<world version="1" name="empty">
   <area length="1000m" width="1000m" origin="centre" edge="0"/>

@@ -16,11 +16,11 @@ from typing import Final
 
 from lxml import etree
 
-from crs_cc.errors import WorldError
+from crs_cc.core.errors import WorldError
+from crs_cc.core.source import Diagnostic, Diagnostics, Location
 from crs_cc.sim.files.document import MAX_MESSAGES, Element, Reader
 from crs_cc.sim.files.schema_messages import explain
 from crs_cc.sim.files.schema_names import UnknownName, unknown_names
-from crs_cc.source import Diagnostic, Diagnostics, Location
 
 MAX_BYTES: Final = 16 * 1024 * 1024
 """How large a file may be."""

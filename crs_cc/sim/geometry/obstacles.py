@@ -14,7 +14,7 @@ from typing import Final, Self
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.geometry.neighbours import CellList, expand, few_pairs
+from crs_cc.sim.geometry.cell_list import CellList, expand, few_pairs
 from crs_cc.sim.geometry.scene import Outlines
 
 FloatArray = npt.NDArray[np.float64]

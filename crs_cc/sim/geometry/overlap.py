@@ -4,7 +4,7 @@ What is angular is cut into convex parts. Convex parts are apart if they are so 
 one of their sides (separating axis theorem; Gottschalk, "Separating axis theorem", 1996); else they
 overlap by the least of the overlaps along these.
 
->>> from crs_cc.sim.model import Box, Pose, Wall
+>>> from crs_cc.sim.model.world import Box, Pose, Wall
 >>> crate = Box("crate", Pose(1.0, 1.0), 1.0, 1.0)
 >>> round(overlap_m(crate, Wall("screen", 1.6, 0.0, 1.6, 4.0, thickness_m=0.3)), 6)
 0.05
@@ -18,7 +18,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.geometry.scene import convex_parts_of, corners_m
-from crs_cc.sim.model import Box, Cylinder, Solid, Wall
+from crs_cc.sim.model.world import Box, Cylinder, Solid, Wall
 
 FloatArray = npt.NDArray[np.float64]
 

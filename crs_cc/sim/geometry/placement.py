@@ -3,8 +3,8 @@
 Touching is allowed; an overlap of more than `TOLERANCE_M` is not. A robot that joins later may be
 in the way of other robots and of what can be pushed: until then these may have moved.
 
->>> from crs_cc.sim.model import Area, Pose, Robot, Wall, WorldModel
->>> from crs_cc.sim.robot_model import Drive, RobotModel
+>>> from crs_cc.sim.model.world import Area, Pose, Robot, Wall, WorldModel
+>>> from crs_cc.sim.model.robot import Drive, RobotModel
 >>> scout = RobotModel("scout", 0.2, Drive(0.345))
 >>> misplaced(WorldModel("w", Area(0, 0, 4, 4), (Wall("screen", 1, 0, 1, 4),), robots=(
 ...     Robot("r1", scout, Pose(2.0, 2.0)), Robot("r2", scout, Pose(1.1, 2.0)))))
@@ -21,11 +21,11 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.geometry.neighbours import Discs, overlapping
+from crs_cc.sim.geometry.cell_list import Discs, overlapping
 from crs_cc.sim.geometry.overlap import overlap_m
-from crs_cc.sim.geometry.polygon import distances_m
 from crs_cc.sim.geometry.scene import corners_m
-from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Wall, WorldModel, is_pushable
+from crs_cc.sim.model.polygon import distances_m
+from crs_cc.sim.model.world import Box, Cylinder, Polygon, Solid, Wall, WorldModel, is_pushable
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]

@@ -12,7 +12,7 @@ beams, sorted by direction, only those are tried that can point at the shape.
 
 Places in the plane are complex numbers, x + i y [m]: to turn is to multiply.
 
->>> from crs_cc.sim.model import Area, Cylinder, Pose, WorldModel
+>>> from crs_cc.sim.model.world import Area, Cylinder, Pose, WorldModel
 >>> from crs_cc.sim.geometry.obstacles import Obstacles
 >>> from crs_cc.sim.geometry.scene import NOTHING, Scene
 >>> world = WorldModel("w", Area(0, 0, 9, 9, 0), cylinders=(Cylinder("c", Pose(3, 1), 0.5),))
@@ -31,8 +31,8 @@ from typing import Final, Self
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.geometry.neighbours import expand
-from crs_cc.sim.geometry.prospect import Prospect
+from crs_cc.sim.geometry.cell_list import expand
+from crs_cc.sim.geometry.outline_query import Prospect
 
 FloatArray = npt.NDArray[np.float64]
 ComplexArray = npt.NDArray[np.complex128]

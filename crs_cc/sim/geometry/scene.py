@@ -6,7 +6,7 @@ only those that have the viewer to their right are in front.
 
 Bodies that move are numbered in one order everywhere: the robots, then what can be pushed.
 
->>> from crs_cc.sim.model import Area, Box, Pose, WorldModel
+>>> from crs_cc.sim.model.world import Area, Box, Pose, WorldModel
 >>> world = WorldModel("w", Area(0, 0, 4, 4, edge_m=0), boxes=(Box("b", Pose(1, 1), 2, 1),))
 >>> Scene(world).fixed.segments[:, :4].tolist()[0]
 [0.0, 0.5, 2.0, 0.5]
@@ -22,8 +22,17 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.sim.geometry.polygon import is_convex, triangles
-from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Thing, Wall, WorldModel, is_pushable
+from crs_cc.sim.model.polygon import is_convex, triangles
+from crs_cc.sim.model.world import (
+    Box,
+    Cylinder,
+    Polygon,
+    Solid,
+    Thing,
+    Wall,
+    WorldModel,
+    is_pushable,
+)
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]

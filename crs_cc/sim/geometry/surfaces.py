@@ -6,7 +6,7 @@ on both ways, and the least power that is heard stays the same. That is the rada
 for the range (M. I. Skolnik, "Introduction to Radar Systems", 1980, 1.2), with the share in place
 of the cross section.
 
->>> from crs_cc.sim.model import Area, Cylinder, Material, Pose, WorldModel
+>>> from crs_cc.sim.model.world import Area, Cylinder, Material, Pose, WorldModel
 >>> red = Cylinder("red", Pose(1, 1), 0.1, material=Material((255, 0, 0)))
 >>> surfaces = Surfaces.of(Scene(WorldModel("w", Area(0, 0, 9, 9, 0), cylinders=(red,))))
 >>> hex(surfaces.colour[0])
@@ -22,7 +22,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.model import PLAIN
+from crs_cc.sim.model.world import PLAIN
 
 FloatArray = npt.NDArray[np.float64]
 

@@ -12,9 +12,9 @@ import numpy.typing as npt
 import pymunk
 from pymunk import batch
 
-from crs_cc.sim.physics.bodies import Bodies
 from crs_cc.sim.physics.rigid import Rigid
 from crs_cc.sim.physics.space import Space
+from crs_cc.sim.state.bodies import Bodies
 
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]

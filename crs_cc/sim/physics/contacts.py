@@ -9,9 +9,9 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.handling.carrying import Load
-from crs_cc.sim.physics.bodies import NO_CONTACTS, Bodies, Contacts
+from crs_cc.sim.physics.carrying import Load
 from crs_cc.sim.physics.space import SLOP_M
+from crs_cc.sim.state.bodies import NO_CONTACTS, Bodies, Contacts
 
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.intp]

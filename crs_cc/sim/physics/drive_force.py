@@ -15,11 +15,11 @@ import numpy as np
 import numpy.typing as npt
 import pymunk
 
-from crs_cc.sim.ground.inclines import Incline
-from crs_cc.sim.handling.carrying import Load
-from crs_cc.sim.model import WorldModel
-from crs_cc.sim.physics.bodies import Bodies, Pull
+from crs_cc.sim.model.world import WorldModel
+from crs_cc.sim.physics.carrying import Load
+from crs_cc.sim.physics.inclines import Incline
 from crs_cc.sim.physics.space import Space
+from crs_cc.sim.state.bodies import Bodies, Pull
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]

@@ -9,11 +9,11 @@ import numpy.typing as npt
 import pymunk
 
 from crs_cc.sim.geometry.frames import compose
+from crs_cc.sim.geometry.ledges import Ledges
 from crs_cc.sim.geometry.scene import Scene, convex_parts_of, corners_m, own_corners_m
-from crs_cc.sim.ground.ledges import Ledges
-from crs_cc.sim.model import Box, Cylinder, Polygon, Solid, Thing, Wall
-from crs_cc.sim.physics.bodies import Bodies
+from crs_cc.sim.model.world import Box, Cylinder, Polygon, Solid, Thing, Wall
 from crs_cc.sim.physics.rigid import Whole
+from crs_cc.sim.state.bodies import Bodies
 
 FloatArray = npt.NDArray[np.float64]
 

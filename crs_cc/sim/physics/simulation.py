@@ -31,15 +31,19 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.garbage import without_collector
+from crs_cc.core.gc_pause import without_collector
 from crs_cc.sim.geometry.clearance import clearance_m
+from crs_cc.sim.geometry.ledges import Ledges
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.ground.inclines import Incline, Inclines
-from crs_cc.sim.ground.ledges import Ledges
-from crs_cc.sim.handling.carrying import Load
-from crs_cc.sim.model import WorldModel
+from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.physics.batches import Batches
-from crs_cc.sim.physics.bodies import (
+from crs_cc.sim.physics.carrying import Load
+from crs_cc.sim.physics.contacts import first_contacts, is_settled, told_apart, with_slipped
+from crs_cc.sim.physics.drive_force import DriveForce
+from crs_cc.sim.physics.inclines import Incline, Inclines
+from crs_cc.sim.physics.rigid import Rigid
+from crs_cc.sim.physics.space import SLOP_M, Space, SpaceBuilder
+from crs_cc.sim.state.bodies import (
     NO_CONTACTS,
     Bodies,
     Contacts,
@@ -47,10 +51,6 @@ from crs_cc.sim.physics.bodies import (
     Pull,
     Ran,
 )
-from crs_cc.sim.physics.contacts import first_contacts, is_settled, told_apart, with_slipped
-from crs_cc.sim.physics.drive_force import DriveForce
-from crs_cc.sim.physics.rigid import Rigid
-from crs_cc.sim.physics.space import SLOP_M, Space, SpaceBuilder
 
 FloatArray = npt.NDArray[np.float64]
 BoolArray = npt.NDArray[np.bool_]

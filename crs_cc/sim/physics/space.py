@@ -16,10 +16,10 @@ import numpy as np
 import numpy.typing as npt
 import pymunk
 
+from crs_cc.sim.geometry.ledges import Ledges
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.ground.ledges import Ledges
-from crs_cc.sim.handling.carrying import Load
-from crs_cc.sim.model import Thing, WorldModel
+from crs_cc.sim.model.world import Thing, WorldModel
+from crs_cc.sim.physics.carrying import Load
 from crs_cc.sim.physics.rigid import Rigid
 from crs_cc.sim.physics.shapes import (
     add,

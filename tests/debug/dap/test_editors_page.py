@@ -16,8 +16,8 @@ import pytest
 from crs_cc import __version__
 from crs_cc.debug.commands.table import NAMES
 from crs_cc.debug.dap.arguments import Arguments
+from crs_cc.debug.dap.breakpoint_requests import FILTERS
 from crs_cc.debug.dap.launch import ATTRIBUTES, Attribute, read_launch
-from crs_cc.debug.dap.wishes import FILTERS
 from tests.debug.dap.client import Client
 from tests.debug.dap.programs import open_run
 

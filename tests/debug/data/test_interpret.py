@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from crs_cc.debug.data.expression_memory import EvaluationError
 from crs_cc.debug.data.interpret import Interpreter
-from crs_cc.debug.data.scratch import EvaluationError
 from crs_cc.requests import MESSAGE
 from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.fleet import Fleet

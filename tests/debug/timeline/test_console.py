@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from crs_cc.core.errors import InternalError
 from crs_cc.debug.timeline.console import Console
-from crs_cc.errors import InternalError
 from crs_cc.session.host import discard, no_input
 
 

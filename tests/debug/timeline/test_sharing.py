@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.debug.timeline.sharing import Store
+from crs_cc.debug.timeline.chunk_store import Store
 from crs_cc.runtime.pages import CHUNK
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from crs_cc.debug.engine import Debugger
+from crs_cc.debug.timeline.input_log import Tape
 from crs_cc.debug.timeline.position import Position
-from crs_cc.debug.timeline.tape import Tape
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.runtime.testing import counting_program
 from tests.debug.debuggee import ROOT, debugger_at

@@ -9,8 +9,8 @@ import pytest
 
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.program import DebugProgram
-from crs_cc.debug.tui.desk import Desk
-from crs_cc.debug.tui.look import OPEN, Row
+from crs_cc.debug.tui.controller import Desk
+from crs_cc.debug.tui.screen_data import OPEN, Row
 from crs_cc.debug.tui.streams import Streams
 from crs_cc.debug.tui.work import Done, Order
 from crs_cc.sim.files.world_xml import empty_world, load_world

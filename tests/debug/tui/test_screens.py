@@ -15,7 +15,7 @@ from textual.pilot import Pilot
 
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.tui.app import DebugApp
-from crs_cc.debug.tui.desk import Desk
+from crs_cc.debug.tui.controller import Desk
 from crs_cc.debug.tui.streams import Streams
 from crs_cc.sim.files.world_xml import load_world
 from tests.debug.debuggee import ROOT, debug_program

@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.debug.world.chart import Chart, View
-from crs_cc.sim.robot_colours import colour
+from crs_cc.debug.world.world_map import Chart, View
+from crs_cc.sim.engine.robot_colours import colour
 from tests.sim.driver import Driver, open_world, world_of
 
 ROOM = world_of(

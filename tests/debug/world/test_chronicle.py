@@ -7,9 +7,9 @@ import pytest
 
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.program import DebugProgram
-from crs_cc.debug.world.chronicle import Chronicle
-from crs_cc.debug.world.happenings import Happening
-from crs_cc.sim.environment import Environment
+from crs_cc.debug.world.event_history import Chronicle
+from crs_cc.debug.world.events import Happening
+from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files.world_xml import empty_world, parse_world
 from tests.debug.debuggee import debug_program
 

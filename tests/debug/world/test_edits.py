@@ -6,7 +6,7 @@ import pytest
 
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.edits import edit
-from crs_cc.sim.degradation.model import Degradation
+from crs_cc.sim.model.degradation import Degradation
 from tests.sim.driver import Driver, open_world, world_of
 
 WORLD = (

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.world.happenings import KINDS, checked_kind, happenings
-from crs_cc.sim.degradation.model import Degradation
-from crs_cc.sim.events import KINDS as EVENT_KINDS
+from crs_cc.debug.world.events import KINDS, checked_kind, happenings
+from crs_cc.sim.model.degradation import Degradation
+from crs_cc.sim.state.events import KINDS as EVENT_KINDS
 from tests.sim.driver import Driver, open_world, world_of
 
 ALL = tuple(KINDS)

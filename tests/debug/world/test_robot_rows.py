@@ -9,7 +9,7 @@ from crs_cc.debug.world.robot_rows import HEADINGS, robot_rows, summary
 from crs_cc.debug.world.rows import lines
 from crs_cc.runtime.testing import counting_program
 from crs_cc.session.session import Session
-from crs_cc.sim.degradation.model import Degradation
+from crs_cc.sim.model.degradation import Degradation
 from tests.sim.driver import open_world, world_of
 
 DRIVES = """

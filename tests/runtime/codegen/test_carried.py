@@ -5,6 +5,8 @@ from __future__ import annotations
 import sys
 from types import FrameType
 
+from crs_cc.core.source import Location
+from crs_cc.ir.liveness import Liveness
 from crs_cc.ir.program import (
     Binary,
     Block,
@@ -17,9 +19,7 @@ from crs_cc.ir.program import (
     Slot,
     Store,
 )
-from crs_cc.ir.uses import Liveness
-from crs_cc.runtime.codegen.carried import Carried
-from crs_cc.source import Location
+from crs_cc.runtime.codegen.deferred_checks import Carried
 
 HERE = Location("sums.c", 1, 1)
 

@@ -10,7 +10,8 @@ import random
 
 import pytest
 
-from crs_cc.errors import CompileError
+from crs_cc.core.errors import CompileError
+from crs_cc.core.source import Location
 from crs_cc.ir.program import (
     Address,
     Binary,
@@ -36,7 +37,6 @@ from crs_cc.requests import CODES, MESSAGE, SUSPENDED
 from crs_cc.runtime.codegen.module import compile_program
 from crs_cc.runtime.executable import make_executable
 from crs_cc.runtime.fleet import Fleet
-from crs_cc.source import Location
 
 HERE = Location("walk.c", 1, 1)
 STEPS = 300

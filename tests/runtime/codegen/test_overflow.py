@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from crs_cc.core.source import Diagnostics
 from crs_cc.session.build import build_executable
-from crs_cc.source import Diagnostics
 from tests.c.execution import Run
 
 OVERFLOWS = (

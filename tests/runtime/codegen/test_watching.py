@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from crs_cc.core.source import Diagnostics
 from crs_cc.requests import SUSPENDED
 from crs_cc.runtime.codegen.watching import accesses
 from crs_cc.runtime.executable import Executable, make_executable
@@ -14,7 +15,6 @@ from crs_cc.runtime.fleet import Fleet
 from crs_cc.runtime.watched import RANGE, RANGES, READ, WRITE, grains, offset
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Host, HostRequest
-from crs_cc.source import Diagnostics
 
 PROGRAM = """\
 #include <string.h>

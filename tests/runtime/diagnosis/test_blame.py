@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from crs_cc.ir.types import INT, ArrayType, CType, Member, PointerType, Record, RecordType
-from crs_cc.runtime.diagnosis.blame import names_in, pointer_in
+from crs_cc.runtime.diagnosis.expression_text import names_in, pointer_in
 
 NODE = Record("struct", "node")
 POINTER = PointerType(RecordType(NODE))

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from crs_cc.cli.report import render_report
+from crs_cc.core.source import underline
 from crs_cc.runtime.diagnosis.failure import Failure
 from crs_cc.runtime.diagnosis.inspect import call_stack
 from crs_cc.runtime.diagnosis.report import ErrorReport, report
 from crs_cc.runtime.layout import STACK_TOP
-from crs_cc.source import underline
 from tests.c.execution import Run, build
 
 SOURCE = """\

@@ -6,11 +6,11 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from crs_cc.sim.degradation.law import Degradations
-from crs_cc.sim.degradation.model import Degradation
+from crs_cc.sim.devices.degradation.filter import Degradations
 from crs_cc.sim.files.world_xml import empty_world
-from crs_cc.sim.model import Robot
-from crs_cc.sim.state import EnvState
+from crs_cc.sim.model.degradation import Degradation
+from crs_cc.sim.model.world import Robot
+from crs_cc.sim.state.env_state import EnvState
 
 
 def world_with(*degradations: Degradation, robots: int = 1, robot: str = "scout"):

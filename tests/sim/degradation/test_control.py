@@ -7,9 +7,9 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.sim.degradation.model import Degradation
-from crs_cc.sim.environment import Environment
-from crs_cc.sim.state_vector import SONAR_0
+from crs_cc.sim.devices.vendor_state import SONAR_0
+from crs_cc.sim.engine.environment import Environment
+from crs_cc.sim.model.degradation import Degradation
 from tests.sim.degradation.law import world_with
 from tests.sim.driver import Driver
 

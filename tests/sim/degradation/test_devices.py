@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from crs_cc.requests import CODES
-from crs_cc.sim.state_vector import BUMPER, COMPASS, IR_0, SONAR_0
+from crs_cc.sim.devices.vendor_state import BUMPER, COMPASS, IR_0, SONAR_0
 from tests.sim.driver import INCH, SCOUT_RADIUS_M, Driver, open_world, own_world
 
 WALL_IN = 80

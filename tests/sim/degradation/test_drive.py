@@ -13,8 +13,8 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.sim.state_vector import CONF_STEER, CONF_X, CONF_Y, VEL_LEFT, VEL_RIGHT
-from crs_cc.sim.states.degradation import MOTIONS
+from crs_cc.sim.devices.vendor_state import CONF_STEER, CONF_X, CONF_Y, VEL_LEFT, VEL_RIGHT
+from crs_cc.sim.state.degradation import MOTIONS
 from tests.sim.driver import INCH, Driver, open_world
 
 BASE_IN = 13.59

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from crs_cc.requests import CODES, MESSAGE
-from crs_cc.sim.commands import HANDLERS
-from crs_cc.sim.degradation.model import DEVICES, Degradation, complaint
-from crs_cc.sim.environment import Environment
+from crs_cc.sim.engine.environment import Environment
+from crs_cc.sim.engine.handlers import HANDLERS
 from crs_cc.sim.files.world_xml import parse_world
-from crs_cc.sim.model import Robot
+from crs_cc.sim.model.degradation import DEVICES, Degradation, complaint
+from crs_cc.sim.model.world import Robot
 from tests.sim.degradation.law import world_with
 
 NUMBERS = (0.0, 1.0, -1.0, 0.3, 1e-300, 5e-324, 1e-9, -1e4, 1e4, 1e3, -1e3, 7.5)

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.sim.degradation.model import DEVICES, Degradation
+from crs_cc.sim.model.degradation import DEVICES, Degradation
 from tests.sim.degradation.law import Law
 
 

@@ -14,9 +14,9 @@ from unittest.mock import MagicMock
 import pytest
 
 from crs_cc.cli.main import main
-from crs_cc.sim.degradation.model import DEVICES, Degradation, Device, shown
 from crs_cc.sim.files.world_xml import empty_world, known_robots, load_world
-from crs_cc.sim.robot_model import RobotModel
+from crs_cc.sim.model.degradation import DEVICES, Degradation, Device, shown
+from crs_cc.sim.model.robot import RobotModel
 
 ROOT = Path(__file__).parents[3]
 PAGE = ROOT / "docs" / "degradation.md"

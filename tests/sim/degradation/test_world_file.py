@@ -4,8 +4,8 @@ import math
 
 import pytest
 
-from crs_cc.errors import WorldError
-from crs_cc.sim.degradation.model import Degradation
+from crs_cc.core.errors import WorldError
+from crs_cc.sim.model.degradation import Degradation
 from tests.sim.driver import open_world
 
 ROBOT = '<robot x="0" y="0"/>'

@@ -13,7 +13,7 @@ ROOT = Path(__file__).parents[3]
 SIM = ROOT / "crs_cc" / "sim"
 FILES = [
     *((path, "world.xsd") for path in sorted((ROOT / "worlds").glob("*.xml"))),
-    *((path, "robot.xsd") for path in sorted((SIM / "robots").glob("*.xml"))),
+    *((path, "robot.xsd") for path in sorted((SIM / "files" / "robots").glob("*.xml"))),
 ]
 
 

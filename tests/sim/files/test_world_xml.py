@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from lxml import etree
 
-from crs_cc.errors import WorldError
+from crs_cc.core.errors import WorldError
 from crs_cc.sim.files.world_xml import (
     empty_world,
     known_robots,
@@ -19,7 +19,7 @@ from crs_cc.sim.files.world_xml import (
 )
 from crs_cc.sim.files.xml_document import MAX_BYTES
 from crs_cc.sim.geometry.scene import corners_m
-from crs_cc.sim.model import Area, Box, Cylinder, Pose, Wall
+from crs_cc.sim.model.world import Area, Box, Cylinder, Pose, Wall
 
 WORLDS = sorted((Path(__file__).parents[3] / "worlds").glob("*.xml"))
 SIM = Path(__file__).parents[3] / "crs_cc" / "sim"
@@ -565,7 +565,7 @@ def test_mistakes_in_a_robot_definition_are_told_with_their_own_place(tmp_path):
 
 @pytest.mark.parametrize("kind", ["length", "angle", "mass", "time"])
 def test_the_schema_and_the_reader_know_the_same_units(kind):
-    from crs_cc.sim import quantity
+    from crs_cc.core import quantity
 
     table = {"length": quantity.LENGTH, "angle": quantity.ANGLE, "mass": quantity.MASS,
              "time": quantity.TIME}  # fmt: skip

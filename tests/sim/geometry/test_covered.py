@@ -5,15 +5,15 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.sim.environment import Environment
-from crs_cc.sim.geometry.covered import Pieces
+from crs_cc.sim.devices.ray_caster import Surroundings
+from crs_cc.sim.devices.sonar import SonarRing
+from crs_cc.sim.devices.vendor_state import BUMPER, SONAR_0
+from crs_cc.sim.engine.environment import Environment
+from crs_cc.sim.geometry.contact_mask import Pieces
 from crs_cc.sim.geometry.placement import distance_from_m
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.geometry.surroundings import Surroundings
-from crs_cc.sim.model import Area, Box, Polygon, Pose, Wall, WorldModel
-from crs_cc.sim.sensors.sonar import SonarRing
-from crs_cc.sim.state_vector import BUMPER, SONAR_0
+from crs_cc.sim.model.world import Area, Box, Polygon, Pose, Wall, WorldModel
 from tests.sim.driver import SCOUT_RADIUS_M, Driver, open_world, world_of
 
 HAIR_M = 0.0004  # less than what physics lets things overlap
@@ -165,7 +165,7 @@ def inside(x: float, y: float, solid: Box | Wall | Polygon) -> bool:
 @pytest.mark.slow
 @pytest.mark.parametrize("few", [0, 10**9])
 def test_many_robots_among_many_things_are_covered_as_each_pair_says(few, monkeypatch):
-    monkeypatch.setattr("crs_cc.sim.geometry.neighbours._FEW_PAIRS", few)
+    monkeypatch.setattr("crs_cc.sim.geometry.cell_list._FEW_PAIRS", few)
     world, poses = crowd()
     scene = Scene(world)
     ring = [(0.2 * math.cos(a), 0.2 * math.sin(a), a, 0.1, 6.0) for a in (4.0, 0.5, 2.0)]

@@ -11,8 +11,8 @@ from crs_cc.sim.geometry.echoes import ANY_ANGLE, Pings, Points, first_echo
 from crs_cc.sim.geometry.obstacles import Obstacles
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.model import Area, Box, Cylinder, Pose, Robot, Wall, WorldModel
-from crs_cc.sim.robot_model import Drive, RobotModel
+from crs_cc.sim.model.robot import Drive, RobotModel
+from crs_cc.sim.model.world import Area, Box, Cylinder, Pose, Robot, Wall, WorldModel
 from tests.sim.geometry.test_rays import RING, TEN_DEG, crowd, look_around
 
 RANGE_M = 8.0

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from crs_cc.sim.geometry.cell_list import CellList
 from crs_cc.sim.geometry.clearance import clearance_m
-from crs_cc.sim.geometry.neighbours import CellList
 from crs_cc.sim.geometry.obstacles import Grid
 from crs_cc.sim.geometry.scene import Scene
 from tests.sim.driver import SCOUT_RADIUS_M, world_of

@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from crs_cc.sim.geometry.placement import misplaced
-from crs_cc.sim.geometry.polygon import area_m2, centroid_m, complaint, second_moment_m4, triangles
-from crs_cc.sim.model import Area, Cylinder, Polygon, Pose, Robot, WorldModel
-from crs_cc.sim.robot_model import Drive, RobotModel
+from crs_cc.sim.model.polygon import area_m2, centroid_m, complaint, second_moment_m4, triangles
+from crs_cc.sim.model.robot import Drive, RobotModel
+from crs_cc.sim.model.world import Area, Cylinder, Polygon, Pose, Robot, WorldModel
 
 SQUARE = np.array([(1.0, 1.0), (3.0, 1.0), (3.0, 3.0), (1.0, 3.0)])
 

@@ -10,8 +10,8 @@ from crs_cc.sim.geometry.obstacles import Obstacles
 from crs_cc.sim.geometry.placement import misplaced
 from crs_cc.sim.geometry.rays import Fan, nearest
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.model import Area, Box, Cylinder, Polygon, Pose, Robot, Wall, WorldModel
-from crs_cc.sim.robot_model import Drive, RobotModel
+from crs_cc.sim.model.robot import Drive, RobotModel
+from crs_cc.sim.model.world import Area, Box, Cylinder, Polygon, Pose, Robot, Wall, WorldModel
 
 TEN_DEG = math.radians(10)
 
@@ -170,7 +170,7 @@ def test_choosing_shapes_and_beams_changes_no_bit(robots, monkeypatch):
     chosen = look_around(world, fan)
     monkeypatch.setattr(rays, "_FEW", 10**9)
     monkeypatch.setattr(rays, "_CHUNK", 50)
-    monkeypatch.setattr("crs_cc.sim.geometry.neighbours._FEW_PAIRS", 10**9)
+    monkeypatch.setattr("crs_cc.sim.geometry.cell_list._FEW_PAIRS", 10**9)
     assert np.array_equal(chosen, look_around(world, fan))
     assert 0 < np.isinf(chosen).mean() < 0.5
 

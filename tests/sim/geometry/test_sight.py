@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
+from crs_cc.sim.geometry.line_of_sight import Sight
 from crs_cc.sim.geometry.scene import Scene, corners_m
-from crs_cc.sim.geometry.sight import Sight
-from crs_cc.sim.model import Box, Cylinder, Polygon, Wall
+from crs_cc.sim.model.world import Box, Cylinder, Polygon, Wall
 from tests.sim.driver import world_of
 from tests.sim.messages.radio import talking
 

@@ -5,12 +5,12 @@ import math
 import numpy as np
 import pytest
 
+from crs_cc.sim.devices.ray_caster import Surroundings
 from crs_cc.sim.geometry.rays import NO_THING, Fan
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.geometry.surroundings import Surroundings
-from crs_cc.sim.geometry.things import Things
-from crs_cc.sim.model import Wall
-from crs_cc.sim.state import EnvState
+from crs_cc.sim.geometry.shape_table import Things
+from crs_cc.sim.model.world import Wall
+from crs_cc.sim.state.env_state import EnvState
 from tests.sim.driver import open_world
 from tests.sim.geometry.test_rays import crowd
 

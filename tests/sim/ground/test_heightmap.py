@@ -10,14 +10,14 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from crs_cc.errors import WorldError
+from crs_cc.core.errors import WorldError
+from crs_cc.sim.devices.ray_caster import Surroundings
 from crs_cc.sim.files.world_xml import load_world
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.geometry.surroundings import Surroundings
-from crs_cc.sim.ground.model import Ground, HeightMap
-from crs_cc.sim.ground.terrain import Terrain
-from crs_cc.sim.physics.friction import GRAVITY_MPS2
+from crs_cc.sim.geometry.terrain import Terrain
+from crs_cc.sim.model.ground import Ground, HeightMap
+from crs_cc.sim.model.mass_properties import GRAVITY_MPS2
 from tests.sim.driver import SCOUT_RADIUS_M, Driver
 
 PROFILE = [0, 64, 128, 191, 255, 255, 255, 0]

@@ -13,8 +13,8 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.sim.physics.friction import FLOOR_FRICTION, GRAVITY_MPS2
-from crs_cc.sim.state_vector import CONF_X
+from crs_cc.sim.devices.vendor_state import CONF_X
+from crs_cc.sim.model.mass_properties import FLOOR_FRICTION, GRAVITY_MPS2
 from tests.sim.driver import INCH, Driver, open_world
 
 MASS_KG, FORCE_N, GRIP_N, ROLL_OUT_MPS2 = 23.0, 60.0, 90.0, 0.3  # scout.xml

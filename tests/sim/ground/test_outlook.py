@@ -13,10 +13,10 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.sim.environment import Environment
+from crs_cc.sim.devices.ray_caster import Surroundings
+from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.geometry.surroundings import Surroundings
 from tests.sim.driver import INCH, Driver, world_of
 
 R = 8 * INCH

@@ -5,10 +5,10 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.errors import WorldError
+from crs_cc.core.errors import WorldError
 from crs_cc.sim.files.world_xml import parse_world
-from crs_cc.sim.ground.model import Ground, Patch
-from crs_cc.sim.ground.terrain import Terrain
+from crs_cc.sim.geometry.terrain import Terrain
+from crs_cc.sim.model.ground import Ground, Patch
 
 
 def world(surface: str):

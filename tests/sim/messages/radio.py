@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from crs_cc.requests import CODES, MESSAGE
-from crs_cc.sim.environment import Environment
-from crs_cc.sim.messages.traffic import Fate
-from crs_cc.sim.step import Step
+from crs_cc.sim.comms.message_log import Fate
+from crs_cc.sim.engine.environment import Environment
+from crs_cc.sim.engine.step import Step
 from tests.sim.driver import open_world
 
 PAIR = '<robot id="a" x="0" y="0"/><robot id="b" x="2m" y="0"/>'

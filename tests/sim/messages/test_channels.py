@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from crs_cc.sim.messages.traffic import Fate
+from crs_cc.sim.comms.message_log import Fate
 from tests.sim.driver import Driver, open_world
 from tests.sim.messages.radio import DT, talking
 

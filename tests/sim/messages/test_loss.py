@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from crs_cc.sim.chances import Chances
-from crs_cc.sim.messages.loss import burst_states
-from crs_cc.sim.messages.traffic import Fate
+from crs_cc.core.keyed_random import Chances
+from crs_cc.sim.comms.loss import burst_states
+from crs_cc.sim.comms.message_log import Fate
 from tests.sim.messages.radio import talking
 
 COUNT = 200

@@ -8,11 +8,11 @@ from pathlib import Path
 import pytest
 
 from crs_cc.cli.main import main
-from crs_cc.sim.communication import HEAD_BYTES, LONGEST_QUEUE, PREDEFINED
+from crs_cc.sim.comms.inbox import COMING_MOST, INBOX
+from crs_cc.sim.comms.message_log import MEANINGS
+from crs_cc.sim.comms.outbox import MOST
 from crs_cc.sim.files.world_xml import parse_world
-from crs_cc.sim.messages.inbox import COMING_MOST, INBOX
-from crs_cc.sim.messages.outbox import MOST
-from crs_cc.sim.messages.traffic import MEANINGS
+from crs_cc.sim.model.communication import HEAD_BYTES, LONGEST_QUEUE, PREDEFINED
 
 ROOT = Path(__file__).parents[3]
 PAGE = (ROOT / "docs" / "communication.md").read_text()

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import pytest
 
-from crs_cc.sim.messages.traffic import Fate, Monitor, events
-from crs_cc.sim.model import Pose
+from crs_cc.sim.comms.message_log import Fate, Monitor, events
+from crs_cc.sim.model.world import Pose
 from tests.sim.messages.radio import PAIR, talking
 
 THREE = f'{PAIR}<robot id="c" x="0" y="2m"/>'

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from crs_cc.sim.messages.traffic import Fate
-from crs_cc.sim.model import Pose
+from crs_cc.sim.comms.message_log import Fate
+from crs_cc.sim.model.world import Pose
 from tests.sim.messages.radio import talking
 
 SIX = "".join(f'<robot x="{n % 3}m" y="{n // 3}m"/>' for n in range(6))

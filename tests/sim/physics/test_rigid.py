@@ -7,10 +7,10 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.errors import WorldError
+from crs_cc.core.errors import WorldError
 from crs_cc.sim.files.world_xml import parse_world
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.physics.friction import FLOOR_FRICTION, GRAVITY_MPS2
+from crs_cc.sim.model.mass_properties import FLOOR_FRICTION, GRAVITY_MPS2
 from crs_cc.sim.physics.rigid import Rigid
 from tests.sim.driver import Driver, open_world, world_of
 

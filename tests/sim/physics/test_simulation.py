@@ -8,8 +8,8 @@ import pytest
 
 from crs_cc.sim.geometry.placement import distance_from_m
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.physics.bodies import Bodies, Pull
 from crs_cc.sim.physics.simulation import Physics
+from crs_cc.sim.state.bodies import Bodies, Pull
 from tests.sim.driver import SCOUT_RADIUS_M, Driver, world_of
 
 DT = 0.05

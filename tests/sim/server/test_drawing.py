@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.sim.drawings import ARC, ARROW, COLOURS, LINE, ROBOT, Drawing, drawings_in
-from crs_cc.sim.server import drawing
+from crs_cc.sim.engine.drawings import ARC, ARROW, COLOURS, LINE, ROBOT, Drawing, drawings_in
+from crs_cc.sim.engine.server import drawing
 from tests.sim.driver import INCH, Driver, open_world
 
 

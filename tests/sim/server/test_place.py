@@ -5,9 +5,9 @@ import pickle
 
 import pytest
 
-from crs_cc.sim.environment import Environment
-from crs_cc.sim.state_vector import CONF_STEER, CONF_TURRET, CONF_X, CONF_Y, SONAR_0
-from crs_cc.sim.step import describe_slice
+from crs_cc.sim.devices.vendor_state import CONF_STEER, CONF_TURRET, CONF_X, CONF_Y, SONAR_0
+from crs_cc.sim.engine.environment import Environment
+from crs_cc.sim.engine.step import describe_slice
 from tests.sim.driver import INCH, Driver, world_of
 
 ROOM = 'length="400in" width="400in"'

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from crs_cc.sim.environment import Environment
-from crs_cc.sim.state_vector import BUMPER, IR_0, SONAR_0
+from crs_cc.sim.devices.vendor_state import BUMPER, IR_0, SONAR_0
+from crs_cc.sim.engine.environment import Environment
 from tests.sim.driver import Driver, told, world_of
 
 THINGS = (

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from crs_cc.sim.server import world as server
-from crs_cc.sim.state_vector import BUMPER
+from crs_cc.sim.devices.vendor_state import BUMPER
+from crs_cc.sim.engine.server import world as server
 from tests.sim.driver import INCH, SCOUT_RADIUS_M, Driver, open_world, world_of
 
 BLOCK = ((300, -200), (500, -200), (500, 200), (300, 200))

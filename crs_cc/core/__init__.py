@@ -1,0 +1,1 @@
+"""What every part builds on: errors, source places, units, quantities, random streams, messages."""

@@ -1,0 +1,132 @@
+"""Numbers with units, as people write them in world and robot files.
+
+>>> LENGTH.parse("150cm"), LENGTH.parse("1.5"), round(LENGTH.parse("60 in"), 6)
+(1.5, 1.5, 1.524)
+>>> round(ANGLE.parse("90"), 6), ANGLE.parse("1.57rad")
+(1.570796, 1.57)
+>>> LENGTH.parse("2 parsecs")
+Traceback (most recent call last):
+ValueError: '2 parsecs' is not a length: write a number and one of m, cm, mm, in, ft, as in 1.5m
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from typing import Final
+
+from crs_cc.core.units import INCH_M, inch_to_m
+
+_QUANTITY: Final = re.compile(
+    r"\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\s*([A-Za-z][A-Za-z0-9/]*)?\s*"
+)
+_LONGEST: Final = 64
+
+
+@dataclass(frozen=True, slots=True)
+class Kind:
+    """A kind of quantity.
+
+    Attributes:
+        name: what to call it in messages, with its article.
+        units: each unit's size in the SI unit.
+        default: the unit of a bare number.
+        example: a value to show in messages.
+        limit: the largest magnitude that makes sense in a world [SI unit].
+    """
+
+    name: str
+    units: tuple[tuple[str, float], ...]
+    default: str
+    example: str
+    limit: float
+
+    def parse(self, text: str, default: str = "") -> float:
+        """Gives the value [SI unit] that a text means.
+
+        Args:
+            text: a number, with or without a unit.
+            default: the unit of a bare number, where it differs from the kind's own.
+
+        Raises:
+            ValueError: the text means no such quantity, or one too large to be meant.
+        """
+        match = _QUANTITY.fullmatch(text) if len(text) <= _LONGEST else None
+        factor = dict(self.units).get(match[2] or default or self.default) if match else None
+        if match is None or factor is None:
+            shown = text if len(text) <= _LONGEST else text[:_LONGEST] + "..."
+            names = ", ".join(name for name, _ in self.units)
+            unit = f" and one of {names}" if names else ""
+            raise ValueError(
+                f"{shown!r} is not {self.name}: write a number{unit}, as in {self.example}"
+            )
+        value = float(match[1]) * factor
+        if abs(value) > self.limit:
+            raise ValueError(f"{text!r} is too large for {self.name} here")
+        return value
+
+    def show(self, value: float) -> str:
+        """Gives a value [SI unit] in words, in the unit of a bare number.
+
+        >>> ANGLE.show(math.pi / 2), RATIO.show(0.5)
+        ('90deg', '0.5')
+        """
+        return f"{value / dict(self.units)[self.default]:g}{self.default}"
+
+
+LENGTH: Final = Kind(
+    "a length",
+    (("m", 1.0), ("cm", 0.01), ("mm", 0.001), ("in", INCH_M), ("ft", inch_to_m(12.0))),
+    "m", "1.5m", 1e4,
+)  # fmt: skip
+ANGLE: Final = Kind("an angle", (("deg", math.pi / 180), ("rad", 1.0)), "deg", "90deg", 1e4)
+TIME: Final = Kind("a time", (("s", 1.0), ("ms", 0.001)), "s", "0.05s", 1e7)
+MASS: Final = Kind("a mass", (("kg", 1.0), ("g", 0.001), ("lb", 0.45359237)), "kg", "2.5kg", 1e6)
+SPEED: Final = Kind(
+    "a speed", (("m/s", 1.0), ("cm/s", 0.01), ("in/s", INCH_M)), "m/s", "0.3m/s", 100.0
+)
+ACCELERATION: Final = Kind(
+    "an acceleration",
+    (("m/s2", 1.0), ("cm/s2", 0.01), ("in/s2", INCH_M)),
+    "m/s2", "0.5m/s2", 1e3,
+)  # fmt: skip
+TURN_RATE: Final = Kind(
+    "a speed of turning", (("deg/s", math.pi / 180), ("rad/s", 1.0)), "deg/s", "45deg/s", 1e3
+)
+TURN_ACCELERATION: Final = Kind(
+    "an acceleration of turning",
+    (("deg/s2", math.pi / 180), ("rad/s2", 1.0)),
+    "deg/s2", "50deg/s2", 1e4,
+)  # fmt: skip
+FORCE: Final = Kind("a force", (("N", 1.0),), "N", "60N", 1e6)
+POWER: Final = Kind("a power", (("W", 1.0), ("kW", 1e3)), "W", "25W", 1e6)
+ENERGY: Final = Kind("an energy", (("J", 1.0), ("Wh", 3600.0)), "J", "200Wh", 1e12)
+VOLTAGE: Final = Kind("a voltage", (("V", 1.0),), "V", "12.5V", 1e3)
+FREQUENCY: Final = Kind(
+    "a frequency", (("Hz", 1.0), ("kHz", 1e3), ("MHz", 1e6), ("GHz", 1e9)), "Hz", "50MHz", 1e12
+)
+DATA_RATE: Final = Kind(
+    "a rate of data",
+    (("B/s", 1.0), ("kB/s", 1e3), ("MB/s", 1e6), ("bit/s", 0.125), ("kbit/s", 125.0),
+     ("Mbit/s", 125e3)),
+    "B/s", "1200B/s", 1e12,
+)  # fmt: skip
+"""In bytes by the second."""
+
+RATIO: Final = Kind("a ratio", (("", 1.0),), "", "1.002", 1e3)
+HEAT: Final = Kind("a heat", (("", 1.0),), "", "1", 1e6)
+"""How hot a thing is, without unit."""
+BRIGHTNESS: Final = Kind("a brightness", (("", 1.0),), "", "100", 1e6)
+LOUDNESS: Final = Kind("a level", (("", 1.0),), "", "100", 1e6)
+"""How bright and how loud sources are at a distance of 1 m, without unit."""
+
+
+def round_length(length_m: float) -> float:
+    """Gives the nearest of 1, 2 and 5 times a power of ten that is not longer.
+
+    >>> [round_length(length) for length in (0.9, 3.0, 77.0)]
+    [0.5, 2.0, 50.0]
+    """
+    power = 10.0 ** math.floor(math.log10(length_m))
+    return next(step * power for step in (5.0, 2.0, 1.0) if step * power <= length_m * (1 + 1e-9))

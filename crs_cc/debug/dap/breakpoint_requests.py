@@ -1,0 +1,128 @@
+"""Requests that say where to stop."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.dap.arguments import RefusalError
+from crs_cc.debug.dap.breakpoints import ACCESS, Wish, data_id
+from crs_cc.debug.dap.parts import FrameHandle, frame_handle
+from crs_cc.debug.dap.variables import expression_of
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.world.events import KINDS
+
+if TYPE_CHECKING:
+    from crs_cc.debug.dap.arguments import Arguments
+    from crs_cc.debug.dap.framing import Message
+    from crs_cc.debug.dap.session import EditorSession
+
+_TOO_FINE: Final = frozenset({"tick", "bumper-pressed", "bumper-released"})
+
+FILTERS: Final[list[Message]] = [
+    {
+        "filter": kind,
+        "label": kind.replace("-", " ").capitalize(),
+        "description": f"Stop when {meaning}.",
+        "default": False,
+        "supportsCondition": True,
+        "conditionDescription": "a C expression in the robot's program",
+    }
+    for kind, meaning in {"exit": "a program has ended", **KINDS}.items()
+    if kind not in _TOO_FINE
+]
+"""What else can stop a run, as a client offers it. Run-time errors always do."""
+
+
+def set_breakpoints(session: EditorSession, arguments: Arguments) -> Message:
+    """Stops at lines of a file."""
+    file = session.places.key(arguments.object("source"))
+    wishes = [
+        Wish(
+            "line",
+            file,
+            session.places.our_line(each.natural("line")),
+            condition=each.text("condition", ""),
+            hits=each.text("hitCondition", ""),
+            log=each.text("logMessage", ""),
+        )
+        for each in arguments.objects("breakpoints")
+    ]
+    return {"breakpoints": session.breakpoints.replace(session, ("line", file), wishes)}
+
+
+def set_function_breakpoints(session: EditorSession, arguments: Arguments) -> Message:
+    """Stops at functions: the program's, or the robot's."""
+    wishes = [
+        Wish(
+            "function",
+            each.text("name"),
+            condition=each.text("condition", ""),
+            hits=each.text("hitCondition", ""),
+        )
+        for each in arguments.objects("breakpoints")
+    ]
+    return {"breakpoints": session.breakpoints.replace(session, ("function", ""), wishes)}
+
+
+def set_exception_breakpoints(session: EditorSession, arguments: Arguments) -> Message:
+    """Stops at kinds of happenings."""
+    wishes = [Wish("exception", kind) for kind in arguments.texts("filters")]
+    wishes += [
+        Wish("exception", each.text("filterId"), condition=each.text("condition", ""))
+        for each in arguments.objects("filterOptions")
+    ]
+    return {"breakpoints": session.breakpoints.replace(session, ("exception", ""), wishes)}
+
+
+def data_breakpoint_info(session: EditorSession, arguments: Arguments) -> Message:
+    """Tells whether, and as what, an object can be watched."""
+    try:
+        at, expression = _meant(session, arguments)
+        _demand_object(session, at, expression)
+    except (RefusalError, DebugError) as error:
+        return {"dataId": None, "description": str(error)}
+    return {
+        "dataId": data_id(at.robot, at.function, expression),
+        "description": expression,
+        "accessTypes": list(ACCESS),
+        "canPersist": False,
+    }
+
+
+def set_data_breakpoints(session: EditorSession, arguments: Arguments) -> Message:
+    """Stops when objects are changed, or read."""
+    wishes = [
+        Wish(
+            "data",
+            each.text("dataId"),
+            access=each.text("accessType", "write"),
+            condition=each.text("condition", ""),
+            hits=each.text("hitCondition", ""),
+        )
+        for each in arguments.objects("breakpoints")
+    ]
+    if any(wish.access not in ACCESS for wish in wishes):
+        raise RefusalError(f"'accessType' must be {', '.join(ACCESS)}")
+    return {"breakpoints": session.breakpoints.replace(session, ("data", ""), wishes)}
+
+
+def _meant(session: EditorSession, arguments: Arguments) -> tuple[FrameHandle, str]:
+    """Gives the C expression that is to be watched, and where it has its meaning.
+
+    Raises:
+        RefusalError: it is none.
+    """
+    if "variablesReference" in arguments and arguments.integer("variablesReference"):
+        return expression_of(session, arguments)
+    return frame_handle(session, arguments), arguments.text("name")
+
+
+def _demand_object(session: EditorSession, at: FrameHandle, expression: str) -> None:
+    """Makes sure that an expression names an object in memory.
+
+    Raises:
+        DebugError: it does not.
+    """
+    debugger = session.standing()
+    active = None if at.frame is None else debugger.frames(at.robot)[at.frame].active
+    debugger.evaluator(at.robot).place(expression, active)

@@ -1,0 +1,155 @@
+"""Where a program can stop, in the words of a user: a line, a function, a call of the robot.
+
+A line without code stands for the next one that has some. A line or a function stops before its
+first statement; a function of the robot (`ws`, `get_sn`) when its request is posted; another one of
+the library before each statement that calls it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import PurePath
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.core.source import Location
+from crs_cc.core.suggest import unknown
+from crs_cc.debug.calls import calling
+from crs_cc.debug.errors import DebugError
+from crs_cc.ir.names import plain_name
+from crs_cc.requests import CODES
+from crs_cc.robot_api import GROUPS
+from crs_cc.robot_api.device import DEVICE_GROUPS
+
+if TYPE_CHECKING:
+    from crs_cc.debug.program import DebugProgram
+    from crs_cc.runtime.sites import StatementSite
+
+_PLACE: Final = re.compile(r"(?:(?P<file>.+):)?(?:(?P<line>[0-9]{1,9})|(?P<function>[A-Za-z_]\w*))")
+
+POSTS: Final = {
+    function.name: frozenset(CODES[name] for name in function.posts)
+    for group in (*GROUPS, *DEVICE_GROUPS)
+    for function in group.functions
+    if function.posts
+}
+"""The codes of the requests that each function of the robot posts."""
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where programs stop.
+
+    Attributes:
+        statements: by robot, the numbers of the statements before which it stops.
+        codes: the requests that it stops behind, when it is a function of the robot.
+        location: the place in the source; None for a function of the library.
+        function: the name of the function.
+        note: what the user should know: that it is not where he said.
+    """
+
+    statements: Mapping[int, frozenset[int]]
+    codes: frozenset[int]
+    location: Location | None
+    function: str
+    note: str = ""
+
+
+def find_place(
+    text: str, programs: Sequence[DebugProgram], robots: Sequence[int], here: str
+) -> Place:
+    """Finds a place by what the user calls it.
+
+    Args:
+        text: `12`, `wander.c:12`, `turn`, `wander.c:turn`, `ws`.
+        programs: by robot, its program.
+        robots: whose programs are meant.
+        here: the file that a line without one is in.
+
+    Raises:
+        DebugError: there is no such place.
+    """
+    match = _PLACE.fullmatch(text.strip())
+    if match is None:
+        raise DebugError(f"'{text}' is no place: say a line, FILE:LINE, or a function")
+    file = match["file"]
+    sites = {robot: _sites(programs[robot]) for robot in robots}
+    if match["line"]:
+        return _line(sites, file or here, int(match["line"]))
+    return _function(sites, file, match["function"], programs)
+
+
+_Sites = Mapping[int, Sequence["StatementSite"]]
+
+
+def _sites(program: DebugProgram) -> Sequence[StatementSite]:
+    return program.executable.detail().compiled.statements
+
+
+def _line(sites: _Sites, file: str, line: int) -> Place:
+    own = {
+        robot: [
+            (site.location.line, number)
+            for number, site in enumerate(rows)
+            if is_file(site.location.file, file)
+        ]
+        for robot, rows in sites.items()
+    }
+    lines = {each for rows in own.values() for each, _ in rows}
+    if not lines:
+        files = sorted({site.location.file for rows in sites.values() for site in rows})
+        raise DebugError(unknown("file with code", file, files))
+    later = [each for each in lines if each >= line]
+    if line < 1 or not later:
+        raise DebugError(f"{file} has no code at line {line} or behind it")
+    found = min(later)
+    statements = {
+        robot: _firsts(sites[robot], [number for each, number in rows if each == found])
+        for robot, rows in own.items()
+    }
+    robot, number = next((each, min(of)) for each, of in statements.items() if of)
+    site = sites[robot][number]
+    note = "" if found == line else f"line {line} has no code; moved to line {found}"
+    return Place(statements, frozenset(), site.location, plain_name(site.function), note)
+
+
+def _firsts(sites: Sequence[StatementSite], numbers: Sequence[int]) -> frozenset[int]:
+    """Gives the first statement of each function among some."""
+    first: dict[str, int] = {}
+    for number in sorted(numbers, key=lambda each: sites[each].location):
+        first.setdefault(sites[number].function, number)
+    return frozenset(first.values())
+
+
+def _function(
+    sites: _Sites, file: str | None, name: str, programs: Sequence[DebugProgram]
+) -> Place:
+    statements, location = {}, None
+    for robot, rows in sites.items():
+        numbers = [
+            number
+            for number, site in enumerate(rows)
+            if plain_name(site.function) == name
+            and (file is None or is_file(site.location.file, file))
+        ]
+        statements[robot] = _firsts(rows, numbers)
+        for number in statements[robot]:
+            location = location or rows[number].location
+    if location is not None:
+        return Place(statements, frozenset(), location, name)
+    if name in POSTS and file is None:
+        return Place({}, POSTS[name], None, name)
+    calls = {robot: calling(programs[robot], name) for robot in sites}
+    if file is None and any(calls.values()):
+        return Place(
+            calls, frozenset(), None, name, f"stops before each statement that calls '{name}'"
+        )
+    names = sorted({plain_name(site.function) for rows in sites.values() for site in rows})
+    raise DebugError(unknown("function with code", name, names))
+
+
+def is_file(file: str, wanted: str) -> bool:
+    """Tells whether a user means a file: by its whole path, or the end of it."""
+    parts, own = PurePath(wanted).parts, PurePath(file).parts
+    return bool(parts) and own[-len(parts) :] == parts

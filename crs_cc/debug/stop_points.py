@@ -1,0 +1,213 @@
+"""What a run stops at: breakpoints, watchpoints and catchpoints, with their conditions."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, Final
+
+from crs_cc.core.suggest import unknown
+from crs_cc.debug.breakpoints import Breakpoint, Breakpoints, Hit, Kind
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.locations import Place, find_place
+from crs_cc.debug.view import View
+from crs_cc.debug.watch import KINDS, MOST
+from crs_cc.debug.watch import Kind as Access
+from crs_cc.debug.watchpoints import same_activation, told, watchpoint
+from crs_cc.debug.world.events import checked_kind
+
+if TYPE_CHECKING:
+    from crs_cc.debug.timeline.run import Run
+
+_BRACES: Final = re.compile(r"\{([^{}]*)\}")
+
+
+class Points(View):
+    """A run with all that the user wants it to stop at.
+
+    Attributes:
+        breakpoints: all breakpoints, watchpoints and catchpoints.
+        say: takes what log points say.
+    """
+
+    def __init__(self, run: Run) -> None:
+        """Begins without any."""
+        super().__init__(run)
+        self.breakpoints = Breakpoints()
+        self.say: Callable[[str], None] = _unheard
+
+    def add_breakpoint(self, place: str, **options: Any) -> Breakpoint:
+        """Adds a breakpoint.
+
+        Args:
+            place: see `places.find_place`.
+            options: further attributes of the `Breakpoint`: `condition`, `ignore`, `temporary`,
+                `robot`, `log`.
+
+        Raises:
+            DebugError: there is no such place, or the condition is no expression there.
+        """
+        robot = options.get("robot")
+        here = self.current_file(robot)
+        robots = range(len(self.run.programs)) if robot is None else [robot]
+        found = find_place(place, self.run.programs, robots, here)
+        return self._add("breakpoint", place, found, options)
+
+    def add_catchpoint(self, what: str, **options: Any) -> Breakpoint:
+        """Adds a catchpoint for a kind of happenings, or for the `exit` of a program.
+
+        Raises:
+            DebugError: there is no such kind.
+        """
+        if what == "error":
+            raise DebugError("nothing is needed for errors: they always stop the run")
+        kind = what if what == "exit" else checked_kind(what)
+        return self._add("catchpoint", kind, None, options)
+
+    def add_watchpoint(
+        self, expression: str, kind: Access = "change", **options: Any
+    ) -> Breakpoint:
+        """Adds a watchpoint for an object in the memory of a robot.
+
+        Forward, the run stops before the next statement behind an access; backward, before the
+        statement that made it.
+
+        Args:
+            expression: what names the object, looked at from where the user is.
+            kind: which accesses count: `write`, `read`, both (`access`), or those that `change` it.
+            options: further attributes of the `Breakpoint`.
+
+        Raises:
+            DebugError: it names no object, or there are too many to be watched.
+        """
+        robot = self.robot if options.get("robot") is None else options["robot"]
+        if kind not in KINDS:
+            raise DebugError(unknown("kind of access", kind, list(KINDS)))
+        active, evaluator = self._active(robot, None), self.evaluator(robot)
+        if active is not None and options.get("condition"):
+            evaluator.check(options["condition"], active.function, active.location)
+        made = watchpoint(self.breakpoints.next_number, expression, kind, evaluator, active)
+        self._make_room(robot)
+        return self.breakpoints.add(
+            lambda number: Breakpoint(
+                number, "watchpoint", expression, watch=made, **{**options, "robot": robot}
+            )
+        )
+
+    def _make_room(self, robot: int) -> None:
+        """Finds out whether one more object can be watched."""
+        if len(self.breakpoints.watched(robot)) >= MOST:
+            name = self.names[robot]
+            raise DebugError(
+                f"no more than {MOST} objects of {name} can be watched at once: delete a"
+                " watchpoint, or watch a whole struct or array"
+            )
+
+    def _add(
+        self, kind: Kind, text: str, place: Place | None, options: Mapping[str, Any]
+    ) -> Breakpoint:
+        self._check(place, options.get("condition", ""))
+        return self.breakpoints.add(lambda number: Breakpoint(number, kind, text, place, **options))
+
+    def remove(self, number: int) -> None:
+        """Takes a breakpoint away.
+
+        Raises:
+            DebugError: there is no such one.
+        """
+        self.breakpoints.remove(number)
+
+    def enable(self, number: int, *, on: bool = True) -> None:
+        """Lets a breakpoint count, or not.
+
+        Raises:
+            DebugError: there is no such one.
+        """
+        own = self.breakpoints.get(number)
+        if on and own.watch and not own.enabled and own.robot is not None:
+            self._make_room(own.robot)
+        own.enabled = on
+
+    def ignore(self, number: int, count: int) -> None:
+        """Passes over the next hits of a breakpoint.
+
+        Raises:
+            DebugError: there is no such one.
+        """
+        self.breakpoints.get(number).ignore = max(0, count)
+
+    def set_condition(self, number: int, condition: str) -> None:
+        """Lets a breakpoint stop only where a condition is true; an empty one always is.
+
+        Raises:
+            DebugError: there is no such one, or the condition is no expression there.
+        """
+        own = self.breakpoints.get(number)
+        self._check(own.place, condition)
+        own.condition = condition
+
+    def _check(self, place: Place | None, condition: str) -> None:
+        """Finds out whether a condition will mean something where it is asked for."""
+        if not condition or place is None:
+            return
+        for robot, numbers in place.statements.items():
+            sites = self.run.programs[robot].executable.detail().compiled.statements
+            for number in numbers:
+                site = sites[number]
+                self.evaluator(robot).check(condition, site.function, site.location)
+
+    def accepts(self, hit: Hit, counts: bool) -> tuple[bool, str]:
+        """Tells whether a breakpoint that was met stops the run, and what to say then."""
+        own = hit.breakpoint
+        if hit.touch and hit.touch.access.what == "return":
+            return True, ""
+        if own.condition:
+            try:
+                if not self._holds(own, self._whose(hit)):
+                    return False, ""
+            except DebugError as error:
+                return True, f"the condition of breakpoint {own.number} has no value: {error}"
+        if counts:
+            own.hits += 1
+            if own.ignore:
+                own.ignore -= 1
+                return False, ""
+            if own.log:
+                self.say(self._logged(own.log, self._whose(hit)))
+        return not own.log, ""
+
+    def _whose(self, hit: Hit) -> int:
+        """Gives the robot in whose program a breakpoint's expressions are evaluated."""
+        if hit.robot >= 0:
+            return hit.robot
+        own = hit.breakpoint.robot  # what was met is of no robot
+        return self.robot if own is None else own
+
+    def _holds(self, own: Breakpoint, robot: int) -> bool:
+        """Tells whether a condition is true: that of a variable's watchpoint in its function."""
+        frame = own.watch.watched.frame if own.watch else None
+        stack = self.run.stopped(robot).stack if frame else ()
+        same = next((each for each in stack if frame and same_activation(each, frame)), None)
+        return self.evaluator(robot).holds(own.condition, same)
+
+    def told_of(self, hit: Hit) -> str:
+        """Says what happened to what is watched."""
+        assert hit.touch is not None
+        assert hit.breakpoint.watch is not None
+        return told(hit.breakpoint.watch, hit.touch.access, self.evaluator(hit.robot).sight())
+
+    def _logged(self, text: str, robot: int) -> str:
+        """Gives a log point's text with the values of the expressions in braces."""
+
+        def value(match: re.Match[str]) -> str:
+            try:
+                frame = self.first_own_frame(robot)
+                return self.look_up(match[1], robot=robot, frame=frame).text
+            except DebugError as error:
+                return f"<{error}>"
+
+        return _BRACES.sub(value, text)
+
+
+def _unheard(_text: str) -> None:
+    """Takes what nobody wants to hear."""

@@ -1,0 +1,184 @@
+"""Many snapshots in little memory: what did not change from one to the next is held once.
+
+Large arrays and byte strings are cut into chunks, and equal chunks are one: of a program's memory a
+timestep changes a few chunks, and robots that run the same program have most of theirs in common.
+What snapshots share as objects, they go on sharing. All that is held is counted, so that `size`
+says what would be free if everything were dropped.
+
+>>> store = Store()
+>>> first = store.take((np.zeros(5 * CHUNK, np.uint8), "a name"))
+>>> second = store.take((np.arange(5 * CHUNK) // CHUNK == 4, "a name"))
+>>> store.size < 3 * CHUNK, store.give(second)[0].sum()
+(True, np.int64(4096))
+>>> store.drop(first)
+>>> store.drop(second)
+>>> store.size
+0
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Hashable
+from dataclasses import dataclass, fields, is_dataclass
+from functools import cache
+from typing import Any, Final, cast
+
+import numpy as np
+
+from crs_cc.runtime.executable import Executable
+from crs_cc.runtime.pages import CHUNK
+from crs_cc.sim.model.world import WorldModel
+
+_HELD: Final = 112
+"""What it takes to hold something once, about, besides the thing itself [bytes]; measured."""
+_SMALL: Final = 32
+"""What something takes that is not looked into, about [bytes]."""
+
+_NO_STATE: Final = (WorldModel, Executable)
+"""What the run has anyway: snapshots only say which."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Chunked:
+    """A large array, or a large byte string (of no type), in chunks."""
+
+    dtype: np.dtype[Any] | None
+    shape: tuple[int, ...]
+    chunks: tuple[bytes, ...]
+
+
+@dataclass(slots=True)
+class _Held:
+    """Something that is held once.
+
+    Attributes:
+        value: the thing itself, so that its `id` stays its own.
+        size: what it takes by itself [bytes].
+        uses: how many hold it.
+    """
+
+    value: Any
+    size: int
+    uses: int
+
+
+class Store:
+    """Snapshots that share what they have in common.
+
+    A snapshot is made of dataclasses, tuples, dictionaries, arrays and byte strings, and is never
+    changed. Whatever else is in it takes the room of a small object.
+
+    Attributes:
+        size: what is held [bytes].
+        most_bytes: what those who use it keep to [bytes].
+    """
+
+    def __init__(self, most_bytes: int = 0) -> None:
+        self.size = 0
+        self.most_bytes = most_bytes
+        self._chunks: dict[bytes, _Held] = {}
+        self._objects: dict[int, _Held] = {}
+
+    def take(self, value: Any) -> Any:
+        """Takes a snapshot; gives what stands for it here."""
+        held = self._objects.get(id(value))
+        if held is not None:
+            held.uses += 1
+            return value
+        if isinstance(value, np.ndarray):
+            small = value.nbytes < CHUNK
+            return (
+                self._hold(value) if small else self._cut(value.tobytes(), value.dtype, value.shape)
+            )
+        if isinstance(value, bytes):
+            return self._hold(value) if len(value) < CHUNK else self._cut(value, None, ())
+        parts = _parts(value)
+        if parts is None:
+            self.size += _SMALL
+            return value
+        taken = [self.take(part) for part in parts]
+        if any(one is not other for one, other in zip(taken, parts, strict=True)):
+            value = _made_of(value, taken)
+        return self._hold(value)
+
+    def give(self, taken: Any) -> Any:
+        """Gives the snapshot back that something stands for; it stays here as well."""
+        if isinstance(taken, _Chunked):
+            content = b"".join(taken.chunks)
+            if taken.dtype is None:
+                return content
+            return np.frombuffer(content, taken.dtype).reshape(taken.shape)
+        parts = _parts(taken)
+        if parts is None:
+            return taken
+        given = [self.give(part) for part in parts]
+        same = all(one is other for one, other in zip(given, parts, strict=True))
+        return taken if same else _made_of(taken, given)
+
+    def drop(self, taken: Any) -> None:
+        """Forgets a snapshot, but for what others share with it."""
+        held = self._objects.get(id(taken))
+        if held is None:
+            self.size -= _SMALL
+            return
+        held.uses -= 1
+        if held.uses:
+            return
+        del self._objects[id(taken)]
+        self.size -= held.size
+        for chunk in taken.chunks if isinstance(taken, _Chunked) else ():
+            self._drop_chunk(chunk)
+        for part in () if isinstance(taken, _Chunked) else _parts(taken) or ():
+            self.drop(part)
+
+    def _hold(self, value: Any) -> Any:
+        size = sys.getsizeof(value) + _HELD
+        self.size += size
+        self._objects[id(value)] = _Held(value, size, 1)
+        return value
+
+    def _cut(self, content: bytes, dtype: np.dtype[Any] | None, shape: tuple[int, ...]) -> Any:
+        cuts = range(0, len(content), CHUNK)
+        chunks = tuple(self._take_chunk(content[cut : cut + CHUNK]) for cut in cuts)
+        return self._hold(_Chunked(dtype, shape, chunks))
+
+    def _take_chunk(self, chunk: bytes) -> bytes:
+        held = self._chunks.get(chunk)
+        if held is None:
+            held = self._chunks[chunk] = _Held(chunk, sys.getsizeof(chunk) + _HELD, 0)
+            self.size += held.size
+        held.uses += 1
+        return held.value  # type: ignore[no-any-return]
+
+    def _drop_chunk(self, chunk: bytes) -> None:
+        held = self._chunks[chunk]
+        held.uses -= 1
+        if not held.uses:
+            del self._chunks[chunk]
+            self.size -= held.size
+
+
+@cache
+def _names(kind: Hashable) -> tuple[str, ...] | None:
+    """Gives the names of the fields of a dataclass, None for any other type."""
+    return tuple(each.name for each in fields(kind)) if is_dataclass(kind) else None
+
+
+def _parts(value: Any) -> list[Any] | None:
+    """Gives what something is made of; None for what is not looked into."""
+    if isinstance(value, tuple):
+        return list(value)
+    if isinstance(value, dict):
+        return list(value.values())
+    names = None if isinstance(value, _NO_STATE) else _names(cast("Hashable", type(value)))
+    return None if names is None else [getattr(value, name) for name in names]
+
+
+def _made_of(value: Any, parts: list[Any]) -> Any:
+    """Gives the like of something, made of other parts."""
+    if isinstance(value, tuple):
+        return tuple(parts)
+    if isinstance(value, dict):
+        return dict(zip(value, parts, strict=True))
+    return type(value)(*parts)

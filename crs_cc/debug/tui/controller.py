@@ -1,0 +1,161 @@
+"""The debugger's side of the screen: does commands, and takes a look at where the run stands then.
+
+Commands are those of the one table; the screen has none of its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Final
+
+from rich.style import Style
+from rich.text import Text
+
+from crs_cc.debug.commands.command import Line, SourceLine
+from crs_cc.debug.commands.complete import complete
+from crs_cc.debug.commands.shell import Shell
+from crs_cc.debug.commands.table import matching
+from crs_cc.debug.errors import DebugError
+from crs_cc.debug.tui.printable import printable
+from crs_cc.debug.tui.screen_data import Look, Written
+from crs_cc.debug.tui.snapshot_builder import gather, written
+from crs_cc.debug.tui.streams import Streams
+from crs_cc.debug.tui.work import Done, Order
+
+if TYPE_CHECKING:
+    from crs_cc.debug.engine import Debugger
+    from crs_cc.debug.timeline.position import Position
+
+_STYLES: Final = {
+    "stop": Style(bold=True),
+    "place": Style(color="cyan"),
+    "log": Style(color="magenta"),
+}
+"""By kind of line; others are plain."""
+
+_MOST_LINES: Final = 1000
+"""Lines of an answer that are shown; chosen by us: more than anybody reads."""
+
+
+class Desk:
+    """Works on a debugger for the screen.
+
+    Attributes:
+        shell: the debugger's command line.
+    """
+
+    def __init__(self, debugger: Debugger, streams: Streams, scripts: Iterable[str] = ()) -> None:
+        """Takes a debugger.
+
+        Args:
+            debugger: the debugger.
+            streams: what its programs read from, and write to.
+            scripts: commands to be done before anybody is asked.
+        """
+        self.shell = Shell(debugger)
+        self._streams = streams
+        self._scripts = scripts
+        self._has_begun = False
+        self._works = False
+        self._is_interrupted = False
+        self._look = Look()
+
+    def interrupt(self) -> None:
+        """Makes what is being done come to an end; from any thread."""
+        self._is_interrupted = True
+        self.shell.debugger.interrupt()
+        self._streams.end()
+
+    @property
+    def time_s(self) -> float:
+        """How far the run is [s], also while it goes on; from any thread."""
+        return self.shell.debugger.session.time_s
+
+    def listen(self, asked: Callable[[str], None]) -> None:
+        """Says whom to tell that a robot's program, by its name, waits for a line of input."""
+        self._streams.asks = lambda robot: asked(self.shell.debugger.names[robot])
+
+    def give(self, line: str | None) -> None:
+        """Gives the program that waits a line; None for the end of its input."""
+        self._streams.give(b"" if line is None else f"{line}\n".encode())
+
+    def take_output(self) -> tuple[Written, ...]:
+        """Gives what has been written since this was last asked for."""
+        return tuple(written(self.shell.debugger.names, self._streams.take()))
+
+    def complete(self, line: str) -> Sequence[str]:
+        """Gives what a line may become; while something runs, by the names of commands alone."""
+        if self._works:
+            return list(matching(line))
+        completion = complete(self.shell, line)
+        return [line[: completion.start] + word for word in completion.words]
+
+    def do(self, order: Order) -> Done:
+        """Does an order; whatever goes wrong is a line of the answer."""
+        self._works = True
+        self._streams.take()  # the look before has shown it
+        debugger = self.shell.debugger
+        # An interrupt that came too late for the order before is none of this one.
+        self._is_interrupted = False
+        debugger.forget_interrupt()
+        before, looked_at = debugger.position, (debugger.robot, debugger.frame)
+        answer, errors = Text(), list[str]()
+        try:
+            self._answer(order, before, answer, errors)
+            if (debugger.position, (debugger.robot, debugger.frame)) != (before, looked_at):
+                order = replace(order, file="")
+            self._look = gather(self.shell, order)
+        except DebugError as error:  # of the look: the files are not any more what they were
+            errors.append(str(error))
+        except Exception as error:
+            errors.append(f"internal error: {type(error).__name__}: {error}; please report it")
+        finally:
+            self._works = False
+        has_moved = debugger.position != before
+        leaves, prompt = self.shell.has_ended, self.shell.prompt
+        return Done(self._look, answer, tuple(errors), has_moved, leaves, prompt)
+
+    def _answer(self, order: Order, before: Position, answer: Text, errors: list[str]) -> None:
+        count = 0
+        for line in self._lines(order):
+            count += 1
+            if isinstance(line, Line) and line.kind == "error":
+                errors.append(line.text)
+            elif (
+                isinstance(line, SourceLine)
+                and line.is_current
+                and self.shell.debugger.position != before
+            ):
+                continue  # the source is on the screen
+            elif count <= _MOST_LINES:
+                answer.append("\n" if answer.plain else "")
+                answer.append(_text(line))
+        if count > _MOST_LINES:
+            answer.append(f"\n... and {count - _MOST_LINES} lines more")
+
+    def _begin(self) -> Iterator[Line | SourceLine]:
+        try:
+            for line in self._scripts:
+                if self.shell.has_ended:
+                    return
+                if self._is_interrupted:
+                    yield Line("the script is left where it was interrupted", "error")
+                    return
+                yield from self.shell.execute(line or "#")
+        except DebugError as error:  # a script that cannot be read
+            yield Line(str(error), "error")
+
+    def _lines(self, order: Order) -> Iterator[Line | SourceLine]:
+        if not self._has_begun:
+            self._has_begun = True
+            yield from self.shell.greet()
+            yield from self._begin()
+        if order.line is not None:
+            yield from self.shell.execute(order.line)
+
+
+def _text(line: Line | SourceLine) -> Text:
+    if isinstance(line, SourceLine):
+        return Text(printable(line.text))
+    return Text(printable(line.text.expandtabs()), _STYLES.get(line.kind, Style()))

@@ -1,0 +1,135 @@
+"""What has happened in a run, and where its robots have been: for time lines and maps.
+
+It is known of every timestep that has ever been run, also of those ahead once the run has gone
+back: they come again as they were, unless the user changes something.
+"""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.debug.world.events import KINDS, Happening, happenings
+
+if TYPE_CHECKING:
+    from crs_cc.sim.engine.environment import Environment
+    from crs_cc.sim.engine.step import Step
+
+FloatArray = npt.NDArray[np.float64]
+
+_KINDS: Final = tuple(kind for kind in KINDS if kind != "tick" and "-" not in kind)
+_MOST_HAPPENINGS: Final = 20_000
+"""More are not kept: the older half goes. Chosen by us, some megabytes."""
+_MOST_POSES: Final = 2_000
+"""Points of a path; when there are more, every second one goes. Chosen by us: a map has less."""
+_PUSHED: Final = 2.0
+_PUSHED_M: Final = 0.1
+"""How much farther than it can drive a robot may be pushed; what gets farther was carried. Chosen
+by us."""
+
+
+class Chronicle:
+    """What happened in each timestep of a branch of a run.
+
+    Attributes:
+        timesteps: how many timesteps are known.
+    """
+
+    def __init__(self) -> None:
+        """Knows nothing yet."""
+        self.timesteps = 0
+        self._happened: list[tuple[int, Happening]] = []
+        self._stride = 1
+        self._poses: list[tuple[int, FloatArray]] = []  # at the end of every `stride`th timestep
+        self._farthest_m: FloatArray = np.zeros(0)  # that each robot drives in a timestep
+
+    def hear(self, step: Step, environment: Environment) -> None:
+        """Takes what happened in a timestep that has just ended, unless it is known."""
+        if step.cycle < self.timesteps:
+            return
+        self.timesteps = step.cycle + 1
+        if _is_eventful(step):
+            for each in happenings(step, environment.world, _KINDS):
+                self._add(step.cycle, each)
+        if step.cycle % self._stride == 0:
+            self._take_poses(step.cycle, environment)
+
+    def note(self, timestep: int, happening: Happening) -> None:
+        """Takes something else that happened in a timestep, once."""
+        if (timestep, happening) not in self._happened:
+            self._add(timestep, happening)
+
+    def _add(self, timestep: int, happening: Happening) -> None:
+        self._happened.append((timestep, happening))
+        if len(self._happened) > _MOST_HAPPENINGS:
+            del self._happened[: _MOST_HAPPENINGS // 2]
+
+    def _take_poses(self, timestep: int, environment: Environment) -> None:
+        state, robots = environment.state, environment.world.robots
+        if len(self._farthest_m) != len(robots):
+            limits_mps = [robot.model.drive.wheels.speed_limit for robot in robots]
+            self._farthest_m = np.array(limits_mps) * environment.timestep_s
+        places = np.column_stack([state.x_m, state.y_m])
+        places[~state.presence.present] = np.nan
+        self._poses.append((timestep, places))
+        if len(self._poses) > _MOST_POSES:
+            self._stride *= 2
+            self._poses = [each for each in self._poses if each[0] % self._stride == 0]
+
+    def happenings(self) -> Sequence[Happening]:
+        """Gives what has happened, by time; also ahead of where the run is."""
+        return sorted((each for _, each in self._happened), key=lambda each: each.time_s)
+
+    def contacts(self, timestep: int) -> list[tuple[int, float, float]]:
+        """Gives the robot and the place [m] of what was touched before a timestep."""
+        return [
+            (each.robot, *each.place)
+            for at, each in self._happened
+            if at < timestep and each.place is not None
+        ]
+
+    def paths(self, timestep: int) -> list[FloatArray]:
+        """Gives where each robot has been [m] before a timestep, (n, 2) each.
+
+        A row of NaN parts places between which it did not drive, but was carried.
+        """
+        known = [(at, places) for at, places in self._poses if at < timestep]
+        if not known:
+            return []
+        robots = max(len(places) for _, places in known)
+        return [self._path(known, robot) for robot in range(robots)]
+
+    def _path(self, known: Sequence[tuple[int, FloatArray]], robot: int) -> FloatArray:
+        rows = [(at, *places[robot]) for at, places in known if robot < len(places)]
+        path = np.array(rows).reshape(-1, 3)
+        path = path[~np.isnan(path[:, 1])]
+        timesteps, ways = np.diff(path[:, 0]), np.diff(path[:, 1:], axis=0)
+        farthest_m = _PUSHED * self._farthest_m[robot] * timesteps + _PUSHED_M
+        jumps = np.flatnonzero(np.hypot(ways[:, 0], ways[:, 1]) > farthest_m)
+        return np.insert(path[:, 1:], jumps + 1, np.nan, axis=0)
+
+    def forget(self, timestep: int) -> None:
+        """Forgets a timestep and all behind it, as they will be others."""
+        self.timesteps = min(self.timesteps, timestep)
+        self._happened = [each for each in self._happened if each[0] < timestep]
+        self._poses = [each for each in self._poses if each[0] < timestep]
+
+    def fork(self, timestep: int) -> Chronicle:
+        """Gives one of its own that knows the timesteps before this one."""
+        other = copy.copy(self)
+        other.forget(timestep)
+        return other
+
+
+def _is_eventful(step: Step) -> bool:
+    return bool(
+        step.events
+        or len(step.contacts.robot)
+        or len(step.traffic)
+        or step.pressed.any()
+        or step.released.any()
+    )

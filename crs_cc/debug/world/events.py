@@ -1,0 +1,189 @@
+"""What happens in the world in a timestep: what catchpoints can wait for, and time lines show.
+
+All of it follows from the timestep's `Step` and the world's constants, so it is the same whenever
+the timestep is run again. What comes of a `Step` is asked for by kind, and kinds that are parts of
+another one are caught by its name, too: `message` catches `message-lost`.
+
+>>> from crs_cc.sim.engine.environment import Environment
+>>> from crs_cc.sim.files.world_xml import empty_world
+>>> environment = Environment(empty_world(), seed=1)
+>>> step = environment.step()
+>>> [each.text for each in happenings(step, environment.world, ["tick", "collision"])]
+['timestep 0 ended']
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from crs_cc.core.suggest import unknown
+from crs_cc.debug.errors import DebugError
+from crs_cc.sim.comms import message_log
+from crs_cc.sim.comms.message_log import Fate
+from crs_cc.sim.state import events
+
+if TYPE_CHECKING:
+    from crs_cc.sim.engine.step import Step
+    from crs_cc.sim.model.robot import RobotModel
+    from crs_cc.sim.model.world import WorldModel
+
+KINDS: Final = {
+    "tick": "a timestep ended",
+    "collision": "a robot began to touch something",
+    "bumper": "a switch of a robot's bumper was pressed or released",
+    "bumper-pressed": "a switch was pressed",
+    "bumper-released": "a switch was released",
+    "message": "a message was sent, arrived or got lost; a way of messages was shut or opened",
+    "message-sent": "a program sent a message",
+    "message-arrived": "a message came into an inbox, as it was sent",
+    "message-corrupted": "a message came into an inbox with other bytes than were sent",
+    "message-lost": "a message never came into an inbox",
+    "message-way": "a way of messages was shut or opened",
+    **{kind: text for kind, text in events.KINDS.items() if kind != "message"},
+}
+"""The kinds of happenings, and what each means; the names of catchpoints."""
+
+_FATES: Final = {
+    Fate.SENT: "message-sent",
+    Fate.DELIVERED: "message-arrived",
+    Fate.CORRUPTED: "message-corrupted",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Happening:
+    """Something that happened in the world.
+
+    Attributes:
+        time_s: when.
+        kind: one of `KINDS`.
+        robot: the number of the robot that it happened to, -1 for none.
+        text: what happened, a sentence for people, with the robot's name.
+        place: where it happened [m], if that is a place.
+    """
+
+    time_s: float
+    kind: str
+    robot: int
+    text: str
+    place: tuple[float, float] | None = None
+
+
+def checked_kind(name: str) -> str:
+    """Gives the name of a kind of happenings.
+
+    Raises:
+        DebugError: there is no such kind.
+    """
+    if name not in KINDS:
+        raise DebugError(unknown("kind of happenings", name, ("exit", *KINDS)))
+    return name
+
+
+def is_of(kind: str, wanted: Iterable[str]) -> bool:
+    """Tells whether a kind is among those wanted, or a part of one of them.
+
+    >>> is_of("message-lost", ["message"]), is_of("message-lost", ["message-sent"])
+    (True, False)
+    """
+    return any(kind == each or kind.startswith(f"{each}-") for each in wanted)
+
+
+def happenings(step: Step, world: WorldModel, wanted: Sequence[str]) -> list[Happening]:
+    """Gives what happened in a timestep, by time.
+
+    Args:
+        step: the timestep, which has ended.
+        world: the constants of the world it was a step of.
+        wanted: the kinds that are asked for.
+    """
+    if not wanted:
+        return []
+    groups = {kind.partition("-")[0] for kind in wanted}
+    found = [
+        each
+        for group, source in _SOURCES
+        if group in groups or not group
+        for each in source(step, world)
+        if is_of(each.kind, wanted)
+    ]
+    return sorted(found, key=lambda each: each.time_s)
+
+
+def _collisions(step: Step, world: WorldModel) -> Iterator[Happening]:
+    """Gives the contacts that began: somewhere in the timestep, they are felt at its end."""
+    contacts, end_s = step.contacts, step.time_s + world.timestep_s
+    rows = (contacts.robot, contacts.other, contacts.x_m, contacts.y_m)
+    for robot, other, x_m, y_m in zip(*(row.tolist() for row in rows), strict=True):
+        text = f"{step.names[robot]} touched {step.names[other]} at {x_m:.3f}, {y_m:.3f} m"
+        yield Happening(end_s, "collision", robot, text, (x_m, y_m))
+
+
+def _bumpers(step: Step, world: WorldModel) -> Iterator[Happening]:
+    end_s = step.time_s + world.timestep_s
+    changes = (("pressed", step.pressed), ("released", step.released))
+    for word, bits in changes:
+        for robot in np.flatnonzero(bits).tolist():
+            for switch in switches(int(bits[robot]), world.robots[robot].model):
+                text = f"{step.names[robot]}'s {switch} was {word}"
+                yield Happening(end_s, f"bumper-{word}", robot, text)
+
+
+def switches(bits: int, model: RobotModel) -> Iterator[str]:
+    """Gives the names of switches of a robot, from the bits of `State[33]`."""
+    for switch in model.bumpers:
+        if bits >> switch.bit & 1:
+            yield f"bumper {switch.bit} ({side(switch.bearing_rad)})"
+
+
+def side(bearing_rad: float) -> str:
+    """Gives a direction as seen from a robot in words.
+
+    >>> [side(math.radians(angle)) for angle in (0, 90, 45, 180, -90, 315)]
+    ['ahead', 'left', 'ahead left', 'behind', 'right', 'ahead right']
+    """
+    octant = round(bearing_rad / (math.pi / 4)) % 8
+    return (
+        "ahead", "ahead left", "left", "behind left",
+        "behind", "behind right", "right", "ahead right",
+    )[octant]  # fmt: skip
+
+
+def _messages(step: Step, world: WorldModel) -> Iterator[Happening]:
+    if not len(step.traffic):
+        return
+    channels = [channel.name for channel in world.communication.channels]
+    robots = [robot.id for robot in world.robots]
+    fates = step.traffic["fate"].tolist()
+    for fate, event in zip(fates, message_log.events(step.traffic, channels, robots), strict=True):
+        kind = _FATES.get(Fate(fate), "message-lost")
+        yield Happening(event.time_s, kind, event.robot, event.text)
+
+
+def _events(step: Step, _world: WorldModel) -> Iterator[Happening]:
+    for event in step.events:
+        kind = "message-way" if event.kind == "message" else event.kind
+        text = f"{step.names[event.robot]} {event.text}" if event.robot >= 0 else event.text
+        if kind == "degradation":  # its own id is what the sentence is about
+            text = f"{step.names[event.robot]}: {event.text}"
+        yield Happening(event.time_s, kind, event.robot, text)
+
+
+def _ticks(step: Step, world: WorldModel) -> Iterator[Happening]:
+    end_s = step.time_s + world.timestep_s
+    yield Happening(end_s, "tick", -1, f"timestep {step.cycle} ended")
+
+
+_SOURCES: Final[tuple[tuple[str, Callable[[Step, WorldModel], Iterator[Happening]]], ...]] = (
+    ("", _events),  # of all kinds that are not below, and ways of messages
+    ("message", _messages),
+    ("collision", _collisions),
+    ("bumper", _bumpers),
+    ("tick", _ticks),
+)
+"""What tells of happenings of which kind; those of one instant come in this order."""

@@ -1,0 +1,306 @@
+"""A map of the world in characters: what stands where, the robots, their ways, what one senses.
+
+x goes to the right and y goes up, as in the world file, at the same scale. Walls are drawn in the
+colour of the terminal's text, things in theirs, each robot in its own with its heading: an arrow,
+or where there is room its outline. It can be drawn anywhere, from 10 by 4 cells on.
+
+>>> from crs_cc.sim.engine.environment import Environment
+>>> from crs_cc.sim.files.world_xml import parse_world
+>>> environment = Environment(parse_world(b'''<world version="1"><area length="4m" width="4m"/>
+...   <robot x="1m" y="2m"/></world>''', "room"), seed=1)
+>>> for row in Chart(environment, View.whole(environment, 11, 6)).pieces:
+...     print("".join(text for text, _ in row).rstrip())
+⡖⠒⠒⠒⠒⠒⠒⠒⠒⠒⢲
+⡇         ⢸
+⡇ ⣀→      ⢸
+⡇ ⠈⠃      ⢸
+⡇╶─╴ 1 m  ⢸
+⠧⠤⠤⠤⠤⠤⠤⠤⠤⠤⠼
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import product
+from typing import TYPE_CHECKING, Final, Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core.quantity import round_length
+from crs_cc.debug.world.canvas import ACROSS, DOWN, Canvas, Pieces
+from crs_cc.sim.engine.robot_colours import colour
+from crs_cc.sim.engine.sensor_overlay import sights
+from crs_cc.sim.model.colours import hexadecimal
+from crs_cc.sim.model.world import PLAIN, Robot, Wall, is_pushable
+
+if TYPE_CHECKING:
+    from rich.text import Text
+
+    from crs_cc.sim.engine.environment import Environment
+    from crs_cc.sim.geometry.scene import Outlines
+    from crs_cc.sim.model.world import Solid
+
+FloatArray = npt.NDArray[np.float64]
+
+_ARROWS: Final = "→↗↑↖←↙↓↘"
+_WALL: Final = ""
+_FIXED: Final = "#8d95a3"
+_MOVABLE: Final = "#d9b88a"
+_SOUND: Final = "#56b4e9"
+_CONTACT: Final = "bold #d1242f"
+_SCALE: Final = "dim"
+_LAMP: Final = "bold #e6b800"
+_BEAMS, _PATHS, _THINGS, _WALLS, _MARKS, _SHELLS, _ROBOTS = range(7)  # ranks
+_OUTLINED: Final = 4.0  # dots: from this radius on a robot is drawn as it is
+_ROUNDED_M: Final = 0.5  # an open world's view does not move with each step
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """What part of the world is seen, and in how many cells.
+
+    Attributes:
+        x_m: the middle of what is seen.
+        y_m: the same.
+        scale: dots for a metre.
+        columns: how many cells there are side by side.
+        rows: and one below the other.
+    """
+
+    x_m: float
+    y_m: float
+    scale: float
+    columns: int
+    rows: int
+
+    @classmethod
+    def whole(
+        cls, environment: Environment, columns: int, rows: int, paths: Sequence[FloatArray] = ()
+    ) -> Self:
+        """Gives a view of a whole world; of an open one all that stands and drives in it.
+
+        Args:
+            environment: the world.
+            columns: cells side by side, at least 1.
+            rows: cells one below the other, at least 1.
+            paths: ways that are to be seen, too.
+        """
+        low, high = _bounds(environment, paths)
+        sides = np.maximum(high - low, 2 * _ROUNDED_M)
+        scale = min((ACROSS * columns - 1) / sides[0], (DOWN * rows - 1) / sides[1])
+        x_m, y_m = ((low + high) / 2).tolist()
+        return cls(x_m, y_m, float(scale), columns, rows)
+
+    @classmethod
+    def around(
+        cls, environment: Environment, robot: int, columns: int, rows: int, across_m: float = 6.0
+    ) -> Self:
+        """Gives a view with a robot in its middle, in which so many metres are seen each way."""
+        state = environment.state
+        scale = min(ACROSS * columns, DOWN * rows) / across_m
+        return cls(float(state.x_m[robot]), float(state.y_m[robot]), scale, columns, rows)
+
+    def dots(self, places_m: FloatArray) -> FloatArray:
+        """Gives where places in the world are on the canvas, (n, 2) each."""
+        x = (places_m[:, 0] - self.x_m) * self.scale + ACROSS * self.columns / 2
+        y = (self.y_m - places_m[:, 1]) * self.scale + DOWN * self.rows / 2
+        return np.column_stack([x, y])
+
+    def cell(self, x_m: float, y_m: float) -> tuple[int, int]:
+        """Gives column and row of the cell that a place lies in, which may be outside."""
+        ((x, y),) = self.dots(np.array([[x_m, y_m]])).tolist()
+        return math.floor(x / ACROSS), math.floor(y / DOWN)
+
+    def place(self, column: int, row: int) -> tuple[float, float]:
+        """Gives the place in the world [m] at the middle of a cell."""
+        x = (column + 0.5) * ACROSS - ACROSS * self.columns / 2
+        y = (row + 0.5) * DOWN - DOWN * self.rows / 2
+        return self.x_m + x / self.scale, self.y_m - y / self.scale
+
+
+class Chart:
+    """A map of a world as it is now.
+
+    Attributes:
+        view: what is seen of it.
+    """
+
+    def __init__(
+        self,
+        environment: Environment,
+        view: View,
+        *,
+        robot: int = -1,
+        paths: Sequence[FloatArray] = (),
+        contacts: Sequence[tuple[int, float, float]] = (),
+    ) -> None:
+        """Draws a world.
+
+        Args:
+            environment: the world.
+            view: what is to be seen of it.
+            robot: whose sensors' echoes are drawn, -1 for none.
+            paths: where each robot has been [m], (n, 2) each, parted by rows of NaN; as many as are
+                known.
+            contacts: number of the robot and place [m] of contacts.
+        """
+        self.view = view
+        self._environment = environment
+        self._canvas = Canvas(view.columns, view.rows)
+        if robot >= 0:
+            self._beams(robot)
+        for number, path in enumerate(paths):
+            self._path(number, path)
+        for outlines in environment.outlines():
+            self._things(outlines)
+        self._lamps()
+        for _, x_m, y_m in contacts:
+            self._canvas.put(*view.cell(x_m, y_m), "✗", _CONTACT, _MARKS)
+        self._robots(np.flatnonzero(environment.state.presence.present))
+        self._scale_bar()
+
+    @property
+    def pieces(self) -> Pieces:
+        """The map, row by row, as texts and their styles."""
+        return self._canvas.pieces()
+
+    @property
+    def text(self) -> Text:
+        """The map as rich text, a line for each row."""
+        from rich.text import Text
+
+        rows = [Text.assemble(*row, no_wrap=True) for row in self.pieces]
+        return Text("\n").join(rows)
+
+    def _beams(self, robot: int) -> None:
+        """Draws the middle of each beam that a robot hears an echo in, and what sends it back."""
+        environment = self._environment
+        for beam in sights(environment.state, environment.world, environment.time_s, robot):
+            dots = self.view.dots(beam.outline)
+            middle = dots[len(dots) // 2] if len(dots) > 2 else dots[1]
+            self._canvas.lines(
+                np.concatenate([dots[0], middle])[None], beam.colour or _SOUND, _BEAMS, gap=3
+            )
+            if len(dots) > 2:
+                self._line(dots[1:], _SOUND, _BEAMS)
+
+    def _path(self, number: int, path_m: FloatArray) -> None:
+        if len(path_m):
+            self._line(self.view.dots(path_m), colour(number), _PATHS)
+
+    def _line(self, dots: FloatArray, style: str, rank: int) -> None:
+        lines = np.concatenate([dots[:-1], dots[1:]], axis=1)
+        self._canvas.lines(lines[np.isfinite(lines).all(axis=1)], style, rank)
+
+    def _things(self, outlines: Outlines) -> None:
+        """Draws what has outlines, robots apart; walls are filled."""
+        things, robots = self._environment.things, len(self._environment.world.robots)
+        is_wall = np.array([isinstance(thing, Wall) for thing in things], np.bool_)
+        starts, ends = (self.view.dots(outlines.segments[:, 2 * n : 2 * n + 2]) for n in (0, 1))
+        lines, owners = np.concatenate([starts, ends], axis=1), outlines.segment_owners
+        walls, others = np.flatnonzero(is_wall[owners]), np.flatnonzero(~is_wall[owners])
+        fill, wall = _filled(lines[walls])
+        self._canvas.lines(fill, self._styles(owners[walls][2 * wall]), _WALLS)
+        self._canvas.lines(lines[others], self._styles(owners[others]), _THINGS)
+        # What a wall's round ends reach beyond it is not much.
+        round_ = np.flatnonzero((outlines.owners >= robots) & ~is_wall[outlines.owners])
+        radii = outlines.circles[round_, 2:] * self.view.scale
+        circles = np.column_stack([self.view.dots(outlines.circles[round_]), radii])
+        self._canvas.circles(circles, self._styles(outlines.owners[round_]), _THINGS)
+
+    def _styles(self, owners: npt.NDArray[np.intp]) -> list[str]:
+        things = self._environment.things
+        return [_style(things[owner]) for owner in owners.tolist()]
+
+    def _lamps(self) -> None:
+        for sign, x_m, y_m in _sources(self._environment):
+            self._canvas.put(*self.view.cell(x_m, y_m), sign, _LAMP, _MARKS)
+
+    def _robots(self, numbers: npt.NDArray[np.intp]) -> None:
+        """Draws robots with their headings, and their numbers where there are several."""
+        state, robots = self._environment.state, self._environment.world.robots
+        styles = [f"bold {colour(number)}" for number in numbers.tolist()]
+        middles = self.view.dots(np.column_stack([state.x_m, state.y_m])[numbers])
+        radii = np.array([robots[number].model.radius_m for number in numbers.tolist()])
+        radii, headings_rad = radii * self.view.scale, state.heading_rad[numbers]
+        self._canvas.circles(np.column_stack([middles, radii]), styles, _SHELLS)
+        ahead = np.column_stack([np.cos(headings_rad), -np.sin(headings_rad)]) * radii[:, None]
+        large = np.flatnonzero(radii >= _OUTLINED)
+        lines = np.concatenate([middles, middles + ahead], axis=1)[large]
+        self._canvas.lines(lines, [styles[each] for each in large.tolist()], _SHELLS)
+        cells = np.floor(middles / (ACROSS, DOWN)).astype(np.intp).tolist()
+        rows = zip(
+            numbers.tolist(), cells, radii.tolist(), headings_rad.tolist(), styles, strict=True
+        )
+        for number, (column, row), radius, heading_rad, style in rows:
+            beside = column + math.ceil(radius / ACROSS)
+            if radius < _OUTLINED:
+                arrow = _ARROWS[round(heading_rad / (math.pi / 4)) % len(_ARROWS)]
+                self._canvas.put(column, row, arrow, style, _ROBOTS)
+                beside += 1
+            if len(robots) > 1:
+                self._canvas.put(beside, row, str(number), style, _MARKS)
+
+    def _scale_bar(self) -> None:
+        """Draws how long a length is, as far down as there is room, left or right."""
+        view = self.view
+        length_m = round_length(view.columns * ACROSS / view.scale / 4)
+        cells = max(1, round(length_m * view.scale / ACROSS))
+        bar = f"╶{'─' * (cells - 2)}╴" if cells > 1 else "─"
+        text = f"{bar} {length_m:g} m"
+        places = product(range(view.rows - 1, -1, -1), (1, 0, view.columns - len(text) - 1))
+        free = (place for place in places if self._canvas.is_free(place[1], place[0], len(text)))
+        row, column = next(free, (-1, 0))
+        self._canvas.put(column, row, text, _SCALE, _MARKS)
+
+
+def _style(thing: Robot | Solid) -> str:
+    """Gives the style of a thing: that of its material, if it has a colour."""
+    if thing.material.colour != PLAIN.colour:
+        return hexadecimal(thing.material.colour)
+    if isinstance(thing, Wall):
+        return _WALL
+    return _MOVABLE if not isinstance(thing, Robot) and is_pushable(thing) else _FIXED
+
+
+def _filled(sides: FloatArray) -> tuple[FloatArray, npt.NDArray[np.intp]]:
+    """Gives lines that fill walls, whose two sides follow each other, in dots.
+
+    Returns:
+        the lines, (n, 4), and which wall each is of, (n,).
+    """
+    there, back = sides[0::2], sides[1::2][:, [2, 3, 0, 1]]
+    apart = np.hypot(*(back[:, :2] - there[:, :2]).T)
+    counts = np.maximum(np.ceil(apart), 1.0).astype(np.intp)
+    wall = np.repeat(np.arange(len(there)), counts)
+    number = np.arange(len(wall)) - (np.cumsum(counts) - counts)[wall]
+    share = ((number + 0.5) / counts[wall])[:, None]
+    return np.asarray(there[wall] + share * (back[wall] - there[wall])), wall
+
+
+def _sources(environment: Environment) -> list[tuple[str, float, float]]:
+    """Gives a sign for each light and sound of a world file, and where it is [m]."""
+    world = environment.world
+    lights = [("☼", light.x_m, light.y_m) for light in world.lights]
+    return [*lights, *(("♪", sound.x_m, sound.y_m) for sound in world.sounds)]
+
+
+def _bounds(environment: Environment, paths: Sequence[FloatArray]) -> tuple[FloatArray, FloatArray]:
+    """Gives the lower left and upper right corner [m] of all that is to be seen."""
+    clouds = [path for path in paths if len(path)]
+    for outlines in environment.outlines():
+        places, radii = outlines.circles[:, :2], outlines.circles[:, 2:]
+        segments = outlines.segments
+        clouds += [segments[:, :2], segments[:, 2:4], places - radii, places + radii]
+    clouds += [np.array([[x_m, y_m]]) for _, x_m, y_m in _sources(environment)]
+    area, points = environment.world.area, np.concatenate(clouds)
+    points = points[np.isfinite(points).all(axis=1)]
+    if not len(points):
+        points = np.array([[area.x_min_m, area.y_min_m], [area.x_max_m, area.y_max_m]])
+    low, high = points.min(axis=0), points.max(axis=0)
+    if area.edge_m > 0.0:
+        return low, high
+    return np.floor(low / _ROUNDED_M) * _ROUNDED_M, np.ceil(high / _ROUNDED_M) * _ROUNDED_M

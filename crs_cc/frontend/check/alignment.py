@@ -1,0 +1,79 @@
+"""How objects and members are aligned: `_Alignas`, and the attributes `aligned` and `packed`."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from pycparser import c_ast
+
+from crs_cc.core.source import Location
+from crs_cc.frontend.check import constant
+from crs_cc.frontend.check.checker import CheckError, Unit
+from crs_cc.frontend.check.declarator import type_name
+from crs_cc.frontend.check.gnu_attributes import PACK, Attribute
+from crs_cc.frontend.check.scope import TypedefName
+from crs_cc.frontend.parse.parser import Node
+
+_LARGEST: Final = 4096
+_BIGGEST: Final = 16
+"""What `aligned` without a number means: gcc's `__BIGGEST_ALIGNMENT__` on i386."""
+
+
+def alignment(unit: Unit, node: Node) -> int:
+    """Gives what a declaration's specifiers and attributes ask for [bytes], 0 when none does.
+
+    Raises:
+        CheckError: it is no alignment.
+    """
+    largest = attribute_alignment(unit, attributes(node))
+    for each in getattr(node, "align", None) or []:
+        operand = each.alignment
+        if isinstance(operand, c_ast.Typename):
+            align = natural_alignment(unit, operand) or type_name(unit, operand).align
+        else:
+            align = _number(unit, operand, unit.at(each))
+        largest = max(largest, align)
+    return largest
+
+
+def attributes(node: Node) -> list[Attribute]:
+    """Gives the attributes of a declaration, struct or union."""
+    return [each for each in getattr(node, "attributes", None) or [] if type(each) is Attribute]
+
+
+def is_packed(node: Node) -> bool:
+    """Tells whether a member or struct is `packed`."""
+    return any(each.name == "packed" for each in attributes(node))
+
+
+def pack(node: Node) -> int:
+    """Gives what `#pragma pack` says of a struct [bytes], 0 if nothing."""
+    return next((int(each.value) for each in attributes(node) if each.name == PACK), 0)
+
+
+def attribute_alignment(unit: Unit, found: list[Attribute]) -> int:
+    """Gives what the `aligned` among attributes ask for [bytes], 0 when none does."""
+    largest = 0
+    for each in found:
+        if each.name == "aligned":
+            bare = each.value is None
+            largest = max(largest, _BIGGEST if bare else _number(unit, each.value, each.location))
+    return largest
+
+
+def natural_alignment(unit: Unit, node: Node) -> int:
+    """Gives the alignment that a `typedef` with an attribute has [bytes]; 0 for any other type."""
+    inner = node.type
+    while isinstance(inner, c_ast.ArrayDecl):
+        inner = inner.type
+    if not isinstance(inner, c_ast.TypeDecl) or not isinstance(inner.type, c_ast.IdentifierType):
+        return 0
+    symbol = unit.scope.find(inner.type.names[0])
+    return symbol.align if isinstance(symbol, TypedefName) else 0
+
+
+def _number(unit: Unit, node: Node, location: Location) -> int:
+    align = constant.integer(unit, node, "alignment")
+    if align < 0 or align & (align - 1) or align > _LARGEST:
+        raise CheckError(location, f"alignment {align} is not a small power of two")
+    return align

@@ -1,0 +1,166 @@
+"""Checks calls (C17 6.5.2.2), also of functions that nobody declared."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from pycparser import c_ast
+
+from crs_cc.core.source import Location
+from crs_cc.frontend.check import tree
+from crs_cc.frontend.check.argument_hints import argument_hint
+from crs_cc.frontend.check.builtins import call_builtin
+from crs_cc.frontend.check.checker import CheckError, Unit, checks
+from crs_cc.frontend.check.conversion import assigned, decay, promote_argument
+from crs_cc.frontend.check.expressions import offset_of, rvalue
+from crs_cc.frontend.check.format_string import check_format
+from crs_cc.frontend.check.library_prototypes import library_functions, undeclared
+from crs_cc.frontend.check.scope import FunctionSymbol
+from crs_cc.frontend.check.tree import Expression
+from crs_cc.frontend.parse.parser import Node
+from crs_cc.ir.types import (
+    INT,
+    FunctionType,
+    PointerType,
+    VoidType,
+    is_complete,
+    spell,
+    unqualified,
+)
+
+_OFFSETOF = {"offsetof", "__builtin_offsetof"}
+_ATOMIC = ("__sync_", "__atomic_")
+
+
+@checks(c_ast.FuncCall)
+def call(unit: Unit, node: Node) -> Expression:
+    """Checks `function(arguments)`."""
+    if isinstance(node.name, c_ast.ID):
+        name = node.name.name
+        if name in _OFFSETOF:
+            return offset_of(unit, node)
+        if name.startswith("__"):
+            found = call_builtin(unit, name, node)
+            if found is not None:
+                return found
+            if name.startswith("__builtin_"):
+                return _call(unit, node, decay(_library_function(unit, node.name)))
+        if unit.scope.find(name) is None:
+            if name.startswith(_ATOMIC):
+                text = f"'{name}' is not supported: a program has one thread, use plain operators"
+                raise CheckError(unit.at(node.name), text)
+            if name == "alloca":
+                node.name.name = "__builtin_alloca"
+                return call(unit, node)
+            _declare_implicitly(unit, name, unit.at(node.name))
+    return _call(unit, node, rvalue(unit, node.name))
+
+
+def _library_function(unit: Unit, node: Node) -> Expression:
+    """Gives the library's function that a name with `__builtin_` in front means.
+
+    Raises:
+        CheckError: there is no such builtin, or it is one that makes no sense here.
+    """
+    location, name = unit.at(node), node.name.removeprefix("__builtin_")
+    found = library_functions().get(name)
+    if found is None:
+        raise CheckError(location, f"'{node.name}' is not supported")
+    symbol = unit.externals.get(name)
+    if not isinstance(symbol, FunctionSymbol) or symbol.is_implicit:
+        symbol = FunctionSymbol(name, found[0], location, name)
+    return tree.FunctionName(symbol.type, location, symbol)
+
+
+def _call(unit: Unit, node: Node, callee: Expression) -> Expression:
+    """Checks the call of a function that is known."""
+    location = unit.at(node)
+    pointer = callee.type
+    if not isinstance(pointer, PointerType) or not isinstance(pointer.target, FunctionType):
+        text = f"called object type '{callee.type}' is not a function or function pointer"
+        raise CheckError(location, text)
+    function = pointer.target
+    if not isinstance(function.result, VoidType) and not is_complete(function.result):
+        raise CheckError(
+            location, f"calling function with incomplete result type '{function.result}'"
+        )
+    nodes = [] if node.args is None else node.args.exprs
+    arguments = _arguments(unit, callee, function, nodes)
+    if isinstance(callee, tree.AddressOf) and isinstance(callee.operand, tree.FunctionName):
+        callee = callee.operand
+        check_format(unit, callee.symbol, nodes, arguments)
+    return tree.Call(unqualified(function.result), location, callee, arguments)
+
+
+def _arguments(
+    unit: Unit, callee: Expression, function: FunctionType, nodes: list[Node]
+) -> list[Expression]:
+    """Converts the arguments to the parameters' types (C17 6.5.2.2p6, p7)."""
+    values = [rvalue(unit, each) for each in nodes]
+    for value in values:
+        if not is_complete(value.type):
+            raise CheckError(value.location, f"argument type '{value.type}' is incomplete")
+    if function.parameters is None:
+        return [promote_argument(value) for value in values]
+    wanted = len(function.parameters)
+    if len(values) < wanted or (len(values) > wanted and not function.variadic):
+        what = "few" if len(values) < wanted else "many"
+        least = "at least " if function.variadic else ""
+        text = (
+            f"too {what} arguments to function call, expected {least}{wanted}, have {len(values)}"
+        )
+        raise CheckError(callee.location, text, _hint(callee, values) or _declared(unit, callee))
+    hint = _hint(callee, values)
+    fixed = [
+        assigned(unit, value, ctype, "pass", hint)
+        for value, ctype in zip(values, function.parameters, strict=False)
+    ]
+    return fixed + [promote_argument(value) for value in values[wanted:]]
+
+
+def _hint(callee: Expression, values: list[Expression]) -> str:
+    """Gives a hint to arguments of the library's functions that are known to be mistaken."""
+    symbol = _called(callee)
+    return "" if symbol is None else argument_hint(symbol, symbol.type, values)
+
+
+def _called(callee: Expression) -> FunctionSymbol | None:
+    """Gives the function that is called by its name."""
+    match callee:
+        case tree.AddressOf(operand=tree.FunctionName(symbol=symbol)):
+            return symbol
+    return None
+
+
+def _declared(unit: Unit, callee: Expression) -> str:
+    """Gives a hint to the declaration of what is called."""
+    symbol = _called(callee)
+    if symbol is not None:
+        declared = spell(symbol.type, symbol.name)
+        place = Path(symbol.location.file)
+        folder = next((each for each in unit.headers if place.is_relative_to(each)), None)
+        where = f"in <{place.relative_to(folder)}>" if folder else f"at {symbol.location}"
+        return f"'{symbol.name}' is declared {where}, as '{declared}'"
+    return ""
+
+
+def _declare_implicitly(unit: Unit, name: str, location: Location) -> None:
+    """Takes an unknown function for one that gives `int` (C90 6.3.2.2).
+
+    A function of the library is taken for what it is, as gcc does.
+    """
+    text, found = f"implicit declaration of function '{name}'", undeclared(name)
+    if found is None:
+        ctype = FunctionType(INT)
+        unit.warning(location, text, unit.suggest(name, FunctionSymbol))
+    else:
+        ctype, header = found
+        unit.warning(location, f"{text}, taken for '{ctype}'", f"include <{header}>")
+    outermost = unit.scope
+    while outermost.outer is not None:
+        outermost = outermost.outer
+    known = unit.externals.get(name)
+    if not isinstance(known, FunctionSymbol):
+        known = FunctionSymbol(name, ctype, location, name, is_implicit=True)
+        unit.externals[name] = known
+    outermost.names[name] = known

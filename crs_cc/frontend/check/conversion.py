@@ -1,0 +1,310 @@
+"""Conversions (C17 6.3): promotions, the usual arithmetic conversions, casts and assignments.
+
+>>> from crs_cc.core.source import Location
+>>> from crs_cc.ir.types import LONG
+>>> here = Location("a.c", 1, 1)
+>>> left, right = usual(tree.integer(1, UINT, here), tree.integer(2, LONG, here))
+>>> print(left.type, right.value)
+unsigned long 2
+"""
+
+from __future__ import annotations
+
+from typing import Final, NoReturn
+
+from crs_cc.frontend.check import fold, tree
+from crs_cc.frontend.check.checker import CheckError, Unit
+from crs_cc.frontend.check.scope import ObjectSymbol
+from crs_cc.frontend.check.tree import Expression
+from crs_cc.frontend.check.type_compat import compatible
+from crs_cc.ir.types import (
+    BOOL,
+    DOUBLE,
+    INT,
+    UINT,
+    ULLONG,
+    ULONG,
+    VOID,
+    ArrayType,
+    CType,
+    EnumType,
+    FloatType,
+    FunctionType,
+    IntegerType,
+    PointerType,
+    RecordType,
+    VoidType,
+    bit_field,
+    unqualified,
+)
+
+_UNSIGNED: Final = {"int": UINT, "long": ULONG, "long long": ULLONG}
+
+PHRASES: Final = {
+    "assign": (
+        "assigning to '{to}' from '{of}'",
+        "assigning to '{to}' from incompatible type '{of}'",
+    ),
+    "initialise": (
+        "initializing '{to}' with an expression of type '{of}'",
+        "initializing '{to}' with an expression of incompatible type '{of}'",
+    ),
+    "pass": (
+        "passing '{of}' to parameter of type '{to}'",
+        "passing '{of}' to parameter of incompatible type '{to}'",
+    ),
+    "return": (
+        "returning '{of}' from a function with result type '{to}'",
+        "returning '{of}' from a function with incompatible result type '{to}'",
+    ),
+}  # fmt: skip
+"""How to say what a conversion is for: as part of a warning, and when it is impossible."""
+
+
+def is_integer(ctype: CType) -> bool:
+    """Tells whether a type is an integer type, enums among them (C17 6.2.5p17)."""
+    return isinstance(ctype, IntegerType | EnumType)
+
+
+def is_arithmetic(ctype: CType) -> bool:
+    """Tells whether a type is an integer or floating type."""
+    return isinstance(ctype, IntegerType | FloatType | EnumType)
+
+
+def is_scalar(ctype: CType) -> bool:
+    """Tells whether a type is an arithmetic or pointer type."""
+    return isinstance(ctype, IntegerType | FloatType | EnumType | PointerType)
+
+
+def is_null_constant(expression: Expression) -> bool:
+    """Tells whether an expression is a null pointer constant (C17 6.3.2.3p3)."""
+    if not isinstance(expression, tree.Literal) or expression.value != 0:
+        return False
+    ctype = expression.type
+    return is_integer(ctype) or (isinstance(ctype, PointerType) and ctype.target == VOID)
+
+
+def decay(expression: Expression) -> Expression:
+    """Turns what an expression names into its value: arrays and functions become pointers.
+
+    C17 6.3.2.1.
+    """
+    ctype = expression.type
+    if isinstance(ctype, ArrayType):
+        return tree.AddressOf(PointerType(ctype.element), expression.location, expression)
+    if isinstance(ctype, FunctionType):
+        return tree.AddressOf(PointerType(ctype), expression.location, expression)
+    if ctype.const or ctype.volatile:
+        expression.type = unqualified(ctype)
+    return expression
+
+
+def convert(expression: Expression, target: CType) -> Expression:
+    """Converts a value to a type, at once if it is constant; says nothing of whether it may."""
+    source = expression.type
+    if source is target or source == target:
+        return expression
+    if isinstance(expression, tree.Literal):
+        value = fold.convert(expression.value, source, target)
+        if value is not None:
+            return tree.Literal(target, expression.location, value)
+    return tree.Convert(target, expression.location, expression)
+
+
+def promote(expression: Expression) -> Expression:
+    """Does the integer promotions (C17 6.3.1.1p2); leaves all other types alone."""
+    ctype = expression.type
+    if ctype is INT or not isinstance(ctype, IntegerType | EnumType):
+        return expression
+    if ctype.rank < INT.rank:
+        return convert(expression, INT)
+    width = _field_width(expression)
+    if width is not None and width <= 8 * INT.size:
+        return convert(expression, INT if width < 8 * INT.size or ctype.signed else UINT)
+    if width is not None and width < 8 * ctype.size:
+        return convert(expression, bit_field(ctype, width))
+    if isinstance(ctype, EnumType):
+        return convert(expression, ctype.definition.integer)
+    return expression
+
+
+def _field_width(expression: Expression) -> int | None:
+    """Gives the width of a bit-field's value, also of one just assigned [bits], else None."""
+    while True:
+        match expression:
+            case tree.Assign(target=inner) | tree.CompoundAssign(target=inner):
+                expression = inner
+            case tree.Increment(target=inner) | tree.Comma(second=inner):
+                expression = inner
+            case tree.MemberAccess(member=member):
+                return member.bit_width
+            case _:
+                return None
+
+
+def promote_argument(expression: Expression) -> Expression:
+    """Does the default argument promotions (C17 6.5.2.2p6)."""
+    if isinstance(expression.type, FloatType) and expression.type.size == 4:
+        return convert(expression, DOUBLE)
+    return promote(expression)
+
+
+def usual(left: Expression, right: Expression) -> tuple[Expression, Expression]:
+    """Brings two arithmetic operands to their common type (C17 6.3.1.8)."""
+    left, right = promote(left), promote(right)
+    if left.type is right.type:
+        return left, right
+    common = _common(left.type, right.type)
+    return convert(left, common), convert(right, common)
+
+
+def _common(left: CType, right: CType) -> CType:
+    assert isinstance(left, IntegerType | FloatType)
+    assert isinstance(right, IntegerType | FloatType)
+    high, low = (left, right) if left.rank >= right.rank else (right, left)
+    if isinstance(high, FloatType):
+        return high
+    assert isinstance(low, IntegerType), "floating types have the higher ranks"
+    if high.signed == low.signed or not high.signed:
+        return high
+    if high.rank == low.rank:
+        return low
+    return high if high.bits > low.bits else _UNSIGNED[high.name]
+
+
+def cast(unit: Unit, expression: Expression, target: CType) -> Expression:
+    """Converts as a cast does (C17 6.5.4)."""
+    value = decay(expression)
+    source = value.type
+    if isinstance(target, VoidType):
+        return tree.Convert(VOID, value.location, value)
+    target = unqualified(target)
+    if isinstance(target, RecordType):
+        return value if source == target else _union_of(value, target)
+    if not is_scalar(target):
+        _fail(value, f"used type '{target}' where arithmetic or pointer type is required")
+    if not is_scalar(source):
+        _fail(value, f"operand of type '{source}' where arithmetic or pointer type is required")
+    if isinstance(target, PointerType) and isinstance(source, FloatType):
+        _fail(value, f"operand of type '{source}' cannot be cast to a pointer type")
+    if isinstance(source, PointerType) and isinstance(target, FloatType):
+        _fail(value, f"pointer cannot be cast to type '{target}'")
+    is_narrow = isinstance(source, PointerType) and is_integer(target) and target.size < 4
+    if is_narrow and target != BOOL:
+        unit.warning(value.location, f"cast to smaller integer type '{target}' from '{source}'")
+    if source == target and _field_width(value) is not None:
+        return tree.Convert(target, value.location, value)  # no bit-field any more
+    return convert(value, target)
+
+
+def _union_of(value: Expression, target: RecordType) -> Expression:
+    """Makes a union whose member of the value's type has the value, as GNU C's cast does."""
+    location, source = value.location, unqualified(value.type)
+    for member in target.record.members or [] if target.record.kind == "union" else []:
+        if compatible(unqualified(member.type), source):
+            symbol = ObjectSymbol("", target, location, in_memory=True)
+            is_field = member.bit_width is not None
+            part = tree.InitialValue(0, member.type, value, member if is_field else None)
+            filled = tree.Initialiser([part], is_braced=True)
+            return tree.CompoundLiteral(target, location, symbol, filled)
+    text = f"used type '{target}' where arithmetic or pointer type is required"
+    if target.record.kind == "union":
+        text = f"no member of '{target}' has the type '{source}'"
+    raise CheckError(location, text)
+
+
+def _fail(expression: Expression, text: str) -> NoReturn:
+    raise CheckError(expression.location, text)
+
+
+def assigned(
+    unit: Unit, expression: Expression, target: CType, use: str, hint: str = ""
+) -> Expression:
+    """Converts a value as an assignment does (C17 6.5.16.1), with gcc's severities for gnu89.
+
+    Args:
+        unit: takes warnings.
+        expression: the value.
+        target: the type of what it is assigned to.
+        use: what for, a key of `PHRASES`.
+        hint: what to add to whatever is said.
+
+    Raises:
+        CheckError: when no conversion exists.
+    """
+    value = decay(expression)
+    source = value.type
+    if source is target:
+        return value
+    target = unqualified(target)
+    if is_arithmetic(target) and is_arithmetic(source):
+        return convert(value, target)
+    if isinstance(target, PointerType):
+        if isinstance(source, PointerType):
+            _check_pointers(unit, value, target, use, hint)
+            return convert(value, target)
+        if is_integer(source):
+            if not is_null_constant(value):
+                kind = "incompatible integer to pointer conversion"
+                _warn(
+                    unit, kind, value, target, use, hint=hint or _quotes_hint(unit, value, target)
+                )
+            return convert(value, target)
+    if isinstance(source, PointerType) and is_integer(target):
+        if target != BOOL:
+            kind, hint = "pointer to integer", hint or _quotes_hint(unit, value, target)
+            _warn(unit, f"incompatible {kind} conversion", value, target, use, hint=hint)
+        return convert(value, target)
+    if isinstance(target, RecordType) and source == target:
+        return value
+    impossible = PHRASES[use][1].format(to=target, of=source)
+    raise CheckError(value.location, impossible, hint)
+
+
+def _warn(unit: Unit, kind: str, value: Expression, target: CType, use: str, *, hint: str) -> None:
+    text = f"{kind} {PHRASES[use][0].format(to=target, of=value.type)}"
+    unit.warning(value.location, text, hint)
+
+
+def _quotes_hint(unit: Unit, value: Expression, target: CType) -> str:
+    """Gives a hint to quotes of the wrong kind: `char c = "x"`, `char *s = 'x'`."""
+    if isinstance(target, PointerType):
+        is_string = isinstance(target.target, IntegerType) and target.target.size == 1
+        quoted = unit.diagnostics.text_at(value.location).startswith("'")
+        return "a string stands in double quotes" if is_string and quoted else ""
+    is_text = isinstance(value, tree.AddressOf) and isinstance(value.operand, tree.StringLiteral)
+    return "a single character stands in single quotes" if is_text and target.size == 1 else ""
+
+
+def _check_pointers(
+    unit: Unit, value: Expression, target: PointerType, use: str, hint: str
+) -> None:
+    assert isinstance(value.type, PointerType)
+    left, right = target.target, value.type.target
+    if left is right or is_null_constant(value):
+        return
+    lost = [
+        word
+        for word, is_lost in (
+            ("const", right.const and not left.const),
+            ("volatile", right.volatile and not left.volatile),
+        )
+        if is_lost
+    ]
+    if lost and not isinstance(right, FunctionType):
+        text = f"{PHRASES[use][0].format(to=target, of=value.type)} discards qualifiers"
+        unit.warning(value.location, text)
+        return
+    left, right = unqualified(left), unqualified(right)
+    if VOID in (left, right) or compatible(left, right):
+        return
+    if _differ_in_sign(left, right):
+        return
+    _warn(unit, "incompatible pointer types", value, target, use, hint=hint)
+
+
+def _differ_in_sign(left: CType, right: CType) -> bool:
+    """Tells whether two pointees differ in sign only, of which gcc says nothing by default."""
+    if not isinstance(left, IntegerType) or not isinstance(right, IntegerType):
+        return False
+    return left.size == right.size and left.rank == right.rank and BOOL not in (left, right)

@@ -1,0 +1,265 @@
+"""Types from specifiers and declarators (C17 6.7.2 to 6.7.7).
+
+pycparser nests declarators as one reads them aloud: `char *names[3]` is an `ArrayDecl` of a
+`PtrDecl` of a `TypeDecl` that holds the specifier.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import lru_cache
+from typing import Any, Final
+
+from pycparser import c_ast
+
+from crs_cc.core.source import Location
+from crs_cc.frontend.check import constant, tree, vla
+from crs_cc.frontend.check.checker import CheckError, Unit, expression
+from crs_cc.frontend.check.conversion import convert
+from crs_cc.frontend.check.scope import BrokenName, ObjectSymbol, TypedefName
+from crs_cc.frontend.parse.other_language_hint import hint_for_type
+from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.unsupported import refused
+from crs_cc.ir.types import (
+    BASIC_TYPES,
+    UINT,
+    VOID,
+    ArrayType,
+    CType,
+    FunctionType,
+    PointerType,
+    RecordType,
+    VoidType,
+    is_complete,
+    qualify,
+    unqualified,
+)
+
+LARGEST_OBJECT: Final = (1 << 31) - 1
+"""No object is larger [bytes]: differences of pointers into it must fit an `int`."""
+
+_NAMES: Final = {
+    "": "int", "unsigned": "unsigned int", "signed char": "signed char",
+    "long unsigned": "unsigned long", "long long unsigned": "unsigned long long",
+    "short unsigned": "unsigned short", "char unsigned": "unsigned char",
+    "double long": "long double",
+}  # fmt: skip
+
+
+@lru_cache(maxsize=256)
+def basic_type(names: tuple[str, ...]) -> CType | None:
+    """Gives the type of a list of basic type specifiers in any order, None when it is none.
+
+    >>> print(basic_type(("long", "unsigned", "int", "long")), basic_type(("short", "float")))
+    unsigned long long None
+    """
+    if names == ("void",):
+        return VOID
+    words = sorted(names)
+    if words.count("int") > 1 or ("int" in words and not _allows_int(words)):
+        return None
+    words = [word for word in words if word != "int"]
+    if "signed" in words and "char" not in words:
+        if words.count("signed") > 1 or not set(words) <= {"signed", "short", "long"}:
+            return None
+        words.remove("signed")
+    key = "signed char" if words == ["char", "signed"] else " ".join(words)
+    return BASIC_TYPES.get(_NAMES.get(key, key))
+
+
+def _allows_int(words: list[str]) -> bool:
+    return set(words) <= {"int", "signed", "unsigned", "short", "long"}
+
+
+def type_name(unit: Unit, node: Node) -> CType:
+    """Gives the type that a `Typename` node stands for.
+
+    Raises:
+        CheckError: when it is no type.
+    """
+    return declared_type(unit, node.type)
+
+
+def declared_type(unit: Unit, node: Node) -> CType:
+    """Gives the type of a declarator with its specifier."""
+    found = _DECLARATORS.get(node.__class__)
+    if found is None:
+        raise refused(unit, node)
+    return found(unit, node)
+
+
+def _base(unit: Unit, node: Node) -> CType:
+    ctype = declared_type(unit, node.type)
+    quals = node.quals
+    if not quals:
+        return ctype
+    return qualify(ctype, "const" in quals, "volatile" in quals)
+
+
+def _identifier(unit: Unit, node: Node) -> CType:
+    names = tuple(node.names)
+    found = basic_type(names)
+    if found is not None:
+        return found
+    if len(names) == 1:
+        symbol = unit.scope.find(names[0])
+        if isinstance(symbol, TypedefName):
+            return symbol.type
+        if isinstance(symbol, BrokenName):
+            raise CheckError(unit.at(node), "")
+    return _unknown(unit, names, unit.at(node))
+
+
+def _unknown(unit: Unit, names: tuple[str, ...], location: Location) -> CType:
+    for name in names:
+        if name in {"_Complex", "__int128", "_Decimal32", "_Decimal64", "_Decimal128"}:
+            raise CheckError(location, f"type '{name}' is not supported")
+    if len(names) > 1:
+        raise CheckError(location, f"'{' '.join(names)}' is not a type")
+    if (names[0], "type") in unit.unknown:
+        raise CheckError(location, "")
+    unit.unknown.add((names[0], "type"))
+    hint = hint_for_type(names[0]) or unit.suggest(names[0], TypedefName)
+    raise CheckError(location, f"unknown type name '{names[0]}'", hint)
+
+
+def _type_of(unit: Unit, node: Node) -> CType:
+    """Gives the type that `typeof` names; it is kept, since declarators share it."""
+    known = unit.specified.get(node)
+    if known is None:
+        if isinstance(node.expr, c_ast.Typename):
+            known = type_name(unit, node.expr)
+        else:
+            operand = expression(unit, node.expr)
+            if isinstance(operand, tree.MemberAccess) and operand.member.bit_width is not None:
+                raise CheckError(unit.at(node), "'typeof' of a bit-field")
+            known = operand.type
+        unit.specified[node] = known
+    return known
+
+
+def _pointer(unit: Unit, node: Node) -> CType:
+    pointer = PointerType(declared_type(unit, node.type))
+    quals = node.quals
+    if not quals:
+        return pointer
+    return qualify(pointer, "const" in quals, "volatile" in quals)
+
+
+def _array(unit: Unit, node: Node) -> CType:
+    element = declared_type(unit, node.type)
+    location = unit.at(node)
+    if isinstance(element, FunctionType):
+        raise CheckError(location, f"array of functions of type '{element}'")
+    if not is_complete(element):
+        raise CheckError(location, f"array has incomplete element type '{element}'")
+    if node.dim is None:
+        return ArrayType(element)
+    if _is_star(node.dim):
+        if unit.prototypes == 0:
+            raise CheckError(location, "'[*]' outside of a function declaration's parameters")
+        return ArrayType(element, None, ObjectSymbol("", UINT, location))
+    given = expression(unit, node.dim)
+    length = constant.integer_value(given)
+    if length is None or vla.is_variable(element):
+        return vla.array(unit, element, given)
+    if length < 0:
+        raise CheckError(unit.at(node.dim), "array length is negative")
+    if length * element.size > LARGEST_OBJECT:
+        raise CheckError(location, "array is too large")
+    return ArrayType(element, length)
+
+
+def _is_star(node: Node) -> bool:
+    """Tells whether an array's length is `*`: it has one, but which does not matter here."""
+    return isinstance(node, c_ast.ID) and node.name == "*"
+
+
+def _function(unit: Unit, node: Node) -> CType:
+    result = declared_type(unit, node.type)
+    location = unit.at(node)
+    if isinstance(result, ArrayType | FunctionType):
+        what = "an array" if isinstance(result, ArrayType) else "a function"
+        raise CheckError(location, f"function cannot return {what} of type '{result}'")
+    result = unqualified(result)
+    if node.args is None or isinstance(node.args.params[0], c_ast.ID):
+        return FunctionType(result)
+    unit.prototypes += 1
+    try:
+        with unit.new_scope():
+            return _prototype(unit, result, node.args.params)
+    finally:
+        unit.prototypes -= 1
+
+
+def _prototype(unit: Unit, result: CType, nodes: list[Node]) -> CType:
+    variadic = isinstance(nodes[-1], c_ast.EllipsisParam)
+    if variadic:
+        nodes = nodes[:-1]
+    types = []
+    for each in nodes:
+        types.append(parameter_type(unit, each))
+        if each.name is not None:
+            symbol = ObjectSymbol(each.name, types[-1], unit.at(each))
+            unit.scope.names[each.name] = symbol
+    if len(types) == 1 and isinstance(types[0], VoidType) and nodes[0].name is None:
+        types = []
+    for each, ctype in zip(nodes, types, strict=False):
+        if isinstance(ctype, VoidType):
+            raise CheckError(unit.at(each), "parameter has type 'void'")
+    return FunctionType(result, tuple(types), variadic)
+
+
+def parameter_type(unit: Unit, node: Node) -> CType:
+    """Gives the type of a parameter; arrays and functions become pointers (C17 6.7.6.3p7)."""
+    declarator = node.type
+    if isinstance(declarator, c_ast.ArrayDecl):
+        pointer = PointerType(declared_type(unit, declarator.type))
+        if declarator.dim is not None and not _is_star(declarator.dim):
+            length = expression(unit, declarator.dim)
+            if unit.prototypes == 0 and unit.function is not None:
+                unit.function.effects.append(convert(length, VOID))
+        quals = declarator.dim_quals or []
+        return qualify(pointer, "const" in quals, "volatile" in quals)
+    ctype = declared_type(unit, declarator)
+    if isinstance(ctype, ArrayType):
+        return PointerType(ctype.element)
+    if isinstance(ctype, FunctionType):
+        return PointerType(ctype)
+    return ctype
+
+
+def need_complete(ctype: CType, location: Location, name: str) -> None:
+    """Checks that a variable can have a type.
+
+    Raises:
+        CheckError: when it cannot.
+    """
+    if isinstance(ctype, VoidType) or not is_complete(ctype):
+        raise CheckError(location, f"variable '{name}' has incomplete type '{ctype}'")
+    if vla.is_variable(ctype):
+        return
+    if isinstance(ctype, RecordType | ArrayType) and ctype.size > LARGEST_OBJECT:
+        raise CheckError(location, f"variable '{name}' is too large")
+
+
+Declarator = Callable[[Unit, Any], CType]
+_DECLARATORS: Final[dict[type, Declarator]] = {
+    c_ast.TypeDecl: _base,
+    c_ast.IdentifierType: _identifier,
+    c_ast.PtrDecl: _pointer,
+    c_ast.ArrayDecl: _array,
+    c_ast.FuncDecl: _function,
+    c_ast.Typename: _base,
+    c_ast.TypeOf: _type_of,
+}
+
+
+def specifies(*classes: type) -> Callable[[Declarator], Declarator]:
+    """Enters the checker of a specifier (struct, union, enum)."""
+
+    def enter(function: Declarator) -> Declarator:
+        _DECLARATORS.update(dict.fromkeys(classes, function))
+        return function
+
+    return enter

@@ -1,0 +1,295 @@
+"""Compares the format strings of `printf` and `scanf` with their arguments (C17 7.21.6).
+
+What is passed as one type and read as another of the same size and class goes without a word: on
+this machine `%d` and `%ld` are the same.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Final
+
+from pycparser import c_ast
+
+from crs_cc.core.source import Location
+from crs_cc.frontend.check.checker import Unit
+from crs_cc.frontend.check.conversion import is_integer
+from crs_cc.frontend.check.scope import Format, FunctionSymbol
+from crs_cc.frontend.check.tree import Expression
+from crs_cc.frontend.parse.parser import Node
+from crs_cc.ir.types import ArrayType, CType, FloatType, FunctionType, IntegerType, PointerType
+
+
+def _family(kind: str, names: str) -> dict[str, Format]:
+    formats = {}
+    for row in names.split():
+        name, string, first = row.split(":")
+        formats[name] = Format(kind, int(string), int(first))
+    return formats
+
+
+KNOWN: Final = {
+    **_family(
+        "printf",
+        "printf:0:1 fprintf:1:2 sprintf:1:2 snprintf:2:3 dprintf:1:2 asprintf:1:2 syslog:1:2 "
+        "vprintf:0:-1 vfprintf:1:-1 vsprintf:1:-1 vsnprintf:2:-1",
+    ),
+    **_family("scanf", "scanf:0:1 fscanf:1:2 sscanf:1:2 vscanf:0:-1 vfscanf:1:-1 vsscanf:1:-1"),
+}
+"""The library's functions that take a format."""
+
+_PRINTF: Final = re.compile(
+    r"%(?P<flags>[-+ #0'I]*)(?P<width>\*|\d*)(?:\.(?P<precision>\*|-?\d*))?"
+    r"(?P<length>hh|h|ll|l|L|q|j|z|Z|t)?(?P<conversion>.|$)",
+    re.DOTALL,
+)
+_SCANF: Final = re.compile(
+    r"%(?P<flags>[*']*)(?P<width>\d*)(?P<length>hh|h|ll|l|L|q|j|z|t|m)?"
+    r"(?P<conversion>\[\^?\]?[^\]]*\]|.|$)",
+    re.DOTALL,
+)
+_INTEGER_BYTES: Final = {"hh": 1, "h": 2, "l": 4, "ll": 8, "q": 8, "L": 8, "j": 8}
+_INTEGER_NAMES: Final = {1: "char", 2: "short", 4: "int", 8: "long long"}
+
+
+@dataclass(frozen=True, slots=True)
+class _Wanted:
+    """What a conversion takes.
+
+    Attributes:
+        at: where it begins in the format.
+        text: the conversion.
+        what: "integer", "float" or "pointer".
+        size: of the number, or of what the pointer points to [bytes]; 0 for any.
+        name: the type, for messages.
+        pointee: for a pointer, what it points to: "integer", "float", "pointer"; "" for any.
+    """
+
+    at: int
+    text: str
+    what: str
+    size: int
+    name: str
+    pointee: str = ""
+
+    def accepts(self, ctype: CType) -> bool:
+        """Tells whether an argument of a type is read as what it is."""
+        if self.what == "integer":
+            return is_integer(ctype) and ctype.size == self.size
+        if self.what == "float":
+            return isinstance(ctype, FloatType) and (ctype.name == self.name)
+        if not isinstance(ctype, PointerType):
+            return False
+        target = ctype.target
+        while isinstance(target, ArrayType):
+            target = target.element
+        if self.pointee == "integer":
+            return is_integer(target) and target.size == self.size
+        if self.pointee == "float":
+            return isinstance(target, FloatType) and target.name == self.name.removesuffix(" *")
+        return self.pointee != "pointer" or isinstance(target, PointerType)
+
+
+def check_format(
+    unit: Unit, callee: FunctionSymbol, nodes: list[Node], arguments: list[Expression]
+) -> None:
+    """Warns of arguments that a call's format string does not fit.
+
+    Args:
+        unit: takes the warnings.
+        callee: what is called.
+        nodes: the arguments as written.
+        arguments: the same, promoted.
+    """
+    known = KNOWN.get(callee.name) if callee.is_external else None
+    form = callee.format or known
+    if form is None or form.string >= len(nodes) or not _takes_string(callee.type, form):
+        return
+    literal = nodes[form.string]
+    if not isinstance(literal, c_ast.Constant) or not literal.value.startswith('"'):
+        return
+    raw = literal.value[1:-1]
+    if re.search(r"%\d+\$", raw):
+        return  # POSIX: the arguments are numbered
+    place = unit.at(literal)
+    _Check(unit, place, raw).run(form, arguments)
+
+
+def _takes_string(ctype: FunctionType, form: Format) -> bool:
+    """Tells whether a function is the library's, or a namesake that takes something else."""
+    if ctype.parameters is None:
+        return True
+    if len(ctype.parameters) <= form.string:
+        return False
+    parameter = ctype.parameters[form.string]
+    is_string = isinstance(parameter, PointerType) and parameter.target.size == 1
+    return is_string and ctype.variadic == (form.first >= 0)
+
+
+@dataclass(slots=True)
+class _Check:
+    """One format string."""
+
+    unit: Unit
+    place: Location
+    raw: str
+
+    def run(self, form: Format, arguments: list[Expression]) -> None:
+        read = self._printf if form.kind == "printf" else self._scanf
+        wanted = list(read())
+        if form.first < 0:
+            return
+        given = arguments[form.first :]
+        for each, argument in zip(wanted, given, strict=False):
+            self._compare(each, argument, form.kind)
+        if len(wanted) > len(given):
+            text = f"'{wanted[len(given)].text}' has no argument: the format takes "
+            self._warn(wanted[len(given)].at, f"{text}{len(wanted)}, but gets {len(given)}")
+        elif len(given) > len(wanted):
+            plural = "" if len(wanted) == 1 else "s"
+            text = f"the format takes {len(wanted)} argument{plural}, but gets {len(given)}"
+            self.unit.warning(given[len(wanted)].location, text)
+
+    def _warn(self, at: int, text: str, hint: str = "") -> None:
+        self.unit.warning(place_in_literal(self.unit, self.place, at), text, hint)
+
+    def _compare(self, wanted: _Wanted, argument: Expression, kind: str) -> None:
+        if wanted.what == "ignored" or wanted.accepts(argument.type):
+            return
+        hint = ""
+        if kind == "scanf" and not isinstance(argument.type, PointerType):
+            hint = "scanf needs to know where to put it: pass its address, with '&'"
+        elif kind == "scanf" and wanted.pointee in {"integer", "float"}:
+            better = _scanning(argument.type)
+            hint = f"use '{better}'" if better else ""
+        elif kind == "printf" and (better := fitting(argument.type)):
+            hint = f"use '{better}'"
+        text = f"'{wanted.text}' expects '{wanted.name}', but the argument is '{argument.type}'"
+        self._warn(wanted.at, text, hint)
+
+    def _printf(self) -> Iterator[_Wanted]:
+        at = 0
+        while (at := self.raw.find("%", at)) >= 0:
+            match = _PRINTF.match(self.raw, at)
+            assert match is not None
+            text, conversion, length = match[0], match["conversion"], match["length"] or ""
+            for star in ("width", "precision"):
+                if match[star] == "*":
+                    yield _Wanted(at, f"* in {text}", "integer", 4, "int")
+            if conversion not in {"%", "m"}:
+                found = self._printed(at, text, conversion, length)
+                if found is not None:
+                    yield found
+            at = match.end()
+
+    def _printed(self, at: int, text: str, conversion: str, length: str) -> _Wanted | None:
+        """Gives what a conversion of `printf` takes; None for one that is unknown."""
+        if conversion in "diouxXc" and conversion:
+            size = max(4, _INTEGER_BYTES.get(length, 4))
+            return _Wanted(at, text, "integer", size, _INTEGER_NAMES[size])
+        if conversion in "fFeEgGaA" and conversion:
+            return _Wanted(at, text, "float", 8, "long double" if length == "L" else "double")
+        if conversion in {"s", "S"}:
+            wide = length == "l" or conversion == "S"
+            name = "wchar_t *" if wide else "char *"
+            return _Wanted(at, text, "pointer", 4 if wide else 1, name, "integer")
+        if conversion == "p":
+            return _Wanted(at, text, "pointer", 0, "void *")
+        if conversion == "n":
+            size = _INTEGER_BYTES.get(length, 4)
+            return _Wanted(at, text, "pointer", size, f"{_INTEGER_NAMES[size]} *", "integer")
+        self._unknown(at, text, conversion)
+        return _Wanted(at, text, "ignored", 0, "") if conversion.strip("\\") else None
+
+    def _unknown(self, at: int, text: str, conversion: str) -> None:
+        what = "no complete conversion" if conversion in {"", "\\"} else "no conversion"
+        text = text.rstrip("\\")
+        self._warn(at, f"'{text}' is {what}", "write '%%' for a percent sign")
+
+    def _scanf(self) -> Iterator[_Wanted]:
+        at = 0
+        while (at := self.raw.find("%", at)) >= 0:
+            match = _SCANF.match(self.raw, at)
+            assert match is not None
+            if match["conversion"] != "%" and "*" not in match["flags"]:
+                found = self._scanned(at, match[0], match["conversion"], match["length"] or "")
+                if found is not None:
+                    yield found
+            at = match.end()
+
+    def _scanned(self, at: int, text: str, conversion: str, length: str) -> _Wanted | None:
+        """Gives what a conversion of `scanf` takes; None for one that is unknown."""
+        if conversion in "diouxXn" and conversion:
+            size = _INTEGER_BYTES.get(length, 4)
+            return _Wanted(at, text, "pointer", size, f"{_INTEGER_NAMES[size]} *", "integer")
+        if conversion in "fFeEgGaA" and conversion:
+            name = {"l": "double", "L": "long double"}.get(length, "float")
+            return _Wanted(at, text, "pointer", 0, f"{name} *", "float")
+        if conversion[:1] in {"s", "c", "["} and conversion != "[":
+            if length == "m":
+                return _Wanted(at, text, "pointer", 0, "char **", "pointer")
+            name = "wchar_t *" if length == "l" else "char *"
+            return _Wanted(at, text, "pointer", 4 if length == "l" else 1, name, "integer")
+        if conversion == "p":
+            return _Wanted(at, text, "pointer", 0, "void **", "pointer")
+        self._unknown(at, text, conversion)
+        return _Wanted(at, text, "ignored", 0, "") if conversion.strip("\\") else None
+
+
+def fitting(ctype: CType) -> str:
+    """Gives the conversion that prints a type; "" if there is none."""
+    if isinstance(ctype, FloatType):
+        return "%Lf" if ctype.name == "long double" else "%f"
+    if isinstance(ctype, PointerType):
+        return "%s" if isinstance(ctype.target, IntegerType) and ctype.target.size == 1 else "%p"
+    if isinstance(ctype, IntegerType):
+        long = {4: "l" if ctype.name.endswith("long") else "", 8: "ll"}.get(ctype.size, "")
+        return f"%{long}{'d' if ctype.signed else 'u'}"
+    return "%d" if is_integer(ctype) else ""
+
+
+def _scanning(ctype: CType) -> str:
+    """Gives the conversion that reads a number to where a pointer points; "" if there is none."""
+    target = ctype.target if isinstance(ctype, PointerType) else ctype
+    if isinstance(target, FloatType):
+        return {"float": "%f", "double": "%lf"}.get(target.name, "%Lf")
+    if not isinstance(target, IntegerType) or target.name == "_Bool":
+        return ""
+    short = {1: "%hh", 2: "%h"}.get(target.size)
+    return f"{short}{'d' if target.signed else 'u'}" if short else fitting(target)
+
+
+_SEGMENT: Final = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
+_MOST_LINES: Final = 100
+
+
+def place_in_literal(unit: Unit, place: Location, at: int) -> Location:
+    """Gives the place of a character in a string literal, which may consist of several.
+
+    Args:
+        unit: knows the lines of the source.
+        place: where the literal begins.
+        at: number of the character as written, without the quotes.
+
+    Returns:
+        its place, or that of the literal when a macro stands between.
+    """
+    lines = unit.diagnostics.lines.get(place.file, [])
+    column = place.column - 1
+    for number in range(place.line, min(len(lines), place.line + _MOST_LINES) + 1):
+        line = lines[number - 1]
+        while True:
+            column += len(line[column:]) - len(line[column:].lstrip())
+            match = _SEGMENT.match(line, column)
+            if match is None:
+                break
+            if at < len(match[1]) or (at == 0 and not match[1]):
+                return Location(place.file, number, match.start(1) + at + 1)
+            at -= len(match[1])
+            column = match.end()
+        if line[column:].strip(" \t\\"):
+            break
+        column = 0
+    return place

@@ -1,0 +1,206 @@
+"""GNU attributes: `__attribute__((packed, aligned(8)))`, and the `#pragma pack` that acts like one.
+
+An attribute may stand nearly everywhere, but says nothing that the grammar needs. So they are taken
+out of the tokens before parsing; what stood before a token is kept beside it, and the parser
+collects it when it has read a declarator or a specifier (see `parse_attributes`).
+
+>>> from crs_cc.frontend.parse.lexer import lex
+>>> from crs_cc.core.source import Diagnostics, Location
+>>> messages = Diagnostics()
+>>> source = "int x __attribute__((aligned(4 * 2), packed, unused));"
+>>> tokens = lex(source, lambda line, column: Location("a.c", line, column), messages)
+>>> rest, before = take_attributes(tokens, messages)
+>>> [each.value for each in rest], [each.name for each in before[rest[2]]]
+(['int', 'x', ';'], ['aligned', 'packed'])
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Final, TypeAlias
+
+from crs_cc.core.source import Diagnostics, Location
+
+if TYPE_CHECKING:
+    from crs_cc.frontend.parse.lexer import Token
+
+Node: TypeAlias = Any
+
+KEYWORD: Final = "__attribute__"
+PACK: Final = "__pragma_pack__"
+"""What the preprocessor makes of `#pragma pack(...)`: an attribute of this name."""
+
+ASM_LABEL: Final = "__asm_label__"
+"""What the preprocessor makes of `asm("name")` behind a declarator."""
+
+_MADE: Final = frozenset({PACK, ASM_LABEL})
+
+MEANT: Final = frozenset({
+    "packed", "aligned", "noreturn", "format", "constructor", "destructor", "weak", "mode",
+})  # fmt: skip
+"""Attributes that are obeyed."""
+
+_HARMLESS: Final = frozenset({
+    "access", "alloc_align", "alloc_size", "always_inline", "artificial", "assume_aligned", "cdecl",
+    "cold", "common", "const", "deprecated", "designated_init", "error", "externally_visible",
+    "fallthrough", "fastcall", "flatten", "format_arg", "gnu_inline", "hot", "interrupt",
+    "may_alias", "leaf", "malloc", "naked", "no_instrument_function", "no_reorder", "no_sanitize",
+    "no_sanitize_address", "no_split_stack", "noclone", "nocommon", "noinit", "noinline", "noipa",
+    "nonnull", "nonstring", "noplt", "nothrow", "optimize", "pure", "regparm", "retain",
+    "returns_nonnull", "returns_twice", "section", "sentinel", "stack_protect", "stdcall",
+    "symver", "target", "target_clones", "tls_model", "unavailable", "unused", "used",
+    "visibility", "warn_if_not_aligned", "warn_unused_result", "warning",
+})  # fmt: skip
+"""Attributes that help the compiler or the linker, and change nothing in what a program does."""
+
+_REFUSED: Final = frozenset({
+    "alias", "cleanup", "gcc_struct", "hardbool", "ifunc", "ms_struct",
+    "scalar_storage_order", "transparent_union", "vector_size", "weakref",
+})  # fmt: skip
+"""Attributes without which a program would do something else."""
+
+
+@dataclass(slots=True, eq=False)
+class Attribute:
+    """One attribute.
+
+    Attributes:
+        name: without the underscores around it.
+        words: the tokens of its arguments, commas left out.
+        value: its first argument as an expression, where the parser made one of it; for `PACK`
+            the alignment.
+    """
+
+    name: str
+    location: Location
+    words: list[Token] = field(default_factory=list)
+    value: Node = None
+
+
+def take_attributes(
+    tokens: Sequence[Token], diagnostics: Diagnostics
+) -> tuple[list[Token], dict[Token, list[Attribute]]]:
+    """Takes all attributes out of a file's tokens.
+
+    Args:
+        tokens: the file.
+        diagnostics: hears of those that are wrong, unknown or not supported.
+
+    Returns:
+        the other tokens, and the attributes by the token that they stand before. A `struct` and
+        `union` that `#pragma pack` applies to has it before the token behind the keyword.
+    """
+    rest: list[Token] = []
+    before: dict[Token, list[Attribute]] = {}
+    waiting: list[Attribute] = []
+    pack = _Pack()
+    index = 0
+    while index < len(tokens):
+        token = tokens[index]
+        if token.value != KEYWORD:
+            rest.append(token)
+            index += 1
+            if waiting:
+                before[token] = waiting
+                waiting = []
+            if pack.align and token.type in {"STRUCT", "UNION"}:
+                waiting.append(Attribute(PACK, token.location, value=pack.align))
+            continue
+        inside, index = _inside(tokens, index + 1)
+        if inside is None:
+            diagnostics.error(token.location, f"expected '((' after '{KEYWORD}'")
+            continue
+        for attribute in _split(inside):
+            if attribute.name == PACK:
+                pack.obey(attribute, diagnostics)
+            elif attribute.name == ASM_LABEL or _accepts(attribute, diagnostics):
+                waiting.append(attribute)
+    return rest, before
+
+
+def _inside(tokens: Sequence[Token], start: int) -> tuple[Sequence[Token] | None, int]:
+    """Gives what stands between `((` and `))`, and the index behind; none if that is not there."""
+    depth = 0
+    for index in range(start, len(tokens)):
+        depth += {"LPAREN": 1, "RPAREN": -1}.get(tokens[index].type, 0)
+        if depth < min(2, index - start + 1) and index - start < 2:
+            return None, index
+        if depth == 0:
+            return tokens[start + 2 : index - 1], index + 1
+    return None, len(tokens)
+
+
+def _split(tokens: Sequence[Token]) -> list[Attribute]:
+    """Gives the attributes of a list with commas between them."""
+    found: list[Attribute] = []
+    depth, is_first = 0, True
+    for token in tokens:
+        if depth == 0 and token.type == "COMMA":
+            is_first = True
+        elif is_first:
+            name = token.value
+            if (
+                len(name) > 4
+                and name.startswith("__")
+                and name.endswith("__")
+                and name not in _MADE
+            ):
+                name = name[2:-2]
+            found.append(Attribute(name, token.location))
+            is_first = False
+        else:
+            depth -= token.type == "RPAREN"
+            if depth > 0 and (depth > 1 or token.type != "COMMA"):
+                found[-1].words.append(token)
+            depth += token.type == "LPAREN"
+    return found
+
+
+def _accepts(attribute: Attribute, diagnostics: Diagnostics) -> bool:
+    """Tells whether an attribute is obeyed; says so if it is not known or not supported."""
+    name = attribute.name
+    if name in _REFUSED:
+        diagnostics.error(attribute.location, f"attribute '{name}' is not supported")
+    elif name not in MEANT and name not in _HARMLESS:
+        close = difflib.get_close_matches(name, sorted(MEANT | _HARMLESS), n=1)
+        hint = f"did you mean '{close[0]}'?" if close else ""
+        diagnostics.warning(attribute.location, f"unknown attribute '{name}' is ignored", hint)
+    return name in MEANT
+
+
+@dataclass(slots=True)
+class _Pack:
+    """What `#pragma pack` says at some point of the file.
+
+    Attributes:
+        align: the largest alignment of members; 0 for the usual one.
+    """
+
+    align: int = 0
+    _stack: list[tuple[str, int]] = field(default_factory=list)
+
+    def obey(self, pragma: Attribute, diagnostics: Diagnostics) -> None:
+        """Does what `pack(push, 1)`, `pack(pop)`, `pack(2)` or `pack()` says."""
+        words = [each.value for each in pragma.words]
+        action = words.pop(0) if words and words[0] in {"push", "pop"} else ""
+        label = words.pop(0) if action and words and words[0].isidentifier() else ""
+        number = words.pop(0) if words else ""
+        if words or (number and number not in {"0", "1", "2", "4", "8", "16"}):
+            diagnostics.warning(pragma.location, "'#pragma pack' is not understood and ignored")
+            return
+        if action == "push":
+            self._stack.append((label, self.align))
+        elif action == "pop" and not self._pop(label):
+            diagnostics.warning(pragma.location, "'#pragma pack(pop)' without a push before it")
+        if number or not action:
+            self.align = int(number or 0)
+
+    def _pop(self, label: str) -> bool:
+        """Goes back to the last push, or to that of a name; tells whether there was one."""
+        while self._stack:
+            name, self.align = self._stack.pop()
+            if not label or name == label:
+                return True
+        return False

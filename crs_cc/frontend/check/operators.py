@@ -1,0 +1,451 @@
+"""Checks the operators (C17 6.5.3 to 6.5.16)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final
+
+from pycparser import c_ast
+
+from crs_cc.core.source import Location
+from crs_cc.frontend.check import fold, tree, vla
+from crs_cc.frontend.check.checker import CheckError, Unit, checks, expression
+from crs_cc.frontend.check.conversion import (
+    assigned,
+    convert,
+    decay,
+    is_arithmetic,
+    is_integer,
+    is_null_constant,
+    is_scalar,
+    promote,
+    usual,
+)
+from crs_cc.frontend.check.expressions import rvalue, size_of
+from crs_cc.frontend.check.scope import ObjectSymbol
+from crs_cc.frontend.check.tree import Expression
+from crs_cc.frontend.check.type_compat import compatible, composite
+from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.warn.operands import warn_signs, warn_string
+from crs_cc.ir.types import (
+    CHAR,
+    INT,
+    VOID,
+    ArrayType,
+    CType,
+    FunctionType,
+    PointerType,
+    RecordType,
+    VoidType,
+    is_complete,
+    qualify,
+    unqualified,
+)
+
+
+def _invalid(left: Expression, right: Expression, place: Location) -> CheckError:
+    text = f"invalid operands to binary expression ('{left.type}' and '{right.type}')"
+    return CheckError(place, text)
+
+
+# Binary operators
+
+
+@checks(c_ast.BinaryOp)
+def binary(unit: Unit, node: Node) -> Expression:
+    """Checks `left op right`."""
+    left = decay(expression(unit, node.left))
+    right = decay(expression(unit, node.right))
+    return operate(unit, node.op, left, right, unit.at(node))
+
+
+def operate(
+    unit: Unit, op: str, left: Expression, right: Expression, place: Location
+) -> Expression:
+    """Makes `left op right` of two values, at the operator's place."""
+    if op in {"&&", "||"}:
+        return _logical(op, left, right, place)
+    if op in fold.COMPARISONS:
+        return _comparison(unit, op, left, right, place)
+    if op in {"+", "-"} and (
+        isinstance(left.type, PointerType) or isinstance(right.type, PointerType)
+    ):
+        return _pointer_arithmetic(op, left, right, place)
+    if op in {"<<", ">>"}:
+        return _shift(unit, op, left, right, place)
+    allowed = is_integer if op in {"%", "&", "|", "^"} else is_arithmetic
+    if not allowed(left.type) or not allowed(right.type):
+        raise _invalid(left, right, place)
+    left, right = usual(left, right)
+    return _folded(unit, op, left.type, (left, right), place)
+
+
+def _folded(
+    unit: Unit, op: str, ctype: CType, operands: tuple[Expression, Expression], place: Location
+) -> Expression:
+    """Makes an operation on operands that are converted already, at once if they are constant."""
+    left, right = operands
+    if isinstance(right, tree.Literal):
+        if isinstance(left, tree.Literal):
+            value = fold.binary(op, left.type, left.value, right.value)
+            if value is not None:
+                return tree.Literal(ctype, place, value)
+        if op in {"/", "%"} and right.value == 0 and is_integer(right.type):
+            unit.warning(place, "division by zero is undefined")
+    return tree.Binary(ctype, place, op, left, right)
+
+
+def _shift(unit: Unit, op: str, left: Expression, right: Expression, place: Location) -> Expression:
+    if not is_integer(left.type) or not is_integer(right.type):
+        raise _invalid(left, right, place)
+    left, right = promote(left), promote(right)
+    if isinstance(right, tree.Literal) and not 0 <= right.value < 8 * left.type.size:
+        what = "negative" if right.value < 0 else ">= width of type"
+        unit.warning(right.location, f"shift count is {what}")
+    return _folded(unit, op, left.type, (left, right), place)
+
+
+def _logical(op: str, left: Expression, right: Expression, place: Location) -> Expression:
+    if not is_scalar(left.type) or not is_scalar(right.type):
+        raise _invalid(left, right, place)
+    if isinstance(left, tree.Literal):
+        if bool(left.value) == (op == "||"):
+            return tree.integer(int(op == "||"), INT, place)
+        if isinstance(right, tree.Literal):
+            return tree.integer(int(right.value != 0), INT, place)
+    return tree.Logical(INT, place, op, left, right)
+
+
+def _comparison(
+    unit: Unit, op: str, left: Expression, right: Expression, place: Location
+) -> Expression:
+    if is_arithmetic(left.type) and is_arithmetic(right.type):
+        if op not in {"==", "!="}:
+            warn_signs(unit, left, right, place)
+        left, right = usual(left, right)
+        return _folded(unit, op, INT, (left, right), place)
+    warn_string(unit, left, right, place)
+    if not is_scalar(left.type) or not is_scalar(right.type):
+        raise _invalid(left, right, place)
+    _compare_pointers(unit, left, right, place)
+    if not isinstance(left.type, PointerType):
+        left = convert(left, right.type)
+    elif not isinstance(right.type, PointerType):
+        right = convert(right, left.type)
+    return _folded(unit, op, INT, (left, right), place)
+
+
+def _compare_pointers(unit: Unit, left: Expression, right: Expression, place: Location) -> None:
+    if is_null_constant(left) or is_null_constant(right):
+        return
+    if isinstance(left.type, PointerType) and isinstance(right.type, PointerType):
+        a, b = unqualified(left.type.target), unqualified(right.type.target)
+        if VOID not in (a, b) and not compatible(a, b):
+            text = f"comparison of distinct pointer types ('{left.type}' and '{right.type}')"
+            unit.warning(place, text)
+        return
+    if not is_integer(left.type) and not is_integer(right.type):
+        raise _invalid(left, right, place)
+    text = f"comparison between pointer and integer ('{left.type}' and '{right.type}')"
+    unit.warning(place, text)
+
+
+def _pointer_arithmetic(
+    op: str, left: Expression, right: Expression, place: Location
+) -> Expression:
+    if isinstance(left.type, PointerType) and isinstance(right.type, PointerType):
+        return _difference(op, left, right, place)
+    if op == "+" and isinstance(right.type, PointerType):
+        return _moved(right, left, op, place)
+    return _moved(left, right, op, place)
+
+
+def _moved(pointer: Expression, index: Expression, op: str, place: Location) -> Expression:
+    if not isinstance(pointer.type, PointerType) or not is_integer(index.type):
+        raise _invalid(pointer, index, place)
+    _need_size(pointer, pointer.type)
+    index = convert(promote(index), INT)
+    return vla.moved(pointer, index, op == "-", place)
+
+
+def _need_size(pointer: Expression, ctype: PointerType) -> None:
+    target = ctype.target
+    if not is_complete(target) and not isinstance(target, VoidType | FunctionType):
+        raise CheckError(pointer.location, f"arithmetic on a pointer to incomplete type '{target}'")
+
+
+def _difference(op: str, left: Expression, right: Expression, place: Location) -> Expression:
+    assert isinstance(left.type, PointerType)
+    assert isinstance(right.type, PointerType)
+    same = compatible(unqualified(left.type.target), unqualified(right.type.target))
+    if op != "-" or not same:
+        raise _invalid(left, right, place)
+    _need_size(left, left.type)
+    return vla.difference(left, right, place)
+
+
+@checks(c_ast.ArrayRef)
+def index(unit: Unit, node: Node) -> Expression:
+    """Checks `array[index]`, which is `*(array + index)` (C17 6.5.2.1)."""
+    array = decay(expression(unit, node.name))
+    subscript = decay(expression(unit, node.subscript))
+    if not isinstance(array.type, PointerType) and isinstance(subscript.type, PointerType):
+        array, subscript = subscript, array
+    if not isinstance(array.type, PointerType):
+        raise CheckError(array.location, "subscripted value is not an array or pointer")
+    if not is_integer(subscript.type):
+        raise CheckError(
+            subscript.location, f"array subscript is not an integer ('{subscript.type}')"
+        )
+    if isinstance(array.type.target, FunctionType):
+        raise CheckError(array.location, "subscript of pointer to function type")
+    moved = _moved(array, subscript, "+", array.location)
+    return tree.Dereference(array.type.target, array.location, moved)
+
+
+# Unary operators
+
+
+@checks(c_ast.UnaryOp)
+def unary(unit: Unit, node: Node) -> Expression:
+    """Checks the operators with one operand."""
+    return _UNARY[node.op](unit, node)
+
+
+def _sign(unit: Unit, node: Node) -> Expression:
+    operand, place = rvalue(unit, node.expr), unit.at(node)
+    if not is_arithmetic(operand.type) or (node.op == "~" and not is_integer(operand.type)):
+        text = f"invalid argument type '{operand.type}' to unary expression"
+        raise CheckError(place, text)
+    operand = promote(operand)
+    if node.op == "+":
+        return operand
+    if isinstance(operand, tree.Literal):
+        value = fold.unary(node.op, operand.type, operand.value)
+        if value is not None:
+            return tree.Literal(operand.type, place, value)
+    return tree.Unary(operand.type, place, node.op, operand)
+
+
+def _not(unit: Unit, node: Node) -> Expression:
+    operand, place = rvalue(unit, node.expr), unit.at(node)
+    if not is_scalar(operand.type):
+        text = f"invalid argument type '{operand.type}' to unary expression"
+        raise CheckError(place, text)
+    if isinstance(operand, tree.Literal):
+        return tree.integer(int(operand.value == 0), INT, place)
+    return tree.Unary(INT, place, "!", operand)
+
+
+def _dereference(unit: Unit, node: Node) -> Expression:
+    operand, place = rvalue(unit, node.expr), unit.at(node)
+    if not isinstance(operand.type, PointerType):
+        text = f"indirection requires pointer operand ('{operand.type}' invalid)"
+        raise CheckError(place, text)
+    return tree.Dereference(operand.type.target, place, operand)
+
+
+def _address(unit: Unit, node: Node) -> Expression:
+    operand, place = expression(unit, node.expr), unit.at(node)
+    if isinstance(operand, tree.Dereference):
+        return convert(operand.pointer, PointerType(operand.type))
+    if not is_lvalue(operand) and not isinstance(operand, tree.FunctionName):
+        text = f"cannot take the address of an rvalue of type '{operand.type}'"
+        raise CheckError(place, text)
+    if isinstance(operand, tree.MemberAccess) and operand.member.bit_width is not None:
+        raise CheckError(place, f"address of bit-field '{operand.member.name}' requested")
+    if isinstance(operand, tree.ObjectName):
+        operand.symbol.in_memory = True
+    return tree.AddressOf(PointerType(operand.type), place, operand)
+
+
+def _increment(unit: Unit, node: Node) -> Expression:
+    target = modifiable(expression(unit, node.expr))
+    place = unit.at(node)
+    ctype = target.type
+    if isinstance(ctype, PointerType):
+        _need_size(target, ctype)
+    elif not is_arithmetic(ctype):
+        what = "increment" if node.op[-1] == "+" else "decrement"
+        raise CheckError(place, f"cannot {what} value of type '{ctype}'")
+    step = 1 if node.op[-1] == "+" else -1
+    is_postfix = node.op[0] == "p"
+    if isinstance(ctype, PointerType) and vla.is_variable(ctype.target):
+        return vla.step(target, step, is_postfix=is_postfix)
+    return tree.Increment(unqualified(ctype), place, target, step, is_postfix)
+
+
+_NOT_ASSIGNABLE: Final = "array type '{}' is not assignable"
+_UNARY: Final[dict[str, Callable[[Unit, Node], Expression]]] = {
+    "+": _sign, "-": _sign, "~": _sign, "!": _not, "*": _dereference, "&": _address,
+    "++": _increment, "--": _increment, "p++": _increment, "p--": _increment,
+    "sizeof": size_of, "_Alignof": size_of,
+}  # fmt: skip
+
+
+# Assignment
+
+
+def is_lvalue(value: Expression) -> bool:
+    """Tells whether an expression names an object (C17 6.3.2.1p1)."""
+    match value:
+        case tree.ObjectName() | tree.Dereference() | tree.StringLiteral() | tree.CompoundLiteral():
+            return not isinstance(value.type, FunctionType)
+        case tree.MemberAccess(record=record):
+            return is_lvalue(record)
+    return False
+
+
+def modifiable(target: Expression) -> Expression:
+    """Checks that an expression names an object that may be changed.
+
+    Raises:
+        CheckError: when it does not.
+    """
+    ctype = target.type
+    if not is_lvalue(target):
+        raise CheckError(target.location, "expression is not assignable")
+    if isinstance(ctype, ArrayType):
+        raise CheckError(target.location, _NOT_ASSIGNABLE.format(ctype))
+    if isinstance(ctype, VoidType) or not is_complete(ctype):
+        raise CheckError(target.location, f"incomplete type '{ctype}' is not assignable")
+    if ctype.const:
+        raise CheckError(target.location, _read_only(target))
+    if isinstance(ctype, RecordType) and _has_const_member(ctype):
+        raise CheckError(target.location, f"cannot assign to '{ctype}' with a const member")
+    return target
+
+
+def _read_only(target: Expression) -> str:
+    what = "read-only location"
+    if isinstance(target, tree.ObjectName):
+        what = f"variable '{target.symbol.name}'"
+    elif isinstance(target, tree.MemberAccess):
+        what = f"member '{target.member.name}'"
+    return f"cannot assign to {what} with const-qualified type '{target.type}'"
+
+
+def _has_const_member(ctype: RecordType) -> bool:
+    return any(
+        each.type.const or (isinstance(each.type, RecordType) and _has_const_member(each.type))
+        for each in ctype.record.members or []
+    )
+
+
+@checks(c_ast.Assignment)
+def assignment(unit: Unit, node: Node) -> Expression:
+    """Checks `target = value` and `target op= value`."""
+    target = expression(unit, node.lvalue)
+    value = decay(expression(unit, node.rvalue))
+    if node.op == "=" and isinstance(target.type, ArrayType):
+        hint = _copying(target) if isinstance(value.type, PointerType) else ""
+        raise CheckError(target.location, _NOT_ASSIGNABLE.format(target.type), hint)
+    target = modifiable(target)
+    place = unit.at(node)
+    if node.op == "=":
+        value = assigned(unit, value, target.type, "assign")
+        return tree.Assign(unqualified(target.type), place, target, value)
+    return _compound(unit, node.op[:-1], target, value, place)
+
+
+def _copying(target: Expression) -> str:
+    """Gives a hint to how an array is copied."""
+    assert isinstance(target.type, ArrayType)
+    if target.type.element.size != 1:
+        return "copy its elements one by one, or all with memcpy"
+    if isinstance(target, tree.ObjectName):
+        return f"copy the text into it: strcpy({target.symbol.name}, ...)"
+    return "copy the text into it, with strcpy"
+
+
+def _compound(
+    unit: Unit, op: str, target: Expression, value: Expression, place: Location
+) -> Expression:
+    ctype = unqualified(target.type)
+    if isinstance(ctype, PointerType):
+        if op not in {"+", "-"} or not is_integer(value.type):
+            raise _invalid(target, value, place)
+        _need_size(target, ctype)
+        index_ = convert(promote(value), INT)
+        if vla.is_variable(ctype.target):
+            index_, computed = vla.scaled(index_, ctype.target), PointerType(CHAR)
+            return tree.CompoundAssign(ctype, place, op, target, index_, computed)
+        return tree.CompoundAssign(ctype, place, op, target, index_, ctype)
+    made = operate(unit, op, decay(target), value, place)
+    if not isinstance(made, tree.Binary):
+        raise _invalid(target, value, place)
+    return tree.CompoundAssign(ctype, place, op, target, made.right, made.left.type)
+
+
+# The conditional operator
+
+
+@checks(c_ast.TernaryOp)
+def conditional(unit: Unit, node: Node) -> Expression:
+    """Checks `condition ? then : otherwise` (C17 6.5.15), and gcc's `condition ?: otherwise`."""
+    condition = rvalue(unit, node.cond)
+    if not is_scalar(condition.type):
+        text = f"used type '{condition.type}' where arithmetic or pointer type is required"
+        raise CheckError(condition.location, text)
+    if node.iftrue is None:
+        symbol = ObjectSymbol("", condition.type, condition.location)
+        then: Expression = tree.ObjectName(condition.type, condition.location, symbol)
+        condition = tree.Assign(then.type, then.location, then, condition)
+    else:
+        then = rvalue(unit, node.iftrue)
+    otherwise = rvalue(unit, node.iffalse)
+    if is_arithmetic(then.type) and is_arithmetic(otherwise.type):
+        then, otherwise = usual(then, otherwise)
+    ctype = _conditional_type(unit, then, otherwise)
+    if ctype != VOID:
+        then, otherwise = convert(then, ctype), convert(otherwise, ctype)
+    if isinstance(condition, tree.Literal):
+        chosen = then if condition.value else otherwise
+        if is_lvalue(chosen) and is_scalar(ctype):
+            return tree.Convert(ctype, chosen.location, chosen)  # no object any more
+        return chosen
+    return tree.Conditional(ctype, unit.at(node), condition, then, otherwise)
+
+
+def _conditional_type(unit: Unit, then: Expression, otherwise: Expression) -> CType:
+    left, right = then.type, otherwise.type
+    if is_arithmetic(left) and is_arithmetic(right):
+        return left
+    if VOID in (left, right):
+        return VOID
+    if isinstance(left, PointerType) or isinstance(right, PointerType):
+        return _conditional_pointer(unit, then, otherwise)
+    if left == right and isinstance(left, RecordType):
+        return left
+    text = f"incompatible operand types ('{left}' and '{right}')"
+    raise CheckError(then.location, text)
+
+
+def _conditional_pointer(unit: Unit, then: Expression, otherwise: Expression) -> CType:
+    left, right = then.type, otherwise.type
+    if is_null_constant(otherwise) and isinstance(left, PointerType):
+        return left
+    if is_null_constant(then) and isinstance(right, PointerType):
+        return right
+    if not isinstance(left, PointerType) or not isinstance(right, PointerType):
+        if not is_integer(left) and not is_integer(right):
+            text = f"incompatible operand types ('{left}' and '{right}')"
+            raise CheckError(then.location, text)
+        text = f"pointer/integer type mismatch in conditional expression ('{left}' and '{right}')"
+        unit.warning(then.location, text)
+        return left if isinstance(left, PointerType) else right
+    return PointerType(_common_target(unit, left, right, then.location))
+
+
+def _common_target(unit: Unit, left: PointerType, right: PointerType, place: Location) -> CType:
+    """Gives what the pointer that a conditional expression gives points to (C17 6.5.15p6)."""
+    a, b = left.target, right.target
+    const, volatile = a.const or b.const, a.volatile or b.volatile
+    plain_a, plain_b = unqualified(a), unqualified(b)
+    if VOID in (plain_a, plain_b):
+        return qualify(VOID, const, volatile)
+    if compatible(plain_a, plain_b):
+        return qualify(composite(plain_a, plain_b), const, volatile)
+    text = f"pointer type mismatch in conditional expression ('{left}' and '{right}')"
+    unit.warning(place, text)
+    return qualify(VOID, const, volatile)

@@ -1,0 +1,100 @@
+"""Lowers a function definition: parameters, body, and the clean-up of its graph."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from crs_cc.core.source import Location
+from crs_cc.frontend.check import tree
+from crs_cc.frontend.check.scope import ENTRIES, ObjectSymbol
+from crs_cc.frontend.lower import assign, calls, expressions, lvalues
+from crs_cc.frontend.lower import statements as statement_rules
+from crs_cc.frontend.lower.convert import convert_operand
+from crs_cc.frontend.lower.graph import tidy
+from crs_cc.frontend.lower.lowerer import (
+    Lowering,
+    memory_type,
+    no_value,
+    statements,
+    value_type,
+)
+from crs_cc.frontend.lower.memory import store
+from crs_cc.ir.program import (
+    MEMORY_SIZE,
+    Block,
+    Function,
+    Parameter,
+    Register,
+    Return,
+    Slot,
+    Variable,
+)
+from crs_cc.ir.types import CType, RecordType, VoidType
+
+if TYPE_CHECKING:
+    from crs_cc.frontend.lower.unit import UnitLowering
+
+_ = (assign, calls, expressions, lvalues, statement_rules)  # enter their functions into the tables
+
+
+def lower_function(unit: UnitLowering, definition: tree.FunctionDefinition) -> Function:
+    """Makes the IR of a function."""
+    symbol, location = definition.symbol, definition.location
+    result = symbol.type.result
+    function = Function(
+        symbol.link_name, location, variadic=symbol.type.variadic, ctype=symbol.type
+    )
+    entry = Block("entry")
+    low = Lowering(unit, function, entry)
+    function.blocks.append(entry)
+    if isinstance(result, RecordType):
+        low.result_pointer = low.lasting_register("i32")
+        function.parameters.append(Parameter(low.result_pointer, "i32", 4))
+    elif not isinstance(result, VoidType) or symbol.name in ENTRIES:
+        function.result = "i32" if isinstance(result, VoidType) else value_type(result)
+    for parameter, passed in zip(definition.parameters, definition.passed, strict=True):
+        _parameter(low, parameter, passed)
+    statements(low, definition.body)
+    fall_off = Return(location, no_value(function))
+    low.end(fall_off)
+    kept = tidy(function)
+    for block, name, place in low.references:
+        if block in kept:
+            unit.use(name, place)
+    return function
+
+
+def _parameter(low: Lowering, symbol: ObjectSymbol, passed: CType) -> None:
+    """Makes a parameter; an old-style one is converted from the type it is passed as."""
+    variable = symbol.variable()
+    ctype, location = symbol.type, symbol.location
+    if isinstance(ctype, RecordType):
+        place: Register | Slot = Slot(symbol.name, ctype.size, ctype.align, variable)
+        low.function.parameters.append(Parameter(place, None, ctype.size))
+        low.places[symbol] = place
+        return
+    memory = memory_type(passed)
+    if passed == ctype:
+        if symbol.in_memory:
+            place = Slot(symbol.name, ctype.size, min(4, ctype.align), variable)
+        else:
+            place = low.lasting_register(value_type(ctype), variable)
+        low.places[symbol] = place
+        low.function.parameters.append(Parameter(place, memory, MEMORY_SIZE[memory]))
+        return
+    arrived = low.lasting_register(value_type(passed))
+    variable = Variable(symbol.name, passed, location)
+    low.function.parameters.append(Parameter(arrived, memory, MEMORY_SIZE[memory], variable))
+    _convert_parameter(low, symbol, arrived, passed, location)
+
+
+def _convert_parameter(
+    low: Lowering, symbol: ObjectSymbol, arrived: Register, passed: CType, location: Location
+) -> None:
+    place = low.local(symbol)
+    if isinstance(place, Register):
+        made = convert_operand(low, arrived, passed, symbol.type, location, into=place)
+        low.move(place, made, location)
+    else:
+        made = convert_operand(low, arrived, passed, symbol.type, location)
+        store(low, (place, 0), symbol.type, made, location)

@@ -1,0 +1,355 @@
+"""Lowering: checked C to IR, one function at a time.
+
+A `Lowering` holds the function being made and the block that takes the next instruction. Who
+lowers which node stands in four tables, one for each thing that can be wanted of an expression:
+
+- `VALUE`: its value, as an operand; put into a given register if one is given;
+- `EFFECT`: only what it does;
+- `PLACE`: where the object lies that it names, as base and offset;
+- `BRANCH`: to go one way or the other.
+
+The `lower_*.py` files enter their functions into them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Final, TypeAlias, TypeVar
+
+from crs_cc.core.source import Location
+from crs_cc.frontend.check import tree
+from crs_cc.frontend.check.conversion import is_scalar
+from crs_cc.frontend.check.fold import wrap
+from crs_cc.frontend.check.scope import ENTRIES
+from crs_cc.ir.operators import OPERATORS
+from crs_cc.ir.program import (
+    VALUE_TYPE,
+    Address,
+    Base,
+    Binary,
+    Block,
+    Branch,
+    Constant,
+    Function,
+    Instruction,
+    Jump,
+    Load,
+    MemoryType,
+    Move,
+    Operand,
+    Register,
+    Slot,
+    Statement,
+    Store,
+    Terminator,
+    ValueType,
+    Variable,
+)
+from crs_cc.ir.types import CType, EnumType, FloatType, IntegerType, PointerType
+
+if TYPE_CHECKING:
+    from crs_cc.frontend.check.scope import ObjectSymbol
+    from crs_cc.frontend.lower.unit import UnitLowering
+
+ACTIVATIONS: Final = "__crs_activations"
+"""The library's counter of calls of functions that use `setjmp`."""
+
+MOST_REGISTERS: Final = 10_000
+"""A function with so many registers keeps further variables in memory: WebAssembly has 50,000."""
+
+Made = TypeVar("Made")
+
+Place: TypeAlias = tuple[Base, int]
+"""Where an object lies: `base + offset`."""
+
+
+def _for_each(make: Callable[[], Made]) -> dict[ValueType, Made]:
+    return {"i32": make(), "i64": make(), "f32": make(), "f64": make()}
+
+
+@dataclass(slots=True, eq=False)
+class Lowering:
+    """One function while its IR is made.
+
+    Attributes:
+        unit: what the functions of the file share.
+        function: what is being made.
+        block: the block that takes the next instruction; one that nothing leads to behind a jump.
+        places: where each local variable lies.
+        result_pointer: where a struct result goes.
+        breaks: where `break` goes, innermost last.
+        continues: where `continue` goes, innermost last.
+        cases: the blocks of case labels.
+        labels: the blocks of named labels.
+        chooser: for computed gotos, the register with the label's number and where it is chosen.
+        references: global names with the block that uses them, to see which are used at all.
+    """
+
+    unit: UnitLowering
+    function: Function
+    block: Block
+    places: dict[ObjectSymbol, Register | Slot] = field(default_factory=dict)
+    result_pointer: Register | None = None
+    breaks: list[Block] = field(default_factory=list)
+    continues: list[Block] = field(default_factory=list)
+    cases: dict[tree.CaseLabel, Block] = field(default_factory=dict)
+    labels: dict[str, Block] = field(default_factory=dict)
+    chooser: tuple[Register, Block] | None = None
+    references: list[tuple[Block, str, Location]] = field(default_factory=list)
+    block_count: int = 0
+    _activation: Register | None = None
+    _temporaries: dict[ValueType, list[Register]] = field(default_factory=lambda: _for_each(list))
+    _used: dict[ValueType, int] = field(default_factory=lambda: _for_each(int))
+    _first: dict[ValueType, int] = field(default_factory=lambda: _for_each(int))
+
+    # Blocks
+
+    def new_block(self, name: str) -> Block:
+        """Makes a block that `start` will open."""
+        self.block_count += 1
+        return Block(f"{name}.{self.block_count}")
+
+    def start(self, block: Block, location: Location) -> None:
+        """Goes on in a block; the present one leads there unless it has ended."""
+        if self.block.terminator is None:
+            self.block.terminator = Jump(location, block)
+        self.function.blocks.append(block)
+        self.block = block
+
+    def end(self, terminator: Terminator) -> None:
+        """Ends the present block; what follows is reached by other ways or not at all."""
+        if self.block.terminator is None:
+            self.block.terminator = terminator
+        self.block = Block("dead")
+
+    def emit(self, instruction: Instruction) -> None:
+        """Adds an instruction to the present block."""
+        self.block.instructions.append(instruction)
+
+    def mark(self, location: Location) -> None:
+        """Marks the start of a statement."""
+        self.block.instructions.append(Statement(location))
+        self._used = dict(self._first)
+
+    # Registers and slots
+
+    def register(self, value_type: ValueType) -> Register:
+        """Gives a register for a value that the present statement alone needs."""
+        pool, used = self._temporaries[value_type], self._used[value_type]
+        self._used[value_type] = used + 1
+        if used == len(pool):
+            pool.append(self.lasting_register(value_type))
+        return pool[used]
+
+    def lasting_register(self, value_type: ValueType, variable: Variable | None = None) -> Register:
+        """Makes a register of its own."""
+        registers = self.function.registers
+        made = Register(len(registers), value_type, variable)
+        registers.append(made)
+        return made
+
+    def used_registers(self) -> dict[ValueType, int]:
+        """Tells which registers the present statement uses so far."""
+        return dict(self._used)
+
+    @contextmanager
+    def inner_statements(self) -> Iterator[None]:
+        """Keeps the registers that the present statement uses while others run inside it."""
+        outer, self._first = self._first, dict(self._used)
+        try:
+            yield
+        finally:
+            self._first = outer
+
+    def reuse_registers(self, used: dict[ValueType, int]) -> None:
+        """Says that all values that came after `used_registers` are not needed any more."""
+        self._used = dict(used)
+
+    def slot(
+        self, name: str, ctype: CType, align: int = 0, variable: Variable | None = None
+    ) -> Slot:
+        """Makes a frame slot."""
+        made = Slot(name, ctype.size, max(align, ctype.align), variable)
+        self.function.slots.append(made)
+        return made
+
+    def local(self, symbol: ObjectSymbol) -> Register | Slot:
+        """Gives where a local variable lies."""
+        found = self.places.get(symbol)
+        if found is None:
+            variable = symbol.variable() if symbol.name else None
+            if symbol.in_memory or len(self.function.registers) > MOST_REGISTERS:
+                found = self.slot(symbol.name, symbol.type, symbol.align, variable)
+            else:
+                found = self.lasting_register(value_type(symbol.type), variable)
+            self.places[symbol] = found
+        return found
+
+    def move(self, target: Register, source: Operand, location: Location) -> None:
+        """Puts an operand into a register, unless it is there."""
+        if target is not source:
+            self.block.instructions.append(Move(location, target, source))
+
+    def binary(
+        self,
+        location: Location,
+        op: str,
+        left: Operand,
+        right: Operand,
+        into: Register | None = None,
+    ) -> Register:
+        """Emits a binary operation whose result has the type that `op` begins with."""
+        result = self.register(OPERATORS[op].result) if into is None else into
+        self.block.instructions.append(Binary(location, result, op, left, right))
+        return result
+
+    def activation(self) -> Register:
+        """Gives what tells this call of the function from all others, for `setjmp`."""
+        if self._activation is None:
+            made, entry = self.lasting_register("i32"), self.function.blocks[0]
+            location = self.function.location
+            self._activation = made
+            self.references.append((entry, ACTIVATIONS, location))
+            entry.instructions[:0] = [
+                Load(location, made, ACTIVATIONS, 0, "i32"),
+                Binary(location, made, "i32.add", made, Constant("i32", 1)),
+                Store(location, ACTIVATIONS, 0, made, "i32"),
+            ]
+        return self._activation
+
+    # Addresses
+
+    def refer(self, name: str, location: Location) -> str:
+        """Notes that a global name is used."""
+        self.references.append((self.block, name, location))
+        return name
+
+    def address(self, place: Place, location: Location, into: Register | None = None) -> Operand:
+        """Gives the address of a place as a value."""
+        base, offset = place
+        if isinstance(base, Register):
+            if offset == 0:
+                return base
+            constant = Constant("i32", wrap(offset, 32, signed=True))
+            return self.binary(location, "i32.add", base, constant, into)
+        result = self.register("i32") if into is None else into
+        self.block.instructions.append(Address(location, result, base, offset))
+        return result
+
+    def access(self, place: Place, size: int, location: Location) -> Place:
+        """Gives a place as `Load` and `Store` take it: surely inside its object, or in a register.
+
+        Args:
+            place: the place.
+            size: how many bytes are accessed.
+            location: whom to blame.
+        """
+        base, offset = place
+        if isinstance(base, Register):
+            if offset >= 0:
+                return place
+        else:
+            room = base.size if isinstance(base, Slot) else self.unit.sizes.get(base, 0)
+            if 0 <= offset <= room - size:
+                return place
+        made = self.address(place, location)
+        assert isinstance(made, Register)
+        return made, 0
+
+
+def memory_type(ctype: CType) -> MemoryType:
+    """Gives how a scalar lies in memory."""
+    assert isinstance(ctype, IntegerType | FloatType | EnumType | PointerType)
+    return ctype.memory
+
+
+def value_type(ctype: CType) -> ValueType:
+    """Gives the type of the registers that hold a scalar."""
+    return VALUE_TYPE[memory_type(ctype)]
+
+
+def constant(ctype: CType, value: float) -> Constant:
+    """Makes an operand of a number in the range of a scalar type."""
+    wanted = value_type(ctype)
+    if wanted in {"f32", "f64"}:
+        return Constant(wanted, float(value))
+    return Constant(wanted, wrap(int(value), 32 if wanted == "i32" else 64, signed=True))
+
+
+def no_value(function: Function) -> Constant | None:
+    """Gives what a function returns that ends without a value: main's is 0 (C17 5.1.2.2.3)."""
+    is_entry = function.name in ENTRIES and function.result == "i32"
+    return Constant("i32", 0) if is_entry else None
+
+
+LowerValue: TypeAlias = Callable[[Lowering, Any, "Register | None"], Operand]
+LowerEffect: TypeAlias = Callable[[Lowering, Any], None]
+LowerPlace: TypeAlias = Callable[[Lowering, Any], Place]
+LowerBranch: TypeAlias = Callable[[Lowering, Any, Block, Block], None]
+LowerStatement: TypeAlias = Callable[[Lowering, Any], None]
+
+VALUE: Final[dict[type, LowerValue]] = {}
+EFFECT: Final[dict[type, LowerEffect]] = {}
+PLACE: Final[dict[type, LowerPlace]] = {}
+BRANCH: Final[dict[type, LowerBranch]] = {}
+STATEMENT: Final[dict[type, LowerStatement]] = {}
+
+
+def value(low: Lowering, expression: tree.Expression, into: Register | None = None) -> Operand:
+    """Gives the value of a scalar expression.
+
+    Args:
+        low: the function.
+        expression: the expression.
+        into: where its last instruction may put the value; it need not.
+    """
+    return VALUE[expression.__class__](low, expression, into)
+
+
+def value_into(low: Lowering, expression: tree.Expression, target: Register) -> None:
+    """Puts the value of a scalar expression into a register."""
+    low.move(target, value(low, expression, target), expression.location)
+
+
+def effect(low: Lowering, expression: tree.Expression) -> None:
+    """Does what an expression does and drops its value."""
+    found = EFFECT.get(expression.__class__)
+    if found is not None:
+        found(low, expression)
+    elif expression.__class__ in VALUE and is_scalar(expression.type):
+        value(low, expression)
+    elif expression.__class__ in PLACE:
+        place(low, expression)
+
+
+def place(low: Lowering, expression: tree.Expression) -> Place:
+    """Gives where the object lies that an expression names, or a struct that it gives."""
+    return PLACE[expression.__class__](low, expression)
+
+
+def branch(low: Lowering, condition: tree.Expression, then: Block, otherwise: Block) -> None:
+    """Goes to `then` when a scalar is not zero, else to `otherwise`."""
+    found = BRANCH.get(condition.__class__)
+    if found is not None:
+        found(low, condition, then, otherwise)
+        return
+    low.end(Branch(condition.location, truth(low, condition), then, otherwise))
+
+
+def truth(low: Lowering, condition: tree.Expression) -> Operand:
+    """Gives an i32 that is zero exactly when a scalar is."""
+    operand = value(low, condition)
+    if operand.type == "i32":
+        return operand
+    zero = Constant(operand.type, 0 if operand.type == "i64" else 0.0)
+    result = low.register("i32")
+    low.emit(Binary(condition.location, result, f"{operand.type}.ne", operand, zero))
+    return result
+
+
+def statements(low: Lowering, body: list[tree.Statement]) -> None:
+    """Lowers statements one after the other."""
+    for each in body:
+        STATEMENT[each.__class__](low, each)

@@ -1,0 +1,164 @@
+"""Lowers what names an object to its place, and to its value.
+
+A place is a base and an offset. The offset grows with members and constant indices, so that
+`p->a.b[2]` is one load from the register of `p`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from crs_cc.core.source import Location
+from crs_cc.frontend.check import tree
+from crs_cc.frontend.check.tree import Expression
+from crs_cc.frontend.lower.bit_field import read_bits
+from crs_cc.frontend.lower.lowerer import PLACE, VALUE, Lowering, Place, constant, place, value
+from crs_cc.frontend.lower.memory import load
+from crs_cc.ir.program import (
+    Constant,
+    Move,
+    Operand,
+    Register,
+)
+from crs_cc.ir.types import PointerType
+
+_LARGEST_OFFSET = 1 << 30
+
+
+# Places
+
+
+def _places(kind: type) -> Callable[[Any], Any]:
+    def enter(function: Any) -> Any:
+        PLACE[kind] = function
+        return function
+
+    return enter
+
+
+@_places(tree.ObjectName)
+def _object(low: Lowering, expression: tree.ObjectName) -> Place:
+    symbol = expression.symbol
+    if symbol.link_name is not None:
+        low.unit.sizes[symbol.link_name] = symbol.type.size
+        return low.refer(symbol.link_name, expression.location), 0
+    return low.local(symbol), 0
+
+
+@_places(tree.StringLiteral)
+def _string(low: Lowering, expression: tree.StringLiteral) -> Place:
+    return low.unit.string(expression), 0
+
+
+@_places(tree.MemberAccess)
+def _member(low: Lowering, expression: tree.MemberAccess) -> Place:
+    base, offset = place(low, expression.record)
+    return base, offset + expression.member.offset
+
+
+@_places(tree.Dereference)
+def _dereference(low: Lowering, expression: tree.Dereference) -> Place:
+    return pointee(low, expression.pointer)
+
+
+@_places(tree.FunctionName)
+def _function(low: Lowering, expression: tree.FunctionName) -> Place:
+    return low.refer(expression.symbol.link_name, expression.location), 0
+
+
+def pointee(low: Lowering, pointer: Expression) -> Place:
+    """Gives the place that a pointer points to."""
+    match pointer:
+        case tree.AddressOf(operand=operand):
+            return place(low, operand)
+        case tree.PointerAdd():
+            return _moved(low, pointer)
+        case tree.Convert(operand=operand) if isinstance(operand.type, PointerType):
+            return pointee(low, operand)
+    operand_ = value(low, pointer)
+    if isinstance(operand_, Constant):
+        register = low.register("i32")
+        low.emit(Move(pointer.location, register, operand_))
+        return register, 0
+    return operand_, 0
+
+
+def _moved(low: Lowering, moved: tree.PointerAdd) -> Place:
+    """Gives the place of `pointer + index`; what is constant of it goes into the offset."""
+    assert isinstance(moved.type, PointerType)
+    size, location = moved.type.target.size, moved.location
+    base, offset = pointee(low, moved.pointer)
+    index, extra = _split(moved.index)
+    step = extra * size
+    if abs(offset + step) > _LARGEST_OFFSET:
+        index, step = moved.index, 0
+    if moved.minus:
+        step = -step
+    if index is None:
+        return base, offset + step
+    scaled = _scaled(low, index, size, location)
+    op = "i32.sub" if moved.minus else "i32.add"
+    if isinstance(base, Register):
+        return low.binary(location, op, base, scaled), offset + step
+    start = low.address((base, offset + step), location)
+    return low.binary(location, op, start, scaled), 0
+
+
+def _split(index: Expression) -> tuple[Expression | None, int]:
+    """Splits an index into a part that varies and a constant."""
+    if isinstance(index, tree.Literal):
+        return None, int(index.value)
+    if isinstance(index, tree.Convert) and index.operand.type.size == index.type.size:
+        index = index.operand
+    if isinstance(index, tree.Binary) and isinstance(index.right, tree.Literal):
+        if index.op == "+":
+            return index.left, int(index.right.value)
+        if index.op == "-":
+            return index.left, -int(index.right.value)
+    return index, 0
+
+
+def _scaled(low: Lowering, index: Expression, size: int, location: Location) -> Operand:
+    """Gives `index * size`."""
+    operand = value(low, index)
+    if size == 1:
+        return operand
+    if isinstance(operand, Constant):
+        return constant(index.type, (int(operand.value) * size) & 0xFFFFFFFF)
+    if size & (size - 1) == 0:
+        shift = Constant("i32", size.bit_length() - 1)
+        return low.binary(location, "i32.shl", operand, shift)
+    return low.binary(location, "i32.mul", operand, Constant("i32", size))
+
+
+# Values of objects
+
+
+def _value_of_object(low: Lowering, expression: Expression, into: Register | None) -> Operand:
+    """Reads the object that an expression names."""
+    if isinstance(expression, tree.ObjectName) and expression.symbol.link_name is None:
+        found = low.local(expression.symbol)
+        if isinstance(found, Register):
+            return found
+        return load(low, (found, 0), expression.type, expression.location, into)
+    if isinstance(expression, tree.MemberAccess) and expression.member.bit_width is not None:
+        return read_bits(low, place(low, expression), expression.member, expression.location)
+    return load(low, place(low, expression), expression.type, expression.location, into)
+
+
+def _value_of_address(low: Lowering, expression: tree.AddressOf, into: Register | None) -> Operand:
+    return low.address(place(low, expression.operand), expression.location, into)
+
+
+def _value_of_moved(low: Lowering, expression: tree.PointerAdd, into: Register | None) -> Operand:
+    return low.address(_moved(low, expression), expression.location, into)
+
+
+VALUE[tree.ObjectName] = _value_of_object
+VALUE[tree.Dereference] = _value_of_object
+VALUE[tree.MemberAccess] = _value_of_object
+VALUE[tree.CompoundLiteral] = _value_of_object
+
+VALUE[tree.AddressOf] = _value_of_address
+VALUE[tree.PointerAdd] = _value_of_moved

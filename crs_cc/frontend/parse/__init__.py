@@ -1,0 +1,1 @@
+"""From preprocessed text to pycparser's tree, with messages that a programmer can read."""

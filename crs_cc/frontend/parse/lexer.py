@@ -1,0 +1,184 @@
+"""The tokens of preprocessed C, all at once, for pycparser's parser.
+
+pycparser's own lexer tries several patterns at every character; this one needs a single pass of
+one pattern, a good part of the time to compile a file.
+
+>>> from crs_cc.core.source import Diagnostics, Location
+>>> tokens = lex("x += 0x1F;", lambda line, column: Location("a.c", line, column), Diagnostics())
+>>> [(each.type, each.value, each.column) for each in tokens]
+[('ID', 'x', 1), ('PLUSEQUAL', '+=', 3), ('INT_CONST_DEC', '0x1F', 6), ('SEMI', ';', 10)]
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from typing import Final, TypeAlias
+
+from crs_cc.core.source import Diagnostics, Location
+
+Locate: TypeAlias = Callable[[int, int], Location]
+
+
+class Token:
+    """A token, and lazily its place: most tokens are never blamed.
+
+    Attributes:
+        type: pycparser's name for the kind of token.
+        value: its text.
+        lineno: its line in the preprocessed text, counted from 1.
+        column: its column there, counted from 1.
+    """
+
+    __slots__ = ("_locate", "_location", "column", "lineno", "type", "value")
+
+    def __init__(self, type_: str, value: str, lineno: int, column: int, locate: Locate) -> None:
+        self.type = type_
+        self.value = value
+        self.lineno = lineno
+        self.column = column
+        self._locate = locate
+        self._location: Location | None = None
+
+    @property
+    def location(self) -> Location:
+        """Gives the place in the user's file."""
+        found = self._location
+        if found is None:
+            found = self._location = self._locate(self.lineno, self.column)
+        return found
+
+    def copy(self, type_: str, value: str) -> Token:
+        """Makes another token at the same place."""
+        return Token(type_, value, self.lineno, self.column, self._locate)
+
+
+class Span:
+    """The tokens of an expression, from the first to the last, and lazily their place."""
+
+    __slots__ = ("_location", "first", "last")
+
+    def __init__(self, first: Token, last: Token) -> None:
+        self.first = first
+        self.last = last
+        self._location: Location | None = None
+
+    @property
+    def location(self) -> Location:
+        """Gives the place of the first token, which knows where the last one begins."""
+        found = self._location
+        if found is None:
+            start, end = self.first.location, self.last.location
+            reaches = start.line == end.line and start.file == end.file
+            column = max(start.column, end.column) if reaches else 0
+            found = self._location = Location(start.file, start.line, start.column, column)
+        return found
+
+
+_KEYWORDS: Final = {
+    "auto": "AUTO", "break": "BREAK", "case": "CASE", "char": "CHAR", "const": "CONST",
+    "continue": "CONTINUE", "default": "DEFAULT", "do": "DO", "double": "DOUBLE",
+    "else": "ELSE", "enum": "ENUM", "extern": "EXTERN", "float": "FLOAT", "for": "FOR",
+    "goto": "GOTO", "if": "IF", "inline": "INLINE", "int": "INT", "long": "LONG",
+    "offsetof": "OFFSETOF", "register": "REGISTER", "restrict": "RESTRICT",
+    "return": "RETURN", "short": "SHORT", "signed": "SIGNED", "sizeof": "SIZEOF",
+    "static": "STATIC", "struct": "STRUCT", "switch": "SWITCH", "typedef": "TYPEDEF",
+    "union": "UNION", "unsigned": "UNSIGNED", "void": "VOID", "volatile": "VOLATILE",
+    "while": "WHILE", "_Alignas": "_ALIGNAS", "_Alignof": "_ALIGNOF", "_Atomic": "_ATOMIC",
+    "_Bool": "_BOOL", "_Complex": "_COMPLEX", "_Generic": "_GENERIC",
+    "_Noreturn": "_NORETURN", "_Static_assert": "_STATIC_ASSERT",
+    "_Thread_local": "_THREAD_LOCAL", "__builtin_offsetof": "OFFSETOF",
+    "__builtin_va_arg": "__BUILTIN_VA_ARG", "__int128": "__INT128",
+    "__label__": "__LABEL__", "__typeof__": "TYPEOF", "__typeof": "TYPEOF", "typeof": "TYPEOF",
+}  # fmt: skip
+_PUNCTUATORS: Final = {
+    "...": "ELLIPSIS", "<<=": "LSHIFTEQUAL", ">>=": "RSHIFTEQUAL", "++": "PLUSPLUS",
+    "--": "MINUSMINUS", "->": "ARROW", "&&": "LAND", "||": "LOR", "<<": "LSHIFT",
+    ">>": "RSHIFT", "<=": "LE", ">=": "GE", "==": "EQ", "!=": "NE", "*=": "TIMESEQUAL",
+    "/=": "DIVEQUAL", "%=": "MODEQUAL", "+=": "PLUSEQUAL", "-=": "MINUSEQUAL",
+    "&=": "ANDEQUAL", "|=": "OREQUAL", "^=": "XOREQUAL", "=": "EQUALS", "+": "PLUS",
+    "-": "MINUS", "*": "TIMES", "/": "DIVIDE", "%": "MOD", "|": "OR", "&": "AND", "~": "NOT",
+    "^": "XOR", "!": "LNOT", "<": "LT", ">": "GT", "?": "CONDOP", "(": "LPAREN", ")": "RPAREN",
+    "[": "LBRACKET", "]": "RBRACKET", "{": "LBRACE", "}": "RBRACE", ",": "COMMA", ".": "PERIOD",
+    ";": "SEMI", ":": "COLON",
+}  # fmt: skip
+_TYPES: Final = _KEYWORDS | _PUNCTUATORS
+
+_TOKEN: Final = re.compile(
+    r"[ \t\f\v\r]*(?:"
+    r"((?:L|u8|u|U)?\"(?:[^\"\\]|\\.)*\")"  # 1: string
+    r"|((?:L|u8|u|U)?'(?:[^'\\]|\\.)*')"  # 2: character
+    r"|([^\W\d][\w$]*|\$[\w$]*)"  # 3: identifier or keyword
+    r"|(\.?\d(?:[eEpP][+-]|[\w.'])*)"  # 4: number
+    r"|(\.\.\.|<<=|>>=|->|\+\+|--|&&|\|\||<<|>>|[-+*/%&|^=!<>]=|[-+*/%&|^=!<>~?:;,.(){}\[\]])"  # 5
+    r"|(.))"  # 6: anything else
+)
+_STRING, _CHARACTER, _NAME, _NUMBER, _PUNCTUATOR = 1, 2, 3, 4, 5
+
+_INTEGER: Final = re.compile(
+    r"(?:0[xX][0-9a-fA-F]+|0[bB][01]+|0[0-7]*|[1-9][0-9]*)"
+    r"(?:[uU](?:ll|LL|[lL])?|(?:ll|LL|[lL])[uU]?)?"
+)
+_FLOATING: Final = re.compile(
+    r"(?:(?:[0-9]+\.[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?|[0-9]+[eE][+-]?[0-9]+"
+    r"|0[xX](?:[0-9a-fA-F]+\.?[0-9a-fA-F]*|\.[0-9a-fA-F]+)[pP][+-]?[0-9]+)[fFlL]?"
+)
+
+
+def lex(text: str, locate: Locate, diagnostics: Diagnostics) -> list[Token]:
+    """Gives the tokens of a preprocessed file.
+
+    Args:
+        text: the text, without comments and directives.
+        locate: gives the user's place for a line and column of the text.
+        diagnostics: takes errors; what cannot be a token is left out.
+    """
+    tokens: list[Token] = []
+    append = tokens.append
+    types = _TYPES
+    for lineno, line in enumerate(text.split("\n"), 1):
+        for found in _TOKEN.finditer(line):
+            kind = found.lastindex
+            if kind is None:
+                continue
+            value = found.group(kind)
+            column = found.start(kind) + 1
+            if kind in {_NAME, _PUNCTUATOR}:
+                append(Token(types.get(value, "ID"), value, lineno, column, locate))
+                continue
+            token = Token("", value, lineno, column, locate)
+            token.type = _constant_type(kind, value)
+            if token.type:
+                append(token)
+            else:
+                text_ = _complaint(kind, value)
+                diagnostics.error(token.location, text_)
+    return tokens
+
+
+def _constant_type(kind: int, value: str) -> str:
+    """Gives the type of a constant, "" when it is none."""
+    if kind == _STRING:
+        return "STRING_LITERAL"
+    if kind == _CHARACTER:
+        return "CHAR_CONST"
+    if kind == _NUMBER:
+        plain = value.replace("'", "")
+        if _INTEGER.fullmatch(plain):
+            return "INT_CONST_DEC"
+        if _FLOATING.fullmatch(plain):
+            return "FLOAT_CONST"
+    return ""
+
+
+def _complaint(kind: int, value: str) -> str:
+    """Says what is wrong with a token that cannot be one."""
+    if kind != _NUMBER:
+        if value in {"'", '"'}:
+            return f"missing terminating {value} character"
+        return f"unexpected character '{value}'"
+    if re.fullmatch(r"0[0-9]*[89][0-9]*", value):
+        return f"invalid digit in octal constant '{value}'"
+    number = re.match(r"0[xX][0-9a-fA-F]*|[0-9.]+", value)
+    suffix = value[number.end() :] if number is not None else value
+    return f"invalid suffix '{suffix}' on number '{value}'"

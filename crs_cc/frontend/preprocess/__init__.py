@@ -1,0 +1,1 @@
+"""The C preprocessor: directives, macros and includes, with a map back to the user's lines."""

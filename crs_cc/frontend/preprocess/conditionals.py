@@ -1,0 +1,70 @@
+"""Conditional groups of lines: `#if` to `#endif` (C17 6.10.1).
+
+>>> from crs_cc.frontend.preprocess.source_text import Places
+>>> from pathlib import Path
+>>> reader = Reader(Places().add("a.c", ""), Path("."))
+>>> begin(reader, "#if", 0, holds=False)
+>>> reader.skipping
+True
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from crs_cc.frontend.preprocess.reader import Conditional, Reader
+from crs_cc.frontend.preprocess.report import Report
+from crs_cc.frontend.preprocess.source_text import Place
+
+
+def begin(reader: Reader, directive: str, place: Place, *, holds: bool) -> None:
+    """Opens a group, whose first part is used if its condition holds."""
+    skipped = reader.skipping
+    active = holds and not skipped
+    reader.conditionals.append(Conditional(directive, place, active, skipped or active))
+
+
+def go_on(
+    reader: Reader, directive: str, place: Place, report: Report, holds: Callable[[], bool]
+) -> None:
+    """Begins the next part, as `#elif` does; the condition counts only if no part was used."""
+    group = _open_group(reader, directive, place, report)
+    if group is None:
+        return
+    if group.else_place is not None:
+        report.error(place, f"'{directive}' after '#else'")
+        report.note(group.else_place, "the '#else' is here")
+    group.active = not group.done and holds()
+    group.done = group.done or group.active
+
+
+def otherwise(reader: Reader, place: Place, report: Report) -> None:
+    """Begins the last part, as `#else` does."""
+    group = _open_group(reader, "#else", place, report)
+    if group is None:
+        return
+    if group.else_place is not None:
+        report.error(place, f"a second '#else' for the '{group.directive}'")
+        report.note(group.else_place, "the first is here")
+    group.active = not group.done
+    group.done = True
+    group.else_place = place
+
+
+def finish(reader: Reader, place: Place, report: Report) -> None:
+    """Closes a group, as `#endif` does."""
+    if _open_group(reader, "#endif", place, report) is not None:
+        reader.conditionals.pop()
+
+
+def close_all(reader: Reader, report: Report) -> None:
+    """Reports the groups that are open at the end of a file."""
+    for group in reversed(reader.conditionals):
+        report.error(group.place, f"this '{group.directive}' has no '#endif'")
+
+
+def _open_group(reader: Reader, directive: str, place: Place, report: Report) -> Conditional | None:
+    if not reader.conditionals:
+        report.error(place, f"'{directive}' without an '#if' before it")
+        return None
+    return reader.conditionals[-1]

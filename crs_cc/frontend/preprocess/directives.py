@@ -1,0 +1,327 @@
+"""What each `#` line does (C17 6.10).
+
+>>> sorted(_IN_SKIPPED_GROUPS - {"if", "ifdef", "ifndef"})
+['elif', 'elifdef', 'elifndef', 'else', 'endif']
+"""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Final
+
+from crs_cc.frontend.check.gnu_attributes import KEYWORD, PACK
+from crs_cc.frontend.preprocess import conditionals
+from crs_cc.frontend.preprocess.condition import ConditionError, evaluate, resolve_operators
+from crs_cc.frontend.preprocess.includes import Refusal
+from crs_cc.frontend.preprocess.macros import RESERVED, read_definition
+from crs_cc.frontend.preprocess.source_text import Place
+from crs_cc.frontend.preprocess.state import State
+from crs_cc.frontend.preprocess.tokens import NAME, STRING, Token, shown, spell, tokenise
+
+_DIRECTIVE: Final = re.compile(r"[ \t\v\f]*(?:#|%:)[ \t\v\f]*(\w*)")
+_HEADER: Final = re.compile(r"[ \t\v\f]*(?:\"([^\"]*)\"|<([^>]*)>)")
+_PRAGMAS_WITH_MEANING: Final = frozenset({"weak", "redefine_extname"})
+_ASSERTIONS: Final = frozenset({"assert", "unassert"})
+MAX_LINE: Final = (1 << 31) - 1
+"""The largest line number that `#line` can set (C17 6.10.4)."""
+
+
+@dataclass(slots=True)
+class _Line:
+    """A directive's line.
+
+    Attributes:
+        name: the directive.
+        place: where its `#` is.
+        rest: the text after the name.
+        rest_place: where that begins.
+    """
+
+    name: str
+    place: Place
+    rest: str
+    rest_place: Place
+
+    def tokens(self) -> list[Token]:
+        return tokenise(self.rest, self.rest_place)
+
+
+def run_directive(state: State, text: str, place: Place) -> bool:
+    """Does what a line says, if it is a directive.
+
+    Args:
+        state: the run.
+        text: the line.
+        place: where it begins.
+
+    Returns:
+        whether it is one.
+
+    Raises:
+        StopError: the run cannot go on.
+        ExhaustedError: macros in it expand to too much.
+    """
+    match = _DIRECTIVE.match(text)
+    if match is None:
+        return False
+    hash_place = place + len(text) - len(text.lstrip())
+    line = _Line(match[1], hash_place, text[match.end() :], place + match.end())
+    if state.reader.skipping and line.name not in _IN_SKIPPED_GROUPS:
+        return True
+    if line.name.isdigit():
+        line.rest, line.rest_place = match[1] + line.rest, place + match.start(1)
+        _line(state, line)  # as another preprocessor leaves it: # 12 "file.c"
+    elif line.name in _DIRECTIVES:
+        _DIRECTIVES[line.name](state, line)
+    elif line.name or line.rest.strip():
+        name = line.name or line.rest.split()[0]
+        close = difflib.get_close_matches(name, _DIRECTIVES, n=1)
+        hint = f"did you mean '#{close[0]}'?" if close else ""
+        if name in _ASSERTIONS:
+            hint = "gcc itself gave assertions up; define a macro instead"
+        state.report.error(hash_place, f"there is no directive '#{shown(name)}'", hint)
+    return True
+
+
+def _define(state: State, line: _Line) -> None:
+    tokens = line.tokens()
+    if not tokens:
+        state.report.error(line.place, "'#define' needs a name")
+        return
+    macro = read_definition(tokens, state.report)
+    if macro is not None:
+        state.define(macro)
+
+
+def _undef(state: State, line: _Line) -> None:
+    name = _only_name(state, line)
+    if name is None:
+        return
+    if name.text in RESERVED:
+        state.report.error(name.place, f"'{name.text}' cannot be undefined")
+        return
+    macro = state.macros.get(name.text)
+    if macro is not None and macro.dynamic is not None:
+        state.report.warning(name.place, f"the built-in macro '{name.text}' is undefined")
+    state.undefine(name.text)
+
+
+def _only_name(state: State, line: _Line) -> Token | None:
+    """Gives the one name that a directive takes."""
+    tokens = line.tokens()
+    if not tokens:
+        state.report.error(line.place, f"'#{line.name}' needs a name")
+        return None
+    if tokens[0].kind != NAME:
+        state.report.error(
+            tokens[0].place, f"'#{line.name}' needs a name, not '{shown(tokens[0].text)}'"
+        )
+        return None
+    _demand_end(state, line, tokens[1:])
+    return tokens[0]
+
+
+def _demand_end(state: State, line: _Line, tokens: list[Token]) -> None:
+    if tokens:
+        state.report.warning(
+            tokens[0].place, f"'{shown(tokens[0].text)}' after '#{line.name}' is ignored"
+        )
+
+
+def _include(state: State, line: _Line) -> None:
+    header = _header_name(state, line)
+    if header is None:
+        return
+    name, quoted, place = header
+    here = state.reader.header if line.name == "include_next" else None
+    found = state.headers.find(
+        name, quoted=quoted, folder=state.reader.folder, after=here.root if here else None
+    )
+    if isinstance(found, Refusal):
+        ours = state.headers.find_ours(name, quoted=quoted, folder=state.reader.folder)
+        if ours is None:
+            state.report.error(place, found.text, found.hint)
+            return
+        meant, found = ours
+        state.report.warning(place, f"'{shown(name)}' is not found; '{meant}' is taken for it")
+    state.include(found, place)
+
+
+def _header_name(state: State, line: _Line) -> tuple[str, bool, Place] | None:
+    """Gives a header's name, whether it stands in quotes, and its place (C17 6.10.2)."""
+    rest, place = line.rest, line.rest_place
+    match = _HEADER.match(rest)
+    if match is None:
+        tokens = state.expand(line.tokens())
+        if not tokens:
+            state.report.error(line.place, f"'#{line.name}' needs a header's name")
+            return None
+        rest, place = spell(tokens), tokens[0].place
+        match = _HEADER.match(rest)
+        if match is None:
+            state.report.error(place, 'a header is named as "name.h" or <name.h>')
+            return None
+        after = []
+    else:
+        place += len(rest) - len(rest.lstrip())
+        after = tokenise(rest[match.end() :], line.rest_place + match.end())
+    _demand_end(state, line, after)
+    return match[1] or match[2] or "", match[1] is not None, place
+
+
+def _condition(state: State, line: _Line) -> bool:
+    """Gives the value of the expression after `#if` or `#elif`."""
+
+    def is_defined(name: str) -> bool:
+        return name in state.macros or name == "__has_include"
+
+    def has_header(header: str, token: Token) -> bool:
+        match = _HEADER.fullmatch(header)
+        if match is None:
+            raise ConditionError(token.place, 'a header is named as "name.h" or <name.h>')
+        name, quoted = match[1] or match[2] or "", match[1] is not None
+        found = state.headers.find(name, quoted=quoted, folder=state.reader.folder)
+        return not isinstance(found, Refusal)
+
+    try:
+        tokens = resolve_operators(line.tokens(), is_defined, has_header)
+        tokens = resolve_operators(state.expand_condition(tokens), is_defined, has_header)
+        return evaluate(tokens)
+    except ConditionError as error:
+        place = line.place if error.place is None else error.place
+        state.report.error(place, f"in '#{line.name}': {error}", error.hint)
+        return False
+
+
+def _if(state: State, line: _Line) -> None:
+    holds = not state.reader.skipping and _condition(state, line)
+    conditionals.begin(state.reader, f"#{line.name}", line.place, holds=holds)
+
+
+def _ifdef(state: State, line: _Line) -> None:
+    holds = not state.reader.skipping and _names_a_macro(state, line)
+    conditionals.begin(state.reader, f"#{line.name}", line.place, holds=holds)
+
+
+def _names_a_macro(state: State, line: _Line) -> bool:
+    """Tells whether the condition of `#ifdef`, `#ifndef` and their `#elif` forms holds."""
+    name = _only_name(state, line)
+    if name is None:
+        return False
+    is_defined = name.text in state.macros or name.text == "__has_include"
+    return is_defined != line.name.endswith("ndef")
+
+
+def _elif(state: State, line: _Line) -> None:
+    judge = _condition if line.name == "elif" else _names_a_macro
+    conditionals.go_on(
+        state.reader, f"#{line.name}", line.place, state.report, lambda: judge(state, line)
+    )
+
+
+def _else(state: State, line: _Line) -> None:
+    _demand_end(state, line, line.tokens())
+    conditionals.otherwise(state.reader, line.place, state.report)
+
+
+def _endif(state: State, line: _Line) -> None:
+    _demand_end(state, line, line.tokens())
+    conditionals.finish(state.reader, line.place, state.report)
+
+
+def _error(state: State, line: _Line) -> None:
+    state.report.error(line.place, shown(f"#error {line.rest.strip()}".rstrip(), 500))
+
+
+def _warning(state: State, line: _Line) -> None:
+    state.report.warning(line.place, shown(f"#warning {line.rest.strip()}".rstrip(), 500))
+
+
+def _line(state: State, line: _Line) -> None:
+    """Changes what `__LINE__` and `__FILE__` give (C17 6.10.4); messages keep the true place."""
+    tokens = state.expand(line.tokens())
+    digits = tokens[0].text if tokens else ""
+    if not (digits.isdigit() and digits.isascii() and len(digits) <= 10):
+        state.report.error(line.place, "'#line' needs a line number")
+        return
+    number = int(digits)
+    if not 0 <= number <= MAX_LINE:
+        state.report.error(tokens[0].place, f"a line number is at most {MAX_LINE}")
+        return
+    if len(tokens) > 1:
+        if tokens[1].kind != STRING or tokens[1].text[0] != '"':
+            state.report.error(tokens[1].place, "'#line' needs a file name in quotes")
+            return
+        state.reader.presumed_name = re.sub(r"\\(.)", r"\1", tokens[1].text[1:-1])
+    reader = state.reader
+    next_line = reader.text.location(reader.place).line
+    reader.line_offset = number - next_line
+
+
+def _pragma(state: State, line: _Line) -> None:
+    state.pending += obey_pragma(state, line.tokens())
+
+
+def obey_pragma(state: State, tokens: list[Token]) -> list[Token]:
+    """Does what a `#pragma` says, and gives the tokens that stand for it in the program."""
+    name = tokens[0].text if tokens else ""
+    if name == "once":
+        if state.reader.header is not None:
+            state.once.add(state.reader.header.file)
+    elif name == "pack":
+        words = [KEYWORD, "(", "(", PACK, *(each.text for each in tokens[1:]), ")", ")"]
+        return tokenise(" ".join(words), tokens[0].place)
+    elif name in ("push_macro", "pop_macro"):
+        _keep_macro(state, tokens)
+    elif name in _PRAGMAS_WITH_MEANING:
+        state.report.warning(tokens[0].place, f"'#pragma {name}' is ignored")
+    return []
+
+
+def _keep_macro(state: State, tokens: list[Token]) -> None:
+    """Does what `#pragma push_macro("NAME")` or `pop_macro` says."""
+    if [token.text for token in tokens[1:2] + tokens[3:]] != ["(", ")"] or len(tokens) != 4:
+        state.report.warning(tokens[0].place, f"'#pragma {tokens[0].text}' needs a name in quotes")
+        return
+    name = tokens[2].text.strip('"')
+    kept = state.kept_macros.setdefault(name, [])
+    if tokens[0].text == "push_macro":
+        kept.append(state.macros.get(name))
+    elif kept:
+        macro = kept.pop()
+        state.undefine(name)
+        if macro is not None:
+            state.define(macro)
+
+
+def _ignore(_state: State, _line: _Line) -> None:
+    """Does nothing: `#ident` and `#sccs` were marks in object files."""
+
+
+_DIRECTIVES: Final[dict[str, Callable[[State, _Line], None]]] = {
+    "define": _define,
+    "undef": _undef,
+    "include": _include,
+    "import": _include,
+    "include_next": _include,
+    "if": _if,
+    "ifdef": _ifdef,
+    "ifndef": _ifdef,
+    "elif": _elif,
+    "elifdef": _elif,
+    "elifndef": _elif,
+    "else": _else,
+    "endif": _endif,
+    "error": _error,
+    "warning": _warning,
+    "line": _line,
+    "pragma": _pragma,
+    "ident": _ignore,
+    "sccs": _ignore,
+}
+_IN_SKIPPED_GROUPS: Final = frozenset(
+    {"if", "ifdef", "ifndef", "elif", "elifdef", "elifndef", "else", "endif"}
+)

@@ -1,0 +1,174 @@
+r"""GNU syntax that the parser does not know, taken away or put into standard words.
+
+This works on single tokens and on constructs of a word with parentheses after it. To add another:
+a word with a standard twin goes into `_TWINS`, a word with parentheses into `_CONSTRUCTS` with a
+method that gives the tokens to put in its place. Lines without any such word do not come here, so
+syntax that no word announces, as `case 1 ... 5`, must also be no plain line (`spelling.is_plain`).
+
+>>> from crs_cc.frontend.preprocess.source_text import Places
+>>> from crs_cc.frontend.preprocess.tokens import spell, tokenise
+>>> from crs_cc.core.source import Diagnostics
+>>> gnu = GnuSyntax(Report(Diagnostics(), Places()), lambda tokens: [])
+>>> line = "static __inline__ int f(void), x asm(\"y\") __attribute((unused));"
+>>> spell(gnu.rewrite(tokenise(line, 0), before=lambda: ""))
+'static inline int f(void), x __attribute__((__asm_label__("y"))) __attribute__((unused));'
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Final
+
+from crs_cc.frontend.check.gnu_attributes import ASM_LABEL, KEYWORD
+from crs_cc.frontend.preprocess.report import Report
+from crs_cc.frontend.preprocess.tokens import NAME, Token, tokenise
+
+_TWINS: Final = {
+    "__inline": "inline", "__inline__": "inline",
+    "__const": "const", "__const__": "const",
+    "__volatile": "volatile", "__volatile__": "volatile",
+    "__restrict": "restrict", "__restrict__": "restrict",
+    "__signed": "signed", "__signed__": "signed",
+    "__alignof": "_Alignof", "__alignof__": "_Alignof",
+    "__complex": "_Complex", "__complex__": "_Complex",
+    "__thread": "_Thread_local",
+    "__FUNCTION__": "__func__", "__PRETTY_FUNCTION__": "__func__",
+    "__builtin_offsetof": "offsetof",
+    "typeof": "__typeof__", "__typeof": "__typeof__",
+    "__attribute": "__attribute__",
+}  # fmt: skip
+_DROPPED: Final = frozenset({"__extension__"})
+_ASM: Final = frozenset({"asm", "__asm", "__asm__"})
+_PRAGMA: Final = frozenset({"_Pragma"})
+_CONSTRUCTS: Final = _ASM | _PRAGMA
+_ASM_QUALIFIERS: Final = frozenset({
+    "const", "goto", "inline", "__inline", "__inline__", "volatile", "__volatile", "__volatile__",
+})  # fmt: skip
+Pragma = Callable[[list[Token]], list[Token]]
+"""Does what the tokens behind `#pragma` say, and gives what stands in their place."""
+
+WORDS: Final = frozenset(_TWINS) | _DROPPED | _CONSTRUCTS
+"""A line without any of these words is left as it is."""
+
+_STATEMENT_BEGIN: Final = re.compile(r"\s*(?:if|while|for|switch|else|do|return)\b")
+_BEFORE_ASM: Final = 200
+"""How far back is looked for the beginning of a declaration [characters, or tokens]."""
+
+
+@dataclass(slots=True)
+class _Construct:
+    """A word whose parentheses are not closed yet.
+
+    Attributes:
+        word: the word.
+        is_label: of `asm`, whether it names a declared object, and is not a statement.
+        inside: the tokens between the parentheses.
+        depth: how many parentheses are open.
+    """
+
+    word: Token
+    is_label: bool = False
+    inside: list[Token] = field(default_factory=list)
+    depth: int = 0
+
+
+class GnuSyntax:
+    """Rewrites a stream of tokens, which comes in pieces."""
+
+    def __init__(self, report: Report, pragma: Pragma) -> None:
+        self._report = report
+        self._pragma = pragma
+        self._construct: _Construct | None = None
+
+    @property
+    def is_open(self) -> bool:
+        """Tells whether the last construct goes on in the tokens to come."""
+        return self._construct is not None
+
+    def rewrite(self, tokens: Sequence[Token], before: Callable[[], str]) -> list[Token]:
+        """Gives the standard form of tokens.
+
+        Args:
+            tokens: the next piece of the program.
+            before: gives the text before them, as far as it was written.
+        """
+        result: list[Token] = []
+        for token in tokens:
+            if self._construct is not None and self._goes_on(self._construct, token, result):
+                continue
+            text = token.text
+            if text not in WORDS or token.kind != NAME:
+                result.append(token)
+            elif text in _TWINS:
+                result.append(Token(NAME, _TWINS[text], token.place, token.spaced))
+            elif text in _CONSTRUCTS:
+                is_label = text in _ASM and _follows_declarator(before(), result)
+                self._construct = _Construct(token, is_label)
+        return result
+
+    def finish(self) -> None:
+        """Reports what is still open at the end of the program."""
+        if self._construct is not None:
+            word = self._construct.word
+            self._report.error(word.place, f"'{word.text}' has no ')' at its end")
+            self._construct = None
+
+    def _goes_on(self, construct: _Construct, token: Token, result: list[Token]) -> bool:
+        """Tells whether a token belongs to the open construct, and takes it then."""
+        if construct.depth == 0 and token.text != "(":
+            if construct.word.text in _ASM and token.text in _ASM_QUALIFIERS:
+                construct.is_label = False
+                return True
+            self._construct = None
+            if construct.word.text in _ASM:
+                self._close_asm(construct)
+            else:
+                word = construct.word.text
+                self._report.error(token.place, f"expected '(' after '{word}'")
+            return False
+        construct.depth += {"(": 1, ")": -1}.get(token.text, 0)
+        construct.inside.append(token)
+        if construct.depth == 0:
+            self._construct = None
+            result += self._close(construct)
+        return True
+
+    def _close(self, construct: _Construct) -> list[Token]:
+        """Gives what stands for a construct."""
+        if construct.word.text in _ASM:
+            self._close_asm(construct)
+            return _label(construct) if construct.is_label else []
+        literal = "".join(each.text for each in construct.inside[1:-1])
+        text = literal.removeprefix("L").strip('"').replace('\\"', '"')
+        return self._pragma(tokenise(text.replace("\\\\", "\\"), construct.word.place))
+
+    def _close_asm(self, construct: _Construct) -> None:
+        """Refuses statements."""
+        if not construct.is_label:
+            self._report.error(
+                construct.word.place,
+                "inline assembly is not supported",
+                "write it in C where __CRS__ is defined",
+            )
+
+
+def _label(construct: _Construct) -> list[Token]:
+    """Gives the assembler name of a declared object or function as an attribute."""
+    place = construct.word.place
+    begin = [each.moved(place, each.spaced) for each in tokenise(f" {KEYWORD}(({ASM_LABEL}", 0)]
+    return [*begin, *construct.inside, *tokenise("))", place)]
+
+
+def _follows_declarator(before: str, tokens: Sequence[Token]) -> bool:
+    """Tells whether a declaration ends at some point of the program, and no statement begins."""
+    text = " ".join([before[-_BEFORE_ASM:], *(each.text for each in tokens[-_BEFORE_ASM:])])
+    statement = re.split(r"[;{}]", text)[-1]
+    last = statement.rstrip()[-1:]
+    return (
+        (last.isalnum() or last in ("_", "$", ")", "]"))
+        and last != ""
+        and statement.count("(") == statement.count(")")
+        and _STATEMENT_BEGIN.match(statement) is None
+    )

@@ -1,0 +1,67 @@
+"""Notes behind errors in what a macro was replaced by: where the macro is defined.
+
+An error there has the place of the macro's call, which shows nothing of what is wrong. Neither
+does a hint to such a place: `to close the '(' at a.c:3:5`, where only a macro stands.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Final
+
+from crs_cc.core.source import Diagnostic, Diagnostics, Location
+from crs_cc.frontend.preprocess.macros import Macro
+from crs_cc.frontend.preprocess.preprocessor import Preprocessed
+
+_PLACE: Final = re.compile(r"\bat (\S+:\d+:\d+)")
+_QUOTED: Final = re.compile(r"'([^']+)'")
+
+
+def add_macro_notes(
+    diagnostics: Diagnostics, source: Preprocessed, headers: Sequence[Path]
+) -> None:
+    """Puts a note behind the first error that comes out of each macro.
+
+    Args:
+        diagnostics: the messages about the file.
+        source: the file.
+        headers: the folders of the headers that come with crs; their macros are not shown.
+    """
+    uses = {str(place): macros for place, macros in source.macro_uses().items()}
+    messages, told = list(diagnostics.messages), set[str]()
+    diagnostics.messages.clear()
+    for message in messages:
+        diagnostics.messages.append(message)
+        note = _note(message, uses, source) if message.severity == "error" else None
+        if note is None or note[1] in told or _is_below(note[0], headers):
+            continue
+        told.add(note[1])
+        diagnostics.add("note", *note)
+
+
+def _note(
+    message: Diagnostic, uses: Mapping[str, Sequence[Macro]], source: Preprocessed
+) -> tuple[Location, str] | None:
+    places = [str(message.location), *_PLACE.findall(message.hint)]
+    macros = next((uses[place] for place in places if place in uses), None)
+    if macros is None:
+        return None
+    macro = _blamed(message.text, macros)
+    if not macro.place:
+        return None  # one that is there from the start
+    first = f", which '{macros[0].name}' uses," if macro is not macros[0] else ""
+    return source.definition(macro), f"macro '{macro.name}'{first} is defined here"
+
+
+def _blamed(text: str, macros: Sequence[Macro]) -> Macro:
+    """Gives the macro that has in it what a message speaks of, or the one that was called."""
+    quoted = set(_QUOTED.findall(text))
+    return next(
+        (each for each in macros if any(token.text in quoted for token in each.body)), macros[0]
+    )
+
+
+def _is_below(place: Location, folders: Sequence[Path]) -> bool:
+    return any(Path(place.file).is_relative_to(folder) for folder in folders)

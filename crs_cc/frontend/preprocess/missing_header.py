@@ -1,0 +1,90 @@
+"""What a user meant whose header is missing, or what to tell him.
+
+>>> hint_for_missing("fstream", [])
+'it belongs to C++, and crs compiles C'
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Sequence
+from itertools import islice
+from pathlib import Path
+from typing import Final
+
+from crs_cc.frontend.parse.other_language_hint import CPLUSPLUS
+
+_GUARD: Final = "put what needs it between '#ifndef __CRS__' and '#endif'"
+_NETWORK: Final = f"a control program has no network of its own here: {_GUARD}"
+_PROCESSES: Final = f"a control program is a single process here: {_GUARD}"
+_TERMINAL: Final = f"a control program has no terminal or display here: {_GUARD}"
+_DEVICES: Final = f"a control program has no devices but its robot here: {_GUARD}"
+_DOS: Final = f"it belongs to DOS or Windows: {_GUARD}"
+
+
+def _all(names: str, hint: str) -> dict[str, str]:
+    return dict.fromkeys(names.split(), hint)
+
+
+_HINTS: Final = {
+    **_all("net/if.h rpc/rpc.h netinet/ip.h", _NETWORK),
+    **_all("sys/ipc.h sys/shm.h sys/sem.h sys/msg.h", _PROCESSES),
+    **_all("sys/ptrace.h pthread.h semaphore.h threads.h sched.h spawn.h dlfcn.h", _PROCESSES),
+    "stdatomic.h": f"a control program is a single thread here, which needs no atomics: {_GUARD}",
+    "complex.h": f"crs has no complex numbers: {_GUARD}",
+    **_all("curses.h ncurses.h term.h termio.h sgtty.h", _TERMINAL),
+    **_all("readline/readline.h", _TERMINAL),
+    **_all("X11/Xlib.h X11/Xutil.h X11/Xos.h X11/Intrinsic.h GL/gl.h GL/glut.h", _TERMINAL),
+    **_all("asm/io.h sys/io.h linux/serial.h linux/joystick.h linux/videodev.h", _DEVICES),
+    **_all("conio.h dos.h bios.h io.h windows.h winsock.h winsock2.h", _DOS),
+    **_all("iostream iostream.h fstream string vector map cstdio cstdlib cmath", CPLUSPLUS),
+    "varargs.h": "include <stdarg.h> instead, and give the function a named parameter",
+}
+
+_MAX_LISTED: Final = 1000
+_VENDORS: Final = "nclient.h"
+
+
+def header_of_ours(name: str, folders: Sequence[Path]) -> str:
+    """Gives the header in one of our folders that a name stands for which names no file.
+
+    Programs of other systems write letters in another case, and name the standard headers and the
+    vendor's, wherever it was installed, with their paths.
+
+    Args:
+        name: what stands between the quotes or angle brackets.
+        folders: those of our own headers.
+
+    Returns:
+        Its name, or empty text if there is none.
+    """
+    wanted = Path(name.replace("\\", "/").lower().removeprefix("/usr/include/"))
+    if wanted.name == _VENDORS:
+        wanted = Path(_VENDORS)
+    if wanted.is_absolute() or ".." in wanted.parts:
+        return ""
+    for folder in folders:
+        for each in _names_in(folder / wanted.parent):
+            if each.lower() == wanted.name:
+                return str(wanted.with_name(each))
+    return ""
+
+
+def hint_for_missing(name: str, folders: Sequence[Path]) -> str:
+    """Gives a hint to a header that was looked for in folders, and empty text if there is none."""
+    if name in _HINTS:
+        return _HINTS[name]
+    wanted = Path(name)
+    for folder in folders:
+        names = {each.lower(): each for each in _names_in(folder / wanted.parent)}
+        close = difflib.get_close_matches(wanted.name.lower(), names, n=1, cutoff=0.8)
+        if close:
+            return f"did you mean '{wanted.with_name(names[close[0]])}'?"
+    return ""
+
+
+def _names_in(folder: Path) -> list[str]:
+    try:
+        return sorted(each.name for each in islice(folder.iterdir(), _MAX_LISTED))
+    except (OSError, ValueError):
+        return []

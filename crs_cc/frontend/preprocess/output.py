@@ -1,0 +1,152 @@
+r"""The preprocessed program, with a map back to the user's files.
+
+>>> places = Places()
+>>> text = places.add("a.c", "  int speed = FAST;")
+>>> writer = Writer()
+>>> writer.line("  int x;", text.start)
+>>> writer.tokens([Token("name", "speed", 6, False), Token("number", "200", 14, True)])
+>>> program = writer.finish(places)
+>>> program.text, str(program.location(1, 3)), str(program.location(2, 7))
+('  int x;\nspeed 200\n', 'a.c:1:3', 'a.c:1:15')
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Final
+
+from crs_cc.core.source import Location
+from crs_cc.frontend.preprocess.macros import Macro
+from crs_cc.frontend.preprocess.source_text import Place, Places
+from crs_cc.frontend.preprocess.tokens import NAME, NUMBER, PUNCTUATOR, Token
+
+
+@dataclass(frozen=True, slots=True)
+class _TokenLine:
+    """Where the tokens of a line of output begin, and where each comes from."""
+
+    columns: list[int]
+    places: list[Place]
+
+
+@dataclass(frozen=True, slots=True)
+class Preprocessed:
+    """C without directives, comments and macros.
+
+    Attributes:
+        text: the program, for the parser.
+        macros: the names of the macros at its end.
+        uses: the macros that were replaced, by the place.
+        more: preprocesses another text as if it stood behind the last line: its name, and the text.
+    """
+
+    text: str
+    _rows: list[str]
+    _lines: list[Place | _TokenLine]
+    _places: Places
+    macros: tuple[str, ...] = ()
+    uses: Mapping[Place, Sequence[Macro]] = field(default_factory=dict)
+    more: Callable[[str, str], Preprocessed] | None = None
+
+    @property
+    def files(self) -> tuple[str, ...]:
+        """The files that were read, by the names that messages give them."""
+        return tuple(text.name for text in self._places.texts)
+
+    def location(self, line: int, column: int) -> Location:
+        """Gives the place in the user's files of a place in `text`.
+
+        Args:
+            line: number of the line in `text`, counted from 1, as the parser counts.
+            column: number of the character in the line, counted from 1; 0 means its first token.
+
+        Returns:
+            where the token there was written, or the macro's call that it comes from. A place
+            outside the text gives the nearest one inside.
+        """
+        if not self._lines:
+            return Location(self._places.texts[-1].name)
+        if line > len(self._lines):
+            line, column = len(self._lines), 1 << 30
+        row = max(line, 1) - 1
+        mapped = self._lines[row]
+        if isinstance(mapped, _TokenLine):
+            index = bisect_right(mapped.columns, max(column, 1)) - 1
+            return self._places.location(mapped.places[index])
+        offset = min(max(column, 1) - 1, len(self._rows[row]))
+        return self._places.location(mapped + offset)
+
+    def macro_uses(self) -> dict[Location, Sequence[Macro]]:
+        """Gives the macros that were replaced, by the location of the one that was called."""
+        return {self._places.location(place): macros for place, macros in self.uses.items()}
+
+    def definition(self, macro: Macro) -> Location:
+        """Gives where a macro is defined."""
+        return self._places.location(macro.place)
+
+
+_AS_SPACE: Final = str.maketrans("\v\f", "  ")
+
+
+@dataclass(slots=True)
+class Writer:
+    """Puts the output together."""
+
+    _rows: list[str] = field(default_factory=list)
+    _lines: list[Place | _TokenLine] = field(default_factory=list)
+
+    def line(self, text: str, place: Place) -> None:
+        """Writes a line as the user wrote it."""
+        self._rows.append(text.rstrip().translate(_AS_SPACE))
+        self._lines.append(place)
+
+    def tokens(self, tokens: Sequence[Token]) -> None:
+        """Writes a line of tokens."""
+        if not tokens:
+            return
+        parts: list[str] = []
+        columns: list[int] = []
+        column = 1
+        before = tokens[0]
+        for token in tokens:
+            if column > 1 and (token.spaced or would_merge(before, token)):
+                parts.append(" ")
+                column += 1
+            columns.append(column)
+            parts.append(token.text)
+            column += len(token.text)
+            before = token
+        self._rows.append("".join(parts))
+        self._lines.append(_TokenLine(columns, [token.place for token in tokens]))
+
+    def tail(self, size: int) -> str:
+        """Gives about the last characters that were written."""
+        parts: list[str] = []
+        for line in reversed(self._rows):
+            parts.append(line[-size:])
+            size -= len(line) + 1
+            if size <= 0:
+                break
+        return "\n".join(reversed(parts))
+
+    def finish(self, places: Places) -> Preprocessed:
+        """Gives the program."""
+        text = "\n".join([*self._rows, ""]) if self._rows else ""
+        return Preprocessed(text, self._rows, self._lines, places)
+
+
+_LONGER: Final = (
+    "++ -- && || << >> == -> += -= *= /= %= &= |= ^= != <= >= ## .. // /* <: <% :> %> %: ::"
+)
+"""Two characters that, side by side, are read as one token or begin one, or a comment."""
+
+
+def would_merge(left: Token, right: Token) -> bool:
+    """Tells whether two tokens, written side by side, would be read as others."""
+    if left.kind in (NAME, NUMBER):
+        return right.kind != PUNCTUATOR or (left.kind == NUMBER and right.text[0] in "+-.")
+    if right.kind == NUMBER:
+        return left.text == "."
+    return left.text[-1] + right.text[0] in _LONGER

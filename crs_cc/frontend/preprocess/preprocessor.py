@@ -1,0 +1,209 @@
+r"""The C preprocessor: from a file to C without directives, comments and macros.
+
+A line without macros is passed on as it is. Any other is cut into tokens, its macros are replaced,
+GNU syntax is put into standard words, and it is written again. `Preprocessed.location` leads from
+any place of the result back to the user's file, line and column.
+
+>>> messages = Diagnostics()
+>>> program = preprocess_text("#define FAST 200\nvm(FAST, 0);\n", "a.c", Options(), messages)
+>>> program.text
+'vm(200, 0);\n'
+>>> str(program.location(1, 9))
+'a.c:2:10'
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Final
+
+from crs_cc.core.source import Diagnostics, Location
+from crs_cc.frontend.preprocess import conditionals
+from crs_cc.frontend.preprocess.budget import ExhaustedError
+from crs_cc.frontend.preprocess.directives import obey_pragma, run_directive
+from crs_cc.frontend.preprocess.dynamic import dynamic_macros
+from crs_cc.frontend.preprocess.gnu import GnuSyntax
+from crs_cc.frontend.preprocess.includes import Headers, Refusal, read_regular_file
+from crs_cc.frontend.preprocess.options import DIALECT_HEADERS, Options
+from crs_cc.frontend.preprocess.output import Preprocessed, Writer
+from crs_cc.frontend.preprocess.predefined import ORIGIN, predefined_macros
+from crs_cc.frontend.preprocess.report import Report, StopError
+from crs_cc.frontend.preprocess.source_text import Place, Places, decode, is_binary
+from crs_cc.frontend.preprocess.spelling import is_plain, respell
+from crs_cc.frontend.preprocess.state import State
+from crs_cc.frontend.preprocess.tokens import Token, tokenise
+
+__all__ = ["Options", "Preprocessed", "preprocess", "preprocess_text"]
+
+_WORD: Final = re.compile(r"[A-Za-z_$][\w$]*")
+_COMMAND_LINE: Final = "<command line>"
+
+
+def preprocess(path: Path, options: Options, diagnostics: Diagnostics) -> Preprocessed:
+    """Preprocesses a C file (C17 5.1.1.2, phases 1 to 4).
+
+    Args:
+        path: the file.
+        options: where headers are, and what is defined.
+        diagnostics: gets every message, and the lines of each file that is read. When there is an
+            error among them, the result is as good as it can be, and not to be used.
+    """
+    content = read_regular_file(path)
+    if isinstance(content, Refusal):
+        diagnostics.error(Location(str(path)), content.text, content.hint)
+        return _preprocess("", path, options, diagnostics)
+    if is_binary(content):
+        diagnostics.error(Location(str(path)), "is not a text file", "name a C source file")
+        return _preprocess("", path, options, diagnostics)
+    return _preprocess(decode(content), path, options, diagnostics)
+
+
+def preprocess_text(
+    text: str, name: str, options: Options, diagnostics: Diagnostics
+) -> Preprocessed:
+    """Preprocesses a program that is at hand as text.
+
+    Args:
+        text: the program.
+        name: what messages call it; a header in quotes is looked for beside a file of that name.
+        options: where headers are, and what is defined.
+        diagnostics: gets every message, and the lines of each file that is read.
+    """
+    try:
+        content = decode(text.encode("utf-8", "surrogateescape"))
+    except UnicodeEncodeError:  # lone surrogates, which stand for no byte
+        content = decode(text.encode("utf-8", "replace"))
+    return _preprocess(content, Path(name), options, diagnostics)
+
+
+def _preprocess(
+    content: str, path: Path, options: Options, diagnostics: Diagnostics
+) -> Preprocessed:
+    run = _Run(path.parent, options, diagnostics)
+    result = run.finish(lambda: run.read(content, path))
+    return replace(result, macros=tuple(run.state.macros), uses=run.state.uses, more=run.read_more)
+
+
+class _Run:
+    """One run over a main file and what it includes."""
+
+    def __init__(self, folder: Path, options: Options, diagnostics: Diagnostics) -> None:
+        self.folder = folder
+        report = Report(diagnostics, Places())
+        report.places.add(ORIGIN, "")
+        self.state = State(report, Headers(folder, options, diagnostics.digests))
+        self.state.strict = options.is_strict
+        self.options = options
+        self.writer = Writer()
+        self.gnu = GnuSyntax(report, lambda tokens: obey_pragma(self.state, tokens))
+
+    def read(self, content: str, path: Path) -> None:
+        """Reads everything."""
+        state = self.state
+        for macro in (*predefined_macros(self.options.standard), *dynamic_macros(state)):
+            state.define(macro)
+        main = state.add_text(str(path), content)
+        state.open(main, path.parent, None, main.start)
+        self._include_dialect(path.parent)
+        self._define_options(path.parent)
+        self._read_all()
+
+    def read_more(self, name: str, content: str) -> Preprocessed:
+        """Reads another text, with the macros as they are at the end of the main file."""
+        self.writer = Writer()
+
+        def read() -> None:
+            text = self.state.add_text(name, content)
+            self.state.open(text, self.folder, None, text.start)
+            self._read_all()
+
+        return self.finish(read)
+
+    def finish(self, read: Callable[[], None]) -> Preprocessed:
+        """Gives what was written when `read` is done, or could not go on."""
+        report = self.state.report
+        try:
+            read()
+        except ExhaustedError as error:
+            hint = "a macro that uses another one twice doubles with every step"
+            place = report.places.location(error.place)
+            report.diagnostics.error(place, "macros expand to far more than was written", hint)
+        except StopError:
+            pass  # the reason is among the diagnostics
+        return self.writer.finish(report.places)
+
+    def _read_all(self) -> None:
+        while self.state.readers:
+            line = self._next_line()
+            if line is None:
+                self._close_file()
+            else:
+                self._write(*line)
+        self.gnu.finish()
+
+    def _define_options(self, folder: Path) -> None:
+        """Opens a text that does what `-D` and `-U` say, to be read before the main file."""
+        lines: list[str] = []
+        for definition in self.options.defines:
+            name, equals, value = definition.partition("=")
+            lines.append(f"#define {name} {value if equals else '1'}")
+        lines += [f"#undef {name}" for name in self.options.undefines]
+        if not lines:
+            return
+        text = self.state.add_text(
+            _COMMAND_LINE, "\n".join(each.replace("\n", " ") for each in lines)
+        )
+        self.state.open(text, folder, None, text.start)
+
+    def _include_dialect(self, folder: Path) -> None:
+        """Opens the header of a dialect, to be read before the main file."""
+        name = DIALECT_HEADERS.get(self.options.dialect)
+        if name is not None:
+            found = self.state.headers.find(name, quoted=False, folder=folder)
+            assert not isinstance(found, Refusal), found.text
+            self.state.include(found, self.state.reader.text.start)
+
+    def _next_line(self) -> tuple[str, Place] | None:
+        """Gives the next line of the innermost file that is no directive, none at its end."""
+        state = self.state
+        while (line := state.reader.next_line()) is not None:
+            text, place = line
+            if ("#" in text or "%:" in text) and run_directive(state, text, place):
+                self.writer.tokens(state.pending)
+                state.pending.clear()
+                continue
+            if text and not state.reader.skipping and not text.isspace():
+                return line
+        return None
+
+    def _close_file(self) -> None:
+        conditionals.close_all(self.state.readers.pop(), self.state.report)
+
+    def _write(self, text: str, place: Place) -> None:
+        """Writes what a line becomes, and what it needs of the lines that follow."""
+        untouched = self.state.watched.isdisjoint(_WORD.findall(text))
+        if untouched and is_plain(text) and not self.gnu.is_open:
+            self.writer.line(text, place)
+            return
+        tokens = tokenise(text, place)
+        if not untouched:
+            depth = len(self.state.readers)
+            tokens = self.state.expand(tokens, lambda: self._more(depth))
+        tokens = self.gnu.rewrite(tokens, lambda: self.writer.tail(500))
+        self.writer.tokens(respell(tokens, self.state.report))
+
+    def _more(self, depth: int) -> list[Token] | None:
+        """Gives the tokens of the next line for a call that goes on, none at the file's end.
+
+        Args:
+            depth: how many files were open where the call began.
+        """
+        while (line := self._next_line()) is None:
+            if len(self.state.readers) <= depth:
+                return None
+            self._close_file()
+        tokens = tokenise(*line)
+        return [tokens[0].moved(tokens[0].place, spaced=True), *tokens[1:]]

@@ -1,0 +1,70 @@
+"""Messages about places, up to a limit.
+
+>>> places = Places()
+>>> text = places.add("a.c", "int a;")
+>>> report = Report(Diagnostics(), places)
+>>> report.error(text.start + 4, "'a' is wrong")
+>>> report.diagnostics.messages[0].render()
+"a.c:1:5: error: 'a' is wrong"
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final, NoReturn
+
+from crs_cc.core.source import Diagnostics
+from crs_cc.frontend.preprocess.source_text import Place, Places
+
+MAX_ERRORS: Final = 100
+MAX_WARNINGS: Final = 100
+
+
+class StopError(Exception):
+    """Preprocessing cannot go on; the reason is among the diagnostics. It never gets out."""
+
+
+@dataclass(slots=True)
+class Report:
+    """Collects the messages of one run.
+
+    Attributes:
+        diagnostics: where they go.
+        places: what turns a place into a location.
+    """
+
+    diagnostics: Diagnostics
+    places: Places
+    _errors: int = 0
+    _warnings: int = 0
+
+    def error(self, place: Place, text: str, hint: str = "") -> None:
+        """Records an error.
+
+        Raises:
+            StopError: there are too many.
+        """
+        self.diagnostics.error(self.places.location(place), text, hint)
+        self._errors += 1
+        if self._errors >= MAX_ERRORS:
+            self.fatal(place, f"too many errors ({MAX_ERRORS}), the rest is not read")
+
+    def warning(self, place: Place, text: str, hint: str = "") -> None:
+        """Records a warning, unless there were very many."""
+        self._warnings += 1
+        if self._warnings <= MAX_WARNINGS:
+            self.diagnostics.warning(self.places.location(place), text, hint)
+
+    def note(self, place: Place, text: str) -> None:
+        """Adds to the warning before it, if that was recorded."""
+        if self._warnings <= MAX_WARNINGS:
+            self.diagnostics.add("note", self.places.location(place), text)
+
+    def fatal(self, place: Place, text: str, hint: str = "") -> NoReturn:
+        """Records an error after which nothing more can be read.
+
+        Raises:
+            StopError: always.
+        """
+        self.diagnostics.error(self.places.location(place), text, hint)
+        raise StopError

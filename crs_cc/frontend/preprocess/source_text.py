@@ -1,0 +1,166 @@
+r"""The text of a file after translation phases 1 to 3, with a map back to what the user wrote.
+
+Lines that a backslash continues are joined, and comments become white space of the same length
+(C17 5.1.1.2). What is left is cut into logical lines. A *place* is one number: the offset of a
+character in all texts of a run laid end to end. It costs nothing to carry, and `Places` turns it
+into a file, line and column when somebody asks.
+
+>>> places = Places()
+>>> text = places.add("a.c", "int a; /* two\nlines */ int \\\n  b;\n")
+>>> text.lines
+['int a;       \x0b         int   b;', '']
+>>> str(places.location(text.lines[0].index("b")))
+'a.c:3:3'
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from dataclasses import dataclass, field
+from typing import Final
+
+from crs_cc.core.source import Location
+
+Place = int
+
+_COMMENT_OR_QUOTE: Final = re.compile(
+    r"""//[^\n]*
+      | /\*[^*]*+(?:\*(?!/)[^*]*+)*+(?:\*/|\Z)
+      | "(?:[^"\\\n]|\\.)*+"?
+      | '(?:[^'\\\n]|\\.)*+'?""",
+    re.VERBOSE,
+)
+_CONTROLS: Final = bytes({*range(32), 127} - set(b"\b\t\n\v\f\r\x1a\x1b"))
+_TRIGRAPHS: Final = dict(zip("=(/)'<!>-", "#[\\]^{|}~", strict=True))
+_TRIGRAPH: Final = re.compile(r"\?\?([=(/)'<!>-])")
+_UNDECODABLE: Final = re.compile("[\udc80-\udcff]")
+
+
+def decode(content: bytes) -> str:
+    """Gives the text of a file, in UTF-8 with or without a mark, with lines ending in newlines.
+
+    Bytes that are not UTF-8 (old sources have Latin-1 in their comments) become surrogates, as
+    Python's `surrogateescape` makes them.
+    """
+    text = content.removeprefix(b"\xef\xbb\xbf").decode("utf-8", "surrogateescape")
+    text = text.replace("\r\n", "\n").replace("\r", "\n")
+    return text.rstrip("\x1a")  # the end mark of DOS editors
+
+
+def without_trigraphs(text: str) -> str:
+    r"""Replaces the nine trigraphs (C17 5.2.1.1); what follows in a line moves by two columns.
+
+    >>> without_trigraphs("??=define A(x) x??(0??) ?????/")
+    '#define A(x) x[0] ???\\'
+    """
+    return _TRIGRAPH.sub(lambda found: _TRIGRAPHS[found[1]], text)
+
+
+def is_binary(content: bytes) -> bool:
+    """Tells whether bytes are no text in any encoding, but a program, a picture or an archive."""
+    odd = len(content) - len(content.translate(None, _CONTROLS))
+    return odd > 4 + len(content) // 100
+
+
+def printable(text: str) -> str:
+    """Gives a text that can be shown: bytes that are not UTF-8 are replaced."""
+    return text if text.isascii() else _UNDECODABLE.sub("\N{REPLACEMENT CHARACTER}", text)
+
+
+@dataclass(frozen=True, slots=True)
+class SourceText:
+    """One file's text.
+
+    Attributes:
+        name: the file, as messages name it.
+        start: the place of its first character.
+        size: how many places it takes.
+        lines: its logical lines, without comments. A newline inside a comment is a vertical tab.
+        line_starts: where each line of the file begins, as an offset in the logical text.
+        unclosed_comment: the place of a comment without an end.
+    """
+
+    name: str
+    start: Place
+    size: int
+    lines: list[str]
+    line_starts: list[int]
+    unclosed_comment: Place | None
+
+    def location(self, place: Place) -> Location:
+        """Gives line and column of a place in this file."""
+        offset = min(place - self.start, self.size)
+        line = bisect_right(self.line_starts, offset)
+        return Location(self.name, line, offset - self.line_starts[line - 1] + 1)
+
+
+@dataclass(slots=True)
+class Places:
+    """All texts of a run, laid end to end."""
+
+    texts: list[SourceText] = field(default_factory=list)
+    _starts: list[Place] = field(default_factory=list)
+
+    def add(self, name: str, content: str) -> SourceText:
+        """Appends the content of a file, with newlines as line ends."""
+        start = self.texts[-1].start + self.texts[-1].size + 1 if self.texts else 0
+        joined, line_starts = _join_lines(content)
+        blanked, unclosed = _blank_comments(joined)
+        text = SourceText(
+            name,
+            start,
+            len(joined),
+            blanked.split("\n"),
+            line_starts,
+            None if unclosed is None else start + unclosed,
+        )
+        self.texts.append(text)
+        self._starts.append(start)
+        return text
+
+    def location(self, place: Place) -> Location:
+        """Gives the file, line and column of a place."""
+        return self.texts[bisect_right(self._starts, place) - 1].location(place)
+
+
+def _join_lines(content: str) -> tuple[str, list[int]]:
+    """Removes each backslash that ends a line, and the newline (C17 5.1.1.2, phase 2).
+
+    White space after the backslash is removed too, as gcc does: nobody can see it.
+
+    Returns:
+        the text, and where in it each line of `content` begins.
+    """
+    parts: list[str] = []
+    starts: list[int] = []
+    offset = 0
+    for line in content.split("\n"):
+        starts.append(offset)
+        if line[-1:] in "\\ \t" and (bare := line.rstrip(" \t")).endswith("\\"):
+            part = bare[:-1]
+        else:
+            part = line + "\n"
+        parts.append(part)
+        offset += len(part)
+    return "".join(parts).removesuffix("\n"), starts
+
+
+def _blank_comments(text: str) -> tuple[str, int | None]:
+    """Replaces comments by white space of the same length (C17 5.1.1.2, phase 3).
+
+    Returns:
+        the text, and the offset of a comment that is not closed.
+    """
+    unclosed = None
+
+    def blank(match: re.Match[str]) -> str:
+        nonlocal unclosed
+        found = match.group()
+        if found[0] != "/":
+            return found
+        if found[1] == "*" and (len(found) < 4 or not found.endswith("*/")):
+            unclosed = match.start()
+        return "\v".join(" " * len(part) for part in found.split("\n"))
+
+    return _COMMENT_OR_QUOTE.sub(blank, text), unclosed

@@ -1,0 +1,157 @@
+"""What one run of the preprocessor knows: its macros, its open files, and what it may still do.
+
+>>> from crs_cc.frontend.preprocess.macros import read_definition
+>>> from crs_cc.frontend.preprocess.source_text import Places
+>>> from crs_cc.frontend.preprocess.tokens import tokenise
+>>> from crs_cc.frontend.preprocess.options import Options
+>>> from crs_cc.core.source import Diagnostics
+>>> state = State(Report(Diagnostics(), Places()), Headers(Path("."), Options()))
+>>> state.define(read_definition(tokenise("SPEED 200", 0), state.report))
+>>> [token.text for token in state.expand(tokenise("vm(SPEED)", 0))]
+['vm', '(', '200', ')']
+"""
+
+from __future__ import annotations
+
+from collections import ChainMap
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Final
+
+from crs_cc.frontend.preprocess import gnu
+from crs_cc.frontend.preprocess.budget import Budget
+from crs_cc.frontend.preprocess.expand import MacroUses, MoreTokens, expand
+from crs_cc.frontend.preprocess.includes import Header, Headers, Refusal, read_regular_file
+from crs_cc.frontend.preprocess.macros import DEFINED, Macro
+from crs_cc.frontend.preprocess.reader import Reader
+from crs_cc.frontend.preprocess.report import Report
+from crs_cc.frontend.preprocess.source_text import (
+    Place,
+    SourceText,
+    decode,
+    is_binary,
+    printable,
+    without_trigraphs,
+)
+from crs_cc.frontend.preprocess.tokens import Token
+
+MAX_DEPTH: Final = 200
+"""How deep headers may include each other, as in gcc."""
+MAX_CHARACTERS: Final = 32 << 20
+"""How much source is read in a run, each header as often as it is included [characters]."""
+OPENING: Final = 2048
+"""What opening a file counts for, however small it is [characters]."""
+
+
+@dataclass(slots=True)
+class State:
+    """The state of a run.
+
+    Attributes:
+        report: hears of errors.
+        headers: finds header files.
+        macros: the macros, by name.
+        watched: words that a line must not have, to be passed on as it is.
+        readers: the open files, the innermost last.
+        once: files that said `#pragma once`.
+        budget: what macros may still expand to.
+        characters_left: how much more source is read.
+        strict: whether the program is written in ISO C, with trigraphs.
+        kept_macros: what `#pragma push_macro` keeps of each name.
+        pending: tokens that a directive puts into the program.
+        uses: the macros that the program uses, by the place.
+    """
+
+    report: Report
+    headers: Headers
+    macros: dict[str, Macro] = field(default_factory=dict)
+    watched: set[str] = field(default_factory=lambda: set(gnu.WORDS))
+    readers: list[Reader] = field(default_factory=list)
+    once: set[Path] = field(default_factory=set)
+    budget: Budget = field(default_factory=Budget)
+    characters_left: int = MAX_CHARACTERS
+    strict: bool = False
+    kept_macros: dict[str, list[Macro | None]] = field(default_factory=dict)
+    pending: list[Token] = field(default_factory=list)
+    uses: MacroUses = field(default_factory=dict)
+    _texts: dict[Path, SourceText] = field(default_factory=dict)
+
+    @property
+    def reader(self) -> Reader:
+        """Gives the file that is being read."""
+        return self.readers[-1]
+
+    def define(self, macro: Macro) -> None:
+        """Adds a macro; the same name may be defined again with the same meaning only."""
+        known = self.macros.get(macro.name)
+        if known is not None and not known.same_as(macro):
+            self.report.warning(macro.place, f"'{macro.name}' is defined again, otherwise")
+            if known.place:
+                self.report.note(known.place, "it was defined here before")
+        self.macros[macro.name] = macro
+        self.watched.add(macro.name)
+
+    def undefine(self, name: str) -> None:
+        """Forgets a macro, if there is one of that name."""
+        if self.macros.pop(name, None) is not None and name not in gnu.WORDS:
+            self.watched.discard(name)
+
+    def expand(self, tokens: Sequence[Token], more: MoreTokens | None = None) -> list[Token]:
+        """Replaces all macros in tokens; `more` gives the next lines for a call that goes on."""
+        return expand(tokens, self.macros, self.budget, self.report, more, uses=self.uses)
+
+    def expand_condition(self, tokens: Sequence[Token]) -> list[Token]:
+        """Replaces all macros in the expression of `#if`, but no operands of `defined`."""
+        macros = ChainMap({DEFINED.name: DEFINED}, self.macros)
+        return expand(tokens, macros, self.budget, self.report)
+
+    def include(self, header: Header, place: Place) -> None:
+        """Opens a header, to be read next.
+
+        Args:
+            header: the file.
+            place: where it is included.
+
+        Raises:
+            StopError: headers are nested too deeply, or there is too much source.
+        """
+        if header.file in self.once:
+            return
+        if len(self.readers) > MAX_DEPTH:
+            self.report.fatal(place, f"headers include each other more than {MAX_DEPTH} deep")
+        text = self._texts.get(header.file)
+        if text is None:
+            content = read_regular_file(header.file)
+            if isinstance(content, Refusal):
+                self.report.error(place, f"'{header.path}' {content.text}", content.hint)
+                return
+            if is_binary(content):
+                self.report.error(place, f"'{header.path}' is not a text file")
+                return
+            text = self._texts[header.file] = self.add_text(str(header.path), decode(content))
+        self.open(text, header.path.parent, header, place)
+
+    def add_text(self, name: str, content: str) -> SourceText:
+        """Takes in the text of a file, so that messages can show its lines."""
+        self.report.diagnostics.lines[name] = printable(content).split("\n")
+        if self.strict:
+            content = without_trigraphs(content)
+        text = self.report.places.add(name, content)
+        if text.unclosed_comment is not None:
+            self.report.error(text.unclosed_comment, "this comment has no '*/' at its end")
+        return text
+
+    def open(self, text: SourceText, folder: Path, header: Header | None, place: Place) -> None:
+        """Begins to read a text.
+
+        Raises:
+            StopError: there is too much source.
+        """
+        self.characters_left -= text.size + OPENING
+        self.budget.grow(text.size)
+        if self.characters_left < 0:
+            self.report.fatal(
+                place, f"more than {MAX_CHARACTERS >> 20} million characters of source"
+            )
+        self.readers.append(Reader(text, folder, header))

@@ -1,0 +1,105 @@
+r"""Preprocessing tokens (C17 6.4), cut from a line by one regular expression.
+
+>>> [token.text for token in tokenise(r'x+++=L"a\"b"[0x1e+2]', 0)]
+['x', '++', '+=', 'L"a\\"b"', '[', '0x1e+2', ']']
+>>> [(token.kind, token.place, token.spaced) for token in tokenise("f (.5)", 100)][:3]
+[('name', 100, False), ('punctuator', 102, True), ('number', 103, False)]
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from crs_cc.frontend.preprocess.source_text import Place, printable
+
+NAME: Final = "name"
+NUMBER: Final = "number"
+STRING: Final = "string"
+CHARACTER: Final = "character"
+PUNCTUATOR: Final = "punctuator"
+UNCLOSED: Final = "unclosed"
+"""A quote without its partner, and the rest of the line."""
+OTHER: Final = "other"
+"""A character that is no part of C; or a string between the quotes of a word processor."""
+PLACEMARKER: Final = "placemarker"
+"""What `##` makes of an empty argument (C17 6.10.3.3); never leaves an expansion."""
+
+HASH: Final = frozenset({"#", "%:"})
+PASTE: Final = frozenset({"##", "%:%:"})
+
+_UNIVERSAL: Final = r"\\u[0-9a-fA-F]{4}|\\U[0-9a-fA-F]{8}"
+IDENTIFIER: Final = rf"(?:[^\W0-9]|\$|{_UNIVERSAL})(?:[\w$]|{_UNIVERSAL})*+"
+PP_NUMBER: Final = r"\.?[0-9](?:[eEpP][+-]|[\w.])*+"
+STRING_LITERAL: Final = r'(?:u8|[uUL])?"(?:[^"\\]|\\.)*+"'
+CHARACTER_CONSTANT: Final = r"(?:u8|[uUL])?'(?:[^'\\]|\\.)*+'"
+_PUNCTUATORS: Final = (
+    r"\.\.\.|<<=|>>=|%:%:|->|\+\+|--|<<|>>|<=|>=|==|!=|&&|\|\||[-+*/%&|^]=|\#\#"
+    r"|<:|:>|<%|%>|%:|[-+*/%&|^~!<>=?:;,.(){}\[\]\#]"
+)
+_TYPESET_STRING: Final = r'[\u201c-\u201f][^\u201c-\u201f"]*+[\u201c-\u201f"]'
+_TYPESET_CHARACTER: Final = r"[\u2018-\u201b](?:\\.|.)[\u2018-\u201b']"
+_TOKEN: Final = re.compile(
+    f"(?P<{STRING}>{STRING_LITERAL})"
+    f"|(?P<{CHARACTER}>{CHARACTER_CONSTANT})"
+    f"|(?P<{NAME}>{IDENTIFIER})"
+    f"|(?P<{NUMBER}>{PP_NUMBER})"
+    f"|(?P<{PUNCTUATOR}>{_PUNCTUATORS})"
+    f"|(?P<{UNCLOSED}>[\"'].*)"
+    rf"|(?P<{OTHER}>{_TYPESET_STRING}|{_TYPESET_CHARACTER}|[^ \t\v\f])"
+)
+
+
+@dataclass(slots=True)
+class Token:
+    """A preprocessing token. It is shared by whoever holds it: never change one, make another.
+
+    Attributes:
+        kind: one of the constants above.
+        text: its spelling.
+        place: where the user wrote it, or the macro call that it comes from.
+        spaced: whether white space stands before it.
+        painted: whether it is the name of a macro that was found inside its own expansion, and
+            is not replaced any more (C17 6.10.3.4).
+    """
+
+    kind: str
+    text: str
+    place: Place
+    spaced: bool
+    painted: bool = False
+
+    def moved(self, place: Place, spaced: bool) -> Token:
+        """Gives the same token at another place."""
+        return Token(self.kind, self.text, place, spaced, self.painted)
+
+    def respelled(self, text: str) -> Token:
+        """Gives the same token in another spelling."""
+        return Token(self.kind, text, self.place, self.spaced, self.painted)
+
+
+def tokenise(line: str, place: Place) -> list[Token]:
+    """Cuts a logical line, of which the first character is at a place, into tokens."""
+    tokens = []
+    end = 0
+    for match in _TOKEN.finditer(line):
+        start, stop = match.span()
+        kind = match.lastgroup
+        assert kind is not None
+        tokens.append(Token(kind, match.group(), place + start, start != end))
+        end = stop
+    return tokens
+
+
+def spell(tokens: Sequence[Token]) -> str:
+    """Gives the text of tokens, with one space where there was white space between them."""
+    parts = [(" " if token.spaced else "") + token.text for token in tokens]
+    return "".join(parts).lstrip()
+
+
+def shown(text: str, limit: int = 60) -> str:
+    """Gives a text as a message quotes it: printable and not too long."""
+    text = printable(text)
+    return text if len(text) <= limit else text[: limit - 3] + "..."

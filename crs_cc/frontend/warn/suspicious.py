@@ -1,0 +1,123 @@
+"""Warns of what is C, but hardly what was meant, in functions that were checked without errors.
+
+Values that nobody uses, and constant indices outside their array; what needs the paths through a
+function is in `warn_flow`.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any, Final
+
+from crs_cc.core.source import Location
+from crs_cc.frontend.check import tree
+from crs_cc.frontend.check.checker import Unit
+from crs_cc.frontend.check.fold import COMPARISONS
+from crs_cc.frontend.check.tree_parts import everything
+from crs_cc.frontend.warn.flow import warn_paths
+from crs_cc.ir.types import ArrayType, VoidType
+
+_PURE: Final = frozenset({
+    "abs", "acos", "asin", "atan", "atan2", "atof", "atoi", "atol", "ceil", "cos", "exp", "fabs",
+    "feof", "ferror", "floor", "fmod", "getenv", "hypot", "isalnum", "isalpha", "isdigit",
+    "islower", "ispunct", "isspace", "isupper", "isxdigit", "labs", "llabs", "log", "log10",
+    "memchr", "memcmp", "pow", "rint", "round", "sin", "sqrt", "strcasecmp", "strchr", "strcmp",
+    "strcspn", "strlen", "strncasecmp", "strncmp", "strpbrk", "strrchr", "strspn", "strstr", "tan",
+    "tolower", "toupper", "trunc",
+})  # fmt: skip
+"""Library functions that only give a value."""
+
+_EFFECTS: Final = (
+    tree.Assign, tree.CompoundAssign, tree.Increment, tree.Call, tree.Intrinsic, tree.VarArg,
+    tree.StatementExpression,
+)  # fmt: skip
+_VALUES: Final = (
+    tree.Binary, tree.Unary, tree.PointerAdd, tree.PointerDifference, tree.ObjectName,
+    tree.FunctionName, tree.Dereference, tree.MemberAccess, tree.AddressOf,
+)  # fmt: skip
+
+
+def warn_unit(unit: Unit) -> None:
+    """Looks at every function of a file."""
+    for function in unit.functions:
+        for node in everything(function.body):
+            match node:
+                case tree.ExpressionStatement():
+                    _warn_unused(unit, node.expression)
+                case tree.Loop() if node.step is not None:
+                    _warn_unused(unit, node.step)
+                case tree.Comma():
+                    _warn_unused(unit, node.first)
+                case tree.Dereference():
+                    _warn_index(unit, node)
+        warn_paths(unit, function)
+
+
+def _warn_unused(unit: Unit, value: tree.Expression) -> None:
+    """Warns of a value that is dropped, if there was no reason to compute it but the value."""
+    if isinstance(value, tree.Call):
+        _warn_call(unit, value)
+        return
+    if not isinstance(value, _VALUES) or isinstance(value.type, VoidType) or _is_volatile(value):
+        return
+    if isinstance(value, tree.FunctionName):
+        name = value.symbol.name
+        unit.warning(value.location, f"'{name}' is not called here", f"write '{name}()'")
+    elif isinstance(value, tree.Binary) and value.op in COMPARISONS:
+        hint = "write '=' to assign" if value.op == "==" else ""
+        unit.warning(value.location, f"the result of '{value.op}' is not used", hint)
+    elif not any(map(_has_effect, everything([value]))) and not _is_macro(unit, value.location):
+        unit.warning(value.location, "this value is not used")
+
+
+def _has_effect(value: tree.Expression) -> bool:
+    return isinstance(value, _EFFECTS)
+
+
+def _is_macro(unit: Unit, place: Location) -> bool:
+    """Tells whether a name in capitals stands at a place: it may well be a macro for nothing."""
+    line = unit.diagnostics.lines.get(place.file, [])[place.line - 1 : place.line]
+    return bool(line) and re.match(r"[A-Z][A-Z0-9_]+\b", line[0][place.column - 1 :]) is not None
+
+
+def _warn_call(unit: Unit, call: tree.Call) -> None:
+    """Warns of a dropped value of a function that only gives one."""
+    if isinstance(call.callee, tree.FunctionName) and not isinstance(call.type, VoidType):
+        symbol = call.callee.symbol
+        if symbol.is_external and symbol.name in _PURE:
+            text = f"the value of '{symbol.name}' is not used, and it does nothing else"
+            unit.warning(call.location, text)
+
+
+def _is_volatile(value: tree.Expression) -> bool:
+    """Tells whether to read an expression is an effect; reading drops its type's qualifiers."""
+    return any(
+        (isinstance(each, tree.ObjectName) and each.symbol.type.volatile)
+        or (isinstance(each, tree.Dereference | tree.MemberAccess) and _points_to_volatile(each))
+        for each in everything([value])
+    )  # fmt: skip
+
+
+def _points_to_volatile(value: Any) -> bool:
+    if isinstance(value, tree.MemberAccess):
+        return bool(value.member.type.volatile)
+    target = getattr(value.pointer.type, "target", None)
+    return target is not None and bool(target.volatile)
+
+
+def _warn_index(unit: Unit, access: tree.Dereference) -> None:
+    """Warns of a constant index that the array does not have."""
+    match access.pointer:
+        case tree.PointerAdd(
+            pointer=tree.AddressOf(operand=array), index=tree.Literal(value=index), minus=minus
+        ) if isinstance(array.type, ArrayType):
+            number = -int(index) if minus else int(index)
+            length = array.type.length
+            is_tail = isinstance(array, tree.MemberAccess) and (length or 0) <= 1
+            if length is None or is_tail or 0 <= number < length:
+                return
+            if number == length and isinstance(access.type, ArrayType):
+                return  # its address may be the end of the whole
+            text = f"index {number} is outside the array '{array.type}'"
+            hint = f"its indices are 0 to {length - 1}" if length else ""
+            unit.warning(access.location, text, hint)

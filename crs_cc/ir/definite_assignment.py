@@ -1,0 +1,232 @@
+"""Which variables in registers may be read before they are assigned, and where.
+
+A variable whose every read comes after an assignment, on whatever way the program takes, needs
+nothing. For the others a flag is kept beside the register, and the reads that may come too early
+test it. To move such a value, or to store it, is no use of it: flag or state go along.
+
+A debugger may look at a variable wherever the program can stop. Mostly it is known whether it has a
+value there; where that depends on the way that the program took, the variable has a flag, too.
+
+>>> from crs_cc.ir.program import *
+>>> from crs_cc.ir.types import INT
+>>> from crs_cc.core.source import Location
+>>> here = Location("sum.c", 1, 1)
+>>> n = Register(0, "i32", Variable("n", INT, here))
+>>> m = Register(1, "i32", Variable("m", INT, here))
+>>> block = Block("entry", [Binary(here, m, "i32.add", n, n)], Return(here, m))
+>>> found = Assignments(Function("sum", here, registers=[n, m], blocks=[block]))
+>>> [variable.name for _, variable in found.tests[block.instructions[0]]]
+['n']
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+from crs_cc.ir.liveness import all_instructions, reads, writes
+from crs_cc.ir.program import (
+    Block,
+    Call,
+    Function,
+    Instruction,
+    Move,
+    Register,
+    Request,
+    SetJump,
+    Statement,
+    Store,
+    Variable,
+)
+
+_STOPS: Final = (Statement, Call, Request, SetJump)
+"""Where a program can stop, beside the beginnings of blocks."""
+
+
+@dataclass(frozen=True, slots=True)
+class FlagChange:
+    """What becomes of a flag when its register is written.
+
+    Attributes:
+        flag: the flag.
+        source: the flag whose value it takes; None when the register now has a value.
+    """
+
+    flag: Register
+    source: Register | None
+
+
+class Assignments:
+    """The flags that a function needs, and where they are tested and changed.
+
+    Attributes:
+        flags: the flag of each register that needs one: not zero when the register has a value.
+        tests: the registers to test before an instruction, each with the variable to blame.
+        changes: what an instruction changes.
+        stored: the flag of the value that a store writes, where it may have none.
+        unset: the variables that surely have no value before an instruction where a debugger may
+            look at them.
+    """
+
+    def __init__(self, function: Function, *, steps: bool = False) -> None:
+        """Looks through a function; `steps` if a debugger may stop in it."""
+        self.flags: dict[Register, Register] = {}
+        self.tests: dict[Instruction, list[tuple[Register, Variable]]] = {}
+        self.changes: dict[Instruction, FlagChange] = {}
+        self.stored: dict[Store, Register] = {}
+        self.unset: dict[Instruction, frozenset[Register]] = {}
+        self._variables: dict[Register, Variable] = {}
+        passed = {each.place for each in function.parameters}
+        start = 0
+        for register in function.registers:
+            if register.variable is not None and register not in passed:
+                start |= 1 << register.index
+                self._variables[register] = register.variable
+        if start and function.blocks:
+            at_start, wanted = _solve(function, start), dict[Register, None]()
+            if steps:
+                self._look(function, at_start, wanted)
+            self._find(function, at_start, wanted)
+
+    def _look(
+        self, function: Function, at_start: dict[Block, int], wanted: dict[Register, None]
+    ) -> None:
+        """Finds what a debugger sees, and wants flags for what is not known beforehand."""
+        assigned = _assigned(function)
+        for block in function.blocks:
+            unset, given = at_start[block], assigned[block]
+            for number, it in enumerate(all_instructions(block)):
+                if unset and (number == 0 or isinstance(it, _STOPS)):
+                    seen = [
+                        (register, given >> register.index & 1)
+                        for register, variable in self._variables.items()
+                        if unset >> register.index & 1 and variable.is_visible(it.location)
+                    ]
+                    self.unset[it] = frozenset(each for each, doubt in seen if not doubt)
+                    wanted.update((each, None) for each, doubt in seen if doubt)
+                unset, given = _behind(it, unset), given | _written(it)
+
+    def _find(
+        self, function: Function, at_start: dict[Block, int], wanted: dict[Register, None]
+    ) -> None:
+        """Collects the reads that may come too early, and all that leads to them."""
+        moves: dict[Instruction, Register] = {}
+        for block in function.blocks:
+            unset = at_start[block]
+            for it in all_instructions(block):
+                early = [each for each in dict.fromkeys(_uses(it)) if unset >> each.index & 1]
+                if early:
+                    self.tests[it] = [(each, self._variables[each]) for each in early]
+                    wanted.update(dict.fromkeys(early))
+                source = _moved(it)
+                if source is not None and unset >> source.index & 1:
+                    self._move(it, source, moves, wanted)
+                unset = _behind(it, unset)
+        _add_sources(moves, wanted)
+        self.flags = {register: Register(-1, "i32") for register in wanted}
+        for it, source in moves.items():
+            if isinstance(it, Store):
+                self.stored[it] = self.flags[source]
+        for block in function.blocks:
+            for it in all_instructions(block):
+                target = writes(it)
+                if target in self.flags:
+                    copied = self.flags[moves[it]] if it in moves else None
+                    self.changes[it] = FlagChange(self.flags[target], copied)
+
+    def _move(
+        self,
+        it: Instruction,
+        source: Register,
+        moves: dict[Instruction, Register],
+        wanted: dict[Register, None],
+    ) -> None:
+        """Notes that a value which may not be there is moved to another register, or stored."""
+        moves[it] = source
+        target = writes(it)
+        if target is None:
+            wanted[source] = None
+        else:
+            self._variables[target] = target.variable or self._variables[source]
+
+
+def _add_sources(moves: dict[Instruction, Register], wanted: dict[Register, None]) -> None:
+    """Wants the sources of all moves to what is wanted."""
+    grown = True
+    while grown:
+        grown = False
+        for move, source in moves.items():
+            if source not in wanted and writes(move) in wanted:
+                wanted[source] = None
+                grown = True
+
+
+def _moved(it: Instruction) -> Register | None:
+    """Gives the register whose value an instruction moves elsewhere without looking at it."""
+    if isinstance(it, Move | Store) and isinstance(it.source, Register):
+        return it.source
+    return None
+
+
+def _uses(it: Instruction) -> list[Register]:
+    """Gives the registers whose values an instruction needs."""
+    used = reads(it)
+    source = _moved(it)
+    if source is not None:
+        used.remove(source)
+    return used
+
+
+def _behind(it: Instruction, unset: int) -> int:
+    """Gives which registers may have no value behind an instruction, from those before it."""
+    for register in _uses(it):  # it has passed the test
+        unset &= ~(1 << register.index)
+    target = writes(it)
+    if target is not None:
+        source = _moved(it)
+        moves_nothing = source is not None and unset >> source.index & 1
+        unset &= ~(1 << target.index)
+        if moves_nothing:
+            unset |= 1 << target.index
+    return unset
+
+
+def _written(it: Instruction) -> int:
+    """Gives the bit of the register that an instruction writes; 0 for none."""
+    target = writes(it)
+    return 0 if target is None else 1 << target.index
+
+
+def _assigned(function: Function) -> dict[Block, int]:
+    """Gives the bit set of registers that may have been written where each block begins."""
+    at_start = dict.fromkeys(function.blocks, 0)
+    work = list(function.blocks)
+    while work:
+        block = work.pop()
+        given = at_start[block]
+        for it in all_instructions(block):
+            given |= _written(it)
+        for target in block.successors():
+            if given & ~at_start[target]:
+                at_start[target] |= given
+                work.append(target)
+    return at_start
+
+
+def _solve(function: Function, start: int) -> dict[Block, int]:
+    """Gives the bit set of registers that may have no value where each block begins."""
+    at_start = dict.fromkeys(function.blocks, 0)
+    at_start[function.blocks[0]] = start
+    seen: set[Block] = set()
+    work = [function.blocks[0]]
+    while work:
+        block = work.pop()
+        seen.add(block)
+        unset = at_start[block]
+        for it in all_instructions(block):
+            unset = _behind(it, unset)
+        for target in block.successors():
+            if target not in seen or unset & ~at_start[target]:
+                at_start[target] |= unset
+                work.append(target)
+    return at_start

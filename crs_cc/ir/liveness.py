@@ -1,0 +1,153 @@
+"""Which registers an instruction reads and writes, and which are alive where.
+
+>>> from crs_cc.core.source import Location
+>>> from crs_cc.ir.program import Binary, Constant, Register
+>>> a, b = Register(0, "i32"), Register(1, "i32")
+>>> add = Binary(Location("x.c"), b, "i32.add", a, Constant("i32", 1))
+>>> [register.index for register in reads(add)], writes(add).index
+([0], 1)
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from crs_cc.ir.program import (
+    Address,
+    Binary,
+    Block,
+    Branch,
+    Call,
+    Callers,
+    Copy,
+    Fill,
+    Function,
+    Instruction,
+    Load,
+    LongJump,
+    Mark,
+    Move,
+    Register,
+    Request,
+    Return,
+    SetJump,
+    State,
+    Stop,
+    Store,
+    Switch,
+    Unary,
+)
+
+_OPERANDS: Final[dict[type[Instruction], tuple[str, ...]]] = {
+    Move: ("source",),
+    Unary: ("source",),
+    Binary: ("left", "right"),
+    Load: ("base",),
+    Address: ("base",),
+    Store: ("base", "source"),
+    Copy: ("target", "source", "size"),
+    Fill: ("target", "value", "size"),
+    Mark: ("target", "size"),
+    Callers: ("target",),
+    State: ("address",),
+    Stop: ("value",),
+    Branch: ("condition",),
+    Switch: ("value",),
+    Return: ("value",),
+    Call: ("callee",),
+    Request: ("code", "message"),
+    SetJump: ("buffer", "activation"),
+    LongJump: ("activation", "place", "value"),
+}
+"""The fields in which an instruction names what it reads, apart from a call's arguments."""
+
+_ASSIGNING: Final = frozenset({Move, Unary, Binary, Load, Address, State, Call, Request, SetJump})
+"""What has a result; looked up by class, which is faster than `match` and asked very often."""
+
+
+def reads(instruction: Instruction) -> list[Register]:
+    """Gives the registers whose values the instruction takes."""
+    names = _OPERANDS.get(instruction.__class__, ())
+    values = [getattr(instruction, name) for name in names]
+    if instruction.__class__ is Call:
+        assert isinstance(instruction, Call)
+        values += [argument.value for argument in instruction.arguments]
+    return [each for each in values if each.__class__ is Register]
+
+
+def writes(instruction: Instruction) -> Register | None:
+    """Gives the register that the instruction assigns."""
+    if instruction.__class__ not in _ASSIGNING:
+        return None
+    result: Register | None = instruction.result  # type: ignore[attr-defined]
+    return result
+
+
+def all_instructions(block: Block) -> list[Instruction]:
+    """Gives the block's instructions with its terminator as the last."""
+    return block.instructions if block.terminator is None else [*block.instructions,
+                                                                block.terminator]  # fmt: skip
+
+
+class Liveness:
+    """What is alive at the start of each block: registers whose values may still be read.
+
+    Attributes:
+        shared: bit set (by register index) of registers that are alive across blocks.
+    """
+
+    def __init__(self, function: Function) -> None:
+        self._gen: dict[Block, int] = {}
+        self._kill: dict[Block, int] = {}
+        self._alive: dict[Block, int] = {}
+        for block in function.blocks:
+            self._summarise(block)
+        self._solve(function)
+        self.shared = 0
+        for alive in self._alive.values():
+            self.shared |= alive
+
+    def at_start(self, block: Block) -> int:
+        """Gives the bit set of registers alive where the block begins."""
+        return self._alive[block]
+
+    def at_end(self, block: Block) -> int:
+        """Gives the bit set of registers alive behind the block's terminator."""
+        alive = 0
+        for successor in block.successors():
+            alive |= self._alive[successor]
+        return alive
+
+    def _summarise(self, block: Block) -> None:
+        gen = kill = 0
+        for instruction in all_instructions(block):
+            for register in reads(instruction):
+                gen |= (1 << register.index) & ~kill
+            target = writes(instruction)
+            if target is not None:
+                kill |= 1 << target.index
+        self._gen[block], self._kill[block], self._alive[block] = gen, kill, gen
+
+    def _solve(self, function: Function) -> None:
+        changed = True
+        while changed:
+            changed = False
+            for block in reversed(function.blocks):
+                alive = self._gen[block] | (self.at_end(block) & ~self._kill[block])
+                if alive != self._alive[block]:
+                    self._alive[block] = alive
+                    changed = True
+
+
+def alive_before(block: Block, liveness: Liveness) -> list[int]:
+    """Gives the bit set of registers alive before each instruction and before the terminator."""
+    alive = liveness.at_end(block)
+    out = []
+    for instruction in reversed(all_instructions(block)):
+        target = writes(instruction)
+        if target is not None:
+            alive &= ~(1 << target.index)
+        for register in reads(instruction):
+            alive |= 1 << register.index
+        out.append(alive)
+    return out[::-1]

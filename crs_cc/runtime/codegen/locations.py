@@ -1,0 +1,142 @@
+"""Which registers hold addresses of the same object, at known distances, within a block.
+
+Every value is told as a root and an offset: registers with the same root differ by a constant. Two
+registers computed in the same way from the same values have the same root, so `a[i]`, `a[i + 1]`
+and a second `a[i]` are known to lie side by side.
+
+>>> from crs_cc.ir.program import Binary, Constant, Register
+>>> from crs_cc.core.source import Location
+>>> a, i, b = (Register(n, "i32") for n in range(3))
+>>> places = Places()
+>>> before = places.of(a, 4)
+>>> places.follow(Binary(Location("x.c"), b, "i32.add", a, Constant("i32", 4)))
+>>> places.of(b, 0) == before
+True
+"""
+
+from __future__ import annotations
+
+from typing import Final, TypeAlias
+
+from crs_cc.ir.liveness import writes
+from crs_cc.ir.program import (
+    Address,
+    Base,
+    Binary,
+    Constant,
+    Instruction,
+    Move,
+    Operand,
+    Register,
+    Slot,
+)
+
+Root: TypeAlias = "int | Slot | str"
+"""A value that nothing is known of, by number; a slot; a global object."""
+
+_PURE: Final = frozenset({"i32.add", "i32.sub", "i32.mul", "i32.shl", "i32.and"})
+
+
+class Places:
+    """What is known of registers at one point of a block."""
+
+    def __init__(self) -> None:
+        self._origins: dict[Register, tuple[Root | None, int]] = {}
+        self._computed: dict[tuple[object, ...], int] = {}
+        self._count = 0
+
+    def forget(self) -> None:
+        """Drops all, where code from elsewhere joins."""
+        self._origins.clear()
+        self._computed.clear()
+
+    def of(self, base: Base, offset: int) -> tuple[Root | None, int]:
+        """Gives the root and offset of an address; a constant has no root."""
+        if not isinstance(base, Register):
+            return base, offset
+        root, distance = self._origin(base)
+        return root, distance + offset
+
+    def follow(self, it: Instruction) -> None:
+        """Takes note of what an instruction has written."""
+        target = writes(it)
+        if target is None or target.type != "i32":
+            return
+        match it:
+            case Move(source=source):
+                self._origins[target] = self._origin(source)
+            case Address(base=base, offset=offset):
+                self._origins[target] = self.of(base, offset)
+            case Binary(op=op) if op in _PURE:
+                self._origins[target] = self._result(it)
+            case _:
+                self._origins[target] = self._new(), 0
+
+    def _origin(self, operand: Operand) -> tuple[Root | None, int]:
+        if isinstance(operand, Constant):
+            return None, int(operand.value)
+        found = self._origins.get(operand)
+        if found is None:
+            found = self._origins[operand] = self._new(), 0
+        return found
+
+    def _new(self) -> int:
+        self._count += 1
+        return self._count
+
+    def _result(self, it: Binary) -> tuple[Root | None, int]:
+        (left, left_offset), (right, right_offset) = self._origin(it.left), self._origin(it.right)
+        if it.op == "i32.add" and (left is None or right is None):
+            return left if right is None else right, left_offset + right_offset
+        if it.op == "i32.sub" and right is None:
+            return left, left_offset - right_offset
+        shift = 0
+        if it.op == "i32.add":  # the constants of a sum do not hide what it is the sum of
+            shift = left_offset + right_offset
+            left_offset = right_offset = 0
+        key = (it.op, left, left_offset, right, right_offset)
+        if key not in self._computed:
+            self._computed[key] = self._new()
+        return self._computed[key], shift
+
+
+class Proved:
+    """Which bytes at a place are known to be accessible, or to have a value too."""
+
+    def __init__(self) -> None:
+        self._ranges: dict[tuple[Root | None, bool], list[tuple[int, int]]] = {}
+
+    def forget(self) -> None:
+        """Drops all that is known."""
+        self._ranges.clear()
+
+    def forget_values(self) -> None:
+        """Keeps only what is accessible, where bytes may have lost their values."""
+        self._ranges = {key: rows for key, rows in self._ranges.items() if not key[1]}
+
+    def forget_value(self, place: tuple[Root | None, int]) -> None:
+        """Keeps only what is accessible of the object at a place."""
+        self._ranges.pop((place[0], True), None)
+
+    def add(self, place: tuple[Root | None, int], size: int, *, valued: bool) -> None:
+        """Notes that `size` bytes at a place are accessible; also valued, when they have values."""
+        root, start = place
+        self._add(root, start, start + size, valued=False)
+        if valued:
+            self._add(root, start, start + size, valued=True)
+
+    def _add(self, root: Root | None, start: int, end: int, *, valued: bool) -> None:
+        rows = self._ranges.setdefault((root, valued), [])
+        kept = []
+        for low, high in rows:
+            if high < start or end < low:
+                kept.append((low, high))
+            else:
+                start, end = min(low, start), max(high, end)
+        rows[:] = [*kept, (start, end)]
+
+    def has(self, place: tuple[Root | None, int], size: int, *, valued: bool) -> bool:
+        """Tells whether `size` bytes at a place are known to be accessible, or valued."""
+        root, start = place
+        rows = self._ranges.get((root, valued), ())
+        return any(low <= start and start + size <= high for low, high in rows)

@@ -1,1 +1,0 @@
-"""The actuators, one file each."""

@@ -1,0 +1,236 @@
+"""Between sender and receivers: whom a message reaches, and when.
+
+A message to all, or to a group, goes to those in range of its channel; one to a robot goes to that
+one. With n things between the two (`sight`), it reaches
+
+    d <= range * walls ** n
+
+and what does so is lost, now and then, as `loss` has it. The rest arrives when it has been sent,
+after the channel's delay and a share of its jitter, uniformly distributed:
+
+    arrival = b + (size + 12) / bandwidth + delay + u * jitter,   u in [0, 1)
+
+with b the instant at which its transmission began (`outbox`), but not before the end of the cycle
+that b lies in. Where robots are is seen at that end too. Of a channel with corruption c, each byte
+is replaced by another with probability c.
+
+All random numbers belong to one message, and one receiver (`chances`).
+
+Robots to which as many messages are on their way as can be (`inbox`) do not hear those to all: else
+a few that send without end would have all pairs of robots looked at for each message.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core.keyed_random import Chances
+from crs_cc.core.random_streams import MESSAGES
+from crs_cc.sim.comms import inbox
+from crs_cc.sim.comms.channels import Channels
+from crs_cc.sim.comms.loss import burst_states
+from crs_cc.sim.comms.message_log import Fate, note
+from crs_cc.sim.comms.outages import is_shut
+from crs_cc.sim.geometry.cell_list import CellList, expand
+from crs_cc.sim.geometry.line_of_sight import Sight
+from crs_cc.sim.state.messages import EVERYBODY, NO_GROUP, RECEPTION
+
+if TYPE_CHECKING:
+    from crs_cc.sim.geometry.scene import Scene
+    from crs_cc.sim.state.env_state import EnvState
+
+BoolArray = npt.NDArray[np.bool_]
+FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.intp]
+Table = npt.NDArray[np.void]
+
+_AT_ONCE: Final = 256  # messages whose receivers are listed together
+_STEP, _LOSS, _JITTER, _BYTE = range(4)  # what random numbers are for
+
+
+class Air:
+    """What lies between robots, for messages."""
+
+    def __init__(self, channels: Channels, seed: int) -> None:
+        self._channels = channels
+        self._chances = Chances(seed, MESSAGES)
+        self._scene: Scene | None = None
+
+    def carry(self, state: EnvState, scene: Scene, packets: Table, end_s: float) -> None:
+        """Lets messages go to their receivers, at the end of the cycle in which they were sent.
+
+        Args:
+            state: changed in place.
+            scene: what stands where.
+            packets: the messages, in the order in which they were sent, of dtype `PACKET`.
+            end_s: the end of the cycle.
+        """
+        if scene is not self._scene:
+            self._scene, self._sight = scene, Sight(scene)
+        place = state.x_m + 1j * state.y_m
+        for first in range(0, len(packets), _AT_ONCE):
+            self._carry_few(state, place, packets[first : first + _AT_ONCE], end_s)
+        inbox.in_order(state.messages)
+
+    def _carry_few(
+        self, state: EnvState, place: npt.NDArray[np.complex128], packets: Table, end_s: float
+    ) -> None:
+        channels, messages = self._channels, state.messages
+        full = inbox.full(messages)
+        packet, receiver = self._pairs(state, place, packets, ~full)
+        fate = np.full(len(packet), int(Fate.DELIVERED), dtype=np.int8)
+        fate[is_shut(messages, packets, packet, receiver)] = Fate.SHUT
+        fate[~state.presence.present[receiver]] = Fate.ABSENT
+        channel = packets["channel"][packet]
+        start, end = place[packets["sender"][packet]], place[receiver]
+        distance_m, range_m = np.abs(end - start), channels.range_m[channel]
+        open_ = fate == Fate.DELIVERED
+        fate[open_ & (distance_m > range_m)] = Fate.RANGE
+        seen = np.flatnonzero((fate == Fate.DELIVERED) & (channels.walls[channel] < 1.0))
+        if len(seen):
+            bodies = state.bodies
+            things = self._sight.between(
+                bodies.position_m, bodies.angle_rad, start[seen], end[seen]
+            )
+            reach_m = range_m[seen] * channels.walls[channel[seen]] ** things
+            fate[seen[distance_m[seen] > reach_m]] = Fate.BLOCKED
+        self._lose(state, packets, packet, receiver, fate)
+        lost = fate != Fate.DELIVERED
+        note(messages, fate[lost], packets[packet[lost]], packets["begins_s"][packet[lost]],
+             receiver[lost])  # fmt: skip
+        unheard = np.bincount(packet, minlength=len(packets)) == 0
+        if full.any():
+            missed = self._reach(state, place, packets, full)
+            note(messages, Fate.INBOX, packets[missed], packets["begins_s"][missed])
+            unheard &= ~missed
+        note(messages, Fate.RANGE, packets[unheard], packets["begins_s"][unheard])
+        self._send_on(state, packets, packet[~lost], receiver[~lost], end_s)
+
+    def _pairs(
+        self,
+        state: EnvState,
+        place: npt.NDArray[np.complex128],
+        packets: Table,
+        hears: BoolArray,
+    ) -> tuple[IndexArray, IndexArray]:
+        """Gives pairs of message and receiver, by message and then by receiver.
+
+        Messages to all and to groups go to robots that hear, (robots,).
+        """
+        robots = np.flatnonzero(hears & state.presence.present)
+        one = np.flatnonzero(packets["to"] != EVERYBODY)
+        found = [(one, packets["to"][one].astype(np.intp))]
+        for channel in np.unique(packets["channel"][packets["to"] == EVERYBODY]).tolist():
+            many = np.flatnonzero((packets["to"] == EVERYBODY) & (packets["channel"] == channel))
+            from_ = place[packets["sender"][many]]
+            reach_m = float(self._channels.range_m[channel])
+            cells = CellList(place[robots].real, place[robots].imag, reach_m)
+            sender, hearer = cells.near(from_.real, from_.imag)
+            packet, receiver = many[sender], robots[hearer]
+            near = np.abs(place[receiver] - from_[sender]) <= reach_m
+            near &= _is_meant(state, packets[packet], receiver)
+            found.append((packet[near], receiver[near]))
+        packet, receiver = (np.concatenate(part) for part in zip(*found, strict=True))
+        order = np.lexsort([receiver, packet])
+        return packet[order], receiver[order]
+
+    def _reach(
+        self,
+        state: EnvState,
+        place: npt.NDArray[np.complex128],
+        packets: Table,
+        which: BoolArray,
+    ) -> BoolArray:
+        """Tells which messages to all or to a group have any of some robots in their range."""
+        robots = np.flatnonzero(which & state.presence.present)
+        range_m = self._channels.range_m[packets["channel"]]
+        away = place[robots] - place[packets["sender"]][:, None]
+        near = np.abs(away) <= range_m[:, None]
+        near &= _is_meant(state, packets[:, None], robots)
+        return np.asarray((packets["to"] == EVERYBODY) & near.any(axis=1))
+
+    def _lose(
+        self,
+        state: EnvState,
+        packets: Table,
+        packet: IndexArray,
+        receiver: IndexArray,
+        fate: npt.NDArray[np.int8],
+    ) -> None:
+        channels, bad = self._channels, state.messages.bursts
+        channel = packets["channel"]
+        lossy = (channels.loss > 0.0) | (channels.burst_begin > 0.0)
+        reached = np.flatnonzero((fate == Fate.DELIVERED) & lossy[channel[packet]])
+        if not len(reached):
+            return
+        chain = receiver[reached] * len(channels) + channel[packet[reached]]
+        reached = reached[np.argsort(chain, kind="stable")]
+        packet, receiver = packet[reached], receiver[reached]
+        channel = channel[packet]
+        names = packets["sender"][packet], packets["number"][packet], receiver
+        states = bad.reshape(-1)
+        in_burst = burst_states(
+            states,
+            receiver * len(channels) + channel,
+            self._chances.draw(_STEP, *names),
+            channels.burst_begin[channel],
+            channels.burst_end[channel],
+        )
+        state.messages.bursts = states.reshape(bad.shape)
+        loss = np.where(in_burst, channels.burst_loss[channel], channels.loss[channel])
+        fate[reached[self._chances.draw(_LOSS, *names) < loss]] = Fate.LOSS
+
+    def _send_on(
+        self,
+        state: EnvState,
+        packets: Table,
+        packet: IndexArray,
+        receiver: IndexArray,
+        end_s: float,
+    ) -> None:
+        """Puts what will arrive on its way."""
+        channels = self._channels
+        channel = packets["channel"][packet]
+        sent_s = packets["begins_s"] + channels.duration_s(packets)
+        arrives_s = sent_s[packet] + channels.delay_s[channel]
+        names = packets["sender"][packet], packets["number"][packet], receiver
+        if channels.jitter_s.any():
+            arrives_s += channels.jitter_s[channel] * self._chances.draw(_JITTER, *names)
+        coming = np.zeros(len(packet), RECEPTION)
+        coming["receiver"], coming["packet"] = receiver, packet
+        coming["arrives_s"] = np.maximum(arrives_s, end_s)
+        packets = self._corrupted(packets, coming)
+        inbox.expect(state.messages, packets, coming)
+
+    def _corrupted(self, packets: Table, coming: Table) -> Table:
+        """Gives the messages, behind them what arrives of those that lose bytes."""
+        packet = coming["packet"]
+        share = self._channels.corruption[packets["channel"][packet]]
+        noisy = np.flatnonzero(share)
+        if not len(noisy):
+            return packets
+        packet, share = packet[noisy], share[noisy]
+        pair, byte = expand(np.zeros(len(noisy), dtype=np.intp), packets["size"][packet])
+        names = packets["sender"][packet], packets["number"][packet], coming["receiver"][noisy]
+        chance = self._chances.draw(_BYTE, *(name[pair] for name in names), byte)
+        hit = chance < share[pair]
+        pair, byte, chance = pair[hit], byte[hit], chance[hit]
+        changed, place = np.unique(pair, return_inverse=True)
+        copies = packets[packet[changed]]
+        # A number below the share, over the share, is one below 1 again: it tells by which byte.
+        turn = 1 + (chance / share[pair] * 255).astype(np.uint8)
+        copies["data"][place, byte] ^= turn
+        coming["packet"][noisy[changed]] = len(packets) + np.arange(len(changed))
+        coming["corrupted"][noisy[changed]] = True
+        return np.concatenate([packets, copies])
+
+
+def _is_meant(state: EnvState, packets: Table, receiver: IndexArray) -> BoolArray:
+    """Tells whether messages to all are meant for robots: not one's own, and of one's groups."""
+    group = packets["group"]
+    bit = np.uint32(1) << np.maximum(group, 0).astype(np.uint32)
+    meant = (group == NO_GROUP) | (state.messages.groups[receiver] & bit != 0)
+    return np.asarray(meant & (receiver != packets["sender"]))

@@ -1,0 +1,95 @@
+"""Channels, senders, receivers and pairs that are shut for a while.
+
+Each time is a row of `MessageState.shuts`. A message cannot pass when its transmission begins at or
+after the start of a row that means it, and before the end. What is shut by hand is shut from the
+start of the current cycle.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.comms.channels import Channels
+from crs_cc.sim.model.communication import ANY
+from crs_cc.sim.state.events import EventLog
+from crs_cc.sim.state.messages import SHUT, MessageState
+
+IndexArray = npt.NDArray[np.intp]
+Table = npt.NDArray[np.void]
+
+
+def shut(messages: MessageState, now_s: float, channel: int, sender: int, receiver: int) -> None:
+    """Shuts from now on."""
+    row = np.array([(now_s, np.inf, channel, sender, receiver)], SHUT)
+    messages.shuts = np.concatenate([messages.shuts, row])
+
+
+def reopen(messages: MessageState, now_s: float, channel: int, sender: int, receiver: int) -> bool:
+    """Opens what was shut in the same words; tells whether there was any such thing."""
+    rows = messages.shuts
+    same = (rows["channel"] == channel) & (rows["sender"] == sender)
+    same &= (rows["receiver"] == receiver) & (rows["at_s"] <= now_s) & (rows["until_s"] > now_s)
+    rows["until_s"][same] = now_s
+    return bool(same.any())
+
+
+def is_shut(
+    messages: MessageState, packets: Table, packet: IndexArray, receiver: IndexArray
+) -> npt.NDArray[np.bool_]:
+    """Tells which messages cannot pass.
+
+    Args:
+        messages: tells what is shut.
+        packets: the messages, of dtype `PACKET`.
+        packet: row among them of each pair of message and receiver, shape (k,).
+        receiver: the receiver of each.
+
+    Returns:
+        shape (k,).
+    """
+    found = np.zeros(len(packet), dtype=np.bool_)
+    if not len(messages.shuts) or not len(packet):
+        return found
+    begins_s, channel = packets["begins_s"], packets["channel"]
+    rows = messages.shuts
+    rows = rows[(rows["at_s"] <= begins_s.max()) & (rows["until_s"] > begins_s.min())]
+    for at_s, until_s, on, sender, to in rows.tolist():
+        meant = (begins_s >= at_s) & (begins_s < until_s)
+        meant &= (on == ANY) | (channel == on)
+        meant &= (sender == ANY) | (packets["sender"] == sender)
+        found |= meant[packet] & ((to == ANY) | (receiver == to))
+    return found
+
+
+def tell(
+    messages: MessageState,
+    channels: Channels,
+    robots: tuple[str, ...],
+    *,
+    from_s: float,
+    to_s: float,
+    log: EventLog,
+) -> None:
+    """Says what was shut and opened between two instants."""
+    rows = messages.shuts
+    changed = (rows["at_s"] >= from_s) & (rows["at_s"] < to_s)
+    changed |= (rows["until_s"] >= from_s) & (rows["until_s"] < to_s)
+    for row in rows[changed].tolist():
+        for time_s, change in zip(row[:2], ("shut", "opened"), strict=True):
+            if from_s <= time_s < to_s and row[0] < row[1]:
+                log.say(time_s, "message", f"{_name(row[2:], channels, robots)} {change}")
+
+
+def _name(row: tuple[int, int, int], channels: Channels, robots: tuple[str, ...]) -> str:
+    """Gives what is shut, in words.
+
+    >>> from crs_cc.sim.model.communication import Communication
+    >>> _name((0, 1, ANY), Channels.of(Communication()), ("a", "b"))
+    'radio from b'
+    """
+    channel, sender, receiver = row
+    words = ["all channels" if channel == ANY else channels.names[channel]]
+    words += [f"from {robots[sender]}"] if sender != ANY else []
+    words += [f"to {robots[receiver]}"] if receiver != ANY else []
+    return " ".join(words)

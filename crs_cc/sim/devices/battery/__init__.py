@@ -1,0 +1,219 @@
+"""The batteries: how they drain, what they tell, and what happens when they are empty.
+
+    energy used = power * time + work / efficiency + stall power * time held back
+    work        = sum over the axes of  friction * |way| + m / 2 * max(0, v1^2 - v0^2)
+
+in joules: friction all along the way, and in each cycle in which an axis got faster from v0 to v1
+what the mass m takes that it moves: the robot's, or half of it for each of two wheels. Of an axis
+that turns, a synchro drive's steering and turret, way and speed are those of a point on the robot's
+shell. Braking gives nothing back. The voltage is read from the
+definition's curve at the charge that is left. On the line goes a byte n with
+
+    volts = (2 + n * 3 / 255) * 12 / 5       for the computers' battery,
+    volts = (2 + n * 3 / 255) * 12.85 / 5    for the motors' battery
+
+(vendor source `Ndirect.c` 2.7); what is beyond its range is its end. The vendor says that neither
+should drop below 10.8 V, not what happens then: here motors that have less than the definition's
+cut-off have no force any more, and the wheels roll out. When the computers' battery is empty
+nothing happens but that it says so. All numbers but those two formulas' are ours.
+
+Some drivers read the charge from bits 2 and 3 of the motors' status (ISR's driver of the Scout: 0
+low, 1 medium, 2 high), where the vendor's header has the turret's motor; a definition can ask for
+that. Degradation (`battery`) is that of the voltages; where nothing comes the byte is 0.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.model.robot import RobotModel
+    from crs_cc.sim.model.sensors import Battery, MotorBattery
+    from crs_cc.sim.model.world import WorldModel
+    from crs_cc.sim.state.env_state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+
+COMPUTERS: Final = 12.0 / 5
+MOTORS: Final = 12.85 / 5
+"""What the voltage on the sensor board is multiplied with (vendor source `Ndirect.c` 2.7)."""
+
+_NOBODY: Final = np.zeros(0, dtype=np.intp)
+_STEPS: Final = 1_000  # of charge, in the tables
+_LEVELS: Final = 3  # low, medium, high
+
+
+class Batteries:
+    """The batteries of all robots of a world."""
+
+    def __init__(self, world: WorldModel) -> None:
+        models = [robot.model for robot in world.robots]
+        kinds = list(dict.fromkeys(models))
+        self._kind = np.array([kinds.index(model) for model in models], dtype=np.intp)
+        self._computers = _Supply([model.computer_battery for model in kinds], COMPUTERS)
+        self._motors = _Supply([model.motor_battery for model in kinds], MOTORS)
+        motors = [model.motor_battery for model in models]
+        self._friction_n = np.array([battery.friction_n for battery in motors])[:, None]
+        self._lever = np.array([_levers(model) for model in models])
+        self._mass_kg = np.array([_moved_kg(model) for model in models])[:, None]
+        self._per_work = np.array([1.0 / battery.efficiency for battery in motors])
+        self._stall_w = np.array([battery.stall_w for battery in motors])
+        least = {model.motor_battery: _least_charge(model.motor_battery) for model in kinds}
+        self._least_charge = np.array([least[battery] for battery in motors])
+        self._in_status = np.array([battery.is_in_status for battery in motors])
+        self._lasts = not any(np.isfinite(battery.capacity_j) for battery in motors)
+
+    def drain(self, state: EnvState, timestep_s: float) -> IndexArray:
+        """Takes what moving used in a cycle whose axes were turned to its end.
+
+        Returns:
+            which robots' motors worked.
+        """
+        held_back = state.bodies.slipping
+        if self._lasts or not (state.drive.slice.any() or held_back.any()):
+            return _NOBODY
+        way_m, speed_mps = state.drive.slice * self._lever, state.drive.axes.speed * self._lever
+        battery = state.battery
+        faster = np.maximum(speed_mps * speed_mps - battery.speed_mps * battery.speed_mps, 0.0)
+        work_j = self._friction_n * np.abs(way_m) + self._mass_kg * (faster / 2)
+        battery.moved_j += work_j.sum(axis=1) * self._per_work
+        battery.moved_j += self._stall_w * (timestep_s * held_back)
+        battery.speed_mps = speed_mps
+        return np.flatnonzero(way_m.any(axis=1) | held_back)
+
+    def empty(self, state: EnvState, rows: IndexArray, at_s: FloatArray | float) -> BoolArray:
+        """Tells whose motors have no force any more, shape (k,)."""
+        if self._lasts:
+            return np.zeros(len(rows), dtype=np.bool_)
+        kinds, for_s = self._kind[rows], at_s - state.presence.joined_s[rows]
+        charge = self._motors.charge(kinds, for_s, state.battery.moved_j[rows])
+        return np.asarray(charge < self._least_charge[rows])
+
+    def left(self, state: EnvState, rows: IndexArray, at_s: FloatArray | float) -> FloatArray:
+        """Gives the shares of their energy that computers' and motors' batteries have, (k, 2)."""
+        kinds, for_s = self._kind[rows], at_s - state.presence.joined_s[rows]
+        moved_j = state.battery.moved_j[rows]
+        return np.column_stack(
+            [self._computers.charge(kinds, for_s, 0.0), self._motors.charge(kinds, for_s, moved_j)]
+        )
+
+    def charge(self, state: EnvState, robot: int, at_s: float, share: float) -> None:
+        """Lets a share of its energy be left in the battery of a robot's motors.
+
+        Raises:
+            ValueError: it lasts for ever.
+        """
+        motors, kind = self._motors, self._kind[robot]
+        if not np.isfinite(motors.capacity_j[kind]):
+            raise ValueError("the battery of its motors lasts for ever")
+        for_s = at_s - float(state.presence.joined_s[robot])
+        used_j = (motors.start[kind] - share) * motors.capacity_j[kind]
+        state.battery.moved_j[robot] = used_j - motors.power_w[kind] * for_s
+
+    def told(
+        self, state: EnvState, equipment: Equipment, rows: IndexArray, at_s: FloatArray
+    ) -> tuple[npt.NDArray[np.int32], npt.NDArray[np.int32]]:
+        """Gives the bytes of the computers' and of the motors' battery, shape (k,) each."""
+        kinds, for_s = self._kind[rows], at_s - state.presence.joined_s[rows]
+        charges = (
+            self._computers.charge(kinds, for_s, 0.0),
+            self._motors.charge(kinds, for_s, state.battery.moved_j[rows]),
+        )
+        supplies = (self._computers, self._motors)
+        pairs = list(zip(supplies, charges, strict=True))
+        if not equipment.degradations.concern(state, "battery"):
+            computers, motors = (supply.bytes(kinds, charge) for supply, charge in pairs)
+            return computers, motors
+        volts = np.column_stack([supply.volts(kinds, charge) for supply, charge in pairs])
+        volts = equipment.degradations.alter(state, "battery", rows, volts, at_s)
+        told = np.where(np.isnan(volts), 0.0, volts)
+        return _byte(told[:, 0], COMPUTERS), _byte(told[:, 1], MOTORS)
+
+    def status(
+        self, state: EnvState, rows: IndexArray, at_s: FloatArray
+    ) -> npt.NDArray[np.int32] | None:
+        """Gives bits 2 and 3 of the motors' status, None if no robot has its charge there."""
+        asks = self._in_status[rows]
+        if not asks.any():
+            return None
+        for_s = at_s - state.presence.joined_s[rows]
+        charge = self._motors.charge(self._kind[rows], for_s, state.battery.moved_j[rows])
+        level = np.minimum((charge * _LEVELS).astype(np.int32), _LEVELS - 1)
+        return np.asarray(np.where(asks, level << 2, 0))
+
+
+def _levers(model: RobotModel) -> tuple[float, float, float]:
+    """Gives the way [m] for each unit of each axis' way."""
+    turns = model.drive.steering is not None
+    return (1.0, model.radius_m, model.radius_m) if turns else (1.0, 1.0, 0.0)
+
+
+def _moved_kg(model: RobotModel) -> float:
+    """Gives the mass that an axis moves."""
+    return model.mass_kg if model.drive.steering is not None else model.mass_kg / 2
+
+
+class _Supply:
+    """One battery of each kind of robot."""
+
+    def __init__(self, batteries: list[Battery], factor: float) -> None:
+        self.start = np.array([battery.charge for battery in batteries])
+        self.power_w = np.array([battery.power_w for battery in batteries])
+        self.capacity_j = np.array([battery.capacity_j for battery in batteries])
+        self._curve_v = [battery.curve_v for battery in batteries]
+        self._bytes = np.array([_bytes(curve_v, factor) for curve_v in self._curve_v])
+
+    def charge(
+        self, kinds: IndexArray, for_s: FloatArray, moved_j: FloatArray | float
+    ) -> FloatArray:
+        """Gives the share of its energy that each has left, on for some time."""
+        used_j = self.power_w[kinds] * for_s + moved_j
+        left = self.start[kinds] - used_j / self.capacity_j[kinds]
+        return np.asarray(np.maximum(left, 0.0))
+
+    def bytes(self, kinds: IndexArray, charge: FloatArray) -> npt.NDArray[np.int32]:
+        """Gives what goes on the line for charges."""
+        return np.asarray(self._bytes[kinds, (charge * _STEPS + 0.5).astype(np.intp)])
+
+    def volts(self, kinds: IndexArray, charge: FloatArray) -> FloatArray:
+        """Gives the voltages at charges."""
+        curves = ((self._curve_v[kind], share) for kind, share in zip(kinds, charge, strict=True))
+        return np.array([np.interp(x, _places(curve_v), curve_v) for curve_v, x in curves])
+
+
+def _places(curve_v: tuple[float, ...]) -> FloatArray:
+    return np.linspace(0.0, 1.0, len(curve_v))
+
+
+def _byte(volts: FloatArray, factor: float) -> npt.NDArray[np.int32]:
+    return np.clip(np.rint((volts / factor - 2) * (255 / 3)), 0, 255).astype(np.int32)
+
+
+def _bytes(curve_v: tuple[float, ...], factor: float) -> npt.NDArray[np.int32]:
+    """Gives the byte for each step of charge from empty to full.
+
+    >>> _bytes((12.0, 13.0), COMPUTERS)[[0, 500]].tolist(), round((2 + 234 * 3 / 255) * MOTORS, 1)
+    ([255, 255], 12.2)
+    """
+    charges = np.arange(_STEPS + 1) / _STEPS
+    return _byte(np.interp(charges, _places(curve_v), curve_v), factor)
+
+
+def _least_charge(battery: MotorBattery) -> float:
+    """Gives the smallest charge whose voltage is not below the cut-off; above 1 for none.
+
+    >>> from crs_cc.sim.model.sensors import MotorBattery
+    >>> _least_charge(MotorBattery(curve_v=(10.0, 12.0), cutoff_v=10.5))
+    0.25
+    """
+    charges = np.arange(_STEPS + 1) / _STEPS
+    curve_v = battery.curve_v
+    volts = np.interp(charges, _places(curve_v), curve_v)
+    enough = volts >= battery.cutoff_v
+    return float(charges[np.argmax(enough)]) if enough.any() else 2.0

@@ -1,0 +1,59 @@
+"""Lamps and speakers: how bright and how loud robots are, from the instant they are told to be.
+
+What is told beyond what the lamp or speaker can is brought within. Who senses it is in
+`sensors.light` and `sensors.sound`.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.model.beacons import TONES
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.state.env_state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+Messages = npt.NDArray[np.void]
+
+
+def light(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> BoolArray:
+    """Lets lamps shine; refuses robots that have none."""
+    brightest = equipment.brightest[rows]
+    wanted = _within(state, equipment, "lamp", rows, messages, most=brightest)
+    state.beacons.brightness[rows] = wanted
+    return np.asarray(brightest > 0.0)
+
+
+def sound(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> BoolArray:
+    """Lets speakers sound; refuses robots that have none, and tones that are none."""
+    tone = messages["i"][:, 1]
+    good = (equipment.loudest[rows] > 0.0) & (tone >= 0) & (tone < TONES)
+    rows, messages = rows[good], messages[good]
+    most = equipment.loudest[rows]
+    wanted = _within(state, equipment, "speaker", rows, messages, most=most)
+    state.beacons.level[rows], state.beacons.tone[rows] = wanted, tone[good]
+    return np.asarray(good)
+
+
+def _within(
+    state: EnvState,
+    equipment: Equipment,
+    device: str,
+    rows: IndexArray,
+    messages: Messages,
+    *,
+    most: FloatArray,
+) -> FloatArray:
+    """Gives what becomes of the strength that is asked for."""
+    wanted = np.clip(messages["i"][:, 0].astype(np.float64), 0.0, most)
+    altered = equipment.degradations.alter(
+        state, device, rows, wanted[:, None], state.drive.clock_s[rows]
+    )[:, 0]
+    return np.clip(np.nan_to_num(altered, nan=0.0), 0.0, most)

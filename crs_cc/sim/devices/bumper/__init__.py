@@ -1,0 +1,146 @@
+"""The bumpers: switches around the body, pressed by what touches them.
+
+    pressed when -span / 2 <= bearing of the contact - bearing of the switch < span / 2
+
+with bearings from ahead, counter-clockwise, as seen from the middle of the robot. So where switches
+follow each other without a gap, each contact presses one; between switches with gaps it presses
+none, where their spans overlap it presses both. Which bit of `State[33]` a switch sets is said by
+the robot definition (vendor header `Nclient.h` 1.29 names no layout, and every known Scout program
+asks for "not 0" only). Source of the geometry: Player's driver of the Nomad 200, whose 20 switches
+lie 18 degrees apart.
+
+A switch is pressed at a cycle's start when something touched it in the cycle before, whether or not
+the wheels turn. Degradation (`bumper`): a switch is 1 when it is pressed, else 0, and told as
+pressed when 0.5 or more comes of that.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.devices.vendor_state import configuration
+from crs_cc.sim.state.bodies import Contacts
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.model.robot import RobotModel
+    from crs_cc.sim.model.world import WorldModel
+    from crs_cc.sim.state.env_state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+Messages = npt.NDArray[np.void]
+
+_TURN: Final = 2 * math.pi
+_BITS: Final = 24  # of State[33]
+_PRESSED: Final = 0.5
+_ON_EDGE_RAD: Final = 1e-9  # rounding must not let a contact slip between two switches that meet
+
+
+class Bumpers:
+    """The switches of all robots of a world.
+
+    >>> from crs_cc.sim.files.world_xml import empty_world
+    >>> bumpers = Bumpers(empty_world())        # a Scout: eight switches, the first one ahead
+    >>> bumpers.pressed(np.array([0, 0, 0]), np.array([0.0, math.pi / 2, -0.3])).tolist()
+    [1, 4, 1]
+    """
+
+    def __init__(self, world: WorldModel) -> None:
+        models = [robot.model for robot in world.robots]
+        kinds = list(dict.fromkeys(models))
+        self._kind = np.array([kinds.index(model) for model in models], dtype=np.intp)
+        most = max((len(model.bumpers) for model in kinds), default=0)
+        table = np.zeros((len(kinds), most, 3))  # robots with fewer switches have some without span
+        for row, model in zip(table, kinds, strict=True):
+            row[: len(model.bumpers)] = _switches(model)
+        self._bearing_rad, self._span_rad = table[..., 0], table[..., 1]
+        self._bit = table[..., 2].astype(np.int32)
+
+    def pressed(self, robots: IndexArray, bearing_rad: FloatArray) -> npt.NDArray[np.int32]:
+        """Gives the bits of the switches that contacts press, shape (k,).
+
+        Args:
+            robots: which robot each contact is of, k of them.
+            bearing_rad: where it touches that robot, shape (k,).
+        """
+        kinds = self._kind[robots]
+        span_rad = self._span_rad[kinds]
+        into_rad = bearing_rad[:, None] - self._bearing_rad[kinds] + span_rad / 2 + _ON_EDGE_RAD
+        bits = np.where(into_rad % _TURN < span_rad, self._bit[kinds], 0)
+        return np.asarray(np.bitwise_or.reduce(bits, axis=1))
+
+    def touch(
+        self, state: EnvState, equipment: Equipment, contacts: Contacts, end_s: float
+    ) -> Contacts:
+        """Presses switches and counts collisions at the end of a cycle.
+
+        Args:
+            state: changed in place.
+            equipment: the constants of all things.
+            contacts: all of the cycle.
+            end_s: its end.
+
+        Returns:
+            the contacts that were none in the cycle before.
+        """
+        robot = contacts.robot
+        before = state.bumpers.pressed
+        quiet = not len(robot) and not before.any() and not len(state.contacts_before)
+        if quiet and not equipment.degradations.concern(state, "bumper"):
+            return contacts
+        keys = robot * len(equipment.scene.names) + contacts.other
+        began = ~np.isin(keys, state.contacts_before)
+        state.contacts_before = keys.astype(np.int64)
+        np.add.at(state.collisions, robot[began], 1)
+        bearing_rad = np.arctan2(contacts.y_m - state.y_m[robot], contacts.x_m - state.x_m[robot])
+        bearing_rad -= state.base_rad[robot]
+        pressed = np.zeros_like(before)
+        np.bitwise_or.at(pressed, robot, self.pressed(robot, bearing_rad))
+        pressed = self.told(state, equipment, pressed, end_s)
+        state.bumpers.pressed = pressed
+        hit = np.flatnonzero(pressed & ~before)
+        if len(hit):
+            state.bumpers.hit.note(hit, end_s, configuration(state, equipment, hit))
+        return Contacts(
+            robot[began],
+            contacts.other[began],
+            contacts.x_m[began],
+            contacts.y_m[began],
+            contacts.torn,
+        )
+
+    def told(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        pressed: npt.NDArray[np.int32],
+        at_s: float,
+    ) -> npt.NDArray[np.int32]:
+        """Gives what becomes of the switches that are pressed at an instant, (robots,)."""
+        if not equipment.degradations.concern(state, "bumper"):
+            return pressed
+        robots, places = np.arange(len(pressed)), np.arange(_BITS)
+        values = ((pressed[:, None] >> places) & 1).astype(np.float64)
+        instants = np.full(len(robots), at_s)
+        values = equipment.degradations.alter(state, "bumper", robots, values, instants)
+        bits = np.where(values >= _PRESSED, 1 << places, 0).sum(axis=1)
+        have = np.bitwise_or.reduce(self._bit[self._kind], axis=1)
+        return np.asarray(bits & have, dtype=np.int32)
+
+
+def get_bp(
+    _state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messages
+) -> BoolArray:
+    """Refuses robots that have no bumpers; the reply has the switches."""
+    return np.asarray(equipment.bumpers[rows])
+
+
+def _switches(model: RobotModel) -> FloatArray:
+    rows = [(switch.bearing_rad, switch.span_rad, 1 << switch.bit) for switch in model.bumpers]
+    return np.array(rows, dtype=np.float64).reshape(-1, 3)

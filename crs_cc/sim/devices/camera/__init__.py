@@ -1,0 +1,166 @@
+"""The camera: a row of colours and ranges.
+
+    column n  = the first thing along direction n, within the range
+    direction n = direction of the camera + ((columns - 1) / 2 - n) * field of view / columns
+
+Columns count from the left to the right, as in a picture. A column shows the colour of the thing's
+surface (`Material.colour` of the world file) and how far away it is from the camera, which a real
+one would have from a second lens; where nothing is in range it shows the camera's background.
+Light and shade count for nothing. A camera turns with the mount of its robot. It looks when
+the program asks, at most at its rate, or by its timer (`timers`); in between it tells what it saw
+last.
+
+Blobs are runs of neighbouring columns of one colour, as a colour tracker finds them: two things of
+the same colour that touch in the picture are one blob, as far away as the nearer one.
+
+Degradation: a normal deviate is added to each range, with a spread that is the definition's noise
+at 1 m and grows with the square of the distance, as it does for two lenses; then comes that of the
+world (`camera`), of ranges: a column without one shows the background. All of it was chosen by us:
+the CRS report (6.2) wishes for such a device, and has no law for it.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core import random_streams
+from crs_cc.core.time_grid import is_due
+from crs_cc.core.units import m_to_tenths_inch, rad_to_tenths_deg
+from crs_cc.sim.devices.camera.blobs import blobs
+from crs_cc.sim.devices.mount import mount_poses
+from crs_cc.sim.geometry.rays import NO_THING, Fan
+from crs_cc.sim.geometry.surfaces import packed
+from crs_cc.sim.model.sensors import MAX_COLUMNS
+from crs_cc.sim.state.timers import CAMERA
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.ray_caster import Surroundings
+    from crs_cc.sim.devices.request_context import Asked
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.model.sensors import Camera
+    from crs_cc.sim.model.world import WorldModel
+    from crs_cc.sim.state.env_state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+WholeArray = npt.NDArray[np.int32]
+
+_PIXEL: Final = 2
+_BLOB: Final = 4
+
+
+class Cameras:
+    """The cameras of all robots that have one.
+
+    Attributes:
+        fans: the beams of each kind of camera.
+        interval_s: the least time between two looks of each.
+    """
+
+    def __init__(self, world: WorldModel, seed: int) -> None:
+        self._models = [camera for robot in world.robots if (camera := robot.model.camera)]
+        self._kinds = list(dict.fromkeys(self._models))
+        self._kind = np.array([self._kinds.index(each) for each in self._models], dtype=np.intp)
+        self.fans = [_fan(camera) for camera in self._kinds]
+        self.interval_s = np.array([1.0 / camera.rate_hz for camera in self._models])
+        self._noise_per_m = np.array([camera.noise_m for camera in self._models])
+        noisy = len(world.robots) if self._noise_per_m.any() else 0
+        self._noise = random_streams.Noise(seed, random_streams.CAMERA, MAX_COLUMNS, noisy)
+
+    def read(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        at_s: FloatArray,
+    ) -> None:
+        """Lets cameras look whose time has come.
+
+        Args:
+            state: changed in place.
+            equipment: the robots' constants.
+            around: what there is to see.
+            rows: robots that have a camera, k of them, whose axes were turned to `at_s`.
+            at_s: when, for each, shape (k,).
+        """
+        camera, mine = state.camera, equipment.camera[rows]
+        due = is_due(camera.at_s[mine], at_s, self.interval_s[mine])
+        rows, mine, at_s = rows[due], mine[due], at_s[due]
+        kinds = self._kind[mine]
+        for kind in np.unique(kinds).tolist():
+            some = kinds == kind
+            self._look(state, equipment, around, rows[some], kind=kind, at_s=at_s[some])
+        camera.at_s[mine] = at_s
+        camera.count[mine] += 1
+
+    def _look(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        *,
+        kind: int,
+        at_s: FloatArray,
+    ) -> None:
+        """Lets the cameras of one kind look."""
+        camera, mine = state.camera, equipment.camera[rows]
+        model, fan = self._kinds[kind], self.fans[kind]
+        poses = mount_poses(state, equipment, rows)
+        range_m, thing = around.seen(state, fan, poses, own=rows)
+        if model.noise_m:
+            deviates = self._noise.rows(rows, camera.count[mine])[:, : model.columns]
+            spread_m = model.noise_m * np.where(thing == NO_THING, 0.0, range_m) ** 2
+            range_m = np.maximum(range_m + deviates * spread_m, 0.0)
+        range_m = equipment.degradations.alter(state, "camera", rows, range_m, at_s)
+        seen = np.isfinite(range_m)
+        colour = around.surfaces.colour[thing]
+        background = packed(model.background)
+        camera.colour[mine, : model.columns] = np.where(seen, colour, background)
+        tenths = np.rint(m_to_tenths_inch(np.where(seen, range_m, 0.0)))
+        camera.range[mine, : model.columns] = np.where(seen, tenths, -1)
+
+    def tell(self, asked: Asked) -> BoolArray:
+        """Answers CAMERA with how many pixels, or blobs, there are; refuses robots without one."""
+        state, messages = asked.state, asked.messages
+        mine = asked.equipment.camera[asked.rows]
+        has = np.asarray(mine >= 0)
+        looks = has & state.timers.on_request(asked.rows, CAMERA)
+        self.read(state, asked.equipment, asked.around, asked.rows[looks], asked.at_s[looks])
+        for place in np.flatnonzero(has).tolist():
+            number = mine[place]
+            model = self._models[number]
+            colour = state.camera.colour[number, : model.columns]
+            range_ = state.camera.range[number, : model.columns]
+            if messages["i"][place, 0]:
+                state.camera.told.keep(number, _BLOB, _told_blobs(model, colour, range_))
+            else:
+                state.camera.told.keep(number, _PIXEL, np.column_stack([colour, range_]))
+            messages["i"][place, 0] = state.camera.told.count[number]
+        return has
+
+
+def _told_blobs(model: Camera, colour: WholeArray, range_: WholeArray) -> WholeArray:
+    """Gives angle and width [0.1 deg], colour and range [0.1 in] of blobs, shape (blobs, 4)."""
+    found = blobs(colour, range_)
+    step = float(rad_to_tenths_deg(model.field_of_view_rad / model.columns))
+    first, after = found[:, 0], found[:, 1]
+    angle = np.rint((model.columns - first - after) / 2 * step)
+    width = np.rint((after - first) * step)
+    return np.column_stack([angle, width, found[:, 2], found[:, 3]]).astype(np.int32)
+
+
+def _fan(camera: Camera) -> Fan:
+    step_rad = camera.field_of_view_rad / camera.columns
+    left_rad = camera.direction_rad + (camera.columns - 1) / 2 * step_rad
+    beams = (
+        (camera.x_m, camera.y_m, (left_rad - column * step_rad) % math.tau, 0.0, camera.range_m)
+        for column in range(camera.columns)
+    )
+    return Fan.of(beams, camera.z_m)

@@ -1,0 +1,125 @@
+"""The compass.
+
+    reading = direction of the mount + offset + (deviation * sin(direction) until it is calibrated)
+
+in 0.1 degree, 0 to 3599 (vendor header `Nclient.h` 1.29). Direction is that of the turret, or of a
+robot without one, in the world frame: counter-clockwise from the world's x axis, like all angles of
+the robot; a definition's offset says where north is instead. `conf_cp` switches it: while it is off
+the reading stays as it was, 0 at first. `conf_cp(2)` calibrates: the turret turns once around, as
+slowly as the definition says (about three minutes, vendor header), while the program goes on, which
+should wait and not move the turret; from then on the deviation, which iron on the robot causes, is
+taken out. On a robot without a turret nothing turns. All numbers but the format are ours.
+
+It measures when a reply tells its reading, at most ten times a second (vendor header), or by its
+timer (`timers`). A normal deviate with the definition's noise is added. Degradation (`compass`):
+where nothing comes the reading stays as it was.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core.random_streams import COMPASS, Noise
+from crs_cc.core.units import rad_to_tenths_deg
+from crs_cc.sim.devices import drive
+from crs_cc.sim.devices.mount import mount_poses
+from crs_cc.sim.devices.vendor_state import configuration
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.ray_caster import Surroundings
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.model.world import WorldModel
+    from crs_cc.sim.state.env_state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+Messages = npt.NDArray[np.void]
+
+OFF: Final = 0
+CALIBRATE: Final = 2
+"""Modes of `conf_cp`; 1 switches it on (vendor header `Nclient.h` 1.29)."""
+
+_TURN: Final = 2 * math.pi
+_FULL_TURN: Final = 3600
+
+
+class Compasses:
+    """The compasses of all robots that have one.
+
+    Attributes:
+        interval_s: the least time between two measurements of each.
+    """
+
+    def __init__(self, world: WorldModel, seed: int) -> None:
+        found = [model for robot in world.robots if (model := robot.model.compass) is not None]
+        self.interval_s = np.array([1.0 / compass.rate_hz for compass in found])
+        self._offset_rad = np.array([compass.offset_rad for compass in found])
+        self._deviation_rad = np.array([compass.deviation_rad for compass in found])
+        self._noise_rad = np.array([compass.noise_rad for compass in found])
+        self._noise = Noise(seed, COMPASS, 1, len(world.robots) if self._noise_rad.any() else 0)
+
+    def read(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        _around: Surroundings,
+        rows: IndexArray,
+        at_s: FloatArray,
+    ) -> None:
+        """Lets the compasses of robots measure, those that are on and whose time has come.
+
+        Args:
+            state: changed in place.
+            equipment: the robots' constants.
+            rows: which robots, k of them, whose axes were turned to `at_s`.
+            at_s: when, for each, shape (k,).
+        """
+        compass = state.compass
+        mine = equipment.compass[rows]
+        due = compass.measured.are_due(mine, at_s, self.interval_s) & compass.on[mine]
+        if not due.any():
+            return
+        rows, mine = rows[due], mine[due]
+        angle_rad = mount_poses(state, equipment, rows)[:, 2]
+        deviation_rad = np.where(compass.calibrated[mine], 0.0, self._deviation_rad[mine])
+        angle_rad += self._offset_rad[mine] + deviation_rad * np.sin(angle_rad)
+        if self._noise_rad.any():
+            deviates = self._noise.rows(rows, compass.count[mine])[:, 0]
+            angle_rad += deviates * self._noise_rad[mine]
+        angle_rad = equipment.degradations.alter(
+            state, "compass", rows, angle_rad[:, None], at_s[due]
+        )[:, 0]
+        told = np.isfinite(angle_rad)
+        tenths = np.rint(rad_to_tenths_deg(angle_rad[told])).astype(np.int32)
+        compass.reading[mine[told]] = tenths % _FULL_TURN
+        compass.count[mine] += 1
+        compass.measured.note(mine, at_s[due], configuration(state, equipment, rows))
+
+
+def get_cp(
+    _state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messages
+) -> BoolArray:
+    """Refuses robots that have no compass; the reply has the reading."""
+    return np.asarray(equipment.compass[rows] >= 0)
+
+
+def conf_cp(
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+) -> BoolArray:
+    """Switches the compass; refuses modes that there are not."""
+    mode, mine = messages["i"][:, 0], equipment.compass[rows]
+    good: BoolArray = (mine >= 0) & (mode >= OFF) & (mode <= CALIBRATE)
+    rows, mode, mine = rows[good], mode[good], mine[good]
+    state.compass.on[mine] = mode != OFF
+    calibrates = mode == CALIBRATE
+    state.compass.calibrated[mine[calibrates]] = True
+    turns = calibrates & equipment.drives.turret[rows]
+    if turns.any():
+        rows, speed = rows[turns], _TURN / equipment.calibration_s[rows[turns]]
+        drive.turn_turret(state, rows, _TURN, speed)
+    return good

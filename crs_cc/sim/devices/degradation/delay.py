@@ -1,0 +1,158 @@
+"""Delayed values: what degradations with a delay remember of the past, and how it is found again.
+
+Each element has a ring of instants and values, and keeps values at least `delay / (depth - 2)`
+apart; so the ring always reaches back beyond the delay.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final, Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core.time_grid import ROUNDING_S
+from crs_cc.sim.devices.degradation.pipeline import Pass
+from crs_cc.sim.state.degradation import width_of
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+
+_SPARE: Final = 2  # so many more values are kept than a delay needs
+_LEAST_S: Final = 1e-3  # the shortest time over which a speed of long ago is taken
+
+
+@dataclass(frozen=True, slots=True)
+class _Rings:
+    """Where the past of some values is kept: of m rows with w elements, `depth` each.
+
+    Attributes:
+        memory: what all degradations remember.
+        count_at: where it is kept how many values each element has had, (m, w).
+        sum_at: where its sum of ways is kept, (m, w).
+        times_at: where the instants are kept, (m, w, depth).
+        values_at: where the values are, (m, w, depth).
+        touched: which elements are meant, (m, w).
+        apart_s: how long after a value the next one is kept, (m, 1).
+    """
+
+    memory: FloatArray
+    count_at: IndexArray
+    sum_at: IndexArray
+    times_at: IndexArray
+    values_at: IndexArray
+    touched: BoolArray
+    apart_s: FloatArray
+
+    @classmethod
+    def of(cls, passing: Pass, some: IndexArray, depth: int) -> Self:
+        """Gives the rings of some rows."""
+        width = width_of(passing.row["device"][some], passing.row["element"][some])[:, None]
+        begin, slot = passing.of("begin")[some], passing.slot[some]
+        times_at = (begin + 3 * width + slot * depth)[..., None] + np.arange(depth)
+        return cls(
+            passing.kept.memory,
+            begin + width + slot,
+            begin + 2 * width + slot,
+            times_at,
+            times_at + (width * depth)[..., None],
+            passing.touched[some],
+            passing.of("delay_s")[some] / (depth - _SPARE),
+        )
+
+    @property
+    def begin(self) -> BoolArray:
+        """Tells which elements have no past yet."""
+        return np.asarray(self.touched & (self.memory[self.count_at] == 0.0))
+
+    def keep(self, values: FloatArray, at_s: FloatArray, which: BoolArray) -> None:
+        """Keeps values with their instants, unless the last ones that were kept are too near."""
+        depth = self.times_at.shape[2]
+        count = self.memory[self.count_at].astype(np.intp)
+        last = ((count - 1) % depth)[..., None]
+        last_s = self.memory[np.take_along_axis(self.times_at, last, axis=2)[..., 0]]
+        since_s = at_s - np.where(count > 0, last_s, -np.inf)
+        keeps = which & (since_s >= self.apart_s - ROUNDING_S) & (since_s > 0.0)
+        turn = (count % depth)[..., None]
+        for places, what in ((self.times_at, at_s), (self.values_at, values)):
+            place = np.take_along_axis(places, turn, axis=2)[..., 0]
+            self.memory[place[keeps]] = np.broadcast_to(what, keeps.shape)[keeps]
+        self.memory[self.count_at[keeps]] += 1.0
+
+    def find(self, at_s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+        """Gives instants and values of what was kept last until, and first after, some instants.
+
+        What there is not has an infinite instant, and the value of another one.
+        """
+        times_s = self.memory[self.times_at]
+        since = times_s <= at_s[..., None]
+        lower = np.where(since, times_s, -np.inf).argmax(axis=2)[..., None]
+        upper = np.where(since, np.inf, times_s).argmin(axis=2)[..., None]
+        lower_s = np.take_along_axis(times_s, lower, axis=2)[..., 0]
+        upper_s = np.take_along_axis(times_s, upper, axis=2)[..., 0]
+        values = [
+            self.memory[np.take_along_axis(self.values_at, each, axis=2)[..., 0]]
+            for each in (lower, upper)
+        ]
+        return (
+            np.where(lower_s <= at_s, lower_s, -np.inf),
+            values[0],
+            np.where(upper_s > at_s, upper_s, np.inf),
+            values[1],
+        )
+
+
+def delayed(passing: Pass, values: FloatArray) -> FloatArray:
+    """Gives readings of as long ago as the delay says, and remembers these."""
+    told = values.copy()
+    for some, depth in _by_depth(passing):
+        rings = _Rings.of(passing, some, depth)
+        rings.keep(values[some], passing.at_s[some], rings.touched)
+        wanted_s = passing.at_s[some] - passing.of("delay_s")[some] + ROUNDING_S
+        lower_s, lower, upper_s, upper = rings.find(wanted_s)
+        first = np.where(np.isfinite(upper_s), upper, values[some])
+        told[some] = np.where(np.isfinite(lower_s), lower, first)
+    return told
+
+
+def delayed_speeds(passing: Pass, speeds: FloatArray, from_s: FloatArray) -> FloatArray:
+    """Gives the speeds of as long ago as the delay says, and remembers these.
+
+    Args:
+        passing: the speeds' way; its instant is the end of the time for which they count.
+        speeds: the speeds, (m, w).
+        from_s: the beginning of that time, (m,).
+    """
+    told = speeds.copy()
+    for some, depth in _by_depth(passing):
+        to_s, since_s = passing.at_s[some], from_s[some, None]
+        rings = _Rings.of(passing, some, depth)
+        if passing.writes:
+            begin = rings.begin
+            if begin.any():
+                rings.keep(np.zeros_like(speeds[some]), since_s, begin)
+            ways = speeds[some] * (to_s - since_s)
+            rings.memory[rings.sum_at[rings.touched]] += ways[rings.touched]
+            rings.keep(rings.memory[rings.sum_at], to_s, rings.touched)
+        for_s = np.maximum(to_s - since_s, _LEAST_S)
+        ago_s = to_s - passing.of("delay_s")[some]
+        told[some] = (_sum(rings, ago_s) - _sum(rings, ago_s - for_s)) / for_s
+    return told
+
+
+def _sum(rings: _Rings, at_s: FloatArray) -> FloatArray:
+    """Gives the sums of ways at instants, along straight lines between those that were kept."""
+    lower_s, lower, upper_s, upper = rings.find(at_s)
+    between = np.isfinite(lower_s) & np.isfinite(upper_s)
+    with np.errstate(invalid="ignore"):
+        part = np.divide(at_s - lower_s, upper_s - lower_s, out=np.zeros_like(lower), where=between)
+    return np.where(np.isfinite(lower_s), lower + part * (upper - lower), upper)
+
+
+def _by_depth(passing: Pass) -> list[tuple[IndexArray, int]]:
+    depths = passing.row["depth"]
+    return [
+        (np.flatnonzero(depths == depth), int(depth)) for depth in np.unique(depths[depths > 0])
+    ]

@@ -1,0 +1,112 @@
+"""Values on their way through degradations, and all that happens to them but delay."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core.quantity import ANGLE
+from crs_cc.sim.model.degradation import DEVICES
+from crs_cc.sim.state.degradation import ALL_ELEMENTS, FIXED, FREE, HOLDS, DegradationState
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+
+_FINEST: Final = 1e-9  # rounding to smaller steps changes nothing
+_LARGEST: Final = 1e6
+_TURN: Final = 2 * np.pi
+_CIRCULAR: Final = [device.kind is ANGLE for device in DEVICES.values()]
+
+
+@dataclass(slots=True)
+class Pass:
+    """Values on their way through one layer; m rows of w elements.
+
+    Attributes:
+        kept: what all degradations remember.
+        row: the record of each, (m,).
+        slot: the number of each element in the memory, (m, w).
+        touched: which elements are meant, (m, w).
+        s: the severity, (m, 1).
+        at_s: the instant, (m, 1).
+        writes: whether anything is remembered.
+    """
+
+    kept: DegradationState
+    row: Any
+    slot: IndexArray
+    touched: BoolArray
+    s: FloatArray
+    at_s: FloatArray
+    writes: bool
+
+    def of(self, name: str) -> Any:
+        """Gives a column of the records, (m, 1)."""
+        return self.row[name][:, None]
+
+
+def pass_of(
+    kept: DegradationState,
+    row: Any,
+    columns: IndexArray,
+    s: FloatArray,
+    at_s: FloatArray,
+    *,
+    writes: bool = True,
+) -> Pass:
+    """Sends values through one layer.
+
+    Args:
+        kept: what all degradations remember.
+        row: the record of each, (m,).
+        columns: the element of each value, (m, w).
+        s: the severity, (m,).
+        at_s: the instant, (m,).
+        writes: whether anything is remembered.
+    """
+    whole = (row["element"] == ALL_ELEMENTS)[:, None]
+    touched = whole | (columns == row["element"][:, None])
+    slot = np.where(whole, columns, 0)
+    return Pass(kept, row, slot, touched, s[:, None], at_s[:, None], writes)
+
+
+def distorted(passing: Pass, values: FloatArray, normal: FloatArray) -> FloatArray:
+    """Gives values with gain, bias, noise and rounding; what is not finite stays."""
+    with np.errstate(invalid="ignore"):
+        new = values * (1.0 + passing.s * (passing.of("gain") - 1.0))
+        new += passing.s * passing.of("bias") + passing.s * passing.of("noise") * normal
+        size = passing.s * passing.of("step")
+        rounds = size > _FINEST
+        size = np.where(rounds, size, 1.0)
+        new = np.where(rounds, np.rint(new / size) * size, new)
+    changes = np.isfinite(values) & (passing.s > 0.0)
+    return np.where(changes, np.clip(new, -_LARGEST, _LARGEST), values)
+
+
+def stuck_at(passing: Pass, values: FloatArray, before: BoolArray, number: int) -> FloatArray:
+    """Lets values be stuck; `before` tells which are from before the onset, (m, 1)."""
+    stuck = passing.of("stuck")
+    if not stuck.any():
+        return values
+    memory, place = passing.kept.memory, passing.of("begin") + passing.slot
+    held = memory[place]
+    none_yet = np.isnan(held)
+    if passing.writes:
+        fresh = passing.touched & (stuck == HOLDS) & ~np.isnan(values) & (before | none_yet)
+        memory[place[fresh]] = values[fresh]
+    held = np.where(none_yet, values, held)
+    held = np.where(stuck == FIXED, passing.of("stuck_at"), held)
+    return np.where(stuck == FREE, values, mix(passing.s, values, held, number))
+
+
+def mix(s: FloatArray, values: FloatArray, others: FloatArray, number: int) -> FloatArray:
+    """Gives what lies between two values, of directions the shorter way around."""
+    if _CIRCULAR[number]:
+        others = values + (others - values + np.pi) % _TURN - np.pi
+    with np.errstate(invalid="ignore"):
+        between = (1.0 - s) * values + s * others
+    return np.where(s >= 1.0, others, np.where(s <= 0.0, values, between))

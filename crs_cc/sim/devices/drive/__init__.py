@@ -1,0 +1,370 @@
+"""The drive: the motion commands.
+
+On a differential drive (Scout) axis 1 of a command is the right wheel, axis 2 the left one, axis 3
+is not used; on a synchro drive (Nomad 200) they are translation, steering and turret (vendor header
+`Nclient.h` 1.29, which calls the speeds STATE_VEL_TRANS and STATE_VEL_RIGHT, and so on). Units on
+the interface: 0.1 in or 0.1 deg, those by the second, and by the second squared. `hardware` turns
+commands into slices; here they are understood:
+
+- speeds and accelerations beyond the limits of the robot definition are the limits; `ac` and `sp`
+  take the magnitude (the vendor's library sends it without sign), and at least 1 unit; both count
+  for the commands that follow;
+- a command that comes while another runs replaces it, from the speed reached;
+- `conf_tm`: when no command came for so long, the axes brake to a standstill;
+- `ws` gives up after its timeout; a timeout of 0 does not wait at all, or waits forever, as the
+  robot definition says;
+- `zr` sets the odometry of a differential drive to 0 at once. A synchro drive stops, turns steering
+  and turret to their zero marks, with the speeds of `sp`, and then does so; until then the program
+  waits, 120 s at most, and `conf_tm` is off.
+
+`traction` has what contacts do, `rolling` how wheels differ from what is believed of them.
+
+Degradation has three places, each with the speeds of the axes: `drive` is what the motors make of
+what they are told, and the encoders see it; `wheels` is what that does on the floor, and they do
+not see it (a wheel that slips); `odometry` is what they count. A dead motor holds its wheel. The
+motor controller is told nothing: a move ends when it would have ended, wherever the wheels are.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.requests import CODES
+from crs_cc.sim.devices import odometry
+from crs_cc.sim.devices.drive import traction
+from crs_cc.sim.devices.drive.constants import weighted
+from crs_cc.sim.model.axis import AXES
+from crs_cc.sim.state import motion_profile
+from crs_cc.sim.state.rows import take
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.state.env_state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+WholeArray = npt.NDArray[np.int64]
+IndexArray = npt.NDArray[np.intp]
+Messages = npt.NDArray[np.void]
+
+IGNORE: Final = 0
+VELOCITY: Final = 1
+RELATIVE: Final = 2
+LIMP: Final = 3
+ACCELERATION: Final = 4
+SPEED: Final = 5
+"""Modes of `mv` (MV_IGNORE to MV_SP, vendor header `Nclient.h` 1.29)."""
+
+_BYTE: Final = 255  # timeouts are unsigned chars [s]
+_ZERO_TIMEOUT_S: Final = 120.0  # so long the vendor's client waits (`Ndirect.c` 2.7)
+_TURN: Final = 2 * math.pi
+
+
+# -- time ------------------------------------------------------------------------------------------
+
+
+def advance(
+    state: EnvState, equipment: Equipment, rows: IndexArray | slice, to_s: FloatArray
+) -> None:
+    """Lets the axes turn on to an instant, and stop in between where the time for it is up.
+
+    Args:
+        state: changed in place.
+        equipment: the robots' constants.
+        rows: which robots, k of them.
+        to_s: the instant of each, not before the last one, shape (k,).
+    """
+    late = state.drive.deadline_s[rows] < to_s
+    if late.any():
+        stopped = np.arange(len(state.drive.clock_s))[rows][late]
+        deadline_s = state.drive.deadline_s[stopped]
+        _turn(state, equipment, stopped, deadline_s)
+        _stop(state, equipment, stopped, ~state.drive.limp[stopped])
+        state.drive.deadline_s[stopped] = np.inf
+        _remember(state, stopped, CODES["CONF_TM"])
+    _turn(state, equipment, rows, to_s)
+
+
+def renew_deadline(state: EnvState, rows: IndexArray) -> None:
+    """Lets the time without a command begin at the instant to which the axes have been turned."""
+    state.drive.deadline_s[rows] = state.drive.clock_s[rows] + state.drive.timeout_s[rows]
+
+
+def stands_s(state: EnvState, rows: IndexArray) -> FloatArray:
+    """Gives when the axes that robots wait for will stand, or the time is up.
+
+    If the time without a command is up before, they stand earlier.
+    """
+    end_s = state.drive.axes.end_s(rows)
+    # A move that is held up is not done when it should be.
+    late = state.drive.hindered[rows, None] & (state.drive.axes.limit[rows] > 0.0)
+    end_s = np.where(late, np.inf, end_s)
+    stands_s = np.where(state.waits.axes[rows], end_s, -np.inf).max(axis=1)
+    end_s = np.minimum(stands_s, state.waits.until_s[rows])
+    return np.asarray(np.maximum(end_s, state.drive.clock_s[rows]))
+
+
+def _turn(
+    state: EnvState, equipment: Equipment, rows: IndexArray | slice, to_s: FloatArray
+) -> None:
+    way = motion_profile.advance(state.drive.axes, rows, to_s)
+    from_s = state.drive.clock_s[rows].copy()
+    move, limit = equipment.degradations.move, equipment.drives.speed_limit
+    way = move(state, "drive", rows, way, from_s=from_s, to_s=to_s, limit=limit)
+    turned = traction.turned(state, equipment, rows, way, to_s - from_s)
+    state.drive.clock_s[rows] = to_s
+    counted = move(state, "odometry", rows, turned, from_s=from_s, to_s=to_s)
+    if turned.any() or counted.any():
+        state.drive.slice[rows] += turned
+        odometry.count_turns(state, equipment, rows, counted)
+    way = move(state, "wheels", rows, way, from_s=from_s, to_s=to_s, limit=limit)
+    if not way.any():
+        return
+    facing_rad = state.drive.facing_rad[rows]
+    turn_rad = weighted(way, take(equipment.drives.true_turn, rows))
+    way_m = weighted(way, take(equipment.drives.true_forward, rows))
+    x_m, y_m = odometry.arc(facing_rad, way_m, turn_rad)
+    if equipment.inclines is not None:
+        place_m = state.bodies.position_m[: len(state.heading_rad)][rows]
+        x_m, y_m = equipment.inclines.shortened(place_m, x_m, y_m)
+    state.drive.moved_m[rows, 0] += x_m
+    state.drive.moved_m[rows, 1] += y_m
+    state.drive.facing_rad[rows] = facing_rad + turn_rad
+    if equipment.drives.turrets:
+        state.drive.turret_rad[rows] += way[:, 2]
+
+
+def face(state: EnvState, equipment: Equipment) -> None:
+    """Ends a cycle: robots face where their axes were turned to."""
+    state.heading_rad = state.drive.facing_rad % _TURN
+    if equipment.drives.synchro.any():
+        state.base_rad = np.where(equipment.drives.synchro, state.base_rad, state.heading_rad)
+        turret_rad = state.drive.turret_rad % _TURN
+        state.mount_rad = np.where(equipment.drives.turret, turret_rad, state.base_rad)
+    else:
+        state.mount_rad = state.base_rad = state.heading_rad
+
+
+# -- commands --------------------------------------------------------------------------------------
+
+
+def ac(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+    """Sets accelerations."""
+    values = messages["i"][:, :AXES]
+    _set(state.drive.ramp, equipment.drives.ramp_limit, equipment, rows, values)
+
+
+def sp(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+    """Sets the speeds of `pr`."""
+    values = messages["i"][:, :AXES]
+    _set(state.drive.move_speed, equipment.drives.speed_limit, equipment, rows, values)
+
+
+def pr(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+    """Starts a relative move."""
+    _move(state, equipment, rows, messages["i"][:, :AXES])
+    _remember(state, rows, CODES["PR"])
+
+
+def vm(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+    """Sets speeds."""
+    _run_at(state, equipment, rows, messages["i"][:, :AXES])
+    _remember(state, rows, CODES["VM"])
+
+
+def mv(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> BoolArray:
+    """Commands each axis in a mode of its own; refuses modes that the vendor's client refuses."""
+    modes, values = messages["i"][:, 0:6:2], messages["i"][:, 1:6:2]
+    good = np.asarray(((modes >= IGNORE) & (modes <= SPEED)).all(axis=1))
+    rows, modes, values = rows[good], modes[good], values[good]
+    _set(
+        state.drive.ramp,
+        equipment.drives.ramp_limit,
+        equipment,
+        rows,
+        values,
+        which=modes == ACCELERATION,
+    )
+    _set(
+        state.drive.move_speed,
+        equipment.drives.speed_limit,
+        equipment,
+        rows,
+        values,
+        which=modes == SPEED,
+    )
+    _run_at(state, equipment, rows, values, modes == VELOCITY)
+    _move(state, equipment, rows, values, modes == RELATIVE)
+    _let_go(state, equipment, rows, modes == LIMP)
+    moves = ((modes == VELOCITY) | (modes == RELATIVE) | (modes == LIMP)).any(axis=1)
+    _remember(state, rows[moves], CODES["MV"])
+    return good
+
+
+def st(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messages) -> None:
+    """Stops the axes and holds them."""
+    _stop(state, equipment, rows)
+    _remember(state, rows, CODES["ST"])
+
+
+def lp(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messages) -> None:
+    """Lets the axes go limp: the wheels roll out, what turns stops."""
+    _let_go(state, equipment, rows)
+    _remember(state, rows, CODES["LP"])
+
+
+def ws(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+    """Begins to wait until the chosen axes stand still."""
+    state.waits.axes[rows] = messages["i"][:, :AXES] != 0
+    timeout_s = (messages["i"][:, 3] & _BYTE).astype(np.float64)
+    endless = (timeout_s == 0.0) & equipment.drives.waits_forever[rows]
+    until_s = state.drive.clock_s[rows] + timeout_s
+    state.waits.until_s[rows] = np.where(endless, np.inf, until_s)
+
+
+def zr(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messages) -> None:
+    """Begins to turn steering and turret to their zero marks, the shorter way; `zeroed` ends it.
+
+    The marks are where wheels and turret point ahead of the base. A differential drive has none.
+    """
+    drives = equipment.drives
+    rows = rows[drives.synchro[rows]]
+    _stop(state, equipment, rows, np.arange(AXES) == 0)
+    off_rad = np.zeros((len(rows), AXES))
+    off_rad[:, 1] = state.base_rad[rows] - state.drive.facing_rad[rows]
+    turret_rad = state.base_rad[rows] - state.drive.turret_rad[rows]
+    off_rad[:, 2] = np.where(drives.turret[rows], turret_rad, 0.0)
+    motion_profile.plan_move(
+        state.drive.axes,
+        rows,
+        state.drive.clock_s[rows],
+        (off_rad + math.pi) % _TURN - math.pi,
+        limit=state.drive.move_speed[rows],
+        ramp=state.drive.ramp[rows],
+        which=np.arange(AXES) > 0,
+    )
+    state.waits.axes[rows] = True
+    state.waits.until_s[rows] = state.drive.clock_s[rows] + _ZERO_TIMEOUT_S
+    state.drive.deadline_s[rows] = np.inf  # until `zeroed`
+    _remember(state, rows, CODES["ZR"])
+
+
+def zeroed(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+    """Sets the odometry of robots to 0; fails for those that did not get to their zero marks."""
+    stands = (state.drive.axes.end_s(rows) <= state.drive.clock_s[rows, None]).all(axis=1)
+    done = stands | ~equipment.drives.synchro[rows]
+    odometry.zero(state, rows[done])
+    messages["result"] = done
+    renew_deadline(state, rows)
+
+
+def conf_tm(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+    """Sets the time without a command after which the axes stop, 0 for never."""
+    timeout_s = (messages["i"][:, 0] & _BYTE).astype(np.float64)
+    state.drive.timeout_s[rows] = np.where(timeout_s > 0.0, timeout_s, np.inf)
+    renew_deadline(state, rows)
+
+
+def _set(
+    setting: FloatArray,
+    limit: FloatArray,
+    equipment: Equipment,
+    rows: IndexArray,
+    values: npt.NDArray[np.int32],
+    *,
+    which: BoolArray | bool = True,
+) -> None:
+    unit = equipment.drives.unit[rows]
+    least = np.where(unit > 0.0, unit, 1.0)
+    wanted = np.maximum(np.abs(values.astype(np.float64)) * unit, least)
+    setting[rows] = np.where(which, np.minimum(wanted, limit[rows]), setting[rows])
+
+
+def _run_at(
+    state: EnvState,
+    equipment: Equipment,
+    rows: IndexArray,
+    values: npt.NDArray[np.int32],
+    which: BoolArray | bool = True,
+) -> None:
+    _take_up(state, equipment, rows, which)
+    limit = take(equipment.drives.speed_limit, rows)
+    target = np.clip(values.astype(np.float64) * take(equipment.drives.unit, rows), -limit, limit)
+    ramp, now_s = take(state.drive.ramp, rows), state.drive.clock_s[rows]
+    motion_profile.plan_speed(state.drive.axes, rows, now_s, target, ramp=ramp, which=which)
+
+
+def _move(
+    state: EnvState,
+    equipment: Equipment,
+    rows: IndexArray,
+    values: npt.NDArray[np.int32],
+    which: BoolArray | bool = True,
+) -> None:
+    _take_up(state, equipment, rows, which)
+    motion_profile.plan_move(
+        state.drive.axes,
+        rows,
+        state.drive.clock_s[rows],
+        values.astype(np.float64) * equipment.drives.unit[rows],
+        limit=state.drive.move_speed[rows],
+        ramp=state.drive.ramp[rows],
+        which=which,
+    )
+
+
+def _stop(
+    state: EnvState, equipment: Equipment, rows: IndexArray, which: BoolArray | bool = True
+) -> None:
+    _take_up(state, equipment, rows, which)
+    ramp, now_s = take(state.drive.ramp, rows), state.drive.clock_s[rows]
+    standing = np.zeros_like(ramp)
+    motion_profile.plan_speed(state.drive.axes, rows, now_s, standing, ramp=ramp, which=which)
+
+
+def turn_turret(state: EnvState, rows: IndexArray, way_rad: float, speed_radps: FloatArray) -> None:
+    """Lets turrets go a way, whatever speed `sp` has set; the other axes go on.
+
+    Args:
+        state: changed in place.
+        rows: robots that have a turret, k of them.
+        way_rad: the way, counter-clockwise.
+        speed_radps: the speed of each, shape (k,).
+    """
+    turret = np.arange(AXES) == AXES - 1
+    now_s, ramp = state.drive.clock_s[rows], state.drive.ramp[rows]
+    way, limit = np.full_like(ramp, way_rad), np.broadcast_to(speed_radps[:, None], ramp.shape)
+    motion_profile.plan_move(
+        state.drive.axes, rows, now_s, way, limit=limit, ramp=ramp, which=turret
+    )
+
+
+def _take_up(
+    state: EnvState, equipment: Equipment, rows: IndexArray, which: BoolArray | bool
+) -> None:
+    """Lets motors take up limp wheels again, at the speed with which these roll."""
+    limp = state.drive.limp[rows] & which
+    if limp.any():
+        speed = state.drive.axes.speed
+        speed[rows] = np.where(limp, traction.speed(state, equipment, rows), speed[rows])
+        state.drive.limp[rows] &= ~limp
+
+
+def _let_go(
+    state: EnvState, equipment: Equipment, rows: IndexArray, which: BoolArray | bool = True
+) -> None:
+    rolls = equipment.drives.rolls[rows] > 0.0
+    roll_out_mps2 = equipment.drives.roll_out_mps2[rows, None]
+    ramp, now_s = np.where(rolls, roll_out_mps2, state.drive.ramp[rows]), state.drive.clock_s[rows]
+    standing = np.zeros_like(ramp)
+    motion_profile.plan_speed(state.drive.axes, rows, now_s, standing, ramp=ramp, which=which)
+    state.drive.limp[rows] |= rolls & which
+
+
+def _remember(state: EnvState, rows: IndexArray, code: int) -> None:
+    state.drive.command[rows] = code
+    state.drive.command_cycle[rows] = state.cycle

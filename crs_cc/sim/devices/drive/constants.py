@@ -1,0 +1,150 @@
+"""The drives of all robots of a world, as arrays.
+
+A drive is linear: the way that the robot goes, and the angle by which it turns, are sums of the
+ways of its axes, each with a weight. So differential and synchro drives share all formulas.
+
+    differential:  forward = (right + left) / 2   turn = (right - left) / wheel base
+    synchro:       forward = translation          turn = steering
+
+>>> from crs_cc.sim.files.world_xml import empty_world
+>>> scout = Drives.of(empty_world())
+>>> scout.forward.tolist(), (1 / scout.turn[0, :2]).round(6).tolist()
+([[0.5, 0.5, 0.0]], [0.345186, -0.345186])
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final, Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core.units import tenths_deg_to_rad, tenths_inch_to_m
+from crs_cc.sim.model.axis import STILL
+from crs_cc.sim.model.robot import Drive, Odometry
+from crs_cc.sim.model.world import WorldModel
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+
+_FINEST: Final = 1e-12  # what an encoder counts in that counts everything
+
+
+@dataclass(frozen=True, slots=True)
+class Drives:
+    """Constants of all drives; arrays have shape (robots,), or (robots, 3) for three axes.
+
+    Attributes:
+        unit: size of the vendor's unit of each axis, 0.1 in [m] or 0.1 deg [rad]; 0 for an axis
+            that is not there, so that every command to it means 0.
+        speed_limit: the fastest that an axis can run; 1 for one that is not there.
+        ramp_limit: the fastest that its speed can change; 1 for one that is not there.
+        forward: way of the robot for each unit of each axis' way.
+        turn: by how much the wheels' direction turns for each unit of each axis' way [rad].
+        true_forward: the way that the robot truly goes for it, see `actuators.rolling`.
+        true_turn: the angle by which it truly turns.
+        count: the way of each axis for one count of its encoder.
+        rolls: 1 for the axes whose wheels roll when the robot is moved along them, else 0.
+        yields: whether the motors are weaker than the wheels' grip, so that they stall.
+        roll_out_mps2: how fast limp wheels lose their speed.
+        step_m: the highest step that the wheels take.
+        give_up_s: how long the motors stall before they stop.
+        waits_forever: whether `ws` with a timeout of 0 waits without end.
+        synchro: whether the robot has a synchro drive, whose base never turns.
+        turret: whether it has a turret of its own.
+        turrets: whether any robot has.
+    """
+
+    unit: FloatArray
+    speed_limit: FloatArray
+    ramp_limit: FloatArray
+    forward: FloatArray
+    turn: FloatArray
+    true_forward: FloatArray
+    true_turn: FloatArray
+    count: FloatArray
+    rolls: FloatArray
+    yields: BoolArray
+    roll_out_mps2: FloatArray
+    step_m: FloatArray
+    give_up_s: FloatArray
+    waits_forever: BoolArray
+    synchro: BoolArray
+    turret: BoolArray
+    turrets: bool
+
+    @classmethod
+    def of(cls, world: WorldModel) -> Self:
+        """Gives the drives of a world's robots."""
+        drives = [robot.model.drive for robot in world.robots]
+        errors = [robot.model.odometry for robot in world.robots]
+        both = list(zip(drives, errors, strict=True))
+        axes = [[axis or STILL for axis in drive.axes] for drive in drives]
+        return cls(
+            unit=_rows([_units(drive) for drive in drives]),
+            speed_limit=_rows([[axis.speed_limit for axis in three] for three in axes]),
+            ramp_limit=_rows([[axis.acceleration_limit for axis in three] for three in axes]),
+            forward=_rows([_forward(drive, Odometry()) for drive in drives]),
+            turn=_rows([_turn(drive, Odometry()) for drive in drives]),
+            true_forward=_rows([_forward(drive, wrong) for drive, wrong in both]),
+            true_turn=_rows([_turn(drive, wrong) for drive, wrong in both]),
+            count=_rows([_counts(drive, wrong) for drive, wrong in both]),
+            rolls=_rows([[1.0, float(drive.steering is None), 0.0] for drive in drives]),
+            yields=_flags([drive.force_n < drive.grip_n for drive in drives]),
+            roll_out_mps2=np.array([drive.roll_out_mps2 for drive in drives]),
+            step_m=np.array([drive.step_m for drive in drives]),
+            give_up_s=np.array([drive.give_up_s for drive in drives]),
+            waits_forever=_flags([drive.waits_forever for drive in drives]),
+            synchro=_flags([drive.steering is not None for drive in drives]),
+            turret=_flags([drive.turret is not None for drive in drives]),
+            turrets=any(drive.turret is not None for drive in drives),
+        )
+
+
+def weighted(ways: FloatArray, weights: FloatArray) -> FloatArray:
+    """Gives the sum of each row's numbers, each times its weight; both of shape (k, n)."""
+    # Column by column: fast, and to the same bits for one robot as for a thousand.
+    total = ways[:, 0] * weights[:, 0]
+    for column in range(1, ways.shape[1]):
+        total += ways[:, column] * weights[:, column]
+    return np.asarray(total)
+
+
+def _units(drive: Drive) -> list[float]:
+    way, angle = tenths_inch_to_m(1.0), tenths_deg_to_rad(1.0)
+    units = [way, way, 0.0] if drive.steering is None else [way, angle, angle]
+    return [unit if axis else 0.0 for unit, axis in zip(units, drive.axes, strict=True)]
+
+
+def _forward(drive: Drive, wrong: Odometry) -> list[float]:
+    if drive.steering is not None:
+        return [wrong.scale, 0.0, 0.0]
+    return [0.5 * wheel for wheel in _wheels(wrong)] + [0.0]
+
+
+def _turn(drive: Drive, wrong: Odometry) -> list[float]:
+    if drive.steering is not None:
+        return [wrong.drift_radpm, 1.0, 0.0]
+    wheel_base_m = drive.wheel_base_m * wrong.wheel_base
+    right, left = _wheels(wrong)
+    return [right / wheel_base_m, -left / wheel_base_m, 0.0]
+
+
+def _wheels(wrong: Odometry) -> tuple[float, float]:
+    """Gives how much larger than believed the right and the left wheel are."""
+    left = 2 / (wrong.diameters + 1)
+    return wrong.scale * wrong.diameters * left, wrong.scale * left
+
+
+def _counts(drive: Drive, wrong: Odometry) -> list[float]:
+    way, angle = wrong.resolution_m or _FINEST, wrong.resolution_rad or _FINEST
+    return [way, way, way] if drive.steering is None else [way, angle, angle]
+
+
+def _rows(values: list[list[float]]) -> FloatArray:
+    return np.array(values, dtype=np.float64).reshape(-1, 3)
+
+
+def _flags(values: list[bool]) -> BoolArray:
+    return np.array(values, dtype=np.bool_)

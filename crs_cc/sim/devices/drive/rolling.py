@@ -1,0 +1,64 @@
+"""Rolling: how wheels differ from what odometry believes of them.
+
+    true way  = sum of the axes' ways, each with its true weight (`drives`), + random way
+    true turn = the same with the weights of turning                        + random turn
+
+Systematic: the wheels of a differential drive differ (right over left diameter, the mean being what
+it should be), their distance is not the nominal one, all wheels are larger or smaller than they
+should be, a synchro drive turns a little with each metre. The first two are Ed and Eb of
+J. Borenstein, L. Feng, "UMBmark: a method for measuring, comparing, and correcting dead-reckoning
+errors in mobile robots", 1995.
+
+Random: after the way s and the turn t the way is off by a normal deviate with the standard
+deviation way_noise * sqrt(s), the direction by sqrt(turn_noise^2 * s + spin_noise^2 * t); s in
+metres, t in full turns. Each timestep adds its own share, so both walk at random.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core.random_streams import ROLLING, Noise
+from crs_cc.sim.devices.drive.constants import weighted
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.model.world import WorldModel
+    from crs_cc.sim.state.env_state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+
+_TURN: Final = 2 * math.pi
+
+
+class RollingNoise:
+    """What is random in the ways of all robots of a world."""
+
+    def __init__(self, world: WorldModel, seed: int) -> None:
+        errors = [robot.model.odometry for robot in world.robots]
+        noises = np.array([(e.way_noise_m, e.turn_noise_rad, e.spin_noise_rad) for e in errors])
+        noises = noises.reshape(-1, 3)
+        self._robots = np.flatnonzero(noises.any(axis=1))
+        self._way_m, self._turn_rad, self._spin_rad = noises[self._robots].T
+        self._noise = Noise(seed, ROLLING, 2, len(world.robots) if len(self._robots) else 0)
+
+    def add(self, state: EnvState, equipment: Equipment) -> None:
+        """Adds a cycle's share to where the axes, turned to its end, took the robots."""
+        robots = self._robots
+        if not len(robots):
+            return
+        slice_ = state.drive.slice[robots]
+        way_m = np.abs(weighted(slice_, equipment.drives.forward[robots]))
+        turn_rad = np.abs(weighted(slice_, equipment.drives.turn[robots]))
+        way, turn = self._noise.rows(robots, np.full(len(robots), state.cycle)).T
+        off_m = way * self._way_m * np.sqrt(way_m)
+        spin_rad = self._spin_rad * np.sqrt(turn_rad / _TURN)
+        facing_rad = state.drive.facing_rad[robots]
+        state.drive.moved_m[robots, 0] += off_m * np.cos(facing_rad)
+        state.drive.moved_m[robots, 1] += off_m * np.sin(facing_rad)
+        off_rad = turn * np.hypot(self._turn_rad * np.sqrt(way_m), spin_rad)
+        state.drive.facing_rad[robots] = facing_rad + off_rad

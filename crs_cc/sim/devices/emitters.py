@@ -1,0 +1,127 @@
+"""Which sources of light or sound are within the range of which robots, and which are in sight.
+
+A source is in sight where nothing lies on the straight line to it: no wall, no thing, no robot but
+the one that carries the source.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.devices.mount import mount_poses
+from crs_cc.sim.geometry.cell_list import CellList
+from crs_cc.sim.geometry.rays import Fan
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.ray_caster import Surroundings
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.state.env_state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+
+_NEAREST_M = 0.1
+"""Sources that are nearer than this sense as if they were so far away; chosen by us."""
+
+_SLACK_M = 1e-6
+
+
+@dataclass(frozen=True, slots=True)
+class Sources:
+    """Sources; arrays have a row for each.
+
+    Attributes:
+        place_m: where they are, (sources, 2).
+        strength: how strong they are at a distance of 1 m, (sources,).
+        owner: the robots that carry them, -1 for those that stand in the world, (sources,).
+    """
+
+    place_m: FloatArray
+    strength: FloatArray
+    owner: IndexArray
+
+    def with_robots(self, place_m: FloatArray, strength: FloatArray) -> Sources:
+        """Gives these and the robots that are sources, too.
+
+        Args:
+            place_m: where all robots are, (robots, 2).
+            strength: how strong they are, 0 for those that are none, (robots,).
+        """
+        rows = np.flatnonzero(strength > 0.0)
+        return Sources(
+            np.concatenate([self.place_m, place_m[rows]]),
+            np.concatenate([self.strength, strength[rows]]),
+            np.concatenate([self.owner, rows]),
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Sensed:
+    """Pairs of a robot and a source in its range; arrays have a row for each.
+
+    Attributes:
+        robot: the robot, as an index into those that asked, rising.
+        source: the source.
+        distance_m: how far away it is, at least a little.
+        bearing_rad: where it is, from where the robot's mount points.
+        in_sight: whether nothing is on the line to it.
+    """
+
+    robot: IndexArray
+    source: IndexArray
+    distance_m: FloatArray
+    bearing_rad: FloatArray
+    in_sight: BoolArray
+
+
+def line_of_sight(range_m: float) -> list[Fan]:
+    """Gives the beam by which sources are looked for, none for no range."""
+    return [Fan.of([(0.0, 0.0, 0.0, 0.0, range_m)])] if range_m > 0.0 else []
+
+
+def sense(
+    state: EnvState,
+    equipment: Equipment,
+    around: Surroundings,
+    rows: IndexArray,
+    *,
+    sources: Sources,
+    range_m: FloatArray,
+    fan: Fan,
+) -> Sensed:
+    """Gives what sources are in the range of robots, their own ones apart.
+
+    Args:
+        state: where all robots are.
+        equipment: their constants.
+        around: what there is to see.
+        rows: the robots, k of them.
+        sources: the sources.
+        range_m: how far each robot senses, (k,).
+        fan: of `line_of_sight`.
+    """
+    mounts = mount_poses(state, equipment, rows)
+    places = sources.place_m
+    cells = CellList(places[:, 0].copy(), places[:, 1].copy(), float(range_m.max(initial=0.0)))
+    robot, source = cells.near(mounts[:, 0], mounts[:, 1])
+    way_m = places[source] - mounts[robot, :2]
+    distance_m = np.hypot(way_m[:, 0], way_m[:, 1])
+    keep = (distance_m <= range_m[robot]) & (sources.owner[source] != rows[robot])
+    robot, source, way_m, distance_m = robot[keep], source[keep], way_m[keep], distance_m[keep]
+    direction_rad = np.arctan2(way_m[:, 1], way_m[:, 0])
+    poses = np.column_stack([mounts[robot, :2], direction_rad])
+    hit_m, thing = around.seen(state, fan, poses, rows[robot])
+    in_sight = hit_m[:, 0] >= distance_m - _SLACK_M
+    in_sight |= (sources.owner[source] >= 0) & (thing[:, 0] == sources.owner[source])
+    return Sensed(
+        robot,
+        source,
+        np.maximum(distance_m, _NEAREST_M),
+        direction_rad - mounts[robot, 2],
+        in_sight,
+    )

@@ -1,0 +1,205 @@
+"""The gripper: two fingers that close on what is between them, and carry it.
+
+    distance of the fingers = distance when told + or - opening * time since / closing time
+
+`crs_gripper` returns at once; the fingers need their time. They are no bodies: they pass through
+everything. When, at the end of a cycle, they have got as near to each other as a thing between them
+is wide, they hold it: the nearest thing to the palm that can be pushed, is not too heavy, lies with
+all of its part between palm and tips within the opening, and is in nobody's hand. From then on it
+moves with the robot (`carrying`), and the distance of the fingers is its width. As soon as they are
+told to open, it lies at rest where it is.
+
+A beam from finger to finger, half-way between palm and tips, tells whether anything is there. All
+of this was chosen by us, after the gripper of the Pioneer, whose fingers close in parallel and have
+such beams.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core.units import m_to_tenths_inch
+from crs_cc.requests import LARGEST
+from crs_cc.sim.devices.grasp_choice import can_be_taken, nearest
+from crs_cc.sim.devices.gripper.fingers import between
+from crs_cc.sim.devices.mount import mount_poses
+from crs_cc.sim.geometry.rays import Fan
+from crs_cc.sim.physics.carrying import grasp_anew
+from crs_cc.sim.state.holds import GRIPPER
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.request_context import Asked
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.model.handling import Gripper
+    from crs_cc.sim.model.world import WorldModel
+    from crs_cc.sim.state.bodies import Contacts
+    from crs_cc.sim.state.env_state import EnvState
+    from crs_cc.sim.state.events import EventLog
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+
+_CLOSE: Final = 0.5
+_SAME_M: Final = 1e-9
+_GRAMS: Final = 1000.0
+
+
+class Grippers:
+    """The grippers of all robots that have one.
+
+    Attributes:
+        fans: the beams between their fingers.
+    """
+
+    def __init__(self, world: WorldModel, log: EventLog) -> None:
+        self._log = log
+        has = [number for number, robot in enumerate(world.robots) if robot.model.gripper]
+        found = [gripper for robot in world.robots if (gripper := robot.model.gripper) is not None]
+        kinds = list(dict.fromkeys(found))
+        self._rows = np.array(has, dtype=np.intp)
+        self._opening_m = np.array([each.opening_m for each in found], dtype=np.float64)
+        self._speed_mps = np.array([each.opening_m / each.closing_s for each in found])
+        self._most_kg = np.array([each.most_kg for each in found])
+        strips = [(each.place_m, each.place_m + each.reach_m) for each in found]
+        self._strip_m = np.array(strips, dtype=np.float64).reshape(-1, 2)
+        self._kind = np.array([kinds.index(each) for each in found], dtype=np.intp)
+        self.fans = [_beam(kind) for kind in kinds]
+
+    def command(self, asked: Asked) -> BoolArray:
+        """Answers GRIPPER: opens or closes; refuses robots that have none, and nonsense."""
+        mine, wanted = asked.equipment.gripper[asked.rows], asked.messages["i"][:, 0]
+        good = (mine >= 0) & (wanted >= 0) & (wanted <= 1)
+        which, at_s, state = mine[good], asked.at_s[good], asked.state.gripper
+        told = asked.equipment.degradations.alter(
+            asked.state, "gripper", asked.rows[good], wanted[good, None].astype(np.float64), at_s
+        )[:, 0]
+        closing = told >= _CLOSE
+        new = (state.closing[which] != closing) & np.isfinite(told)
+        which, at_s, closing = which[new], at_s[new], closing[new]
+        state.from_m[which] = self._apart_m(asked.state, which, at_s)
+        state.since_s[which], state.closing[which] = at_s, closing
+        return np.asarray(good)
+
+    def tell(self, asked: Asked) -> BoolArray:
+        """Answers GET_GRIPPER: the distance of the fingers, their beam, and what they bear."""
+        mine = asked.equipment.gripper[asked.rows]
+        has = mine >= 0
+        which, rows, told = mine[has], asked.rows[has], asked.messages["i"][has]
+        apart_m = self._apart_m(asked.state, which, asked.at_s[has])
+        told[:, 0] = np.rint(m_to_tenths_inch(apart_m))
+        told[:, 1] = self._broken(asked, which, rows)
+        weight_g = np.rint(_weight_kg(asked.state, asked.equipment, rows) * _GRAMS)
+        told[:, 2] = np.minimum(weight_g, LARGEST)
+        asked.messages["i"][has] = told
+        return np.asarray(has)
+
+    def end_cycle(
+        self, state: EnvState, equipment: Equipment, contacts: Contacts, end_s: float
+    ) -> bool:
+        """Lets fingers take hold, let go, and lose things; tells whether any did."""
+        if not len(self._rows):
+            return False
+        held = state.bodies.holds.thing[self._rows, GRIPPER]
+        torn, opens = np.isin(self._rows, contacts.torn), (held >= 0) & ~state.gripper.closing
+        gone = np.flatnonzero(torn | opens)
+        if len(gone):
+            self._let_go(state, equipment, gone, torn[gone], end_s)
+        free = state.bodies.holds.thing[self._rows, GRIPPER] < 0
+        state.gripper.width_m[free] = 0.0
+        apart_m = self._apart_m(state, np.arange(len(self._rows)), np.full(len(self._rows), end_s))
+        closed = free & state.gripper.closing & (apart_m < state.gripper.before_m)
+        taken = self._take(state, equipment, np.flatnonzero(closed), apart_m, end_s)
+        state.gripper.before_m = np.where(
+            state.gripper.width_m > 0.0, state.gripper.width_m, apart_m
+        )
+        return bool(len(gone)) or taken
+
+    def _apart_m(self, state: EnvState, which: IndexArray, at_s: FloatArray) -> FloatArray:
+        """Gives the distance between the fingers of grippers."""
+        gripper = state.gripper
+        way_m = (at_s - gripper.since_s[which]) * self._speed_mps[which]
+        closing = gripper.closing[which]
+        apart_m = gripper.from_m[which] + np.where(closing, -way_m, way_m)
+        least_m = np.where(closing, gripper.width_m[which], 0.0)
+        return np.asarray(np.minimum(np.maximum(apart_m, least_m), self._opening_m[which]))
+
+    def _broken(self, asked: Asked, which: IndexArray, rows: IndexArray) -> BoolArray:
+        broken = np.zeros(len(rows), dtype=np.bool_)
+        kinds = self._kind[which]
+        for kind in np.unique(kinds).tolist():
+            mine = kinds == kind
+            poses = mount_poses(asked.state, asked.equipment, rows[mine])
+            seen = asked.around.distances_m(asked.state, self.fans[kind], poses, rows[mine])
+            broken[mine] = np.isfinite(seen[:, 0])
+        return broken
+
+    def _take(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        closing: IndexArray,
+        apart_m: FloatArray,
+        end_s: float,
+    ) -> bool:
+        """Lets fingers that close take hold of what they have reached."""
+        if not len(closing):
+            return False
+        bodies, scene, robots = state.bodies, equipment.scene, len(state.heading_rad)
+        moving = scene.moving(bodies.position_m, bodies.angle_rad)
+        rows = self._rows[closing]
+        mounts = np.column_stack([bodies.position_m[rows], state.mount_rad[rows]])
+        found = between(moving, robots, mounts, self._strip_m[closing])
+        which, thing = closing[found.gripper], found.thing - robots
+        half_m = self._opening_m[which] / 2 + _SAME_M
+        fits = (found.right_m >= -half_m) & (found.left_m <= half_m)
+        fits &= found.width_m >= apart_m[which] - _SAME_M
+        fits &= found.width_m <= state.gripper.before_m[which] + _SAME_M
+        fits &= can_be_taken(scene, thing, self._most_kg[which])
+        fits &= ~np.isin(thing, bodies.holds.in_hands()[1])
+        first = nearest(which, found.near_m, fits)
+        if not len(first):
+            return False
+        takers, things = which[first], thing[first]
+        state.gripper.width_m[takers] = np.maximum(found.width_m[first], _SAME_M)
+        bodies.holds.take(self._rows[takers], GRIPPER, things, np.zeros((len(first), 3)))
+        grasp_anew(state, things)
+        for gripper, number in zip(takers.tolist(), things.tolist(), strict=True):
+            name = scene.pushables[number].id
+            self._log.say(end_s, "grip", f"took {name}", int(self._rows[gripper]))
+        return True
+
+    def _let_go(
+        self, state: EnvState, equipment: Equipment, gone: IndexArray, torn: BoolArray, end_s: float
+    ) -> None:
+        """Takes things out of fingers; they rest where they are."""
+        rows, bodies = self._rows[gone], state.bodies
+        things = bodies.holds.thing[rows, GRIPPER].astype(np.intp)
+        bodies.holds.drop(rows, GRIPPER)
+        still = things[~np.isin(things, bodies.holds.in_grippers()[1])] + len(state.heading_rad)
+        bodies.velocity_mps[still] = bodies.spin_radps[still] = 0.0
+        grasp_anew(state, things)
+        for robot, thing, lost in zip(rows.tolist(), things.tolist(), torn.tolist(), strict=True):
+            name = equipment.scene.pushables[thing].id
+            kind, text = ("lost", f"lost {name}") if lost else ("release", f"released {name}")
+            self._log.say(end_s, kind, text, robot)
+        lost = gone[torn]
+        state.gripper.from_m[lost], state.gripper.since_s[lost] = state.gripper.width_m[lost], end_s
+
+
+def _weight_kg(state: EnvState, equipment: Equipment, rows: IndexArray) -> FloatArray:
+    """Gives what the grippers of robots bear; what several hold weighs on each the same."""
+    holds, pushables = state.bodies.holds, equipment.scene.pushables
+    held = holds.thing[rows, GRIPPER]
+    together = np.bincount(holds.in_grippers()[1], minlength=len(pushables) + 1)[held]
+    mass_kg = [pushables[thing].mass_kg if thing >= 0 else 0.0 for thing in held.tolist()]
+    return np.asarray(np.array(mass_kg) / np.maximum(together, 1))
+
+
+def _beam(gripper: Gripper) -> Fan:
+    half_m = gripper.opening_m / 2
+    return Fan.of([(gripper.middle_m, half_m, -math.pi / 2, 0.0, gripper.opening_m)])

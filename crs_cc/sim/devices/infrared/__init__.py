@@ -1,0 +1,219 @@
+"""The infrared ring: sixteen sensors that tell how much of their own light comes back.
+
+    seen    = distance / sqrt(reflectance)
+    new     = min(seen / step, 15)
+    level   = share * level before + (1 - share) * new
+    reading = round(level)
+
+The light that comes back grows with the surface's reflectance and falls with the square of its
+distance, so a surface that reflects a quarter looks as if it were twice as far away. 15 is the
+largest value of the four bits on the line (vendor source `Ndirect.c` 2.7), and what nothing reads.
+Programs take readings for inches (MissionLab's driver of the Nomad 200): that is the step of the
+definitions. `conf_ir` sets the share that stays, in tenths (vendor header `Nclient.h` 1.29), and
+which sensors measure; the others read 15. Sensor n of the ring looks 22.5 n degrees from ahead,
+counter-clockwise like the sonars. A beam is a cone (`rays`), and the nearest thing in it counts.
+Reflectance is that of its surface, or of one that says nothing, what the definition takes surfaces
+for. All other numbers are ours.
+
+The ring is on the turret. All of it measures when a reply tells its readings, at most as often as
+the definition says, or by its timer (`timers`). A normal deviate with the definition's noise is
+added to each distance. Degradation (`infrared`) is that of the distances; where nothing comes
+nothing is seen.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core.random_streams import INFRARED, Noise
+from crs_cc.sim.devices.mount import mount_poses
+from crs_cc.sim.devices.sensor_order import orders
+from crs_cc.sim.devices.vendor_state import configuration
+from crs_cc.sim.geometry.rays import Fan
+from crs_cc.sim.model.sensors import MAX_INFRARED
+from crs_cc.sim.state.infrared import FARTHEST
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.ray_caster import Surroundings
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.model.sensors import Infrared
+    from crs_cc.sim.model.world import WorldModel
+    from crs_cc.sim.state.env_state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+Messages = npt.NDArray[np.void]
+
+_TURN: Final = 2 * math.pi
+_TENTHS: Final = 10
+
+
+class InfraredRing:
+    """The infrared sensors of all robots that have some.
+
+    Attributes:
+        fans: the beams of each kind of ring.
+        interval_s: the least time between two measurements of each.
+    """
+
+    def __init__(self, world: WorldModel, seed: int) -> None:
+        rings = [ring for robot in world.robots if (ring := robot.model.infrared) is not None]
+        radii_m = [robot.model.radius_m for robot in world.robots if robot.model.infrared]
+        kinds = list(dict.fromkeys(zip(rings, radii_m, strict=True)))
+        brightest = _brightest(world)
+        self.fans = [_fan(ring, radius_m, brightest) for ring, radius_m in kinds]
+        pairs = zip(rings, radii_m, strict=True)
+        self._kind = np.array([kinds.index(pair) for pair in pairs], dtype=np.intp)
+        self.interval_s = np.array([1.0 / ring.rate_hz for ring in rings])
+        self._step_m = np.array([ring.step_m for ring in rings])[:, None]
+        self._reflectance = np.array([ring.reflectance for ring in rings])[:, None]
+        self._noise_m = np.array([ring.noise_m for ring in rings])[:, None]
+        self._noise = Noise(
+            seed, INFRARED, MAX_INFRARED, len(world.robots) if self._noise_m.any() else 0
+        )
+
+    def read(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        at_s: FloatArray,
+    ) -> None:
+        """Lets the rings of robots measure, those whose time has come.
+
+        Args:
+            state: changed in place.
+            equipment: the robots' constants.
+            around: what there is to see.
+            rows: which robots, k of them, whose axes were turned to `at_s`.
+            at_s: when, for each, shape (k,).
+        """
+        ring = state.infrared
+        mine = equipment.infrared[rows]
+        due = ring.measured.are_due(mine, at_s, self.interval_s)
+        if not due.any():
+            return
+        rows, mine = rows[due], mine[due]
+        poses = mount_poses(state, equipment, rows)
+        distance_m, step_m = self._see(state, equipment, around, rows, poses)
+        if self._noise_m.any():
+            distance_m += self._noise.rows(rows, ring.count[mine]) * self._noise_m[mine]
+        distance_m = equipment.degradations.alter(state, "infrared", rows, distance_m, at_s[due])
+        distance_m = np.where(np.isnan(distance_m), np.inf, distance_m)
+        new = np.clip(_steps(distance_m, step_m), 0.0, FARTHEST)
+        share = ring.share[mine, None]
+        level = share * ring.level[mine] + (1.0 - share) * new
+        ring.level[mine] = np.where(ring.on[mine], level, FARTHEST)
+        ring.count[mine] += 1
+        ring.measured.note(mine, at_s[due], configuration(state, equipment, rows))
+
+    def look(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        poses: FloatArray,
+    ) -> npt.NDArray[np.int32]:
+        """Gives what robots' rings would tell without any error if their mounts were elsewhere.
+
+        Args:
+            state: tells where all things are.
+            equipment: the robots' constants.
+            around: what there is to see.
+            rows: robots that have such a ring, k of them.
+            poses: x, y [m] and direction [rad] of each mount, shape (k, 3).
+
+        Returns:
+            readings, shape (k, 16).
+        """
+        steps = _steps(*self._see(state, equipment, around, rows, poses))
+        return np.asarray(np.rint(np.clip(steps, 0.0, FARTHEST)), dtype=np.int32)
+
+    def _see(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        poses: FloatArray,
+    ) -> tuple[FloatArray, FloatArray]:
+        """Gives what the sensors see from somewhere.
+
+        Returns:
+            how far away the things are, and which distance of such a surface makes 1 of a reading,
+            both of shape (k, 16).
+        """
+        mine = equipment.infrared[rows]
+        distance_m = np.empty((len(rows), MAX_INFRARED))
+        shine = np.tile(self._reflectance[mine], MAX_INFRARED)
+        kinds, own = self._kind[mine], around.surfaces.infrared
+        for kind, fan in enumerate(self.fans):
+            some = np.flatnonzero(kinds == kind)
+            if len(some):
+                if own is None:
+                    seen_m = around.distances_m(state, fan, poses[some], own=rows[some])
+                else:
+                    seen_m, thing = around.seen(state, fan, poses[some], own=rows[some])
+                    shine[some] = np.where(np.isnan(own[thing]), shine[some], own[thing])
+                distance_m[some] = seen_m
+        return distance_m, self._step_m[mine] * np.sqrt(shine)
+
+
+def _steps(distance_m: FloatArray, step_m: FloatArray) -> FloatArray:
+    """Gives readings; black things are as far away as none, but where the sensor touches them."""
+    none = np.where(distance_m > 0.0, np.inf, 0.0)
+    return np.divide(distance_m, step_m, out=none, where=step_m > 0.0)
+
+
+def _brightest(world: WorldModel) -> float:
+    """Gives the largest share of light that any surface of a world is said to reflect."""
+    things = (*world.solids(), *world.robots)
+    return max((thing.material.infrared or 0.0 for thing in things), default=0.0)
+
+
+def get_ir(
+    _state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messages
+) -> BoolArray:
+    """Refuses robots that have no infrared sensors; the reply has the readings."""
+    return np.asarray(equipment.infrared[rows] >= 0)
+
+
+def conf_ir(
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+) -> BoolArray:
+    """Sets the share that stays and the sensors that measure; refuses sensors that cannot be."""
+    order, given, good = orders(messages, MAX_INFRARED)
+    mine = equipment.infrared[rows]
+    good &= mine >= 0
+    on = np.zeros((len(rows), MAX_INFRARED), dtype=np.bool_)
+    robot, element = np.nonzero(given & good[:, None])
+    on[robot, order[robot, element]] = True
+    mine = mine[good]
+    state.infrared.on[mine] = on[good]
+    state.infrared.level[mine] = np.where(on[good], state.infrared.level[mine], FARTHEST)
+    state.infrared.share[mine] = np.clip(messages["i"][good, 0], 0, _TENTHS) / _TENTHS
+    return good
+
+
+def _fan(ring: Infrared, radius_m: float, brightest: float) -> Fan:
+    """Gives beams that start on the shell and reach as far as a reading below the largest."""
+    range_m = FARTHEST * ring.step_m * math.sqrt(max(ring.reflectance, brightest))
+    directions = [number * _TURN / MAX_INFRARED for number in range(MAX_INFRARED)]
+    beams = (
+        (
+            radius_m * math.cos(direction),
+            radius_m * math.sin(direction),
+            direction,
+            ring.half_angle_rad,
+            range_m,
+        )
+        for direction in directions
+    )
+    return Fan.of(beams, ring.z_m)

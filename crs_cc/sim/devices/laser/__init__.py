@@ -1,0 +1,285 @@
+"""The laser: a plane of light that a camera on the turret looks at.
+
+    point n = distance along direction n from the sensor, for n from 0 to points - 1
+    direction n = (n - (points - 1) / 2) * field of view / points       (0 for a single point)
+
+Directions count counter-clockwise, so from the right to the left, ahead of the turret; a direction
+in which nothing is within range gives no point. Points are told as x and y in 0.1 inch, ahead and
+left of the middle of the turret (vendor header `Nclient.h` 1.29; that the frame is the turret's,
+which carries the sensor, is ours). `conf_ls` asks for fewer points than the 482 of the vendor's
+array. Modes are the vendor's: bit 0 on, bit 1 points or else segments, and what the rest of its
+client (`Nclient.c` 2.7) takes for points, 19 and 51, and for segments, 1 and 33; the others tell
+pixels, which the vendor's simulator did not have, and are refused. Brightness and width of the line
+(`threshold`, `width`) mean nothing here.
+
+Segments come from the points by split and merge (`segments`), with what `conf_sg` sets. `get_ls`
+tells points and `get_sg` segments whatever the mode is; states tell what the mode says, unless the
+mask leaves the laser out. A laser that is off tells nothing. What was told is kept for the pages
+(LASER_PAGE) that the client asks for.
+
+It looks when a reply tells of it, at most thirty times a second (vendor header), or by its timer
+(`timers`). Noise: a normal deviate with a spread that is the definition's noise at 1 m and grows
+with the square of the distance, as it does for triangulation, is added to each distance; averaging
+p pixels divides it by sqrt(p). Degradation (`laser`) is that of the distances; where nothing comes
+there is no point.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core.random_streams import LASER, Noise
+from crs_cc.core.units import m_to_tenths_inch
+from crs_cc.requests import LARGEST
+from crs_cc.sim.devices.mount import mount_poses
+from crs_cc.sim.devices.vendor_state import configuration
+from crs_cc.sim.geometry.rays import Fan
+from crs_cc.sim.geometry.split_and_merge import segments
+from crs_cc.sim.model.sensors import NUM_LASER
+from crs_cc.sim.state import timers
+from crs_cc.sim.state.paged_reply import Told
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.ray_caster import Surroundings
+    from crs_cc.sim.devices.request_context import Asked
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.model.sensors import Laser
+    from crs_cc.sim.model.world import WorldModel
+    from crs_cc.sim.state.env_state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+WholeArray = npt.NDArray[np.int32]
+Messages = npt.NDArray[np.void]
+
+POINTS: Final = 2
+SEGMENTS: Final = 4
+"""Numbers of a reading."""
+
+_ON: Final = 1
+_POINT_MODES: Final = (19, 51)
+_SEGMENT_MODES: Final = (1, 33)
+
+
+class Lasers:
+    """The lasers of all robots that have one.
+
+    Attributes:
+        fans: the beams of each kind of laser, with all its points.
+        interval_s: the least time between two looks of each.
+    """
+
+    def __init__(self, world: WorldModel, seed: int) -> None:
+        found = [laser for robot in world.robots if (laser := robot.model.laser) is not None]
+        self._models = found
+        self.interval_s = np.array([1.0 / laser.rate_hz for laser in found])
+        self._noise_per_m = np.array([laser.noise_m for laser in found])
+        self._noise = Noise(
+            seed, LASER, NUM_LASER, len(world.robots) if self._noise_per_m.any() else 0
+        )
+        self._cut: dict[tuple[Laser, int], Fan] = {}
+        self.fans = [self._fan(laser, laser.points) for laser in dict.fromkeys(found)]
+
+    def read(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        at_s: FloatArray,
+    ) -> None:
+        """Lets lasers look that are on and whose time has come.
+
+        Args:
+            state: changed in place.
+            equipment: the robots' constants.
+            around: what there is to see.
+            rows: which robots, k of them, whose axes were turned to `at_s`.
+            at_s: when, for each, shape (k,).
+        """
+        laser = state.laser
+        mine = equipment.laser[rows]
+        due = laser.measured.are_due(mine, at_s, self.interval_s) & is_on(laser.mode[mine])
+        if not due.any():
+            return
+        rows, mine = rows[due], mine[due]
+        laser.points[mine], laser.seen[mine], laser.ranges[mine] = self.look(
+            state, equipment, around, rows, mount_poses(state, equipment, rows), at_s=at_s[due]
+        )
+        laser.count[mine] += 1
+        laser.measured.note(mine, at_s[due], configuration(state, equipment, rows))
+
+    def look(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        poses: FloatArray,
+        *,
+        at_s: FloatArray | None = None,
+    ) -> tuple[WholeArray, WholeArray, WholeArray]:
+        """Gives the points that the lasers of robots see from somewhere.
+
+        Args:
+            state: tells what the programs have set.
+            equipment: the robots' constants.
+            around: what there is to see.
+            rows: robots that have a laser, k of them.
+            poses: x, y [m] and direction [rad] of each mount, shape (k, 3).
+            at_s: when, for each, shape (k,); None for what they would see without any error.
+
+        Returns:
+            how many points each sees, shape (k,); their x and y [0.1 in], shape (k, 964); and how
+            far away they are in each direction [0.1 in], -1 for none, shape (k, 482).
+        """
+        mine = equipment.laser[rows]
+        counts = np.zeros(len(rows), dtype=np.int32)
+        numbers = np.zeros((len(rows), 2 * NUM_LASER), dtype=np.int32)
+        ranges = np.full((len(rows), NUM_LASER), -1, dtype=np.int32)
+        kinds = [(self._models[number], int(state.laser.wanted[number])) for number in mine]
+        for kind in dict.fromkeys(kinds):
+            some = np.array([place for place, each in enumerate(kinds) if each == kind])
+            distance_m = around.distances_m(state, self._fan(*kind), poses[some], own=rows[some])
+            if at_s is not None:
+                distance_m += self._errors_m(state, rows[some], mine[some], distance_m)
+                distance_m = equipment.degradations.alter(
+                    state, "laser", rows[some], distance_m, at_s[some]
+                )
+            directions = _directions(*kind)
+            for place, seen_m in zip(some, distance_m, strict=True):
+                hit = np.isfinite(seen_m)
+                x_m = kind[0].forward_m + seen_m[hit] * np.cos(directions[hit])
+                y_m = seen_m[hit] * np.sin(directions[hit])
+                points = np.rint(m_to_tenths_inch(np.column_stack([x_m, y_m])))
+                counts[place] = len(points)
+                numbers[place, : points.size] = points.ravel()
+                ranges[place, np.flatnonzero(hit)] = np.rint(m_to_tenths_inch(seen_m[hit]))
+        return counts, numbers, ranges
+
+    def tell(self, asked: Asked) -> BoolArray:
+        """Answers LASER with how many ranges there are; refuses lasers that are off, or not there.
+
+        What was seen is kept for READINGS.
+        """
+        state, equipment, rows = asked.state, asked.equipment, asked.rows
+        mine = equipment.laser[rows]
+        good = np.asarray(mine >= 0)
+        good[good] = is_on(state.laser.mode[mine[good]])
+        looks = good & state.timers.on_request(rows, timers.LASER)
+        self.read(state, equipment, asked.around, rows[looks], asked.at_s[looks])
+        for place in np.flatnonzero(good).tolist():
+            number = mine[place]
+            wanted = int(state.laser.wanted[number])
+            state.laser.told.keep(number, 1, state.laser.ranges[number, :wanted])
+            asked.messages["i"][place, 0] = wanted
+        return good
+
+    def _fan(self, laser: Laser, points: int) -> Fan:
+        if (laser, points) not in self._cut:
+            directions = _directions(laser, points).tolist()
+            beams = ((laser.forward_m, 0.0, each, 0.0, laser.range_m) for each in directions)
+            self._cut[laser, points] = Fan.of(beams, laser.z_m)
+        return self._cut[laser, points]
+
+    def _errors_m(
+        self, state: EnvState, rows: IndexArray, mine: IndexArray, distance_m: FloatArray
+    ) -> FloatArray:
+        if not self._noise_per_m.any():
+            return np.zeros(1)
+        spread = self._noise_per_m[mine] / np.sqrt(state.laser.averaged[mine])
+        deviates = self._noise.rows(rows, state.laser.count[mine])[:, : distance_m.shape[1]]
+        seen_m = np.where(np.isfinite(distance_m), distance_m, 0.0)
+        return np.asarray(deviates * spread[:, None] * seen_m * seen_m)
+
+
+def is_on(mode: npt.NDArray[np.integer]) -> BoolArray:
+    """Tells which modes are those of a laser that is on."""
+    return np.asarray(mode & _ON != 0)
+
+
+def widths(mode: npt.NDArray[np.integer]) -> WholeArray:
+    """Gives the numbers of each reading that states tell in a mode."""
+    return np.where(np.isin(mode, _SEGMENT_MODES), SEGMENTS, POINTS).astype(np.int32)
+
+
+def keep(
+    state: EnvState, told: Told, mine: IndexArray, width: WholeArray,
+    seen: tuple[WholeArray, WholeArray],
+) -> None:  # fmt: skip
+    """Keeps readings for the pages that the client will ask for.
+
+    Args:
+        state: tells how segments are made.
+        told: where to keep them, changed in place.
+        mine: which lasers, k of them.
+        width: what they tell, `POINTS` or `SEGMENTS`, shape (k,).
+        seen: what they have seen, as `look` gives it.
+    """
+    counts, numbers = seen
+    told.width[mine], told.count[mine], told.numbers[mine] = width, counts, numbers
+    for place in np.flatnonzero(width == SEGMENTS):
+        number = mine[place]
+        points = numbers[place, : 2 * counts[place]].reshape(-1, 2).astype(np.float64)
+        threshold, min_points, gap = state.laser.segments[number].tolist()
+        found = np.rint(segments(points, threshold, min_points, gap)).astype(np.int32)
+        found = found[: told.numbers.shape[1] // SEGMENTS]
+        told.count[number] = len(found)
+        told.numbers[number, : found.size] = found.ravel()
+
+
+def page(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> BoolArray:
+    """Hands over a page of the readings that the last reply, or PREDICT's, told of."""
+    mine = equipment.laser[rows]
+    good = np.asarray(mine >= 0)
+    messages["size"] = 0
+    for place in np.flatnonzero(good):
+        message = messages[place]
+        told = state.laser.predicted if message["i"][1] else state.laser.told
+        told.page(mine[place], int(message["i"][0]), message)
+    return good
+
+
+def get_laser(
+    _state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messages
+) -> BoolArray:
+    """Refuses robots that have no laser; the reply tells how many readings there are."""
+    return np.asarray(equipment.laser[rows] >= 0)
+
+
+def conf_ls(
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+) -> BoolArray:
+    """Sets the mode and how many points are looked for; refuses modes that tell pixels."""
+    mode, mine = messages["i"][:, 0], equipment.laser[rows]
+    known = ~is_on(mode) | np.isin(mode, _POINT_MODES + _SEGMENT_MODES)
+    good: BoolArray = (mine >= 0) & known
+    mine, laser = mine[good], state.laser
+    unsigned = messages["i"][good, 3:5].view(np.uint32)
+    most = equipment.laser_points[rows[good]]
+    laser.mode[mine] = mode[good]
+    laser.wanted[mine] = np.where(unsigned[:, 0] == 0, most, np.minimum(unsigned[:, 0], most))
+    laser.averaged[mine] = np.clip(unsigned[:, 1], 1, NUM_LASER)
+    laser.measured.at_s[mine] = -np.inf  # what it is to see next is something else
+    return good
+
+
+def conf_sg(
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+) -> BoolArray:
+    """Sets how points become segments."""
+    mine = equipment.laser[rows]
+    good = np.asarray(mine >= 0)
+    unsigned = messages["i"][good, :3].view(np.uint32)
+    state.laser.segments[mine[good]] = np.minimum(unsigned, LARGEST)
+    return good
+
+
+def _directions(laser: Laser, points: int) -> FloatArray:
+    """Gives where points are looked for, from the right to the left [rad]."""
+    places = np.arange(points) - (points - 1) / 2
+    return np.asarray(places * (laser.field_of_view_rad / points))

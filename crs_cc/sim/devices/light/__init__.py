@@ -1,0 +1,131 @@
+"""Light sensors: a ring of them, and how much light each gets from where it looks.
+
+    reading = round(sum over all lights in sight of brightness / d^2 * max(0, cos a))
+
+d is the distance of a light from the middle of the robot [m], a the angle between the direction of
+the light and that in which the sensor looks: the inverse square law, and Lambert's cosine for a
+flat sensor ("Photometria", 1760). Walls, things and robots cast shadows, and nothing reflects
+light. A light nearer than 10 cm shines as from there. Lights stand in the world file, or are lamps
+of other robots (`crs_light`).
+
+Sensors measure whenever the program asks, or by their timer, with things as they are at the start
+of the cycle; a normal deviate with the definition's share of the reading is added.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core import random_streams
+from crs_cc.requests import LARGEST
+from crs_cc.sim.devices.emitters import Sources, line_of_sight, sense
+from crs_cc.sim.model.beacons import MAX_LIGHT_SENSORS
+from crs_cc.sim.state.timers import LIGHT
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.ray_caster import Surroundings
+    from crs_cc.sim.devices.request_context import Asked
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.model.world import WorldModel
+    from crs_cc.sim.state.env_state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+
+_TURN: Final = 2 * math.pi
+
+
+class LightRings:
+    """The light sensors of all robots that have some.
+
+    Attributes:
+        fans: the beam by which they look for lights.
+    """
+
+    def __init__(self, world: WorldModel, seed: int) -> None:
+        rings = [robot.model.light_sensors for robot in world.robots]
+        lights = world.lights
+        self._lights = Sources(
+            np.array([(light.x_m, light.y_m) for light in lights]).reshape(-1, 2),
+            np.array([light.brightness for light in lights], dtype=np.float64),
+            np.full(len(lights), -1, dtype=np.intp),
+        )
+        self._number = np.array([ring.number if ring else 0 for ring in rings], dtype=np.intp)
+        self._first_rad = np.array([ring.first_rad if ring else 0.0 for ring in rings])
+        self._range_m = np.array([ring.range_m if ring else 0.0 for ring in rings])
+        self._share = np.array([ring.noise if ring else 0.0 for ring in rings])
+        self.fans = line_of_sight(float(self._range_m.max(initial=0.0)))
+        robots = len(rings) if self._share.any() else 0
+        self._noise = random_streams.Noise(seed, random_streams.LIGHT, MAX_LIGHT_SENSORS, robots)
+
+    def read(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        at_s: FloatArray,
+    ) -> None:
+        """Lets rings measure.
+
+        Args:
+            state: changed in place.
+            equipment: the robots' constants.
+            around: what there is to see.
+            rows: robots that have a ring, k of them, whose axes were turned to `at_s`.
+            at_s: when, for each, shape (k,).
+        """
+        if not len(rows):
+            return
+        ring, mine = state.light, equipment.light[rows]
+        readings = self._light(state, equipment, around, rows)
+        if self._share.any():
+            deviates = self._noise.rows(rows, ring.count[mine])
+            readings *= 1.0 + deviates * self._share[rows, None]
+        readings = equipment.degradations.alter(state, "light", rows, readings, at_s)
+        ring.reading[mine], ring.at_s[mine] = np.nan_to_num(readings, nan=0.0), at_s
+        ring.count[mine] += 1
+
+    def tell(self, asked: Asked) -> BoolArray:
+        """Answers GET_LIGHT: how many sensors there are, and their readings as data."""
+        state, equipment, rows = asked.state, asked.equipment, asked.rows
+        has = np.asarray(equipment.light[rows] >= 0)
+        measures = has & state.timers.on_request(rows, LIGHT)
+        self.read(state, equipment, asked.around, rows[measures], asked.at_s[measures])
+        replies = asked.messages[has]
+        readings = state.light.reading[equipment.light[rows[has]]]
+        whole = np.clip(np.rint(readings), 0, LARGEST).astype("<i4")
+        replies["data"][:, : 4 * MAX_LIGHT_SENSORS] = whole.view(np.uint8)
+        replies["size"] = 4 * MAX_LIGHT_SENSORS
+        replies["i"][:, 0] = self._number[rows[has]]
+        asked.messages[has] = replies
+        return has
+
+    def _light(
+        self, state: EnvState, equipment: Equipment, around: Surroundings, rows: IndexArray
+    ) -> FloatArray:
+        """Gives how much light all sensors get that there can be, (k, 32)."""
+        robots = len(state.heading_rad)
+        lights = self._lights.with_robots(
+            state.bodies.position_m[:robots], state.beacons.brightness
+        )
+        seen = sense(
+            state, equipment, around, rows,
+            sources=lights, range_m=self._range_m[rows], fan=self.fans[0],
+        )  # fmt: skip
+        bright = np.flatnonzero(seen.in_sight)
+        robot = seen.robot[bright]
+        number = np.arange(MAX_LIGHT_SENSORS)
+        spacing_rad = _TURN / self._number[rows[robot]]
+        axis_rad = self._first_rad[rows[robot], None] + number * spacing_rad[:, None]
+        lobe = np.maximum(np.cos(seen.bearing_rad[bright, None] - axis_rad), 0.0)
+        light = lights.strength[seen.source[bright]] / seen.distance_m[bright] ** 2
+        readings = np.zeros((len(rows), MAX_LIGHT_SENSORS))
+        np.add.at(readings, robot, light[:, None] * lobe)
+        readings[number >= self._number[rows, None]] = 0.0
+        return readings

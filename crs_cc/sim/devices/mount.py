@@ -1,0 +1,58 @@
+"""Where the mount of a robot's sensors is at the instant to which its axes have been turned.
+
+The mount is the turret, or the base of a robot without one. Within a cycle it is where the axes
+have taken the robot since the cycle's start; a robot that something holds back is taken to be where
+it was then.
+
+>>> from crs_cc.sim.state.env_state import EnvState
+>>> from crs_cc.sim.devices.robot_constants import Equipment
+>>> from crs_cc.sim.files.world_xml import empty_world
+>>> world = empty_world()
+>>> mount_poses(EnvState.at_start(world), Equipment.of(world), np.array([0]))
+array([[0., 0., 0.]])
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.state.rows import take
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.state.env_state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.intp]
+
+
+def mount_poses(state: EnvState, equipment: Equipment, rows: IndexArray) -> FloatArray:
+    """Gives x, y [m] and direction [rad] of the mount of robots, world frame, shape (k, 3)."""
+    moved_m = np.where(state.bodies.slipping[rows, None], 0.0, take(state.drive.moved_m, rows))
+    place_m = take(state.bodies.position_m, rows) + moved_m
+    facing_rad, turret_rad = state.drive.facing_rad[rows], state.drive.turret_rad[rows]
+    return np.column_stack([place_m, mount_rad(state, equipment, rows, facing_rad, turret_rad)])
+
+
+def mount_rad(
+    state: EnvState,
+    equipment: Equipment,
+    rows: IndexArray,
+    facing_rad: FloatArray,
+    turret_rad: FloatArray,
+) -> FloatArray:
+    """Gives where the mount points when wheels and turret point somewhere [rad], shape (k,).
+
+    Args:
+        state: tells where the bases of synchro drives point, which never turn.
+        equipment: the robots' constants.
+        rows: which robots, k of them.
+        facing_rad: where the wheels of each point, shape (k,).
+        turret_rad: where its turret does; of use where there is one, shape (k,).
+    """
+    drives = equipment.drives
+    base_rad = np.where(drives.synchro[rows], state.base_rad[rows], facing_rad)
+    return np.where(drives.turret[rows], turret_rad, base_rad)

@@ -1,0 +1,114 @@
+"""Odometry: where a robot believes to be, from the turns of its wheels.
+
+A differential drive, with the ways of its right and left wheel:
+
+    turn = (right - left) / wheel base
+    way  = (right + left) / 2
+
+A synchro drive tells way and turn by its axes 1 and 2. While the speeds of the axes keep, the robot
+runs along an arc; its chord is way * sinc(turn / 2), at half the turn from the old heading (exact:
+J. Borenstein, H. R. Everett, L. Feng, "Where am I?", 1996, section 1.2, gives the same with the
+chord taken for the arc). `actuators.traction` has what counts when a robot is held up.
+
+Encoders count in steps: the way of an axis is told as a whole number of them. Units on the
+interface: 0.1 in and 0.1 deg (vendor header `Nclient.h` 1.29). Odometry takes the wheels for what
+they should be; `actuators.rolling` has what they are.
+
+>>> quarter = np.array([math.pi / 2]), np.array([math.pi / 2])    # along a circle of radius 1
+>>> [round(float(part[0]), 6) for part in arc(np.array([0.0]), *quarter)]
+[1.0, 1.0]
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core.units import tenths_deg_to_rad, tenths_inch_to_m
+from crs_cc.sim.devices.drive.constants import weighted
+from crs_cc.sim.state.rows import take
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.state.env_state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.intp]
+Messages = npt.NDArray[np.void]
+
+_TURN: Final = 2 * math.pi
+_NO_TURN: Final = 1e-20  # the limit of sin(x) / x at 0 is 1
+_FULL_TURN: Final = 3600  # [0.1 deg]
+
+
+def arc(
+    heading_rad: FloatArray, way_m: FloatArray, turn_rad: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Gives the change of a place along an arc.
+
+    Args:
+        heading_rad: the heading before, shape (k,).
+        way_m: length of the arc, shape (k,).
+        turn_rad: by how much the heading turns on it, shape (k,).
+
+    Returns:
+        change of x and of y [m].
+    """
+    direction = heading_rad + turn_rad / 2
+    half_rad = np.where(turn_rad == 0.0, _NO_TURN, turn_rad / 2)
+    chord_m = way_m * (np.sin(half_rad) / half_rad)
+    return chord_m * np.cos(direction), chord_m * np.sin(direction)
+
+
+def count_turns(
+    state: EnvState, equipment: Equipment, rows: IndexArray | slice, way: FloatArray
+) -> None:
+    """Takes the axes' ways since the last time into the odometry, as the encoders count them."""
+    way = _counted(state, equipment, rows, way)
+    heading_rad = state.odometry.heading_rad[rows]
+    turn_rad = weighted(way, take(equipment.drives.turn, rows))
+    x_m, y_m = arc(heading_rad, weighted(way, take(equipment.drives.forward, rows)), turn_rad)
+    state.odometry.x_m[rows] += x_m
+    state.odometry.y_m[rows] += y_m
+    state.odometry.heading_rad[rows] = (heading_rad + turn_rad) % _TURN
+    if equipment.drives.turrets:
+        turret_rad = state.odometry.turret_rad[rows] + np.where(
+            equipment.drives.turret[rows], way[:, 2], 0.0
+        )
+        state.odometry.turret_rad[rows] = turret_rad % _TURN
+
+
+def _counted(
+    state: EnvState, equipment: Equipment, rows: IndexArray | slice, way: FloatArray
+) -> FloatArray:
+    """Gives the ways in whole counts; what is left over counts later."""
+    shaft, count = take(state.odometry.shaft, rows) + way, take(equipment.drives.count, rows)
+    told = np.rint(shaft / count) * count
+    whole = told - take(state.odometry.told, rows)
+    state.odometry.shaft[rows], state.odometry.told[rows] = shaft, told
+    return np.asarray(whole)
+
+
+def dp(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+    """Sets x and y."""
+    state.odometry.x_m[rows] = tenths_inch_to_m(messages["i"][:, 0].astype(np.float64))
+    state.odometry.y_m[rows] = tenths_inch_to_m(messages["i"][:, 1].astype(np.float64))
+
+
+def da(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+    """Sets the heading, and the angle of the turret where there is one."""
+    angles = (messages["i"][:, :2] % _FULL_TURN).astype(np.float64)
+    heading_rad, turret_rad = tenths_deg_to_rad(angles).T
+    state.odometry.heading_rad[rows] = heading_rad
+    state.odometry.turret_rad[rows] = np.where(equipment.drives.turret[rows], turret_rad, 0.0)
+
+
+def zero(state: EnvState, rows: IndexArray) -> None:
+    """Sets everything to 0."""
+    state.odometry.x_m[rows] = 0.0
+    state.odometry.y_m[rows] = 0.0
+    state.odometry.heading_rad[rows] = 0.0
+    state.odometry.turret_rad[rows] = 0.0

@@ -1,0 +1,133 @@
+"""Positions attached to readings: where the robot was, and when, as each sensor was read.
+
+    PosData = State[34] to State[40] at the instant of the reading, the time of that, the time of
+              the reading
+
+in the units of `State` and in ms of the sensor board (vendor header `Nclient.h` 1.29); both times
+are the same here. A program asks with the bits of `Smask[0]` for kinds of sensors; replies that
+carry their readings carry these then: of sonars when each sent the ping that it heard, of bumpers
+the last hit, of the others when they measured last. What a robot does not have, and what has not
+been read yet, is 0. A copy of what the last reply told is kept, as the client gets it in pages.
+
+No degradation.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.requests import CODES
+from crs_cc.sim.state.mask import POS_DATA
+from crs_cc.sim.state.pos_data import NUMBERS, PLACES
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.clock import BoardClock
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.state.env_state import EnvState
+    from crs_cc.sim.state.last_measurement import Moments
+
+BoolArray = npt.NDArray[np.bool_]
+FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.intp]
+Messages = npt.NDArray[np.void]
+
+INFRARED: Final = 1
+SONAR: Final = 2
+BUMPER: Final = 4
+LASER: Final = 8
+COMPASS: Final = 16
+"""The vendor's bits (POS_INFRARED to POS_COMPASS)."""
+
+ONE_KIND: Final = {
+    CODES["GET_IR"]: INFRARED,
+    CODES["GET_SN"]: SONAR,
+    CODES["GET_BP"]: BUMPER,
+    CODES["GET_LS"]: LASER,
+    CODES["GET_SG"]: LASER,
+    CODES["GET_CP"]: COMPASS,
+}
+"""Requests whose replies carry the readings of one kind of sensor."""
+
+ALL_KINDS: Final = INFRARED | SONAR | BUMPER | LASER | COMPASS
+
+_PAGE: Final = 6
+
+
+def tell(
+    state: EnvState, equipment: Equipment, clock: BoardClock, rows: IndexArray, kinds: int
+) -> None:
+    """Copies what a reply tells.
+
+    Args:
+        state: changed in place.
+        equipment: the robots' constants.
+        clock: the sensor boards' clocks.
+        rows: which robots, k of them.
+        kinds: whose readings the reply carries, the vendor's bits.
+    """
+    wanted = state.mask[rows, POS_DATA] & kinds
+    if not wanted.any():
+        return
+    for kind, places in PLACES.items():
+        robots = rows[wanted & kind != 0]
+        if len(robots):
+            at_s, configuration = _read(state, equipment, robots, kind)
+            _copy(state, clock, robots, places, (at_s, configuration))
+
+
+def page(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+    """Hands over a page of what the last reply told of one kind of sensor."""
+    messages["result"], messages["size"] = 0, 0
+    for place, row in enumerate(state.pos_data.row[rows].tolist()):
+        kind, first = messages["i"][place, :2].tolist()
+        if row < 0 or kind not in PLACES or first < 0:
+            continue
+        part = state.pos_data.told[row, PLACES[kind]][first : first + _PAGE].astype("<i4")
+        messages["result"][place], messages["size"][place] = len(part), 4 * part.size
+        messages["data"][place, : 4 * part.size] = part.ravel().view(np.uint8)
+
+
+def _read(
+    state: EnvState, equipment: Equipment, robots: IndexArray, kind: int
+) -> tuple[FloatArray, npt.NDArray[np.int32]]:
+    """Gives when sensors were read, (k, s), below 0 for never, and from where, (k, s, 7)."""
+    if kind == SONAR:
+        return state.sonar.fired_s[robots], state.sonar.fired_from[robots]
+    if kind == BUMPER:
+        return _last(state.bumpers.hit, robots)
+    if kind == INFRARED:
+        return _last(state.infrared.measured, equipment.infrared[robots])
+    if kind == LASER:
+        return _last(state.laser.measured, equipment.laser[robots])
+    return _last(state.compass.measured, equipment.compass[robots])
+
+
+def _last(moments: Moments, numbers: IndexArray) -> tuple[FloatArray, npt.NDArray[np.int32]]:
+    """Gives the last measurement of each robot; its number is -1 where the sensor is missing."""
+    at_s = np.full((len(numbers), 1), -1.0)
+    configuration = np.zeros((len(numbers), 1, moments.configuration.shape[1]), dtype=np.int32)
+    has = numbers >= 0
+    at_s[has, 0] = moments.at_s[numbers[has]]
+    configuration[has, 0] = moments.configuration[numbers[has]]
+    return at_s, configuration
+
+
+def _copy(
+    state: EnvState,
+    clock: BoardClock,
+    robots: IndexArray,
+    places: slice,
+    read: tuple[FloatArray, npt.NDArray[np.int32]],
+) -> None:
+    at_s, configuration = read
+    once = at_s >= 0.0
+    since_s = np.where(once, at_s - state.presence.joined_s[robots, None], 0.0)
+    ms = clock.ms(robots[:, None], since_s).astype(np.uint32).view(np.int32)
+    told = np.zeros((*at_s.shape, NUMBERS), dtype=np.int32)
+    told[..., : NUMBERS - 2] = configuration
+    told[..., NUMBERS - 2 :] = ms[..., None]
+    told[~once] = 0
+    state.pos_data.told[state.pos_data.row[robots], places] = told

@@ -1,0 +1,137 @@
+"""What lies around the robots, for all sensors that measure distances.
+
+One object knows where everything is in the current cycle; each kind of sensor gives it the beams
+and gets distances.
+
+>>> from crs_cc.sim.state.env_state import EnvState
+>>> from crs_cc.sim.files.world_xml import parse_world
+>>> world = parse_world(b'''<world version="1"><area length="4m" width="4m"/>
+...   <robot x="1m" y="2m"/></world>''', "room")
+>>> ahead = Fan.of([(0.2, 0.0, 0.0, 0.0, 5.0)])
+>>> around = Surroundings(Scene(world), [ahead])
+>>> around.distances_m(EnvState.at_start(world), ahead, np.array([[1.0, 2.0, 0.0]]), np.array([0]))
+array([[2.8]])
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.geometry.contact_mask import Pieces
+from crs_cc.sim.geometry.height_occlusion import Outlook, is_needed
+from crs_cc.sim.geometry.obstacles import Obstacles
+from crs_cc.sim.geometry.rays import NO_THING, Fan, nearest
+from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.geometry.surfaces import Surfaces
+
+if TYPE_CHECKING:
+    from crs_cc.sim.geometry.outline_query import Prospect
+    from crs_cc.sim.state.bodies import Bodies
+    from crs_cc.sim.state.env_state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.intp]
+
+_SHORTEST_REACH_M: Final = 1.0
+
+
+class Surroundings:
+    """Everything that beams can hit, where it is in the cycle that was asked for last.
+
+    Attributes:
+        surfaces: what all things look and sound like.
+    """
+
+    def __init__(self, scene: Scene, fans: Sequence[Fan]) -> None:
+        """Sorts what does not move.
+
+        Args:
+            scene: what there is.
+            fans: all beams that will be asked for.
+        """
+        reach_m = max((fan.reach_m for fan in fans), default=0.0)
+        start_m = max((fan.start_m for fan in fans), default=0.0)
+        moving = scene.moving(scene.start[:, :2], scene.start[:, 2])
+        self._scene = scene
+        self.surfaces = Surfaces.of(scene)
+        reach_m = max(reach_m, _SHORTEST_REACH_M)
+        self._obstacles = Obstacles(scene.fixed, moving, reach_m, start_m)
+        self._pieces = Pieces(scene, start_m)
+        self._outlook = Outlook(scene, self._obstacles, reach_m) if is_needed(scene) else None
+        self._placed = -1
+        self._places: FloatArray = np.zeros((0, 3))
+
+    def forget(self) -> None:
+        """Says that bodies may be elsewhere than in the cycle that was seen last."""
+        self._placed = -1
+
+    def obstacles(self, state: EnvState) -> Obstacles:
+        """Gives what beams can hit, where it is at the start of the cycle."""
+        if self._placed != state.cycle:
+            self._place(state.bodies)
+            self._placed = state.cycle
+        return self._obstacles
+
+    def _place(self, bodies: Bodies) -> None:
+        """Sorts what moves, unless all of it is where it was."""
+        places = np.column_stack([bodies.position_m, bodies.angle_rad])
+        if np.array_equal(places, self._places):
+            return
+        self._places = places
+        self._obstacles.place(self._scene.moving(bodies.position_m, bodies.angle_rad))
+        self._pieces.place(bodies.position_m, bodies.angle_rad)
+        if self._outlook is not None:
+            self._outlook.place(bodies.position_m)
+
+    def prospect(
+        self, state: EnvState, z_m: FloatArray | float, spread: FloatArray | float
+    ) -> Prospect:
+        """Gives what beams can hit that start at a height, see `Outlook.at`."""
+        obstacles = self.obstacles(state)
+        return obstacles if self._outlook is None else self._outlook.at(z_m, spread)
+
+    def distances_m(
+        self, state: EnvState, fan: Fan, poses: FloatArray, own: IndexArray
+    ) -> FloatArray:
+        """Gives what each beam of each robot measures, as things stand at the cycle's start.
+
+        Args:
+            state: tells where the bodies are.
+            fan: the robots' beams.
+            poses: x, y [m] and heading [rad] that each robot measures from, shape (k, 3).
+            own: the number of each robot's own body, which its beams pass through.
+
+        Returns:
+            distances from the beams' starts [m], 0 for a start in or on something, infinite where
+            nothing is within range, shape (k, beams).
+        """
+        if self._outlook is not None:
+            return self.seen(state, fan, poses, own)[0]
+        distance_m = nearest(fan, poses, self.obstacles(state), own=own)
+        distance_m[self._pieces.cover(fan, poses)] = 0.0
+        return distance_m
+
+    def seen(
+        self, state: EnvState, fan: Fan, poses: FloatArray, own: IndexArray
+    ) -> tuple[FloatArray, IndexArray]:
+        """Gives what `distances_m` gives, and which thing each beam hits.
+
+        Returns:
+            the distances, and the things as in `Scene.names`, `NO_THING` where nothing is within
+            range, both of shape (k, beams).
+        """
+        thing = np.empty((len(poses), len(fan)), dtype=np.intp)
+        prospect = self.prospect(state, fan.z_m, 0.0)
+        distance_m = nearest(fan, poses, prospect, own=own, things=thing)
+        covers = np.full_like(thing, NO_THING)
+        covered = self._pieces.cover(fan, poses, covers)
+        if self._outlook is not None:
+            covered &= self._outlook.at(fan.z_m).tops_above(poses, covers)
+            under = self._outlook.under_ground(fan.z_m, poses, fan.start, fan.order)
+            covers[under], covered = self._outlook.ground, covered | under
+        distance_m[covered], thing[covered] = 0.0, covers[covered]
+        return distance_m, thing

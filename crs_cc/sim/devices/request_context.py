@@ -1,0 +1,40 @@
+"""Requests that robots posted, with all that is needed to answer them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.ray_caster import Surroundings
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.state.env_state import EnvState
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """Requests of one kind; arrays have a row for each, k of them.
+
+    Attributes:
+        state: the state, to be changed in place; axes were turned to `at_s`.
+        equipment: the robots' constants.
+        around: what there is to see.
+        rows: the robots, rising.
+        messages: what they ask, of dtype `MESSAGE`, to be changed in place into the replies.
+        at_s: when each is answered, within the current cycle.
+    """
+
+    state: EnvState
+    equipment: Equipment
+    around: Surroundings
+    rows: npt.NDArray[np.intp]
+    messages: npt.NDArray[np.void]
+    at_s: npt.NDArray[np.float64]
+
+
+Answer: TypeAlias = Callable[[Asked], npt.NDArray[np.bool_] | None]
+"""Writes what robots are told over their messages; gives which requests were good, None for all."""

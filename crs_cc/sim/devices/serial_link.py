@@ -1,0 +1,109 @@
+"""The serial line between host and robot: how long commands and replies are on their way.
+
+A byte is ten bits on the line: a start bit, eight of data, a stop bit. How many bytes a command and
+its reply have says the robot's definition; one that is not named there takes no time. What only a
+simulator does, and what devices of `crs.h` do, goes over the network instead, which takes the same
+time for all; so do the commands to a robot whose definition names none.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.requests import CODES, DATA_SIZE, REQUESTS
+from crs_cc.sim.devices.robot_constants import Equipment
+from crs_cc.sim.model.world import WorldModel
+from crs_cc.sim.state.env_state import EnvState
+from crs_cc.sim.state.link import LinkState
+
+IndexArray = npt.NDArray[np.intp]
+Messages = npt.NDArray[np.void]
+
+_BITS_PER_BYTE: Final = 10
+_SPEEDS_BAUD: Final = (4800, 9600, 19200, 38400)  # vendor source `Ndirect.c` 2.7
+_CODES: Final = max(REQUESTS) + 1
+_CARRIED: Final = frozenset({CODES["TK"], CODES["SPECIAL"]})  # their data goes over the line
+_TO_SIMULATOR: Final = frozenset(
+    CODES[name]
+    for name in (
+        "PLACE_ROBOT", "ADD_OBSTACLE", "DELETE_OBSTACLE", "MOVE_OBSTACLE", "NEW_WORLD", "GET_RPX",
+        "PREDICT", "MOTION_CHECK", "GET_CONF", "REAL_ROBOT", "SIMULATED_ROBOT", "DRAW", "REFRESH",
+        "QUIT_SERVER",
+    )
+)  # fmt: skip
+_OVER_NETWORK: Final = _TO_SIMULATOR | {
+    code for code, request in REQUESTS.items() if request.server == "device"
+} - {CODES["READINGS"]}  # they came with the reply
+_WITHOUT_TIME: Final = frozenset(
+    CODES[name]
+    for name in ("CONNECT", "DISCONNECT", "CREATE", "LASER_PAGE", "POS_DATA")  # chosen by us
+)
+_COMMANDS: Final = {
+    code for code, request in REQUESTS.items() if request.server == "robot"
+} - _WITHOUT_TIME
+_IS_CARRIED: Final = np.isin(np.arange(_CODES + 1), list(_CARRIED))
+_IS_OVER_NETWORK: Final = np.isin(np.arange(_CODES + 1), list(_OVER_NETWORK))
+_IS_COMMAND: Final = np.isin(np.arange(_CODES + 1), list(_COMMANDS))
+
+
+class SerialLine:
+    """The lines to all robots of a world."""
+
+    def __init__(self, world: WorldModel) -> None:
+        """Reads the definitions.
+
+        Args:
+            world: the world.
+        """
+        links = [robot.model.link for robot in world.robots]
+        kinds = {link: kind for kind, link in enumerate(dict.fromkeys(links))}
+        self._kind = np.array([kinds[link] for link in links], dtype=np.intp)
+        self._network_s = np.array([link.network_s for link in links])
+        self._has_line = np.array([bool(link.byte_counts) for link in links])
+        # One row more than there are codes stands for all others.
+        self._byte_count = np.zeros((len(kinds), _CODES + 1), dtype=np.int64)
+        for link, kind in kinds.items():
+            for name, count in link.byte_counts:
+                self._byte_count[kind, CODES[name]] = count
+
+    def time_s(
+        self, state: LinkState, codes: npt.ArrayLike, robots: npt.ArrayLike, sizes: npt.ArrayLike
+    ) -> npt.NDArray[np.float64]:
+        """Gives how long requests and their replies are on the line, or on the network [s].
+
+        Args:
+            state: the speeds.
+            codes: the requests' codes.
+            robots: whose they are.
+            sizes: bytes of their data.
+
+        Returns:
+            the times, in the shape that the three give when they are broadcast.
+        """
+        code, robot = np.asarray(codes), np.asarray(robots)
+        code = np.where((code >= 0) & (code < _CODES), code, _CODES)
+        count = self._byte_count[self._kind[robot], code]
+        carried = _IS_CARRIED[code] & (count > 0)
+        if carried.any():
+            count = count + np.where(carried, np.clip(sizes, 0, DATA_SIZE), 0)
+        line_s = count * _BITS_PER_BYTE / state.baud[robot]
+        networked = _IS_OVER_NETWORK[code] | (_IS_COMMAND[code] & ~self._has_line[robot])
+        return np.asarray(np.where(networked, self._network_s[robot], line_s))
+
+
+def set_speed(state: EnvState, rows: IndexArray, baud: npt.NDArray[np.int32]) -> None:
+    """Sets the speed of lines; a speed that no line has changes nothing."""
+    known = np.isin(baud, _SPEEDS_BAUD)
+    state.link.baud[rows[known]] = baud[known]
+
+
+def conf_ser(
+    state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages
+) -> npt.NDArray[np.bool_]:
+    """Sets the speed of the line, whatever the port: which one is the host's, nothing tells."""
+    baud = messages["i"][:, 1].copy()
+    set_speed(state, rows, baud)
+    return np.isin(baud, _SPEEDS_BAUD)

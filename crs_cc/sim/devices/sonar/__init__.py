@@ -1,0 +1,326 @@
+"""The sonar ring: which sonar fires when, and when its echo is heard.
+
+Sonars fire one after the other in the firing order and round again, whether anybody asks or not:
+firing n at
+
+    start + n * max(rate * 4 ms, least interval)
+
+to the exact multiple, wherever that falls in a timestep (`conf_sn`, vendor header `Nclient.h`
+1.29). `start` is the instant of `conf_sn`; the robot was switched on long before a run starts, so
+that a whole round in the definition's order has just been heard where it stands. A reading is as
+old as its turn: it is told from the instant on at which the echo comes,
+
+    2 * distance / (speed of sound)
+
+after the firing, or the robot gives up: after the time of an echo from the end of the range, or
+when the next sonar fires, because one board serves them all. Until then the sonar tells what it
+told before. Chosen by us, because nothing is known of it:
+
+- rates that leave less than the least interval mean the least interval; so does rate 0;
+- `conf_sn` gives up the ping in the air, and its first sonar fires at once;
+- a sonar that is not in the order tells 255, no echo; an order without any switches them all off.
+
+A reading counts from the sensor, which sits on the shell, to the nearest thing that answers into
+the beam (`echoes`), in whole inches; 255 stands for no echo, as the reading is a byte on the line
+(vendor source `Ndirect.c` 2.7). The robot is where its wheels have taken it when the sonar fires;
+everything else, and a robot that something holds back, where it was at the start of the cycle.
+Errors: see `sonar_errors`. Degradation (`sonar`): what becomes of that is told when such an echo
+would come; one that would come too late is none.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core.units import SOUND_MPS, m_to_tenths_inch
+from crs_cc.sim.devices import drive
+from crs_cc.sim.devices.mount import mount_poses
+from crs_cc.sim.devices.sensor_order import orders
+from crs_cc.sim.devices.sonar.beams import Beams, overheard
+from crs_cc.sim.devices.sonar.errors import SonarErrors
+from crs_cc.sim.devices.vendor_state import configuration
+from crs_cc.sim.geometry.echoes import Pings, first_echo
+from crs_cc.sim.geometry.rays import Fan
+from crs_cc.sim.model.sonar import MAX_SONARS, SONAR_TICK_S, SonarMode
+from crs_cc.sim.state.sonar import inches
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.ray_caster import Surroundings
+    from crs_cc.sim.devices.request_context import Asked
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.geometry.outline_query import Prospect
+    from crs_cc.sim.model.world import WorldModel
+    from crs_cc.sim.state.env_state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+ComplexArray = npt.NDArray[np.complex128]
+IndexArray = npt.NDArray[np.intp]
+Messages = npt.NDArray[np.void]
+
+_ROBOTS_AT_ONCE: Final = 64  # whose sonars are all looked at: pings and what is near them
+_RATES: Final = 256  # the rate is an unsigned char
+
+
+class SonarRing:
+    """The sonars of all robots of a world: constants, and random numbers that can be made again.
+
+    Attributes:
+        fans: the beams of each kind of robot.
+    """
+
+    def __init__(self, world: WorldModel, seed: int) -> None:
+        models = [robot.model for robot in world.robots]
+        kinds = dict.fromkeys(models)
+        self.fans = [_fan(mode) for model in kinds for mode in model.sonar_modes]
+        self._beams = Beams(models)
+        self._errors = SonarErrors(world, seed)
+
+    def begin(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        now_s: float,
+    ) -> None:
+        """Lets all sonars in the orders have fired just before robots begin to run."""
+        sonar = state.sonar
+        heard_m = self.hear_now(state, equipment, around, rows, np.full(len(rows), now_s))
+        row, turn = np.nonzero(np.arange(MAX_SONARS) < sonar.length[rows, None])
+        robot = rows[row]
+        number = sonar.order[robot, turn]
+        sonar.echo_m[robot, number] = heard_m[row, number]
+        sonar.fired_from[rows] = configuration(state, equipment, rows)[:, None, :]
+        sonar.fired_s[rows] = sonar.start_s[rows] = now_s
+        sonar.next_s[rows] = np.where(sonar.length[rows] > 0, now_s, np.inf)
+
+    def advance(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        to_s: FloatArray,
+    ) -> None:
+        """Lets the sonars of robots fire and hear until an instant.
+
+        Args:
+            state: changed in place; wheels are turned on to the last firing.
+            equipment: the robots' constants.
+            around: what there is to hear.
+            rows: which robots, k of them.
+            to_s: the instant of each, shape (k,).
+        """
+        while True:
+            due = state.sonar.next_s[rows] <= to_s
+            if not due.any():
+                break
+            firing = rows[due]
+            at_s = state.sonar.next_s[firing]
+            drive.advance(state, equipment, firing, np.maximum(at_s, state.drive.clock_s[firing]))
+            state.sonar.hear(firing, at_s)
+            self._fire(state, equipment, around, firing, at_s)
+        state.sonar.hear(rows, to_s)
+
+    def hear_now(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        at_s: FloatArray,
+    ) -> FloatArray:
+        """Gives what all sonars of robots would tell if they fired at `at_s` [m], (k, 16)."""
+        distance_m = self._around(state, around, rows, *self._stands(state, equipment, rows))
+        told_m = np.empty_like(distance_m)
+        for number in range(MAX_SONARS):
+            deviates = self._errors.draw(rows, state.sonar.count[rows])
+            told_m[:, number] = self._told_m(
+                state, equipment, (rows, number, at_s), distance_m[:, number], deviates
+            )
+            state.sonar.count[rows] += 1
+        return told_m
+
+    def tell(self, asked: Asked) -> BoolArray:
+        """Answers SONAR and SONAR_RANGES: in 0.1 in, -1 for no echo; refuses robots without."""
+        state, rows, messages = asked.state, asked.rows, asked.messages
+        echo_m = state.sonar.echo_m[rows]
+        has = np.asarray(asked.equipment.sonars[rows].any(axis=1))
+        now = has & (messages["i"][:, 0] != 0)
+        if now.any():
+            echo_m[now] = self.hear_now(
+                state, asked.equipment, asked.around, rows[now], asked.at_s[now]
+            )
+        heard = np.isfinite(echo_m)
+        tenths = np.rint(m_to_tenths_inch(np.where(heard, echo_m, 0.0)))
+        told = np.where(heard, tenths, -1).astype("<i4")
+        messages["size"] = told.itemsize * MAX_SONARS
+        messages["data"][:, : told.itemsize * MAX_SONARS] = told.view(np.uint8)
+        return has
+
+    def look(
+        self, state: EnvState, around: Surroundings, rows: IndexArray, poses: FloatArray
+    ) -> npt.NDArray[np.int32]:
+        """Gives what robots' sonars would tell without any error if the robots stood elsewhere.
+
+        Args:
+            state: tells where all things are.
+            around: what there is to hear.
+            rows: which robots, k of them.
+            poses: x, y [m] and heading of the ring [rad] of each, shape (k, 3).
+
+        Returns:
+            readings [in], 255 for no echo, shape (k, 16).
+        """
+        place = poses[:, 0] + 1j * poses[:, 1]
+        return inches(self._around(state, around, rows, place, np.exp(1j * poses[:, 2])))
+
+    def _fire(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        at_s: FloatArray,
+    ) -> None:
+        """Sends a ping from each of some robots."""
+        sonar = state.sonar
+        number = sonar.order[rows, sonar.turn[rows] % sonar.length[rows]]
+        place, turn = self._stands(state, equipment, rows)
+        pings = self._beams.pings(rows, number, place, turn, sonar.mode[rows])
+        gives_up_s = np.minimum(2 * pings.range_m / SOUND_MPS, sonar.interval_s[rows])
+        deviates = self._errors.draw(rows, sonar.count[rows])
+        confused = np.flatnonzero(self._errors.mistakes(rows, sonar.mode[rows], deviates))
+        voices = None
+        if len(confused):
+            from_s, to_s = at_s[confused], (at_s + gives_up_s)[confused]
+            voices = overheard(state, self._beams, pings, confused, from_s=from_s, to_s=to_s)
+        prospect = self._prospect(state, around, pings, number)
+        distance_m = first_echo(pings, prospect, voices, around.surfaces.hushed)
+        told_m = self._told_m(state, equipment, (rows, number, at_s), distance_m, deviates)
+        in_time = 2 * told_m / SOUND_MPS <= gives_up_s
+        sonar.listening[rows] = number
+        sonar.sent_s[rows] = at_s
+        sonar.sent_from[rows] = configuration(state, equipment, rows)
+        sonar.heard_s[rows] = at_s + np.where(in_time, 2 * told_m / SOUND_MPS, gives_up_s)
+        sonar.heard_m[rows] = np.where(in_time, told_m, np.inf)
+        sonar.count[rows] += 1
+        sonar.turn[rows] += 1
+        sonar.next_s[rows] = sonar.start_s[rows] + sonar.turn[rows] * sonar.interval_s[rows]
+
+    def _told_m(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        pings: tuple[IndexArray, IndexArray | int, FloatArray],
+        distance_m: FloatArray,
+        deviates: FloatArray,
+    ) -> FloatArray:
+        """Gives what one sonar of each robot tells for true distances [m], infinite for none, (k,).
+
+        Args:
+            state: has their degradations.
+            equipment: the robots' constants.
+            pings: the robots, which sonar of them, and when it fired, (k,) each.
+            distance_m: the distances, (k,).
+            deviates: of each firing, (k, 3).
+        """
+        rows, number, at_s = pings
+        told_m = self._errors.told_m(rows, state.sonar.mode[rows], distance_m, deviates)
+        if not equipment.degradations.concern(state, "sonar"):
+            return told_m
+        elements = np.broadcast_to(number, rows.shape)
+        told_m = equipment.degradations.alter(
+            state, "sonar", rows, told_m[:, None], at_s, elements=elements
+        )[:, 0]
+        return np.where(np.isnan(told_m), np.inf, np.maximum(told_m, 0.0))
+
+    def _stands(
+        self, state: EnvState, equipment: Equipment, rows: IndexArray
+    ) -> tuple[ComplexArray, ComplexArray]:
+        """Gives where robots are, and where their rings' fronts point."""
+        x_m, y_m, angle_rad = mount_poses(state, equipment, rows).T
+        return x_m + 1j * y_m, np.exp(1j * angle_rad)
+
+    def _around(
+        self,
+        state: EnvState,
+        around: Surroundings,
+        rows: IndexArray,
+        place: ComplexArray,
+        turn: ComplexArray,
+    ) -> FloatArray:
+        """Gives the true distances that all sonars of robots measure, shape (k, 16)."""
+        parts = [np.zeros((0, MAX_SONARS))]
+        for first in range(0, len(rows), _ROBOTS_AT_ONCE):
+            part = slice(first, first + _ROBOTS_AT_ONCE)
+            parts.append(self._around_few(state, around, rows[part], place[part], turn[part]))
+        return np.concatenate(parts)
+
+    def _around_few(
+        self,
+        state: EnvState,
+        around: Surroundings,
+        rows: IndexArray,
+        place: ComplexArray,
+        turn: ComplexArray,
+    ) -> FloatArray:
+        each = np.repeat(np.arange(len(rows)), MAX_SONARS)
+        number = np.tile(np.arange(MAX_SONARS), len(rows))
+        mode = state.sonar.mode[rows[each]]
+        pings = self._beams.pings(rows[each], number, place[each], turn[each], mode)
+        prospect = self._prospect(state, around, pings, number)
+        heard_m = first_echo(pings, prospect, hushed=around.surfaces.hushed)
+        return heard_m.reshape(-1, MAX_SONARS)
+
+    def _prospect(
+        self, state: EnvState, around: Surroundings, pings: Pings, number: IndexArray
+    ) -> Prospect:
+        """Gives what pings can meet, sent by the sonars with these numbers."""
+        z_m = self._beams.z_m(pings.own, number)
+        return around.prospect(state, z_m, np.tan(pings.half_rad))
+
+
+def get_sn(
+    _state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messages
+) -> BoolArray:
+    """Refuses robots that have no sonars; the reply has the readings."""
+    return np.asarray(equipment.sonars[rows].any(axis=1))
+
+
+def conf_sn(
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+) -> BoolArray:
+    """Sets which sonars fire and how often; refuses an order with a sonar that is not there."""
+    order, given, good = orders(messages, MAX_SONARS)
+    has = equipment.sonars[rows]
+    known = np.take_along_axis(has, np.minimum(order, MAX_SONARS - 1), axis=1)
+    good &= has.any(axis=1) & (known | ~given).all(axis=1)
+    rows, order, given = rows[good], order[good], given[good]
+    interval_s = messages["i"][good, 0] % _RATES * SONAR_TICK_S
+    state.sonar.interval_s[rows] = np.maximum(interval_s, equipment.least_interval_s[rows])
+    state.sonar.reorder(
+        rows, np.where(given, order, 0), given.sum(axis=1), state.drive.clock_s[rows]
+    )
+    return good
+
+
+def set_mode(
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+) -> BoolArray:
+    """Lets sonars work in another mode from their next ping on; refuses modes there are not."""
+    mode = messages["i"][:, 0]
+    good = np.asarray((mode >= 0) & (mode < equipment.sonar_modes[rows]))
+    state.sonar.mode[rows[good]] = mode[good]
+    return good
+
+
+def _fan(model: SonarMode) -> Fan:
+    return Fan.of(
+        (sonar.x_m, sonar.y_m, sonar.direction_rad, sonar.half_angle_rad, sonar.range_m)
+        for sonar in model.sonars
+    )

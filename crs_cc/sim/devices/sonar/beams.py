@@ -1,0 +1,154 @@
+"""The beams of sonars, and how a sonar takes another robot's ping for an echo of its own.
+
+Sound that another robot's sonar sends comes straight to a sonar that listens. It cannot know, and
+takes half of the way that sound goes in the time since its own firing for the distance:
+
+    distance = (sent + way / (speed of sound) - fired) * (speed of sound) / 2
+
+where `sent` is the instant of the other's firing and `way` is how far apart the two are. For this
+each must lie in the other's beam and within its reach, with nothing in between, and the sound must
+come before the true echo. Sound that comes by way of a wall is left out. Other robots are where
+they were at the start of the cycle, and fire in the order that they have then.
+
+How often a robot makes this mistake is a parameter of its definition (`crosstalk`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core.units import SOUND_MPS
+from crs_cc.sim.geometry.cell_list import CellList
+from crs_cc.sim.geometry.echoes import ANY_ANGLE, Pings, Points
+from crs_cc.sim.model.sonar import MAX_SONARS
+
+if TYPE_CHECKING:
+    from crs_cc.sim.model.robot import RobotModel
+    from crs_cc.sim.state.env_state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+ComplexArray = npt.NDArray[np.complex128]
+IndexArray = npt.NDArray[np.intp]
+
+_THIN_RAD: Final = 1e-9  # a cone must have an inside
+_NEAR_M: Final = 1e-3  # cells must have a size
+
+
+class Beams:
+    """The beams of all robots by the sonar's number; a sonar that is not there hears nothing.
+
+    Attributes:
+        start_m: how far from its robot's middle any sonar sits.
+    """
+
+    def __init__(self, models: Sequence[RobotModel]) -> None:
+        """Makes the beams of robots of these models."""
+        different = list(dict.fromkeys(models))
+        kinds = [mode for model in different for mode in model.sonar_modes]
+        counts = [len(model.sonar_modes) for model in different]
+        first = np.cumsum([0, *counts])[[different.index(model) for model in models]]
+        self._first = first.astype(np.intp)
+        shape = (len(kinds), MAX_SONARS)
+        self._offset = np.zeros(shape, dtype=np.complex128)
+        self._axis = np.ones(shape, dtype=np.complex128)
+        self._half_rad = np.full(shape, _THIN_RAD)
+        self._range_m = np.zeros(shape)
+        self._z_m = np.zeros(shape)
+        for kind, mode in enumerate(kinds):
+            for sonar in mode.sonars:
+                place = kind, sonar.id
+                self._offset[place] = complex(sonar.x_m, sonar.y_m)
+                self._axis[place] = np.exp(1j * sonar.direction_rad)
+                self._half_rad[place] = max(sonar.half_angle_rad, _THIN_RAD)
+                self._range_m[place] = sonar.range_m
+                self._z_m[place] = sonar.z_m
+        self.start_m = float(np.abs(self._offset).max(initial=0.0))
+        boards = [mode.board for mode in kinds]
+        lobes = [board.lobe_rad for board in boards]
+        self._falloff = np.array([1 / lobe**2 if lobe else 0.0 for lobe in lobes])
+        self._critical_rad = np.array([min(board.critical_rad, ANY_ANGLE) for board in boards])
+
+    def z_m(self, rows: IndexArray, number: IndexArray) -> FloatArray:
+        """Gives how high above the ground a sonar of each of some robots sits."""
+        return np.asarray(self._z_m[self._first[rows], number])
+
+    def pings(
+        self,
+        rows: IndexArray,
+        number: IndexArray,
+        place: ComplexArray,
+        turn: ComplexArray,
+        mode: IndexArray,
+    ) -> Pings:
+        """Gives a ping from one sonar of each of some robots.
+
+        Args:
+            rows: the robots.
+            number: the number of the sonar.
+            mode: the mode in which it works.
+            place: where each robot is.
+            turn: where the front of its ring points, of length 1.
+        """
+        kind = self._first[rows] + mode
+        beam = kind, number
+        return Pings(
+            place,
+            place + self._offset[beam] * turn,
+            self._axis[beam] * turn,
+            self._half_rad[beam],
+            self._range_m[beam],
+            self._falloff[kind],
+            self._critical_rad[kind],
+            rows,
+        )
+
+
+def overheard(
+    state: EnvState,
+    beams: Beams,
+    pings: Pings,
+    listeners: IndexArray,
+    *,
+    from_s: FloatArray,
+    to_s: FloatArray,
+) -> Points:
+    """Gives the pings of other robots that reach listeners.
+
+    Args:
+        state: tells where the other robots are, and when they fire.
+        beams: the beams of all robots.
+        pings: those that are sent.
+        listeners: the numbers of the pings whose robots may hear others, k of them.
+        from_s: when these are sent.
+        to_s: when the robots stop to listen.
+    """
+    sonar, start = state.sonar, pings.start[listeners]
+    reach_m = beams.start_m + float(pings.range_m.max(initial=0.0))
+    cells = CellList(state.x_m, state.y_m, max(reach_m, _NEAR_M))
+    listener, other = cells.near(start.real, start.imag)
+    fires = (sonar.length[other] > 0) & (pings.own[listeners[listener]] != other)
+    fires &= state.presence.present[other]
+    listener, other = listener[fires], other[fires]
+    # One ping of the other comes first of those that come after the own one is sent. The board
+    # fires anew later than sound from the end of the range would come: there is no second one.
+    way_m = np.abs(state.x_m[other] + 1j * state.y_m[other] - start[listener])
+    round_s = sonar.interval_s[other]
+    since_s = from_s[listener] - way_m / SOUND_MPS - sonar.start_s[other]
+    turn = np.maximum(np.ceil(since_s / round_s), 0).astype(np.int64)
+    number = sonar.order[other, turn % sonar.length[other]]
+    place = state.x_m[other] + 1j * state.y_m[other]
+    turn_there = np.exp(1j * state.mount_rad[other])
+    theirs = beams.pings(other, number, place, turn_there, sonar.mode[other])
+    seen = theirs.local(np.arange(len(other)), start[listener])
+    way_m = np.abs(seen)
+    come_s = sonar.start_s[other] + turn * round_s + way_m / SOUND_MPS
+    told_m = (come_s - from_s[listener]) * SOUND_MPS / 2
+    heard = (np.abs(np.angle(seen)) <= theirs.half_rad) & (told_m >= 0.0)
+    heard &= way_m <= theirs.reach_m(np.arange(len(other)), np.angle(seen))
+    heard &= come_s <= to_s[listener]
+    ping = listeners[listener[heard]]
+    return Points(ping, pings.local(ping, theirs.start[heard]), told_m[heard], np.ones(len(ping)))

@@ -1,0 +1,122 @@
+"""What a sonar tells instead of the true distance.
+
+In this order, each with its parameter in the robot definition:
+
+- the board is deaf while the transducer still rings (`blind`). An echo from nearer than that goes
+  to and fro between robot and thing, and is heard when it comes in time: a distance d is told as
+  the smallest multiple of it that is not below `blind`, which users of the robot saw as twice the
+  distance below 3 in;
+- nothing is told as nearer than `minimum`;
+- a normal deviate is added, with the standard deviation hypot(`noise`, `noise-share` * d);
+- an echo is missed altogether with the probability `dropouts`;
+- what is told is a multiple of `resolution`.
+
+Then the distance is rounded to whole inches. In the definitions' ideal setup all of this is 0.
+
+Each robot draws from a stream of its own (`noise`), three deviates for each firing, so that what
+others do changes nothing; an event of probability p is a deviate below the p-quantile of the
+normal distribution.
+"""
+
+from __future__ import annotations
+
+from statistics import NormalDist
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core.random_streams import SONAR, Noise
+
+if TYPE_CHECKING:
+    from crs_cc.sim.model.world import WorldModel
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+WholeArray = npt.NDArray[np.int64]
+
+_ERROR, _DROPOUT, _CROSSTALK = range(3)
+_DEVIATES: Final = 3
+
+
+class SonarErrors:
+    """The errors of all robots' sonars."""
+
+    def __init__(self, world: WorldModel, seed: int) -> None:
+        modes = [robot.model.sonar_modes for robot in world.robots]
+        boards = [mode.board for each in modes for mode in each]
+        self._first = np.cumsum([0, *map(len, modes)])[:-1].astype(np.intp)
+        self._blind_m = np.array([board.blind_m for board in boards])
+        self._minimum_m = np.array([board.minimum_m for board in boards])
+        self._noise_m = np.array([board.noise_m for board in boards])
+        self._noise_share = np.array([board.noise_share for board in boards])
+        self._misses = np.array([_quantile(board.dropouts) for board in boards])
+        self._mistakes = np.array([_quantile(board.crosstalk) for board in boards])
+        self._resolution_m = np.array([board.resolution_m for board in boards])
+        limits = (self._blind_m, self._minimum_m, self._resolution_m)
+        self._exact = not any(each.any() for each in limits)
+        random = any(
+            board.noise_m or board.noise_share or board.dropouts or board.crosstalk
+            for board in boards
+        )
+        self._noise = Noise(seed, SONAR, _DEVIATES, len(modes)) if random else None
+
+    def draw(self, rows: IndexArray, numbers: WholeArray) -> FloatArray:
+        """Gives the deviates of one firing of each robot, shape (k, 3).
+
+        Args:
+            rows: which robots, none twice, k of them.
+            numbers: the number of each robot's firing.
+        """
+        if self._noise is None:
+            return np.zeros((len(rows), _DEVIATES))
+        return np.asarray(self._noise.rows(rows, numbers))
+
+    def mistakes(self, rows: IndexArray, mode: IndexArray, deviates: FloatArray) -> BoolArray:
+        """Tells which robots cannot tell other robots' pings from their own this time."""
+        return np.asarray(deviates[:, _CROSSTALK] < self._mistakes[self._first[rows] + mode])
+
+    def told_m(
+        self, rows: IndexArray, mode: IndexArray, distance_m: FloatArray, deviates: FloatArray
+    ) -> FloatArray:
+        """Gives what is told for true distances, infinite for no echo; shape (k,)."""
+        if self._exact and self._noise is None:
+            return distance_m
+        kind = self._first[rows] + mode
+        beyond_m = _beyond(self._blind_m[kind], distance_m)
+        told_m: FloatArray = np.maximum(beyond_m, self._minimum_m[kind])
+        if self._noise is None:
+            return _rounded(told_m, self._resolution_m[kind])
+        heard = np.isfinite(told_m) & (deviates[:, _DROPOUT] >= self._misses[kind])
+        size_m = np.where(heard, told_m, 0.0)
+        error_m = deviates[:, _ERROR] * np.hypot(
+            self._noise_m[kind], self._noise_share[kind] * size_m
+        )
+        told_m = np.where(heard, np.maximum(size_m + error_m, 0.0), np.inf)
+        return _rounded(told_m, self._resolution_m[kind])
+
+
+def _rounded(told_m: FloatArray, step_m: FloatArray) -> FloatArray:
+    """Gives the nearest multiples of steps; a step of 0 changes nothing."""
+    if not step_m.any():
+        return told_m
+    steps = np.divide(told_m, step_m, out=told_m.copy(), where=step_m > 0.0)
+    return np.where(step_m > 0.0, np.rint(steps) * step_m, told_m)
+
+
+def _beyond(blind_m: FloatArray, distance_m: FloatArray) -> FloatArray:
+    """Gives the smallest multiple of distances that is not nearer than a robot can hear."""
+    near = distance_m < blind_m
+    if not near.any():
+        return distance_m
+    apart = near & (distance_m > 0.0)
+    times = np.ceil(np.divide(blind_m, distance_m, out=np.ones_like(distance_m), where=apart))
+    return np.where(near, np.where(apart, times * distance_m, blind_m), distance_m)
+
+
+def _quantile(probability: float) -> float:
+    """Gives what a normal deviate is below with a probability."""
+    if probability <= 0.0:
+        return -np.inf
+    return np.inf if probability >= 1.0 else NormalDist().inv_cdf(probability)

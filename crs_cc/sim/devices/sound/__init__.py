@@ -1,0 +1,133 @@
+"""Microphones: how loud each of eight tones is, and where the loudest comes from.
+
+    level of a tone = round(sqrt(sum over all its sounds of (level / d * w)^2))
+    w = 1 for a sound in sight, 1/4 for one that goes around something
+
+d is the distance of a sound from the middle of the robot [m]: its pressure falls with the distance,
+as that of a ball that breathes, and sounds that have nothing to do with each other add their power.
+A quarter of the pressure is 12 dB less: ISO 9613-2, 7.4, has about 5 to 20 dB for one edge in the
+way, and we take the middle for everything. The direction is that of the sum of all sounds of the
+loudest tone, each an arrow as long as its power; also of those that come around something, as if
+there were nothing. A sound nearer than 10 cm sounds as from there. Sounds stand in the world file,
+or are those of other robots (`crs_sound`).
+
+Microphones measure whenever the program asks, or by their timer, with things as they are at the
+start of the cycle; a normal deviate with the definition's share of a level is added to it.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core import random_streams
+from crs_cc.core.units import rad_to_tenths_deg
+from crs_cc.requests import LARGEST
+from crs_cc.sim.devices.emitters import Sources, line_of_sight, sense
+from crs_cc.sim.geometry.frames import wrapped
+from crs_cc.sim.model.beacons import TONES
+from crs_cc.sim.state.timers import SOUND
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.ray_caster import Surroundings
+    from crs_cc.sim.devices.request_context import Asked
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.model.world import WorldModel
+    from crs_cc.sim.state.env_state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+
+AROUND: Final = 0.25
+"""The share of a sound's pressure that is left behind something."""
+
+
+class Microphones:
+    """The microphones of all robots that have some.
+
+    Attributes:
+        fans: the beam by which they look whether a sound is in sight.
+    """
+
+    def __init__(self, world: WorldModel, seed: int) -> None:
+        models = [robot.model.microphones for robot in world.robots]
+        sounds = world.sounds
+        self._sounds = Sources(
+            np.array([(sound.x_m, sound.y_m) for sound in sounds]).reshape(-1, 2),
+            np.array([sound.level for sound in sounds], dtype=np.float64),
+            np.full(len(sounds), -1, dtype=np.intp),
+        )
+        self._tone = np.array([sound.tone for sound in sounds], dtype=np.int64)
+        self._range_m = np.array([model.range_m if model else 0.0 for model in models])
+        self._share = np.array([model.noise if model else 0.0 for model in models])
+        self.fans = line_of_sight(float(self._range_m.max(initial=0.0)))
+        robots = len(models) if self._share.any() else 0
+        self._noise = random_streams.Noise(seed, random_streams.SOUND, TONES, robots)
+
+    def read(
+        self,
+        state: EnvState,
+        equipment: Equipment,
+        around: Surroundings,
+        rows: IndexArray,
+        at_s: FloatArray,
+    ) -> None:
+        """Lets microphones measure.
+
+        Args:
+            state: changed in place.
+            equipment: the robots' constants.
+            around: what there is to see.
+            rows: robots that have some, k of them, whose axes were turned to `at_s`.
+            at_s: when, for each, shape (k,).
+        """
+        if not len(rows):
+            return
+        ears, mine = state.sound, equipment.sound[rows]
+        levels, bearing_rad = self._sound(state, equipment, around, rows)
+        if self._share.any():
+            deviates = self._noise.rows(rows, ears.count[mine])
+            levels = levels * (1.0 + deviates * self._share[rows, None])
+        levels = equipment.degradations.alter(state, "sound", rows, levels, at_s)
+        levels = np.nan_to_num(levels, nan=0.0)
+        ears.level[mine], ears.at_s[mine] = levels, at_s
+        ears.bearing_rad[mine] = bearing_rad[np.arange(len(rows)), levels.argmax(axis=1)]
+        ears.count[mine] += 1
+
+    def tell(self, asked: Asked) -> BoolArray:
+        """Answers GET_SOUND: the levels of all tones, and where the loudest comes from."""
+        state, equipment, rows = asked.state, asked.equipment, asked.rows
+        has = np.asarray(equipment.sound[rows] >= 0)
+        measures = has & state.timers.on_request(rows, SOUND)
+        self.read(state, equipment, asked.around, rows[measures], asked.at_s[measures])
+        replies, mine = asked.messages[has], equipment.sound[rows[has]]
+        replies["i"][:, 0] = np.rint(rad_to_tenths_deg(state.sound.bearing_rad[mine]))
+        whole = np.clip(np.rint(state.sound.level[mine]), 0, LARGEST).astype("<i4")
+        replies["data"][:, : 4 * TONES] = whole.view(np.uint8)
+        replies["size"] = 4 * TONES
+        asked.messages[has] = replies
+        return has
+
+    def _sound(
+        self, state: EnvState, equipment: Equipment, around: Surroundings, rows: IndexArray
+    ) -> tuple[FloatArray, FloatArray]:
+        """Gives the levels of all tones, and where they come from, both (k, 8)."""
+        beacons, robots = state.beacons, len(state.heading_rad)
+        sounds = self._sounds.with_robots(state.bodies.position_m[:robots], beacons.level)
+        carried = sounds.owner[len(self._tone) :]
+        tones = np.concatenate([self._tone, beacons.tone[carried]])
+        heard = sense(
+            state, equipment, around, rows,
+            sources=sounds, range_m=self._range_m[rows], fan=self.fans[0],
+        )  # fmt: skip
+        pressure = sounds.strength[heard.source] / heard.distance_m
+        power = (pressure * np.where(heard.in_sight, 1.0, AROUND)) ** 2
+        sums = np.zeros((3, len(rows), TONES))
+        places = heard.robot, tones[heard.source]
+        np.add.at(sums[0], places, power)
+        np.add.at(sums[1], places, power * np.cos(heard.bearing_rad))
+        np.add.at(sums[2], places, power * np.sin(heard.bearing_rad))
+        return np.sqrt(sums[0]), wrapped(np.arctan2(sums[2], sums[1]))

@@ -1,0 +1,89 @@
+"""The vendor's `State[45]`: what a robot tells its host, in the vendor's indices and units.
+
+Indices and units are those of the vendor header `Nclient.h` 1.29. What a Scout does not have
+(infrared, turret, laser, compass) is 0.
+
+>>> from crs_cc.sim.state.env_state import EnvState
+>>> from crs_cc.sim.files.world_xml import empty_world
+>>> world = empty_world()
+>>> vector = state_vector(EnvState.at_start(world), Equipment.of(world), np.array([0]))
+>>> vector.shape, vector[0, SIM_SPEED], vector[0, SONAR_0]
+((1, 45), np.int32(10), np.int32(255))
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core.units import m_to_tenths_inch, rad_to_tenths_deg
+from crs_cc.requests import LARGEST, NUM_STATE
+from crs_cc.sim.devices.drive import traction
+from crs_cc.sim.devices.robot_constants import Equipment
+from crs_cc.sim.model.sonar import MAX_SONARS
+from crs_cc.sim.state.env_state import EnvState
+from crs_cc.sim.state.rows import take
+from crs_cc.sim.state.sonar import CONFIGURATION
+
+IndexArray = npt.NDArray[np.intp]
+
+SIM_SPEED: Final = 0  # 10 is real time
+IR_0: Final = 1  # to 16, 0 to 15
+SONAR_0: Final = 17  # to 32 [in]
+BUMPER: Final = 33  # bit mask
+CONF_X: Final = 34  # [0.1 in]
+CONF_Y: Final = 35  # [0.1 in]
+CONF_STEER: Final = 36  # [0.1 deg], 0 to 3599
+CONF_TURRET: Final = 37  # [0.1 deg], 0 to 3599
+VEL_RIGHT: Final = 38  # [0.1 in/s]; of a synchro drive the translation
+VEL_LEFT: Final = 39  # [0.1 in/s]; of a synchro drive the steering [0.1 deg/s]
+VEL_TURRET: Final = 40  # [0.1 deg/s]
+MOTOR_STATUS: Final = 41  # bit n: the motor of axis n + 1 works, be it in vain
+
+LASER: Final = 42  # mode
+COMPASS: Final = 43  # [0.1 deg], 0 to 3599
+
+_BITS: Final = np.array([1, 2, 4])
+_REAL_TIME: Final = 10
+_FULL_TURN: Final = 3600
+
+
+def state_vector(state: EnvState, equipment: Equipment, rows: IndexArray) -> npt.NDArray[np.int32]:
+    """Gives `State` of robots as their axes were turned last, shape (k, 45)."""
+    vector = np.zeros((len(rows), NUM_STATE), dtype=np.int32)
+    vector[:, SIM_SPEED] = _REAL_TIME
+    vector[:, SONAR_0 : SONAR_0 + MAX_SONARS] = state.sonar.reading_in(rows)
+    if len(state.infrared.level):
+        has = equipment.infrared[rows] >= 0
+        level = state.infrared.level[equipment.infrared[rows[has]]]
+        vector[has, IR_0:SONAR_0] = np.rint(level)
+    if len(state.laser.mode):
+        has = equipment.laser[rows] >= 0
+        vector[has, LASER] = state.laser.mode[equipment.laser[rows[has]]]
+    if len(state.compass.reading):
+        has = equipment.compass[rows] >= 0
+        vector[has, COMPASS] = state.compass.reading[equipment.compass[rows[has]]]
+    vector[:, BUMPER] = state.bumpers.pressed[rows]
+    vector[:, CONF_X : VEL_TURRET + 1] = configuration(state, equipment, rows)
+    works = state.drive.axes.end_s(rows) > state.drive.clock_s[rows, None]
+    vector[:, MOTOR_STATUS] = (works & ~take(state.drive.limp, rows)) @ _BITS
+    return vector
+
+
+def configuration(state: EnvState, equipment: Equipment, rows: IndexArray) -> npt.NDArray[np.int32]:
+    """Gives the part of `State` that tells where robots are and how fast, shape (k, 7)."""
+    odometry = state.odometry
+    speed, unit = traction.speed(state, equipment, rows), take(equipment.drives.unit, rows)
+    now_s = state.drive.clock_s[rows]
+    speed = equipment.degradations.speeds(state, "odometry", rows, speed, now_s)
+    told = np.zeros((len(rows), CONFIGURATION))
+    told[:, 0] = m_to_tenths_inch(odometry.x_m[rows])
+    told[:, 1] = m_to_tenths_inch(odometry.y_m[rows])
+    told[:, 2] = rad_to_tenths_deg(odometry.heading_rad[rows])
+    told[:, 3] = rad_to_tenths_deg(odometry.turret_rad[rows])
+    np.divide(speed, unit, out=told[:, 4:], where=unit > 0.0)
+    whole = np.maximum(np.minimum(np.rint(told), LARGEST), -LARGEST).astype(np.int32)
+    whole[:, 2:4] %= _FULL_TURN
+    return whole

@@ -1,0 +1,75 @@
+"""Requests that are answered later: a wait ends at an instant, and then its request is answered.
+
+The instant follows from what is known already: axes that run come to a stop, a message that is on
+its way arrives, the time is up. A robot that waits gives no commands, so that its axes can be
+turned on to the end of its wait as soon as that lies in the current cycle.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.devices import drive
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.state.env_state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.intp]
+
+
+@dataclass(frozen=True, slots=True)
+class Wait:
+    """How robots wait for one kind of request.
+
+    Attributes:
+        ends_s: gives when the waits of robots end as far as is known now, infinite for never; not
+            before the instants to which the robots have come, shape (k,).
+        finish: does what is done when they have ended, with the messages that become replies.
+    """
+
+    ends_s: Callable[[EnvState, IndexArray], FloatArray]
+    finish: Callable[[EnvState, Equipment, IndexArray, npt.NDArray[np.void]], object]
+
+
+def settle(
+    waits: dict[int, Wait], state: EnvState, equipment: Equipment, rows: IndexArray, limit_s: float
+) -> FloatArray:
+    """Ends the waits of robots that end before a limit.
+
+    Args:
+        waits: how robots wait for each kind of request.
+        state: changed in place.
+        equipment: the robots' constants.
+        rows: robots that wait, k of them.
+        limit_s: the end of the current cycle.
+
+    Returns:
+        the instant at which each wait ended, infinite for those that go on, shape (k,).
+    """
+    ends_s = when(waits, state, rows)
+    # The time without a command may be up before; then the axes stand earlier than it seemed.
+    deadline_s = state.drive.deadline_s[rows]
+    cut = (deadline_s < ends_s) & (deadline_s < limit_s)
+    if cut.any():
+        drive.advance(state, equipment, rows[cut], np.nextafter(deadline_s[cut], np.inf))
+        ends_s = when(waits, state, rows)
+    ended = ends_s < limit_s
+    drive.advance(state, equipment, rows[ended], ends_s[ended])
+    state.waits.end(rows[ended])
+    return np.where(ended, ends_s, np.inf)
+
+
+def when(waits: dict[int, Wait], state: EnvState, rows: IndexArray) -> FloatArray:
+    """Gives when the waits of robots will end, as far as is known now, shape (k,)."""
+    ends_s, codes = np.full(len(rows), np.inf), state.waits.code[rows]
+    for code in np.unique(codes).tolist():
+        mine = codes == code
+        ends_s[mine] = waits[code].ends_s(state, rows[mine])
+    return ends_s

@@ -1,0 +1,1 @@
+"""One timestep: requests served, physics stepped, devices updated, waits ended."""

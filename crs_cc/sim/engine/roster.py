@@ -1,0 +1,169 @@
+"""Robots that join and leave while the world runs.
+
+They come and go between two cycles, at the first one that begins at or after the instant that the
+world file names (or whoever calls `Environment.add_robot` and `remove_robot`): first those leave
+whose time it is, then the others join, in the order of the world. A robot joins as it would begin a
+run: switched on that moment, resting at its start, its odometry at 0, its sonars having fired
+around just before. Where anything stands in its place it waits, and tries again each cycle.
+
+Until it joins and when it has left, a robot keeps its row in all arrays, but nothing else: it is
+no body, nothing sees or hears it, and its row does not change. What another robot reads or does
+never depends on it, nor does noise: each robot's comes from streams of its own number.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core.quantity import ANGLE, HEAT
+from crs_cc.core.time_grid import ROUNDING_S
+from crs_cc.sim.files import object_ids
+from crs_cc.sim.geometry.placement import TOLERANCE_M
+from crs_cc.sim.physics.carrying import release
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.model.world import Pose, Robot, WorldModel
+    from crs_cc.sim.state.env_state import EnvState
+    from crs_cc.sim.state.events import EventLog
+    from crs_cc.sim.state.presence import PresenceState
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+
+EDGE: Final = "the edge of the world"
+
+
+class Timetable:
+    """When the robots of a world are to join and to leave."""
+
+    def __init__(self, world: WorldModel) -> None:
+        self._robots = world.robots
+        self._timestep_s = world.timestep_s
+        self._join_s = np.array([robot.join_s for robot in world.robots])
+        self._leave_s = np.array([robot.leave_s for robot in world.robots])
+
+    def due_s(self, presence: PresenceState) -> float:
+        """Gives when anybody joins or leaves next, infinite for never."""
+        join_s = self._join_s[_expected(presence)].min(initial=np.inf)
+        return float(self._leave_s[np.isinf(presence.left_s)].min(initial=join_s))
+
+    def is_anybody_due(self, presence: PresenceState, after_s: float) -> bool:
+        """Tells whether anybody's time to join comes after an instant."""
+        return bool((self._join_s[_expected(presence)] > after_s + ROUNDING_S).any())
+
+    def leave(self, state: EnvState, now_s: float, log: EventLog) -> IndexArray:
+        """Lets those leave whose time it is; gives which."""
+        over = (self._leave_s <= now_s + ROUNDING_S) & np.isinf(state.presence.left_s)
+        rows = np.flatnonzero(over)
+        leave(state, rows, now_s, log)
+        return rows
+
+    def join(
+        self, state: EnvState, equipment: Equipment, now_s: float, log: EventLog
+    ) -> IndexArray:
+        """Lets those join whose time it is and whose place is free; gives which."""
+        due = (self._join_s <= now_s + ROUNDING_S) & _expected(state.presence)
+        joined = []
+        for robot in np.flatnonzero(due).tolist():
+            wanted = self._robots[robot]
+            thing = in_the_way(state, equipment, wanted.start, wanted.model.radius_m)
+            if not thing:
+                join(state, equipment, robot, now_s, log)
+                joined.append(robot)
+            elif now_s - self._join_s[robot] < self._timestep_s - ROUNDING_S:
+                log.say(now_s, "join", f"had to wait: {thing} was in its place", robot)
+        return np.array(joined, dtype=np.intp)
+
+
+def join(state: EnvState, equipment: Equipment, robot: int, now_s: float, log: EventLog) -> None:
+    """Puts a robot into the world; its devices begin when the world has been furnished with it."""
+    presence, here = state.presence, np.arange(len(state.presence.present)) == robot
+    presence.present = presence.present | here
+    presence.joined_s = np.where(here, now_s, presence.joined_s)
+    state.drive.clock_s[robot] = now_s
+    state.heat.left[robot] = equipment.world.robots[robot].heat
+    log.say(now_s, "join", "joined", robot)
+
+
+def leave(state: EnvState, rows: IndexArray, now_s: float, log: EventLog) -> None:
+    """Takes robots out of the world: what was in motion stops, what was awaited never comes."""
+    presence, gone = state.presence, np.zeros(len(state.presence.present), dtype=np.bool_)
+    gone[rows] = True
+    presence.present = presence.present & ~gone
+    presence.left_s = np.where(gone, now_s, presence.left_s)
+    state.drive.stop(rows)
+    state.bodies.stop(rows)
+    state.bumpers.pressed[rows] = 0
+    state.heat.left[rows] = 0.0
+    state.connected[rows] = False
+    state.beacons.brightness[rows] = state.beacons.level[rows] = 0.0
+    state.waits.end(rows)
+    release(state, rows)
+    for robot in rows.tolist():
+        never = np.isinf(presence.joined_s[robot])
+        log.say(now_s, "leave", "left without having joined" if never else "left", robot)
+
+
+def in_the_way(
+    state: EnvState, equipment: Equipment, place: Pose, radius_m: float, robot: int = -1
+) -> str:
+    """Gives what keeps a robot from standing somewhere, in words; empty for nothing.
+
+    Args:
+        state: tells where everything is.
+        equipment: the shapes of all things.
+        place: where it would stand.
+        radius_m: how large it is.
+        robot: its number, if it is somewhere else in this world already.
+    """
+    area, reach_m = equipment.world.area, radius_m - TOLERANCE_M
+    if not (
+        area.x_min_m + reach_m <= place.x_m <= area.x_max_m - reach_m
+        and area.y_min_m + reach_m <= place.y_m <= area.y_max_m - reach_m
+    ):
+        return EDGE
+    things, robots = equipment.things, len(state.presence.present)
+    there = np.ones(len(things.margin_m), dtype=np.bool_)
+    there[:robots] = state.presence.present
+    there[robot if robot >= 0 else slice(0)] = False
+    others = np.flatnonzero(there)
+    x_m, y_m = np.full((2, len(others)), [[place.x_m], [place.y_m]])
+    distance_m = things.distance_m(things.poses(state.bodies), others, x_m, y_m)
+    near = others[distance_m < reach_m]
+    return f"'{equipment.scene.names[near[0]]}'" if len(near) else ""
+
+
+def complaint(robot: Robot, names: Sequence[str], now_s: float) -> str:
+    """Gives why a robot cannot be added to a world, wherever things stand; empty if it can.
+
+    Args:
+        robot: the robot.
+        names: the names of all things in the world.
+        now_s: the time.
+    """
+    start = robot.start
+    if wrong := object_ids.complaint(robot.id):
+        return f"its id: {wrong}"
+    if robot.id in names:
+        return "there is a thing with this id"
+    if not all(map(math.isfinite, (start.x_m, start.y_m, start.heading_rad, robot.join_s))):
+        return "its start or its time to join is not finite"
+    if abs(start.heading_rad) > ANGLE.limit:
+        return "its heading is too large"
+    if not (0.0 <= robot.heat <= HEAT.limit and robot.spread_m > 0.0):
+        return f"its heat must be 0 to {HEAT.limit:g}, and spread farther than 0"
+    if not robot.leave_s > max(robot.join_s, now_s):
+        return "it leaves before it joins"
+    return ""
+
+
+def _expected(presence: PresenceState) -> BoolArray:
+    """Tells who has not joined yet and still may."""
+    return np.asarray(np.isinf(presence.joined_s) & np.isinf(presence.left_s))

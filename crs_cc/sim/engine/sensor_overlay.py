@@ -1,0 +1,100 @@
+"""What sensors told last, for pictures: echoes of sonars, and what cameras saw.
+
+Of each sonar that heard something the beam up to its echo; of each camera a line to what each
+column shows, in its colour. They are seen from where the robots are now, so what a camera saw
+longer ago than `FRESH_S`, from another place, is left out.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core.units import tenths_inch_to_m
+from crs_cc.sim.model.sensors import Camera
+from crs_cc.sim.model.sonar import Sonar
+from crs_cc.sim.model.world import WorldModel
+from crs_cc.sim.state.env_state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+
+FRESH_S: Final = 0.25  # chosen by us
+_ARC: Final = 9  # points of the end of a beam
+
+
+@dataclass(frozen=True, slots=True)
+class Beam:
+    """What one sensor tells of one direction.
+
+    Attributes:
+        outline: a polygon for a beam with a width, or both ends of a line [m], (points, 2); the
+            first point is where the sensor is.
+        colour: what a camera sees, #rrggbb; empty for an echo.
+    """
+
+    outline: FloatArray
+    colour: str = ""
+
+
+def sights(
+    state: EnvState, world: WorldModel, time_s: float, only: int | None = None
+) -> list[Beam]:
+    """Gives what sensors told last.
+
+    Args:
+        state: the world's state.
+        world: the world.
+        time_s: the time.
+        only: the number of the robot whose sensors are asked; None for all.
+    """
+    found: list[Beam] = []
+    camera_row = 0
+    for number, robot in enumerate(world.robots):
+        if only not in {None, number}:
+            camera_row += robot.model.camera is not None
+            continue
+        place = np.array([state.x_m[number], state.y_m[number]])
+        angle_rad = float(state.mount_rad[number])
+        mode = robot.model.sonar_modes[int(state.sonar.mode[number])]
+        for sonar in mode.sonars:
+            echo_m = float(state.sonar.echo_m[number, sonar.id])
+            if math.isfinite(echo_m):
+                found.append(Beam(_turned(_cone(sonar, echo_m), angle_rad) + place))
+        camera = robot.model.camera
+        if camera is not None:
+            is_fresh = time_s - state.camera.at_s[camera_row] <= FRESH_S
+            colours = state.camera.colour[camera_row, : camera.columns].tolist()
+            ranges_m = tenths_inch_to_m(state.camera.range[camera_row].astype(np.float64))
+            for column, colour in enumerate(colours):
+                if is_fresh and ranges_m[column] >= 0.0:
+                    line = _turned(_line(camera, column, float(ranges_m[column])), angle_rad)
+                    found.append(Beam(line + place, f"#{colour:06x}"))
+            camera_row += 1
+    return found
+
+
+def _cone(sonar: Sonar, echo_m: float) -> FloatArray:
+    """Gives a beam up to its echo, as seen from the robot."""
+    half_rad = sonar.half_angle_rad
+    angles = sonar.direction_rad + np.linspace(-half_rad, half_rad, _ARC)
+    start = np.array([[sonar.x_m, sonar.y_m]])
+    return np.concatenate(
+        [start, start + echo_m * np.column_stack([np.cos(angles), np.sin(angles)])]
+    )
+
+
+def _line(camera: Camera, column: int, range_m: float) -> FloatArray:
+    """Gives the line from a camera to what a column shows, as seen from the robot."""
+    step_rad = camera.field_of_view_rad / camera.columns
+    angle = camera.direction_rad + ((camera.columns - 1) / 2 - column) * step_rad
+    start = np.array([camera.x_m, camera.y_m])
+    return np.array([start, start + range_m * np.array([math.cos(angle), math.sin(angle)])])
+
+
+def _turned(points: FloatArray, angle_rad: float) -> FloatArray:
+    cos, sin = math.cos(angle_rad), math.sin(angle_rad)
+    return np.asarray(points @ np.array([[cos, sin], [-sin, cos]]))

@@ -1,0 +1,1 @@
+"""Requests to the vendor's simulator itself rather than to the robot."""

@@ -1,0 +1,78 @@
+"""Drawing into the simulator's window, and erasing: `draw_line` and its kin.
+
+There is one picture for all programs; `drawings` says what marks mean. Chosen by us: a mark that
+is combined by exclusive or goes away when the same program draws the same once more; of very many
+marks the oldest are forgotten (`MAX_OWN`, `MAX_ALL`). Of the refresh functions two change the
+picture: `refresh_all` and `refresh_client_graphics` take away all that programs have drawn. The
+others ask for traces or sensors to be erased, which viewers draw; they hear of it (`Step.served`).
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.engine.drawings import ARROW, ROBOT, is_mode, is_xor
+from crs_cc.sim.state.drawings import DrawingState
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.state.env_state import EnvState
+
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+Messages = npt.NDArray[np.void]
+
+MAX_OWN: Final = 10_000
+"""The most marks that one program can have in the picture."""
+
+MAX_ALL: Final = 50_000
+"""The most that all programs together can have."""
+
+_WITH_ARROW: Final = 2
+_REFRESH_ALL: Final = 0
+_REFRESH_CLIENT_GRAPHICS: Final = 9
+
+
+def draw(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages) -> BoolArray:
+    """Draws a robot, a line or an arc; refuses shapes and modes that are not known."""
+    good = np.zeros(len(rows), dtype=np.bool_)
+    for row, robot in enumerate(rows.tolist()):
+        mark = messages["i"][row].copy()
+        kind, mode = int(mark[0]), int(mark[7])
+        good[row] = is_mode(kind, mode)
+        if not good[row]:
+            continue
+        _put(state.drawings, robot, mark, xor=is_xor(kind, mode))
+        if kind == ROBOT and mode == _WITH_ARROW:
+            mark[0] = ARROW
+            mark[7] = 3
+            _put(state.drawings, robot, mark, xor=False)
+    return good
+
+
+def refresh(
+    state: EnvState, _equipment: Equipment, _rows: IndexArray, messages: Messages
+) -> BoolArray:
+    """Erases what is asked for, as far as programs have drawn it."""
+    what = messages["i"][:, 0]
+    if np.isin(what, (_REFRESH_ALL, _REFRESH_CLIENT_GRAPHICS)).any():
+        state.drawings = DrawingState.at_start()
+    return np.asarray((what >= _REFRESH_ALL) & (what <= _REFRESH_CLIENT_GRAPHICS))
+
+
+def _put(drawings: DrawingState, robot: int, mark: npt.NDArray[np.int32], *, xor: bool) -> None:
+    """Puts a mark on top; the same below goes away, and by exclusive or both do."""
+    own = drawings.robots == robot
+    keep = ~(own & (drawings.marks == mark).all(axis=1))
+    erases = xor and not keep.all()
+    if not erases and keep.sum() >= MAX_ALL:
+        keep[keep.argmax()] = False
+    elif not erases and (own & keep).sum() >= MAX_OWN:
+        keep[(own & keep).argmax()] = False
+    drawings.marks, drawings.robots = drawings.marks[keep], drawings.robots[keep]
+    if not erases:
+        drawings.marks = np.concatenate([drawings.marks, mark[None]])
+        drawings.robots = np.append(drawings.robots, robot)

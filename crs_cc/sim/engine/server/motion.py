@@ -1,0 +1,246 @@
+"""Where a path would end in a collision: `motion_check`.
+
+The robot is a disc that is moved along the path, everything else stands where it is. By the
+vendor's header (`Nclient.h` 1.29), lengths in 0.1 in and angles in radians:
+
+- a segment: a1, a2 are x and y of its first point, a3, a4 of its second one;
+- an arc: a1, a2 are its first point, a3 and a4 the directions from the centre to its two ends, a5
+  the radius, a6 and a7 the centre. Chosen by us: the path turns left where a4 is greater than a3,
+  and right where it is less; where a1, a2 lie nearer to the second end it comes back from there.
+
+The answer is where the robot's middle is at the first contact, and the direction from there to the
+point that it touches. A robot that touches something at the start collides with it at once if the
+path leads further into it, and not at all if it leads along or away.
+
+Everything that can be hit is all points within a margin of a line segment (of a circle: its
+middle). Contacts are where the path meets the robot's radius and the margin beside a segment or
+around an end of it: so each is the root of an equation of second degree.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core.units import m_to_tenths_inch, tenths_inch_to_m
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.state.env_state import EnvState
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+ComplexArray = npt.NDArray[np.complex128]
+IndexArray = npt.NDArray[np.intp]
+Messages = npt.NDArray[np.void]
+
+_SEGMENT: Final = 0
+_ARC: Final = 1
+_TURN: Final = 2 * math.pi
+_NUMBERS: Final = 7
+_FURTHEST_M: Final = 1e6  # beyond it nothing is exact
+_ON_M: Final = 1e-7  # rounding
+_AHEAD_M: Final = 1e-3  # so far ahead on the path it shows whether a contact gets closer
+_CLOSER_M: Final = 1e-10
+
+
+def motion_check(
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+) -> BoolArray:
+    """Answers with the first contact on each robot's path; refuses where there is none."""
+    position_m, angle_rad = state.bodies.position_m, state.bodies.angle_rad
+    outlines = (equipment.scene.fixed, equipment.scene.moving(position_m, angle_rad))
+    segments = np.concatenate([each.segments for each in outlines])
+    circles = np.concatenate([each.circles for each in outlines])
+    owners = np.concatenate([each.owners for each in outlines])
+    hits = np.zeros(len(rows), dtype=np.bool_)
+    for row, (robot, message) in enumerate(zip(rows, messages, strict=True)):
+        numbers = message["data"][: 8 * _NUMBERS].view("<f8").copy()
+        path = _path(int(message["i"][0]), numbers)
+        if path is None:
+            continue
+        shapes = Shapes.of(segments, circles[owners != robot], equipment.radius_m[robot])
+        contact = first_contact(path, shapes)
+        if contact is not None:
+            hits[row] = True
+            place, normal_rad = contact
+            message["f"][0] = m_to_tenths_inch(place.real)
+            message["f"][1] = m_to_tenths_inch(place.imag)
+            message["f"][2] = normal_rad
+    return hits
+
+
+@dataclass(frozen=True, slots=True)
+class Shapes:
+    """What a robot's middle must stay away from: line segments, each with a distance.
+
+    Attributes:
+        start: one end of each, as x + i y [m].
+        end: the other end.
+        reach_m: the distance: the robot's radius and the margin.
+    """
+
+    start: ComplexArray
+    end: ComplexArray
+    reach_m: FloatArray
+
+    @classmethod
+    def of(cls, segments: FloatArray, circles: FloatArray, radius_m: float) -> Shapes:
+        """Takes outlines, see `scene.Outlines`."""
+        middle = circles[:, 0] + 1j * circles[:, 1]
+        start = np.concatenate([segments[:, 0] + 1j * segments[:, 1], middle])
+        end = np.concatenate([segments[:, 2] + 1j * segments[:, 3], middle])
+        margin_m = np.concatenate([np.zeros(len(segments)), circles[:, 2]])
+        return cls(start, end, radius_m + margin_m)
+
+    def room_m(self, place: ComplexArray | complex) -> FloatArray:
+        """Gives how far places are from contact, one for each shape; negative inside."""
+        return np.asarray(np.abs(self.nearest(place) - place) - self.reach_m)
+
+    def nearest(self, place: ComplexArray | complex) -> ComplexArray:
+        """Gives the point on each segment that is nearest to a place."""
+        along = self.end - self.start
+        length2 = np.maximum(np.abs(along) ** 2, _ON_M**2)
+        share = np.clip(((place - self.start) * along.conjugate()).real / length2, 0.0, 1.0)
+        return np.asarray(self.start + share * along)
+
+    def take(self, which: IndexArray) -> Shapes:
+        """Gives some of them."""
+        return Shapes(self.start[which], self.end[which], self.reach_m[which])
+
+
+@dataclass(frozen=True, slots=True)
+class Straight:
+    """A line segment, from a place into a direction of length 1."""
+
+    start: complex
+    direction: complex
+    length_m: float
+
+    def at(self, way_m: FloatArray) -> ComplexArray:
+        """Gives the places after some ways."""
+        return np.asarray(self.start + way_m * self.direction)
+
+    def around(self) -> tuple[complex, float]:
+        """Gives the middle and the radius of a disc that the path lies in."""
+        return self.start + self.direction * self.length_m / 2, self.length_m / 2
+
+    def at_distance(self, point: ComplexArray, distance_m: FloatArray) -> list[FloatArray]:
+        """Gives the ways after which the line is so far from points; NaN where it never is."""
+        away = self.start - point
+        along = (away * self.direction.conjugate()).real
+        root = np.sqrt(distance_m**2 - np.abs(away) ** 2 + along**2)
+        return [-along - root, -along + root]
+
+    def beside(
+        self, point: ComplexArray, normal: ComplexArray, distance_m: FloatArray
+    ) -> list[FloatArray]:
+        """Gives the way after which the line is so far along a normal from points."""
+        before = ((self.start - point) * normal.conjugate()).real
+        return [(distance_m - before) / (self.direction * normal.conjugate()).real]
+
+
+@dataclass(frozen=True, slots=True)
+class Arc:
+    """A part of a circle.
+
+    Attributes:
+        centre: the circle's.
+        radius_m: the circle's.
+        begin_rad: the direction of the first point, as seen from the centre.
+        sense: 1 to the left, -1 to the right.
+        length_m: how long it is.
+    """
+
+    centre: complex
+    radius_m: float
+    begin_rad: float
+    sense: int
+    length_m: float
+
+    def at(self, way_m: FloatArray) -> ComplexArray:
+        """Gives the places after some ways."""
+        angle = self.begin_rad + self.sense * way_m / self.radius_m
+        return np.asarray(self.centre + self.radius_m * np.exp(1j * angle))
+
+    def around(self) -> tuple[complex, float]:
+        """Gives the middle and the radius of a disc that the path lies in."""
+        return self.centre, self.radius_m
+
+    def at_distance(self, point: ComplexArray, distance_m: FloatArray) -> list[FloatArray]:
+        """Gives the ways after which the circle is so far from points; NaN where it never is."""
+        away = self.centre - point
+        apart = np.abs(away)
+        cos = (distance_m**2 - apart**2 - self.radius_m**2) / (2 * self.radius_m * apart)
+        return self._ways(np.angle(away), cos)
+
+    def beside(
+        self, point: ComplexArray, normal: ComplexArray, distance_m: FloatArray
+    ) -> list[FloatArray]:
+        """Gives the ways after which the circle is so far along a normal from points."""
+        before = ((self.centre - point) * normal.conjugate()).real
+        return self._ways(np.angle(normal), (distance_m - before) / self.radius_m)
+
+    def _ways(self, middle_rad: FloatArray, cos: FloatArray) -> list[FloatArray]:
+        half_rad = np.arccos(cos)
+        ends_rad = (middle_rad + half_rad, middle_rad - half_rad)
+        return [self.sense * (end - self.begin_rad) % _TURN * self.radius_m for end in ends_rad]
+
+
+Path: TypeAlias = Straight | Arc
+
+
+def first_contact(path: Path, shapes: Shapes) -> tuple[complex, float] | None:
+    """Gives where a robot's middle is when it first touches something, and the normal [rad]."""
+    middle, radius_m = path.around()
+    shapes = shapes.take(np.flatnonzero(shapes.room_m(middle) <= radius_m + _AHEAD_M))
+    ways_m = np.stack([np.zeros(len(shapes.reach_m)), *_candidates(path, shapes)])
+    ways_m[(ways_m < 0.0) | (ways_m > path.length_m)] = np.nan
+    room_m = shapes.room_m(path.at(ways_m))
+    ahead_m = shapes.room_m(path.at(np.minimum(ways_m + _AHEAD_M, path.length_m)))
+    touches = np.abs(room_m) <= _ON_M
+    touches[0] = room_m[0] <= _ON_M
+    ways_m[~touches | ~(ahead_m < room_m - _CLOSER_M)] = np.inf
+    if not ways_m.size or not math.isfinite(float(ways_m.min())):
+        return None
+    shape = int(ways_m.min(axis=0).argmin())
+    place = complex(path.at(ways_m[:, shape].min()))
+    return place, float(np.angle(shapes.nearest(place)[shape] - place))
+
+
+def _candidates(path: Path, shapes: Shapes) -> list[FloatArray]:
+    """Gives ways among which all are that end in a contact."""
+    along = shapes.end - shapes.start
+    with np.errstate(divide="ignore", invalid="ignore"):
+        normal = 1j * along / np.abs(along)
+        return [
+            *path.at_distance(shapes.start, shapes.reach_m),
+            *path.at_distance(shapes.end, shapes.reach_m),
+            *path.beside(shapes.start, normal, shapes.reach_m),
+            *path.beside(shapes.start, normal, -shapes.reach_m),
+        ]
+
+
+def _path(kind: int, numbers: FloatArray) -> Path | None:
+    """Gives a path; None where the numbers make none."""
+    if not (np.abs(numbers) <= m_to_tenths_inch(_FURTHEST_M)).all() or kind not in (_SEGMENT, _ARC):
+        return None
+    lengths_m = tenths_inch_to_m(numbers)
+    start = complex(*lengths_m[0:2])
+    if kind == _SEGMENT:
+        way = complex(*lengths_m[2:4]) - start
+        return Straight(start, way / abs(way), abs(way)) if way else None
+    radius_m, centre = float(lengths_m[4]), complex(*lengths_m[5:7])
+    first_rad, second_rad = numbers[2:4].tolist()
+    sweep_rad = min(max(second_rad - first_rad, -_TURN), _TURN)
+    if radius_m <= 0.0 or sweep_rad == 0.0:
+        return None
+    ends = [centre + radius_m * np.exp(1j * angle) for angle in (first_rad, second_rad)]
+    if abs(start - ends[1]) < abs(start - ends[0]):
+        first_rad, sweep_rad = second_rad, -sweep_rad
+    length_m = abs(sweep_rad) * radius_m
+    return Arc(centre, radius_m, first_rad, 1 if sweep_rad > 0.0 else -1, length_m)

@@ -1,0 +1,58 @@
+"""Robots that are put somewhere else: `place_robot`.
+
+The robot stands at the place and in the directions wanted, truly, and its odometry says so; its
+axes go on with what they were doing. A synchro drive's base keeps its direction. What the
+robot holds stays behind. A place is refused
+that lies outside of the world's area or where anything else stands (chosen by us: the vendor's
+header says nothing of it). The program goes on at the end of the timestep.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core.units import tenths_deg_to_rad, tenths_inch_to_m
+from crs_cc.sim.engine.roster import in_the_way
+from crs_cc.sim.engine.teleport import put_robot
+from crs_cc.sim.model.world import Pose
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.state.env_state import EnvState
+
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+Messages = npt.NDArray[np.void]
+
+_FULL_TURN: Final = 3600  # [0.1 deg]
+
+
+def place_robot(
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+) -> BoolArray:
+    """Puts robots somewhere, one after the other; refuses places that are not free."""
+    good = np.zeros(len(rows), dtype=np.bool_)
+    for row, robot in enumerate(rows.tolist()):
+        x, y, heading, turret = messages["i"][row, :4].tolist()
+        place = Pose(
+            tenths_inch_to_m(float(x)),
+            tenths_inch_to_m(float(y)),
+            tenths_deg_to_rad(float(heading % _FULL_TURN)),
+        )
+        radius_m = float(equipment.radius_m[robot])
+        good[row] = not in_the_way(state, equipment, place, radius_m, robot)
+        if good[row]:
+            _put(state, equipment, robot, place, tenths_deg_to_rad(float(turret % _FULL_TURN)))
+    return good
+
+
+def _put(state: EnvState, equipment: Equipment, robot: int, place: Pose, turret_rad: float) -> None:
+    drives, odometry = equipment.drives, state.odometry
+    base_rad = float(state.base_rad[robot]) if drives.synchro[robot] else place.heading_rad
+    put_robot(state, equipment, robot, place, base_rad=base_rad, turret_rad=turret_rad)
+    odometry.x_m[robot], odometry.y_m[robot] = place.x_m, place.y_m
+    odometry.heading_rad[robot] = place.heading_rad
+    odometry.turret_rad[robot] = turret_rad if drives.turret[robot] else 0.0

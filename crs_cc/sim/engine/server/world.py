@@ -1,0 +1,186 @@
+"""Obstacles that come and go while the world runs: `add_obstacle` and its kin.
+
+Every program may change the world that all robots share. What it changes, it gets back at the end
+of the timestep: so the world is made anew a few times in a timestep at most.
+
+Chosen by us, as the vendor's header is silent: a polygon is refused whose sides meet, or that would
+lie on a robot, or that would be one too many (`MAX_OWN`, `MAX_ALL`). Programs may take away, and
+move, fixed boxes and polygons of the world file too, which they name by their corners, whichever
+comes first. `new_world` takes away everything but the edge of the world and the robots.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core.quantity import LENGTH
+from crs_cc.core.units import m_to_tenths_inch, tenths_inch_to_m
+from crs_cc.sim.geometry.placement import TOLERANCE_M, distance_from_m
+from crs_cc.sim.geometry.scene import corners_m
+from crs_cc.sim.model.polygon import area_m2, complaint
+from crs_cc.sim.model.world import Box, Polygon, Solid, is_pushable
+from crs_cc.sim.state.obstacles import MAX_VERTICES, Corners, ObstacleState, polygon_of, things_of
+
+if TYPE_CHECKING:
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.state.env_state import EnvState
+
+BoolArray = npt.NDArray[np.bool_]
+IndexArray = npt.NDArray[np.intp]
+Messages = npt.NDArray[np.void]
+
+MAX_OWN: Final = 100
+"""The most polygons that one robot's program can have in the world at a time."""
+
+MAX_ALL: Final = 500
+"""The most that all programs together can have."""
+
+_FURTHEST: Final = int(m_to_tenths_inch(LENGTH.limit))
+
+
+def add_obstacle(
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+) -> BoolArray:
+    """Adds a polygon."""
+    good = [
+        _add(state, equipment, int(robot), _corners(message))
+        for robot, message in zip(rows, messages, strict=True)
+    ]
+    return np.array(good, dtype=np.bool_)
+
+
+def delete_obstacle(
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+) -> BoolArray:
+    """Takes a polygon away, which is named by its corners."""
+    good = np.zeros(len(rows), dtype=np.bool_)
+    for row, message in enumerate(messages):
+        place = _find(state.obstacles, equipment, _corners(message))
+        if place is not None:
+            state.obstacles, good[row] = _without(state.obstacles, place), True
+    return good
+
+
+def move_obstacle(
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+) -> BoolArray:
+    """Moves a polygon, which is named by its corners, and answers with its new ones.
+
+    What another program has added stays its own; what stood in the world file is the mover's.
+    """
+    good = np.zeros(len(rows), dtype=np.bool_)
+    for row, (robot, message) in enumerate(zip(rows.tolist(), messages, strict=True)):
+        before, corners = state.obstacles, _corners(message)
+        place = _find(before, equipment, corners)
+        if corners is None or place is None:
+            continue
+        owner = int(before.owners[place]) if place >= 0 else robot
+        state.obstacles = _without(before, place)
+        moved = corners + message["i"][1:3].astype(np.int64)
+        good[row] = _add(state, equipment, owner, moved)
+        if good[row]:
+            message["data"][: 8 * len(moved)] = moved.astype("<i4").reshape(-1).view(np.uint8)
+        else:
+            state.obstacles = before
+    return good
+
+
+def new_world(
+    state: EnvState, _equipment: Equipment, _rows: IndexArray, _messages: Messages
+) -> None:
+    """Takes away everything but the edge of the world and the robots."""
+    nothing = np.zeros(0, dtype=np.intp)
+    left = state.obstacles.take(nothing)
+    state.obstacles = replace(left, standing=np.zeros_like(left.standing))
+
+
+def _corners(message: np.void) -> npt.NDArray[np.int64] | None:
+    """Gives the corners in a message, shape (corners, 2); None where their number is wrong."""
+    count = int(message["i"][0])
+    if not 3 <= count <= MAX_VERTICES:
+        return None
+    return np.asarray(message["data"][: 8 * count].view("<i4").reshape(-1, 2), dtype=np.int64)
+
+
+def _add(
+    state: EnvState, equipment: Equipment, robot: int, corners: npt.NDArray[np.int64] | None
+) -> bool:
+    """Adds a polygon if it can be one and may stand there."""
+    obstacles = state.obstacles
+    if corners is None or np.abs(corners).max() > _FURTHEST:
+        return False
+    if len(obstacles.sizes) >= MAX_ALL or (obstacles.owners == robot).sum() >= MAX_OWN:
+        return False
+    places_m = tenths_inch_to_m(corners.astype(np.float64))
+    if complaint(places_m):
+        return False
+    if area_m2(places_m) < 0.0:
+        corners = corners[::-1]
+    room_m = distance_from_m(
+        polygon_of(obstacles.made, corners.astype(np.int32)), state.x_m, state.y_m
+    )
+    if (state.presence.present & (room_m < equipment.radius_m - TOLERANCE_M)).any():
+        return False
+    row = np.zeros((1, MAX_VERTICES, 2), dtype=np.int32)
+    row[0, : len(corners)] = corners
+    state.obstacles = replace(
+        obstacles,
+        corners=np.concatenate([obstacles.corners, row]),
+        sizes=np.append(obstacles.sizes, len(corners)),
+        numbers=np.append(obstacles.numbers, obstacles.made),
+        owners=np.append(obstacles.owners, robot),
+        made=obstacles.made + 1,
+    )
+    return True
+
+
+def _find(
+    obstacles: ObstacleState, equipment: Equipment, corners: npt.NDArray[np.int64] | None
+) -> int | None:
+    """Gives the first polygon with some corners; None if there is none.
+
+    Returns:
+        the row of one that was added; of a thing of the world file its number, inverted (~).
+    """
+    if corners is None:
+        return None
+    wanted = _in_order(corners)
+    for added in np.flatnonzero(obstacles.sizes == len(corners)).tolist():
+        if _in_order(obstacles.of(added)) == wanted:
+            return int(added)
+    things = things_of(equipment.world)
+    for number in np.flatnonzero(obstacles.standing).tolist():
+        if _in_order(_tenths_inch(things[number])) == wanted:
+            return ~int(number)
+    return None
+
+
+def _without(obstacles: ObstacleState, place: int) -> ObstacleState:
+    """Gives the obstacles without the one that was found at a place."""
+    if place >= 0:
+        return obstacles.take(np.delete(np.arange(len(obstacles.sizes)), place))
+    standing = obstacles.standing.copy()
+    standing[~place] = False
+    return replace(obstacles, standing=standing)
+
+
+def _tenths_inch(solid: Solid) -> Corners:
+    """Gives the corners of a fixed box or polygon [0.1 in], none of what has none."""
+    if not isinstance(solid, Box | Polygon) or is_pushable(solid):
+        return np.zeros((0, 2), dtype=np.int32)
+    return np.rint(m_to_tenths_inch(corners_m(solid))).astype(np.int32)
+
+
+def _in_order(corners: npt.NDArray[np.integer]) -> list[tuple[int, int]]:
+    """Gives corners counter-clockwise, the lowest of the leftmost ones first."""
+    pairs: list[tuple[int, int]] = [(int(x), int(y)) for x, y in corners]
+    if not pairs:
+        return pairs
+    if area_m2(np.array(pairs, dtype=np.float64)) < 0.0:
+        pairs.reverse()
+    first = pairs.index(min(pairs))
+    return pairs[first:] + pairs[:first]

@@ -1,0 +1,318 @@
+"""What happened in one cycle: for the session, for traces, for viewers.
+
+`Step` holds arrays over robots; `describe_slice` gives one robot's part as plain values: which
+command ran, which slice of it this was, how far the axes went, and which requests were answered.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.requests import CODES, REQUESTS
+from crs_cc.sim.devices.vendor_state import (
+    BUMPER,
+    COMPASS,
+    CONF_X,
+    IR_0,
+    MOTOR_STATUS,
+    SONAR_0,
+    VEL_RIGHT,
+)
+from crs_cc.sim.engine.drawings import Drawing
+from crs_cc.sim.state.bodies import Contacts
+from crs_cc.sim.state.env_state import EnvState
+from crs_cc.sim.state.events import Event
+
+FloatArray = npt.NDArray[np.float64]
+IndexArray = npt.NDArray[np.intp]
+WholeArray = npt.NDArray[np.int64]
+
+_SONARS: Final = ("sonar_in", slice(SONAR_0, BUMPER))
+_INFRARED: Final = ("infrared", slice(IR_0, SONAR_0))
+_COMPASS: Final = ("compass", slice(COMPASS, COMPASS + 1))
+_BUMPERS: Final = ("bumper", slice(BUMPER, BUMPER + 1))
+_POSE: Final = ("pose", slice(CONF_X, CONF_X + 3))
+_SPEEDS: Final = ("speed", slice(VEL_RIGHT, VEL_RIGHT + 2))
+_MOTORS: Final = ("motors", slice(MOTOR_STATUS, MOTOR_STATUS + 1))
+_MOST_CYCLES: Final = 2**53  # a motion of more never ends; doubles count no further
+_ANSWERS: Final = {
+    CODES["GS"]: (_SONARS, _BUMPERS, _POSE, _SPEEDS, _MOTORS),
+    CODES["GET_SN"]: (_SONARS,),
+    CODES["GET_BP"]: (_BUMPERS,),
+    CODES["GET_IR"]: (_INFRARED,),
+    CODES["GET_CP"]: (_COMPASS,),
+    CODES["GET_RC"]: (_POSE,),
+    CODES["GET_RV"]: (_SPEEDS,),
+}
+
+TELLS: Final = frozenset(
+    code
+    for code, request in REQUESTS.items()
+    if request.server != "host"
+    and not request.tells_state
+    and any(result.place != "result" for result in request.results)
+)
+"""The codes of the requests whose replies tell something of their own."""
+
+_TEXT: Final = 40  # so much of a text is shown
+
+
+@dataclass(frozen=True, slots=True)
+class Served:
+    """Requests of one kind that were answered together; arrays have a row for each robot.
+
+    Attributes:
+        code: the request's code.
+        robots: who asked, rising.
+        clock_s: when each program went on.
+        arguments: the integer arguments, shape (k, 8).
+        results: 0 refused, else 1 or what the request counts (results in `REQUESTS`), (k,).
+        states: `State` as it was told, shape (k, 45).
+        told: the whole replies, of dtype `requests.MESSAGE`, for the codes in `TELLS`; else None.
+    """
+
+    code: int
+    robots: IndexArray
+    clock_s: FloatArray
+    arguments: npt.NDArray[np.int32]
+    results: npt.NDArray[np.int32]
+    states: npt.NDArray[np.int32]
+    told: npt.NDArray[np.void] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Slices:
+    """The slice of its motion command that each robot ran in a cycle.
+
+    Attributes:
+        axes: the names of each robot's axes.
+        command: code of the command, 0 when the axes stood and nothing ran, (robots,).
+        number: which slice of the command it was, from 1, (robots,).
+        count: how many there are in all, 0 for a command without an end, (robots,).
+        way: way of each axis in this cycle [m or rad], (robots, 3).
+        travelled: the same since the command, (robots, 3).
+        total: what the command asks for; NaN for a command without an end, (robots, 3).
+        waiting: whether the robot waits (`ws`, `crs_receive`), (robots,).
+        present: whether the robot was in the world, (robots,).
+    """
+
+    axes: tuple[tuple[str, ...], ...]
+    command: WholeArray
+    number: WholeArray
+    count: WholeArray
+    way: FloatArray
+    travelled: FloatArray
+    total: FloatArray
+    waiting: npt.NDArray[np.bool_]
+    present: npt.NDArray[np.bool_]
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One cycle that has ended.
+
+    Attributes:
+        cycle: its number, from 0.
+        time_s: when it began.
+        robots: robots whose wait ends in the cycle that begins now, rising.
+        at_s: when in that cycle it ends.
+        messages: the replies, of dtype `requests.MESSAGE`.
+        contacts: contacts that began in the cycle.
+        pressed: the switches of bumpers that are pressed at its end and were not at its beginning,
+            bit by bit as in `State[33]`, (robots,).
+        released: those that were and are not any more, (robots,).
+        names: what `contacts.other` counts: robots, things, walls.
+        slices: what the axes did in the cycle.
+        served: the requests that were answered in the cycle, in order.
+        events: what else happened in it, in order.
+        traffic: what happened to messages, by time, of dtype `states.messages.TRAFFIC`;
+            `messages.traffic.events` puts it into words.
+    """
+
+    cycle: int
+    time_s: float
+    robots: IndexArray
+    at_s: FloatArray
+    messages: npt.NDArray[np.void]
+    contacts: Contacts
+    pressed: npt.NDArray[np.int32]
+    released: npt.NDArray[np.int32]
+    names: tuple[str, ...]
+    slices: Slices
+    served: tuple[Served, ...]
+    events: tuple[Event, ...]
+    traffic: npt.NDArray[np.void]
+
+    @property
+    def drawings(self) -> tuple[Drawing, ...]:
+        """What programs drew in the cycle, in order; what is erased is in `served`."""
+        return tuple(
+            Drawing.of(robot, mark)
+            for served in self.served
+            if served.code == CODES["DRAW"]
+            for robot, mark, result in zip(
+                served.robots.tolist(), served.arguments.tolist(), served.results, strict=True
+            )
+            if result
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """One request that was answered.
+
+    Attributes:
+        name: the request's name in `REQUESTS`.
+        clock_s: when the program went on.
+        arguments: its integer arguments, as many as it has.
+        result: 0 refused, else 1 or what the request counts (results in `REQUESTS`).
+        values: what a sensor request told, in the vendor's units: `sonar_in`, `infrared` (0 to 15),
+            `compass` (0.1 deg), `bumper`, `pose` (0.1 in, 0.1 in, 0.1 deg), `speed` (0.1 in/s
+            right, left), `motors`; and `told`, all that other requests told, by their results in
+            `REQUESTS`.
+    """
+
+    name: str
+    clock_s: float
+    arguments: tuple[int, ...]
+    result: int
+    values: dict[str, tuple[int | float | str, ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class AxisSlice:
+    """One axis' part of a cycle: in metres, or in radians for `steering` and `turret`.
+
+    Attributes:
+        name: what the axis is called: `right`, `left`, `translation`, `steering`, `turret`.
+        way: its way in this cycle.
+        travelled: its way since the command.
+        total: the way that the command asks for; None when it has no end.
+    """
+
+    name: str
+    way: float
+    travelled: float
+    total: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class RobotSlice:
+    """One robot's part of a cycle.
+
+    Attributes:
+        command: name of the motion command that ran, empty for none.
+        number: which slice of it this was, from 1.
+        count: how many there are in all; None when it has no end.
+        axes: what each axis did.
+        waiting: whether the robot waits (`ws`, `crs_receive`).
+        answers: the requests that were answered, by rising clock.
+    """
+
+    command: str
+    number: int
+    count: int | None
+    axes: tuple[AxisSlice, ...]
+    waiting: bool
+    answers: tuple[Answer, ...]
+
+
+def slices_of(state: EnvState, axes: tuple[tuple[str, ...], ...], timestep_s: float) -> Slices:
+    """Gives the slices of a cycle, whole when the axes have been turned to its end."""
+    end_s = state.drive.axes.end_s()
+    end_s = np.maximum(np.maximum(end_s[:, 0], end_s[:, 1]), end_s[:, 2])
+    endless = end_s > _MOST_CYCLES * timestep_s
+    last = np.ceil(np.where(endless, 0.0, end_s) / timestep_s - 1e-9).astype(np.int64)
+    count = np.maximum(last - state.drive.command_cycle, 1)
+    number = state.cycle - state.drive.command_cycle + 1
+    runs = (state.drive.command != 0) & (endless | (number <= count))
+    return Slices(
+        axes,
+        np.where(runs, state.drive.command, 0),
+        number,
+        np.where(endless, 0, count),
+        state.drive.slice.copy(),
+        state.drive.axes.travelled.copy(),
+        state.drive.axes.total.copy(),
+        state.waits.code != 0,
+        state.presence.present,
+    )
+
+
+def describe_slice(step: Step, robot: int) -> RobotSlice:
+    """Gives one robot's part of a cycle as plain values."""
+    return slice_of(step.slices, robot, _answers(step, robot))
+
+
+def slice_of(slices: Slices, robot: int, answers: tuple[Answer, ...] = ()) -> RobotSlice:
+    """Gives what one robot's axes did as plain values, with the requests that were answered."""
+    code, count = int(slices.command[robot]), int(slices.count[robot])
+    rows = (slices.way[robot], slices.travelled[robot], slices.total[robot])
+    ways = zip(*(row.tolist() for row in rows), strict=True)
+    return RobotSlice(
+        command=REQUESTS[code].name if code else "",
+        number=int(slices.number[robot]),
+        count=count or None,
+        axes=tuple(
+            AxisSlice(name, way, travelled, None if math.isnan(total) else total)
+            for name, (way, travelled, total) in zip(slices.axes[robot], ways, strict=False)
+        ),
+        waiting=bool(slices.waiting[robot]),
+        answers=answers,
+    )
+
+
+def _answers(step: Step, robot: int) -> tuple[Answer, ...]:
+    found = []
+    for served in step.served:
+        row = int(np.searchsorted(served.robots, robot))
+        if row == len(served.robots) or served.robots[row] != robot:
+            continue
+        request = REQUESTS[served.code]
+        used = sum(argument.place.startswith("i[") for argument in request.arguments)
+        found.append(
+            Answer(
+                request.name,
+                float(served.clock_s[row]),
+                tuple(served.arguments[row, :used].tolist()),
+                int(served.results[row]),
+                _values(served, row),
+            )
+        )
+    return tuple(sorted(found, key=lambda answer: answer.clock_s))
+
+
+def _values(served: Served, row: int) -> dict[str, tuple[int | float | str, ...]]:
+    """Gives what a request told one robot."""
+    if served.told is None:
+        state = served.states[row].tolist()
+        return {name: tuple(state[part]) for name, part in _ANSWERS.get(served.code, ())}
+    if not served.results[row]:
+        return {}
+    message = served.told[row]
+    places = [each.place for each in REQUESTS[served.code].results]
+    numbers = (_number(message, place) for place in places if place[:2] in {"i[", "f["})
+    return {"told": (*numbers, *_data(message, served.code))}
+
+
+def _number(message: np.void, place: str) -> int | float:
+    """Gives the number at a place in a message: `i[0]`, `f[1]`."""
+    field, number = place.rstrip("]").split("[")
+    value: int | float = message[field][int(number)].item()
+    return value
+
+
+def _data(message: np.void, code: int) -> tuple[int | float | str, ...]:
+    """Gives a reply's data: numbers where the table says so, or else text."""
+    form = next((each.name for each in REQUESTS[code].results if each.place == "data"), None)
+    if form is None:
+        return ()
+    data = message["data"][: max(int(message["size"]), 0)]
+    if "int32" in form:
+        return tuple(data[: len(data) // 4 * 4].view("<i4").tolist())
+    return (repr(data[:_TEXT].tobytes())[1:],)

@@ -1,0 +1,144 @@
+"""Robots and things that are taken up and put down somewhere else, in the middle of a run.
+
+Whatever is put down rests there. Its wheels' commands go on, as nobody told its motors otherwise;
+what it holds stays behind; what it touches next is a new contact.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from crs_cc.sim.engine.roster import EDGE, in_the_way
+from crs_cc.sim.geometry.overlap import overlap_m
+from crs_cc.sim.geometry.placement import TOLERANCE_M
+from crs_cc.sim.geometry.scene import corners_m
+from crs_cc.sim.model.world import Cylinder, Pose, Robot, Wall
+from crs_cc.sim.physics.carrying import release
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.model.world import Solid, Thing
+    from crs_cc.sim.state.env_state import EnvState
+
+
+def put_robot(
+    state: EnvState,
+    equipment: Equipment,
+    robot: int,
+    place: Pose,
+    *,
+    base_rad: float,
+    turret_rad: float,
+) -> None:
+    """Puts a robot down at a place that is free; its odometry does not hear of it.
+
+    Args:
+        state: changed in place.
+        equipment: the constants of all things.
+        robot: its number.
+        place: where, and where its wheels point.
+        base_rad: where its base points.
+        turret_rad: where its turret points; of use if it has one.
+    """
+    drive = state.drive
+    state.bodies.position_m[robot] = place.x_m, place.y_m
+    state.bodies.stop(np.array([robot], dtype=np.intp))
+    release(state, np.array([robot], dtype=np.intp))
+    drive.hindered[robot] = False
+    drive.moved_m[robot] = 0.0
+    drive.facing_rad[robot] = state.heading_rad[robot] = place.heading_rad
+    drive.turret_rad[robot] = turret_rad
+    state.base_rad[robot] = base_rad
+    state.mount_rad[robot] = turret_rad if equipment.drives.turret[robot] else base_rad
+    _part(state, equipment, robot)
+
+
+def carry_robot(state: EnvState, equipment: Equipment, robot: int, place: Pose) -> str:
+    """Carries a robot somewhere, turned as a whole, if the place is free.
+
+    Returns:
+        what stands in the way, in words; empty when the robot is there now.
+    """
+    radius_m = float(equipment.radius_m[robot])
+    if thing := in_the_way(state, equipment, place, radius_m, robot):
+        return thing
+    turn_rad = place.heading_rad - float(state.heading_rad[robot])
+    base_rad = float(state.base_rad[robot]) + turn_rad
+    turret_rad = float(state.drive.turret_rad[robot]) + turn_rad
+    put_robot(state, equipment, robot, place, base_rad=base_rad, turret_rad=turret_rad)
+    return ""
+
+
+def carry_thing(state: EnvState, equipment: Equipment, body: int, place: Pose) -> str:
+    """Carries something that can be pushed somewhere, if the place is free.
+
+    Args:
+        state: changed in place.
+        equipment: the constants of all things.
+        body: its number among the bodies.
+        place: where.
+
+    Returns:
+        what stands in the way, in words; empty when the thing is there now.
+    """
+    thing = equipment.scene.pushables[body - equipment.scene.robots]
+    if wrong := _obstacle(state, equipment, body, replace(thing, pose=place)):
+        return wrong
+    bodies = state.bodies
+    bodies.position_m[body] = place.x_m, place.y_m
+    bodies.angle_rad[body] = place.heading_rad
+    bodies.velocity_mps[body] = bodies.spin_radps[body] = 0.0
+    bodies.settled[0] = False
+    _part(state, equipment, body)
+    return ""
+
+
+def _part(state: EnvState, equipment: Equipment, body: int) -> None:
+    """Forgets what touched a body where it was."""
+    robot, thing = np.divmod(state.contacts_before, len(equipment.scene.names))
+    state.contacts_before = state.contacts_before[(robot != body) & (thing != body)]
+
+
+def _obstacle(state: EnvState, equipment: Equipment, body: int, wanted: Thing) -> str:
+    """Gives what a thing would stand in, in words; empty for nothing."""
+    things, area, scene = equipment.things, equipment.world.area, equipment.scene
+    low, high = _extent_m(wanted)
+    if (low < np.array([area.x_min_m, area.y_min_m]) - TOLERANCE_M).any():
+        return EDGE
+    if (high > np.array([area.x_max_m, area.y_max_m]) + TOLERANCE_M).any():
+        return EDGE
+    poses = things.poses(state.bodies)
+    others = np.flatnonzero(np.arange(len(poses)) != body)
+    x_m, y_m = np.full((2, len(others)), [[wanted.pose.x_m], [wanted.pose.y_m]])
+    near = others[things.distance_m(poses, others, x_m, y_m) < things.reach_m[body]]
+    for number in near.tolist():
+        if number < scene.robots and not state.presence.present[number]:
+            continue
+        other = _standing(scene.things[number], poses[number])
+        if overlap_m(wanted, other) > TOLERANCE_M:
+            return f"'{scene.names[number]}'"
+    return ""
+
+
+def _standing(thing: Robot | Solid, pose: npt.NDArray[np.float64]) -> Solid:
+    """Gives a thing where it is; a robot as the cylinder that it is."""
+    if isinstance(thing, Wall):
+        return thing
+    place = Pose(*pose.tolist())
+    if isinstance(thing, Robot):
+        return Cylinder(thing.id, place, thing.model.radius_m)
+    return replace(thing, pose=place)
+
+
+def _extent_m(thing: Thing) -> npt.NDArray[np.float64]:
+    """Gives the lower left and the upper right corner of what a thing covers, (2, 2)."""
+    if isinstance(thing, Cylinder):
+        middle = np.array([thing.pose.x_m, thing.pose.y_m])
+        return np.array([middle - thing.radius_m, middle + thing.radius_m])
+    corners = corners_m(thing)
+    return np.array([corners.min(axis=0), corners.max(axis=0)])

@@ -1,0 +1,213 @@
+"""Which sensors lie in or on something with sides: those have nothing to measure but 0.
+
+A robot that runs into something overlaps it by a hair, and then a sensor on its shell lies behind
+the side that it touches. Beams are tried against sides (`rays`), so that one would pass on to the
+far side; circles need no such care, as `rays` knows what is inside them.
+
+Boxes, and walls without their round ends, are rectangles, and a place is in one if it is so along
+both its axes. A polygon is made of triangles: each lies in the rectangle over its longest side, to
+the left of two slants.
+
+Places in the plane are complex numbers, x + i y [m]: to turn is to multiply.
+
+>>> from crs_cc.sim.model.world import Area, Box, Pose, WorldModel
+>>> world = WorldModel("w", Area(0, 0, 9, 9, 0), boxes=(Box("b", Pose(3, 1), 2, 1),))
+>>> fan = Fan.of([(0.2, 0.0, 0.0, 0.0, 5.0), (-0.2, 0.0, math.pi, 0.0, 5.0)])
+>>> Pieces(Scene(world), fan.start_m).cover(fan, np.array([[1.801, 1.0, 0.0]]))
+array([[ True, False]])
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.geometry.cell_list import CellList, few_pairs
+from crs_cc.sim.geometry.obstacles import Grid
+from crs_cc.sim.geometry.rays import Fan
+from crs_cc.sim.geometry.scene import Scene, own_corners_m, triangles_of
+from crs_cc.sim.model.world import Box, Cylinder, Solid, Wall
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+ComplexArray = npt.NDArray[np.complex128]
+IndexArray = npt.NDArray[np.intp]
+
+_ON_M: Final = 1e-9  # rounding must not let a sensor on a side be outside here, inside for `rays`
+
+
+class Pieces:
+    """All that has an inside with sides: first what does not move, then what does."""
+
+    def __init__(self, scene: Scene, start_m: float) -> None:
+        """Sorts what does not move, and takes what does for where it starts.
+
+        Args:
+            scene: what there is.
+            start_m: how far from its robot's place any sensor sits.
+        """
+        fixed = [piece for solid in scene.fixed_solids for piece in _pieces(solid)]
+        moving = [
+            (body, piece)
+            for body, thing in enumerate(scene.pushables, scene.robots)
+            for piece in _pieces(thing)
+        ]
+        pieces = [*fixed, *(piece for _, piece in moving)]
+        self._fixed = len(fixed)
+        self._bodies = np.array([body for body, _ in moving], dtype=np.intp)
+        first = scene.robots + len(scene.pushables)
+        solids = enumerate(scene.fixed_solids, first)
+        owners = [number for number, solid in solids for _ in _pieces(solid)]
+        self._things = np.concatenate([np.array(owners, dtype=np.intp), self._bodies])
+        self._own_middle = np.array([piece.middle for piece in pieces], dtype=np.complex128)
+        self._own_along = np.array([piece.along for piece in pieces], dtype=np.complex128)
+        place = np.array([piece.place for piece in pieces], dtype=np.complex128)
+        facing = np.array([piece.facing for piece in pieces], dtype=np.complex128)
+        self._middle = place + facing * self._own_middle
+        self._along = facing * self._own_along
+        self._half_length_m = np.array([piece.half_length_m for piece in pieces])
+        self._half_width_m = np.array([piece.half_width_m for piece in pieces])
+        self._slants = np.array([piece.slants for piece in pieces]).reshape(-1, 2)
+        self._slants_m = np.array([piece.slants_m for piece in pieces]).reshape(-1, 2)
+        self._start_m = start_m + _ON_M
+        self._grid = self._grid_of_fixed()
+        half_m = np.hypot(self._half_length_m[self._fixed :], self._half_width_m[self._fixed :])
+        self._reach_m = self._start_m + float(half_m.max(initial=0.0))
+        self._cells: CellList | None = None
+
+    def place(self, position_m: FloatArray, angle_rad: FloatArray) -> None:
+        """Says where the bodies that move are now: as for `Scene.moving`."""
+        x_m, y_m = position_m[self._bodies].T
+        facing = np.exp(1j * angle_rad[self._bodies])
+        self._middle[self._fixed :] = x_m + 1j * y_m + facing * self._own_middle[self._fixed :]
+        self._along[self._fixed :] = facing * self._own_along[self._fixed :]
+        self._cells = None
+
+    def cover(self, fan: Fan, poses: FloatArray, things: IndexArray | None = None) -> BoolArray:
+        """Tells which beams of each robot start in or on something.
+
+        Args:
+            fan: the robots' beams.
+            poses: x, y [m] and heading [rad] of each robot, shape (k, 3).
+            things: takes the things that those beams start in, as in `Scene.names`, shape
+                (k, beams); None when nobody wants to know.
+
+        Returns:
+            shape (k, beams), in the order of the list that the fan was made of.
+        """
+        covered = np.zeros((len(poses), len(fan)), dtype=np.bool_)
+        place = poses[:, 0] + 1j * poses[:, 1]
+        robots, shapes = self._near(place)
+        # As seen from the piece: its middle is 0, x runs along it.
+        backturn = np.conjugate(self._along.take(shapes))
+        local = (place.take(robots) - self._middle.take(shapes)) * backturn
+        close = np.flatnonzero(self._within(local, shapes, self._start_m))
+        if not len(close):
+            return covered
+        robots, shapes = robots.take(close), shapes.take(close)
+        facing = np.exp(1j * poses[robots, 2]) * backturn.take(close)
+        starts = local.take(close)[:, None] + facing[:, None] * fan.start
+        pairs, beams = np.nonzero(self._within(starts, shapes[:, None], _ON_M))
+        left = self._left_of_slants(starts[pairs, beams], shapes.take(pairs))
+        pairs, beams = pairs[left], beams[left]
+        covered[robots.take(pairs), fan.order.take(beams)] = True
+        if things is not None:
+            things[robots.take(pairs), fan.order.take(beams)] = self._things[shapes.take(pairs)]
+        return covered
+
+    def _within(self, local: ComplexArray, shapes: IndexArray, margin_m: float) -> BoolArray:
+        along = np.abs(local.real) <= self._half_length_m.take(shapes) + margin_m
+        across = np.abs(local.imag) <= self._half_width_m.take(shapes) + margin_m
+        return np.asarray(along & across)
+
+    def _left_of_slants(self, local: ComplexArray, shapes: IndexArray) -> BoolArray:
+        outward = (np.conjugate(self._slants[shapes]) * local[:, None]).real
+        return np.asarray((outward <= self._slants_m[shapes] + _ON_M).all(axis=1))
+
+    def _near(self, place: ComplexArray) -> tuple[IndexArray, IndexArray]:
+        """Gives pairs of robot and piece; among them all that a sensor can lie in."""
+        robots, shapes = self._grid.near(place)
+        count = len(self._bodies)
+        if count == 0:
+            return robots, shapes
+        if pairs := few_pairs(len(place), count):
+            others, movers = pairs
+        else:
+            if self._cells is None:
+                middle = self._middle[self._fixed :]
+                self._cells = CellList(middle.real, middle.imag, self._reach_m)
+            others, movers = self._cells.near(place.real, place.imag)
+        return np.concatenate([robots, others]), np.concatenate([shapes, movers + self._fixed])
+
+    def _grid_of_fixed(self) -> Grid:
+        half_width_m = self._half_width_m[: self._fixed]
+        middle = self._middle[: self._fixed]
+        half = self._along[: self._fixed] * self._half_length_m[: self._fixed]
+        start, end = middle - half, middle + half
+        ends_m = np.column_stack([start.real, start.imag, end.real, end.imag])
+        return Grid(ends_m, half_width_m, self._start_m)
+
+
+@dataclass(frozen=True, slots=True)
+class _Piece:
+    """A rectangle, or a triangle in one.
+
+    Attributes:
+        place: where the frame of its thing is.
+        facing: which way that points, of length 1.
+        middle: the rectangle's middle in that frame.
+        along: where its length points, of length 1.
+        half_length_m: half its length.
+        half_width_m: half its width.
+        slants: outward normals of a triangle's shorter sides, as seen from the rectangle.
+        slants_m: how far out these sides lie.
+    """
+
+    place: complex
+    facing: complex
+    middle: complex
+    along: complex
+    half_length_m: float
+    half_width_m: float
+    slants: tuple[complex, complex] = (0j, 0j)
+    slants_m: tuple[float, float] = (math.inf, math.inf)
+
+
+@lru_cache(maxsize=4096)  # they are asked for with each obstacle that comes or goes
+def _pieces(solid: Solid) -> tuple[_Piece, ...]:
+    """Gives what a solid is made of, apart from what is round."""
+    if isinstance(solid, Cylinder):
+        return ()
+    if isinstance(solid, Wall):
+        start, end = complex(solid.x1_m, solid.y1_m), complex(solid.x2_m, solid.y2_m)
+        along = np.exp(1j * np.angle(end - start))
+        half_m = abs(end - start) / 2
+        return (_Piece((start + end) / 2, along, 0j, 1, half_m, solid.thickness_m / 2),)
+    place = complex(solid.pose.x_m, solid.pose.y_m)
+    facing = complex(np.exp(1j * solid.pose.heading_rad))
+    if isinstance(solid, Box):
+        return (_Piece(place, facing, 0j, 1, solid.length_m / 2, solid.width_m / 2),)
+    corners = own_corners_m(solid)
+    places = corners[:, 0] + 1j * corners[:, 1]
+    return tuple(_triangle(place, facing, places[three]) for three in triangles_of(solid))
+
+
+def _triangle(place: complex, facing: complex, corners: ComplexArray) -> _Piece:
+    longest = int(np.abs(np.roll(corners, -1) - corners).argmax())
+    start, end, top = np.roll(corners, -longest).tolist()
+    length_m = abs(end - start)
+    along = (end - start) / length_m
+    height_m = ((top - start) / along).imag
+    middle = (start + end) / 2 + 1j * along * height_m / 2
+    top = (top - middle) / along
+    right, left = length_m / 2 - 1j * height_m / 2, -length_m / 2 - 1j * height_m / 2
+    slants = [-1j * (b - a) / abs(b - a) for a, b in ((right, top), (top, left))]
+    slants_m = [(slant.conjugate() * top).real for slant in slants]
+    return _Piece(
+        place, facing, middle, along, length_m / 2, height_m / 2, tuple(slants), tuple(slants_m)
+    )

@@ -1,0 +1,284 @@
+"""What beams meet that run at a height: things that are high enough, and the ground where it rises.
+
+The beams of a sensor lie in a plane. It runs z above the ground under its robot's middle, and tilts
+as the robot does there:
+
+    beam(p) = ground(robot) + z + gradient(robot) . (p - robot)
+
+A thing stands on the ground under its middle. It is met when its top is higher than the beam at the
+nearest point of its side, else it is looked over. The ground is met where it is higher than the
+beam: each patch, cut off by the plane of the beam, is one more thing with straight sides, whose
+cut is where the beam runs into the slope; pixels of a picture are taken for level ones.
+
+Sound spreads: the lower side of a sonar's cone falls by the tangent of its half angle with each
+metre, and a thing or patch is met as soon as it is higher than that at its nearest point; but not
+below the ground on which the robot stands, thought to go on: smooth ground throws sound away. Other
+beams are thin. What hangs in the air, and what stands behind the top of something lower, is left
+out. All of this was chosen by us.
+
+>>> from crs_cc.sim.model.world import Area, Box, Pose, WorldModel
+>>> from crs_cc.sim.geometry.rays import Fan, nearest
+>>> from crs_cc.sim.geometry.scene import NOTHING
+>>> low, high = Box("low", Pose(3, 1), 1, 1, height_m=0.2), Box("high", Pose(6, 1), 1, 1)
+>>> scene = Scene(WorldModel("w", Area(0, 0, 9, 9, 0), boxes=(low, high)))
+>>> outlook = Outlook(scene, Obstacles(scene.fixed, NOTHING, 6.0, 1.0), 6.0)
+>>> outlook.place(np.zeros((0, 2)))
+>>> ahead, pose = Fan.of([(0.0, 0.0, 0.0, 0.0, 5.0)]), np.array([[1.0, 1.0, 0.0]])
+>>> [nearest(ahead, pose, outlook.at(z_m)).item() for z_m in (0.1, 0.3)]
+[1.5, 4.5]
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.geometry.obstacles import Obstacles
+from crs_cc.sim.geometry.scene import Scene
+from crs_cc.sim.geometry.shape_table import Things
+from crs_cc.sim.geometry.terrain import Terrain
+from crs_cc.sim.model.ground import Ground, Patch
+from crs_cc.sim.model.world import TALL_M
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+ComplexArray = npt.NDArray[np.complex128]
+IndexArray = npt.NDArray[np.intp]
+Segments: TypeAlias = "tuple[IndexArray, ComplexArray, ComplexArray, FloatArray]"
+
+_SHORTEST_M: Final = 1e-6  # shorter sides of a patch's cut are none
+_ON_M: Final = 1e-9
+_BEYOND_M: Final = 100.0  # how far the floor goes on beyond the world's area
+
+
+class Outlook:
+    """What there is in a world that is not flat, or has low things in it.
+
+    Attributes:
+        obstacles: the outlines of all things.
+        terrain: the ground.
+        patches: its patches, and behind them the floor.
+        corners: their corners, x + i y [m], counter-clockwise, (patches, 4).
+        corner_heights_m: how high these are.
+        grid: the patches without the floor, by where they are within reach.
+        reach_m: how far from its place any robot measures.
+        ground: the number of the ground in `Scene.names`.
+        tops_m: how high the tops of all things are, (names,).
+    """
+
+    def __init__(self, scene: Scene, obstacles: Obstacles, reach_m: float) -> None:
+        """Sorts what does not move.
+
+        Args:
+            scene: what there is.
+            obstacles: the outlines of all of it, kept up to date by somebody else.
+            reach_m: how far from its place any robot measures.
+        """
+        area = scene.world.area
+        length_m, width_m = area.length_m + 2 * _BEYOND_M, area.width_m + 2 * _BEYOND_M
+        middle = area.x_min_m + area.length_m / 2, area.y_min_m + area.width_m / 2
+        floor = Patch(*middle, 0.0, length_m, width_m, 0.0, 0.0)
+        self.obstacles = obstacles
+        self.terrain = Terrain(scene.world.surface)
+        self.patches = Terrain(Ground((*scene.world.surface.patches, floor)))
+        corners_m = self.patches.corners_m()
+        self.corners = corners_m[:, :, 0] + 1j * corners_m[:, :, 1]
+        away = self.corners - self.patches.middle[:, None]
+        ahead_m = (away * self.patches.along[:, None].conj()).real
+        self.corner_heights_m = (
+            self.patches.middle_m[:, None] + self.patches.slope[:, None] * ahead_m
+        )
+        self.grid = self.terrain.grid(reach_m)
+        self.reach_m = reach_m
+        self.ground = len(scene.names) - 1
+        self._moving = len(scene.start)
+        self._heights_m = np.array([thing.height_m for thing in scene.things])
+        self.tops_m = np.append(self._heights_m, np.inf)
+        x_m, y_m = Things.of(scene).fixed[:, :2].T
+        self.tops_m[self._moving : -1] += self.terrain.height_m(x_m, y_m)
+
+    def place(self, position_m: FloatArray) -> None:
+        """Says where the bodies that move are now, (bodies, 2)."""
+        ground_m = self.terrain.height_m(position_m[:, 0], position_m[:, 1])
+        self.tops_m[: self._moving] = self._heights_m[: self._moving] + ground_m
+
+    def at(self, z_m: FloatArray | float, spread: FloatArray | float = 0.0) -> Level:
+        """Gives what beams see that start at a height above the ground under their robots.
+
+        Args:
+            z_m: the height, one for all or one for each place that will be asked for.
+            spread: by how much the lower sides of their cones fall with each metre; the same.
+        """
+        return Level(self, z_m, spread)
+
+    def under_ground(
+        self, z_m: float, poses: FloatArray, start: ComplexArray, order: IndexArray
+    ) -> BoolArray:
+        """Tells which beams start under ground, (k, beams).
+
+        Args:
+            z_m: their height.
+            poses: x, y [m] and heading [rad] of each robot, (k, 3).
+            start: where they start in the robot frame, (beams,).
+            order: the place of each of these in what is given.
+        """
+        place = poses[:, 0] + 1j * poses[:, 1]
+        away = np.exp(1j * poses[:, 2])[:, None] * start
+        plane_m, rise = self.plane(place)
+        beam_m = (plane_m + z_m)[:, None] + (rise.conj()[:, None] * away).real
+        ends = (place[:, None] + away).ravel()
+        ground_m = self.terrain.height_m(ends.real, ends.imag).reshape(away.shape)
+        given = np.empty(away.shape, dtype=np.bool_)
+        given[:, order] = ground_m > beam_m + _ON_M
+        return given
+
+    def plane(self, place: ComplexArray) -> tuple[FloatArray, ComplexArray]:
+        """Gives the ground under places, and how it rises there."""
+        x_m, y_m = place.real, place.imag
+        rise = self.terrain.gradient(x_m, y_m)
+        return self.terrain.height_m(x_m, y_m), rise[:, 0] + 1j * rise[:, 1]
+
+
+@dataclass(frozen=True, slots=True)
+class Level:
+    """What beams see at a height; it is asked like `Obstacles`.
+
+    Attributes:
+        outlook: what there is.
+        z_m: the height of the beams above the ground under their robots.
+        spread: by how much the lower sides of their cones fall with each metre.
+    """
+
+    outlook: Outlook
+    z_m: FloatArray | float
+    spread: FloatArray | float
+
+    def segments_near(self, place: ComplexArray) -> Segments:
+        """Gives what `Obstacles.segments_near` gives, without what is looked over, and ground."""
+        found, keep, ground = self._segments(place)
+        parts = [(part[keep], more) for part, more in zip(found, ground, strict=True)]
+        viewers, start, end, length_m = (np.concatenate(pair) for pair in parts)
+        return viewers, start, end, length_m
+
+    def segment_things(self, place: ComplexArray) -> IndexArray:
+        """Gives the thing, as in `Scene.names`, of each pair that `segments_near` gives."""
+        _, keep, ground = self._segments(place)
+        things = self.outlook.obstacles.segment_things(place)[keep]
+        return np.concatenate([things, np.full(len(ground[0]), self.outlook.ground, np.intp)])
+
+    def circles_near(
+        self, place: ComplexArray, own: IndexArray
+    ) -> tuple[IndexArray, ComplexArray, FloatArray]:
+        """Gives what `Obstacles.circles_near` gives, without what is looked over."""
+        (viewers, middle, radius_m), keep = self._circles(place, own)
+        return viewers[keep], middle[keep], radius_m[keep]
+
+    def circle_things(self, place: ComplexArray, own: IndexArray) -> IndexArray:
+        """Gives the thing, as in `Scene.names`, of each pair that `circles_near` gives."""
+        _, keep = self._circles(place, own)
+        return self.outlook.obstacles.circle_things(place, own)[keep]
+
+    def tops_above(self, poses: FloatArray, things: IndexArray) -> BoolArray:
+        """Tells which things, one for each pose and beam, are as high as beams that start there."""
+        plane_m, _ = self.outlook.plane(poses[:, 0] + 1j * poses[:, 1])
+        return np.asarray(self.outlook.tops_m[things] > (plane_m + self.z_m)[:, None])
+
+    def _segments(self, place: ComplexArray) -> tuple[Segments, BoolArray, Segments]:
+        obstacles, plane = self.outlook.obstacles, self.outlook.plane(place)
+        viewers, start, end, length_m = obstacles.segments_near(place)
+        a, along = start - place.take(viewers), end - start
+        share = -(a * along.conj()).real / np.maximum(length_m * length_m, _ON_M)
+        foot = a + np.clip(share, 0.0, 1.0) * along
+        keep = self._is_high(plane, viewers, foot, obstacles.segment_things(place))
+        return (viewers, start, end, length_m), keep, self._ground(place, plane)
+
+    def _circles(
+        self, place: ComplexArray, own: IndexArray
+    ) -> tuple[tuple[IndexArray, ComplexArray, FloatArray], BoolArray]:
+        obstacles, plane = self.outlook.obstacles, self.outlook.plane(place)
+        viewers, middle, radius_m = obstacles.circles_near(place, own)
+        away = middle - place.take(viewers)
+        away_m = np.maximum(np.abs(away), _ON_M)
+        front = away * np.maximum(1.0 - radius_m / away_m, 0.0)
+        keep = self._is_high(plane, viewers, front, obstacles.circle_things(place, own))
+        return (viewers, middle, radius_m), keep
+
+    def _is_high(
+        self, plane: tuple[FloatArray, ComplexArray], viewers: IndexArray, near: ComplexArray,
+        things: IndexArray,
+    ) -> BoolArray:  # fmt: skip
+        """Tells which things are higher than the lower sides of beams at their nearest points."""
+        ground_m, rise = plane
+        beam_m = ground_m.take(viewers) + (rise.conj().take(viewers) * near).real
+        beam_m += self._above(viewers, np.abs(near))
+        return np.asarray(self.outlook.tops_m.take(things) > beam_m)
+
+    def _above(self, viewers: IndexArray, away_m: FloatArray) -> FloatArray:
+        """Gives how high above the viewers' ground the lower sides of beams are somewhere."""
+        z_m, spread = (np.asarray(value, dtype=np.float64) for value in (self.z_m, self.spread))
+        z_m = z_m.take(viewers) if z_m.ndim else z_m
+        spread = spread.take(viewers) if spread.ndim else spread
+        return np.asarray(np.maximum(z_m - spread * away_m, 0.0))
+
+    def _ground(self, place: ComplexArray, plane: tuple[FloatArray, ComplexArray]) -> Segments:
+        """Gives the sides of what the beams' planes cut off of patches, and of the floor."""
+        patches, corners = self.outlook.patches, self.outlook.corners
+        viewers, patch = self.outlook.grid.near(place)
+        tilted = np.flatnonzero(plane[1])
+        viewers = np.concatenate([viewers, tilted])
+        patch = np.concatenate([patch, np.full(len(tilted), len(patches.middle) - 1)])
+        local = patches.local(place.take(viewers), patch)
+        beyond_x = np.maximum(np.abs(local.real) - patches.half_length_m.take(patch), 0.0)
+        beyond_y = np.maximum(np.abs(local.imag) - patches.half_width_m.take(patch), 0.0)
+        above_m = self._above(viewers, np.hypot(beyond_x, beyond_y))
+        ends = corners[patch]
+        away = ends - place.take(viewers)[:, None]
+        beam_m = (plane[0].take(viewers) + above_m)[:, None]
+        beam_m = beam_m + (plane[1].conj().take(viewers)[:, None] * away).real
+        sides = _cut(viewers, ends, self.outlook.corner_heights_m[patch] - beam_m)
+        heights = self.outlook.terrain.heights
+        if heights is None:
+            return sides
+        z_m = np.broadcast_to(np.asarray(self.z_m, dtype=np.float64), place.shape)
+        spread = np.broadcast_to(np.asarray(self.spread, dtype=np.float64), place.shape)
+        more = heights.outlines(place, plane, z_m, spread, self.outlook.reach_m)
+        viewers, start, end, length_m = (
+            np.concatenate(pair) for pair in zip(sides, more, strict=True)
+        )
+        return viewers, start, end, length_m
+
+
+def _cut(viewers: IndexArray, corners: ComplexArray, over_m: FloatArray) -> Segments:
+    """Gives the sides of the parts of rectangles that rise over something.
+
+    Args:
+        viewers: whose each rectangle is, (n,).
+        corners: its corners, counter-clockwise, (n, 4).
+        over_m: by how much it is higher there, (n, 4); in between that is linear.
+    """
+    up = over_m > _ON_M
+    some = np.flatnonzero(up.any(axis=1))
+    viewers, corners, over_m, up = viewers[some], corners[some], over_m[some], up[some]
+    ends, ends_m = np.roll(corners, -1, axis=1), np.roll(over_m, -1, axis=1)
+    ends_up = np.roll(up, -1, axis=1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        share = over_m / (over_m - ends_m)
+    crossing = corners + np.where(up ^ ends_up, share, 0.0) * (ends - corners)
+    start, end = np.where(up, corners, crossing), np.where(ends_up, ends, crossing)
+    side, which = np.nonzero(up | ends_up)
+    leaves, enters = up & ~ends_up, ~up & ends_up
+    cut = np.flatnonzero(leaves.any(axis=1))
+    start = np.concatenate([start[side, which], crossing[cut, leaves[cut].argmax(axis=1)]])
+    end = np.concatenate([end[side, which], crossing[cut, enters[cut].argmax(axis=1)]])
+    viewers = np.concatenate([viewers[side], viewers[cut]])
+    length_m = np.abs(end - start)
+    kept = np.flatnonzero(length_m > _SHORTEST_M)
+    return viewers[kept], start[kept], end[kept], length_m[kept]
+
+
+def is_needed(scene: Scene) -> bool:
+    """Tells whether anything in a scene is so low, or the ground so high, that heights matter."""
+    return not scene.world.surface.is_flat or any(thing.height_m < TALL_M for thing in scene.things)

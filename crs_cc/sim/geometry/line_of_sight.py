@@ -1,0 +1,138 @@
+"""How many things lie between two places: for what walls block or weaken.
+
+A thing lies between two places if the line from one to the other meets its outline, however often.
+The robots themselves are not in the way: what they send and receive with is above their shells.
+
+Long lines are cut into pieces, so that a piece has to be tried only against what lies near it.
+
+Places in the plane are complex numbers, x + i y [m].
+
+>>> from crs_cc.sim.model.world import Area, Box, Pose, Wall, WorldModel
+>>> walls, boxes = (Wall("w", 2, 0, 2, 9),), (Box("b", Pose(4, 5), 1, 1),)
+>>> scene = Scene(WorldModel("x", Area(0, 0, 9, 9, 0), walls, boxes))
+>>> start, end = np.array([1 + 5j, 1 + 5j]), np.array([8 + 5j, 3 + 8j])
+>>> Sight(scene).between(np.zeros((0, 2)), np.zeros(0), start, end).tolist()
+[2, 1]
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.geometry.cell_list import CellList, expand, few_pairs
+from crs_cc.sim.geometry.obstacles import Grid
+from crs_cc.sim.geometry.scene import Outlines, Scene
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+ComplexArray = npt.NDArray[np.complex128]
+IndexArray = npt.NDArray[np.intp]
+
+_PIECE_M: Final = 2.0
+_AT_ONCE: Final = 4096  # lines that are looked at together
+
+
+class Sight:
+    """The outlines of a scene, sorted by where they are."""
+
+    def __init__(self, scene: Scene) -> None:
+        self._scene = scene
+        self._robots = scene.robots
+        fixed = scene.fixed
+        self._fixed = fixed
+        circles = fixed.circles
+        self._segment_grid = Grid(fixed.segments, np.zeros(len(fixed.segments)), _PIECE_M / 2)
+        self._circle_grid = Grid(circles[:, [0, 1, 0, 1]], circles[:, 2], _PIECE_M / 2)
+
+    def between(
+        self, position_m: FloatArray, angle_rad: FloatArray, start: ComplexArray, end: ComplexArray
+    ) -> IndexArray:
+        """Gives how many things lie between places.
+
+        Args:
+            position_m: where the bodies that move are now, as for `Scene.moving`.
+            angle_rad: how they are turned.
+            start: one place of each pair, shape (k,).
+            end: the other.
+
+        Returns:
+            shape (k,).
+        """
+        counts = np.zeros(len(start), dtype=np.intp)
+        moving = self._scene.moving(position_m, angle_rad)
+        for first in range(0, len(start), _AT_ONCE):
+            part = slice(first, first + _AT_ONCE)
+            counts[part] = self._between(moving, start[part], end[part])
+        return counts
+
+    def _between(self, moving: Outlines, start: ComplexArray, end: ComplexArray) -> IndexArray:
+        pieces = np.maximum(np.ceil(np.abs(end - start) / _PIECE_M), 1).astype(np.intp)
+        line, number = expand(np.zeros(len(start), dtype=np.intp), pieces)
+        step = ((end - start) / pieces)[line]
+        a = start[line] + number * step
+        middle = a + step / 2
+        fixed, robots = self._fixed, self._robots
+        pushable = moving.owners >= robots
+        circles, owners = moving.circles[pushable], moving.owners[pushable]
+        met = [
+            _meet_segments(a, step, *self._segment_grid.near(middle), fixed.segments),
+            _meet_circles(a, step, *self._circle_grid.near(middle), fixed.circles),
+            _meet_segments(a, step, *_near(middle, moving.segments), moving.segments),
+            _meet_circles(a, step, *_near(middle, circles), circles),
+        ]
+        things = (fixed.segment_owners, fixed.owners, moving.segment_owners, owners)
+        width = len(self._scene.names) + 1
+        keys = [
+            line[piece] * width + thing[shape]
+            for (piece, shape), thing in zip(met, things, strict=True)
+        ]
+        return np.bincount(np.unique(np.concatenate(keys)) // width, minlength=len(start))
+
+
+def _near(middle: ComplexArray, shapes: FloatArray) -> tuple[IndexArray, IndexArray]:
+    """Gives pairs of piece and shape that moves; among them all that meet.
+
+    Args:
+        middle: the middles of the pieces.
+        shapes: segments, (n, 5), or circles, (n, 3).
+    """
+    if pairs := few_pairs(len(middle), len(shapes)):
+        return pairs
+    sides = shapes.shape[1] > 3  # a circle has three columns
+    x_m, y_m = (shapes[:, 0:2] + shapes[:, 2:4]).T / 2 if sides else shapes[:, :2].T
+    size_m = shapes[:, -1].max() / (2 if sides else 1)
+    cells = CellList(x_m.copy(), y_m.copy(), _PIECE_M / 2 + float(size_m))
+    return cells.near(middle.real, middle.imag)
+
+
+def _meet_segments(
+    a: ComplexArray, step: ComplexArray, piece: IndexArray, shape: IndexArray, segments: FloatArray
+) -> tuple[IndexArray, IndexArray]:
+    """Gives those pairs of piece and segment that cross each other."""
+    low = segments[shape, 0] + 1j * segments[shape, 1]
+    high = segments[shape, 2] + 1j * segments[shape, 3]
+    start, along, side = a[piece], step[piece], high - low
+    crosses = _sides_differ(along, low - start, high - start)
+    crosses &= _sides_differ(side, start - low, start + along - low)
+    return piece[crosses], shape[crosses]
+
+
+def _sides_differ(along: ComplexArray, one: ComplexArray, other: ComplexArray) -> BoolArray:
+    """Tells whether two places lie on different sides of a line through 0, or on it."""
+    turned = np.conjugate(along)
+    return np.asarray(((turned * one).imag > 0.0) != ((turned * other).imag > 0.0))
+
+
+def _meet_circles(
+    a: ComplexArray, step: ComplexArray, piece: IndexArray, shape: IndexArray, circles: FloatArray
+) -> tuple[IndexArray, IndexArray]:
+    """Gives those pairs of piece and circle where the piece comes into the circle."""
+    away = circles[shape, 0] + 1j * circles[shape, 1] - a[piece]
+    along = step[piece]
+    length2 = np.maximum(along.real**2 + along.imag**2, np.finfo(np.float64).tiny)
+    share = np.clip((np.conjugate(along) * away).real / length2, 0.0, 1.0)
+    inside = np.abs(away - share * along) < circles[shape, 2]
+    return piece[inside], shape[inside]

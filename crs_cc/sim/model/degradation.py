@@ -1,0 +1,381 @@
+"""What a degradation is: plain data; and the table of all devices that can be degraded.
+
+A degradation names a robot, one of its devices, and an element of it or all of them; says what is
+wrong with what comes from there (or, of an actuator, goes there), from when on, for how long, and
+how long the effect takes to fade then. `degradation` has the law. Values are in the unit of the
+device: metres, radians, seconds, volts.
+
+>>> from crs_cc.sim.files.world_xml import empty_world
+>>> scout = empty_world().robots[0].model
+>>> complaint(Degradation("robot0", "sonar", element=3, bias=0.5, onset_s=10.0), scout)
+''
+>>> complaint(Degradation("robot0", "sonar", element=16, dead=True), scout)
+'sonar has no element 16; it has 0 to 15'
+>>> complaint(Degradation("robot0", "compass", dead=True), scout)
+'the robot has no compass'
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final, Literal
+
+from crs_cc.core.quantity import (
+    ANGLE,
+    BRIGHTNESS,
+    HEAT,
+    LENGTH,
+    LOUDNESS,
+    RATIO,
+    SPEED,
+    TURN_RATE,
+    VOLTAGE,
+    Kind,
+)
+from crs_cc.core.suggest import unknown
+from crs_cc.sim.model.axis import AXES
+from crs_cc.sim.model.beacons import MAX_LIGHT_SENSORS, TONES
+from crs_cc.sim.model.sensors import MAX_COLUMNS, MAX_INFRARED, NUM_LASER
+from crs_cc.sim.model.sonar import MAX_SONARS
+
+if TYPE_CHECKING:
+    from crs_cc.sim.model.robot import RobotModel
+
+LONGEST_DELAY_S: Final = 60.0
+LONGEST_S: Final = 1e7
+"""The longest times that make sense."""
+
+HOLD: Final = "hold"
+"""Stuck at what was told last."""
+
+MAX_MEMORY: Final = 2**23
+"""How many numbers all degradations of a world may remember (64 MiB)."""
+
+_DEEPEST: Final = 64  # values that a delay remembers of an element
+_LARGEST: Final = 4096  # and of all elements
+_SHALLOWEST: Final = 8
+_SWITCHES: Final = 24
+_TURNING: Final = frozenset({"steering", "turret"})
+
+
+@dataclass(frozen=True, slots=True)
+class Degradation:
+    """What is wrong with a device; plain numbers and texts only.
+
+    Attributes:
+        robot: the robot's id.
+        device: the device's name in `DEVICES`.
+        element: which of its elements, None for all of them.
+        bias: what is added, in the unit of the device.
+        gain: what values are multiplied with.
+        noise: standard deviation of what is added at random.
+        step: values are rounded to multiples of this; 0 for not at all.
+        stuck: the value that is told whatever the true one is; `HOLD` for the last one before the
+            onset; None for none.
+        delay_s: how old values are.
+        dropouts: probability that there is no value.
+        dead: whether there is none at all.
+        onset_s: when it begins, in simulated time.
+        duration_s: how long it has its whole effect; None for ever.
+        recovery_s: how long the effect takes to fade then.
+        id: its name; empty for one that the environment gives.
+    """
+
+    robot: str
+    device: str
+    element: int | None = None
+    bias: float = 0.0
+    gain: float = 1.0
+    noise: float = 0.0
+    step: float = 0.0
+    stuck: float | Literal["hold"] | None = None
+    delay_s: float = 0.0
+    dropouts: float = 0.0
+    dead: bool = False
+    onset_s: float = 0.0
+    duration_s: float | None = None
+    recovery_s: float = 0.0
+    id: str = ""
+
+    def faults(self, kind: Kind) -> str:
+        """Gives what is wrong with values of a kind, for people: `bias 5deg, delay 1s`."""
+        words = [
+            f"{name} {unit.show(value)}"
+            for name, value, usual, unit in (
+                ("gain", self.gain, 1.0, RATIO), ("bias", self.bias, 0.0, kind),
+                ("noise", self.noise, 0.0, kind), ("step", self.step, 0.0, kind),
+                ("dropouts", self.dropouts, 0.0, RATIO),
+            )
+            if value != usual
+        ]  # fmt: skip
+        if isinstance(self.stuck, float | int):
+            words.append(f"stuck at {kind.show(self.stuck)}")
+        elif self.stuck is not None:
+            words.append("stuck")
+        if self.delay_s:
+            words.append(f"delay {self.delay_s:g}s")
+        if self.dead:
+            words.append("dead")
+        return ", ".join(words)
+
+
+@dataclass(frozen=True, slots=True)
+class Device:
+    """A sensor or actuator that can be degraded.
+
+    Attributes:
+        name: what world files call it.
+        title: what it is.
+        kind: what its values are; in radians for an element that turns.
+        elements: gives the names of a robot's elements, by their numbers, empty for a number that
+            is not in use; none where the robot has no such device.
+        width: how many elements there can be.
+        nothing: what comes of no value at all.
+        unit: what stands for the unit in words, where the kind has none.
+        acts: whether it is an actuator.
+    """
+
+    name: str
+    title: str
+    kind: Kind
+    elements: Callable[[RobotModel], tuple[str, ...]]
+    width: int
+    nothing: str
+    unit: str = ""
+    acts: bool = False
+
+    def kind_of(self, element: str) -> Kind:
+        """Gives what the values of an element are."""
+        return TURN_RATE if self.kind is SPEED and element in _TURNING else self.kind
+
+
+def _always(_model: RobotModel) -> bool:
+    return True
+
+
+def _single(has: Callable[[RobotModel], object], *names: str) -> Callable[..., tuple[str, ...]]:
+    return lambda model: (names or ("0",)) if has(model) else ()
+
+
+def _numbered(count: int) -> tuple[str, ...]:
+    return tuple(map(str, range(count)))
+
+
+def _at(numbers: list[int]) -> tuple[str, ...]:
+    return tuple(str(n) if n in numbers else "" for n in range(max(numbers, default=-1) + 1))
+
+
+def _axes(model: RobotModel) -> tuple[str, ...]:
+    return model.drive.axis_names
+
+
+DEVICES: Final = {
+    device.name: device
+    for device in (
+        Device(
+            "sonar", "a sonar's distance", LENGTH,
+            lambda model: _at([sonar.id for sonar in model.sonars]), MAX_SONARS, "no echo",
+        ),
+        Device(
+            "bumper", "a switch, by its bit: 1 when pressed, else 0; pressed from 0.5 on",
+            RATIO, lambda model: _at([switch.bit for switch in model.bumpers]), _SWITCHES,
+            "not pressed",
+        ),
+        Device(
+            "infrared", "an infrared sensor's distance", LENGTH,
+            lambda model: _numbered(MAX_INFRARED if model.infrared else 0), MAX_INFRARED,
+            "nothing seen, 15",
+        ),
+        Device(
+            "compass", "the direction", ANGLE, _single(lambda model: model.compass), 1,
+            "the reading stays",
+        ),
+        Device(
+            "laser", "the distance of a point, from the right to the left", LENGTH,
+            lambda model: _numbered(model.laser.points if model.laser else 0), NUM_LASER,
+            "no point",
+        ),
+        Device(
+            "camera", "how far away is what a column shows, from the left to the right", LENGTH,
+            lambda model: _numbered(model.camera.columns if model.camera else 0), MAX_COLUMNS,
+            "nothing is seen",
+        ),
+        Device(
+            "gps", "where the robot is", LENGTH, _single(lambda model: model.gps, "x", "y"), 2,
+            "no fix: refused",
+        ),
+        Device(
+            "tilt", "how the robot is tilted", ANGLE,
+            _single(lambda model: model.inclinometer, "pitch", "roll"), 2, "no reading: refused",
+        ),
+        Device(
+            "heat", "the heat around", HEAT, _single(lambda model: model.heat.range_m), 1, "0",
+        ),
+        Device(
+            "odometry", "how fast the encoder of an axis counts", SPEED, _axes, AXES,
+            "counts nothing",
+        ),
+        Device(
+            "battery", "the voltage", VOLTAGE,
+            _single(_always, "computers", "motors"), 2, "the lowest voltage",
+        ),
+        Device(
+            "drive", "how fast the motor of an axis turns it", SPEED, _axes, AXES, "stands",
+            acts=True,
+        ),
+        Device(
+            "wheels", "how fast an axis moves the robot", SPEED, _axes, AXES, "slips on the spot",
+            acts=True,
+        ),
+        Device(
+            "tag", "how far heat is taken away", LENGTH,
+            _single(lambda model: model.heat.tag_range_m), 1, "takes nothing", acts=True,
+        ),
+        Device(
+            "gripper", "what the gripper is told: 1 to close, from 0.5 on, else to open", RATIO,
+            _single(lambda model: model.gripper), 1, "not told", acts=True,
+        ),
+        Device(
+            "arm", "the angle to which a joint is told to turn", ANGLE,
+            _single(lambda model: model.arm, "shoulder", "elbow"), 2, "not told", acts=True,
+        ),
+        Device(
+            "light", "what a light sensor reads", BRIGHTNESS,
+            lambda model: _numbered(model.light_sensors.number if model.light_sensors else 0),
+            MAX_LIGHT_SENSORS, "0",
+        ),
+        Device(
+            "sound", "how loud a tone is heard", LOUDNESS,
+            lambda model: _numbered(TONES if model.microphones else 0), TONES, "0",
+        ),
+        Device(
+            "lamp", "how bright it is told to shine", BRIGHTNESS,
+            _single(lambda model: model.brightest), 1, "0", acts=True,
+        ),
+        Device(
+            "speaker", "how loud it is told to sound", LOUDNESS,
+            _single(lambda model: model.loudest), 1, "0", acts=True,
+        ),
+    )
+}  # fmt: skip
+"""Every device that can be degraded, by name."""
+
+
+def complaint(degradation: Degradation, model: RobotModel) -> str:
+    """Tells why a degradation cannot be used with a robot; empty when it can.
+
+    Args:
+        degradation: what is asked for.
+        model: the kind of robot that it names.
+    """
+    texts = (degradation.robot, degradation.device, degradation.id)
+    if not all(isinstance(text, str) for text in texts):
+        return "robot, device and id must be texts"
+    device = DEVICES.get(degradation.device)
+    if device is None:
+        return unknown("device", degradation.device, tuple(DEVICES))
+    names = device.elements(model)
+    if not names:
+        return f"the robot has no {device.name}"
+    element = degradation.element
+    if element is not None and not _names_one(element, names):
+        return f"{device.name} has no element {element!r}; it has {shown(names)}"
+    return _out_of_range(degradation) or _ambiguous(degradation, device, names)
+
+
+def described(degradation: Degradation, model: RobotModel) -> str:
+    """Gives what is wrong with what, for people.
+
+    >>> from crs_cc.sim.files.world_xml import empty_world
+    >>> scout = empty_world().robots[0].model
+    >>> described(Degradation("robot0", "drive", element=1, gain=0.5, delay_s=1.0), scout)
+    'drive left, gain 0.5, delay 1s'
+    >>> described(Degradation("robot0", "sonar", bias=0.3), scout)
+    'sonar, bias 0.3m'
+    """
+    device, element = DEVICES[degradation.device], degradation.element
+    names = device.elements(model)
+    which = "" if element is None else f" {names[element]}"
+    kind = device.kind_of(names[element or 0])
+    return f"{device.name}{which}, {degradation.faults(kind)}"
+
+
+def element_of(device: Device, model: RobotModel, text: str) -> int | None:
+    """Gives the number of the element that a text names, by name or number; None for none.
+
+    >>> from crs_cc.sim.files.world_xml import empty_world
+    >>> scout = empty_world().robots[0].model
+    >>> [element_of(DEVICES["drive"], scout, text) for text in ("left", "1", "2", "", "up")]
+    [1, 1, None, None, None]
+    """
+    for number, name in enumerate(device.elements(model)):
+        if name and text in {name, str(number)}:
+            return number
+    return None
+
+
+def shown(names: tuple[str, ...]) -> str:
+    """Gives the elements of a device, for people: `0 to 15`, or `0 (right), 1 (left)`."""
+    used = [number for number, name in enumerate(names) if name]
+    whole = used == list(range(len(names))) and names == _numbered(len(names))
+    if whole and len(names) > 1:
+        return f"0 to {len(names) - 1}"
+    return ", ".join(
+        n if n == str(number) else f"{number} ({n})" for number, n in enumerate(names) if n
+    )
+
+
+def _names_one(element: object, names: tuple[str, ...]) -> bool:
+    return type(element) is int and 0 <= element < len(names) and bool(names[element])
+
+
+def _out_of_range(degradation: Degradation) -> str:
+    stuck, duration_s = degradation.stuck, degradation.duration_s
+    fixed = 0.0 if stuck is None or stuck == HOLD else stuck
+    limits = (
+        ("bias", degradation.bias, -LENGTH.limit, LENGTH.limit),
+        ("gain", degradation.gain, -RATIO.limit, RATIO.limit),
+        ("noise", degradation.noise, 0.0, LENGTH.limit),
+        ("step", degradation.step, 0.0, LENGTH.limit),
+        (f"stuck must be {HOLD!r}, or it", fixed, -LENGTH.limit, LENGTH.limit),
+        ("delay", degradation.delay_s, 0.0, LONGEST_DELAY_S),
+        ("dropouts", degradation.dropouts, 0.0, 1.0),
+        ("onset", degradation.onset_s, 0.0, LONGEST_S),
+        ("duration", 1.0 if duration_s is None else duration_s, 0.0, LONGEST_S),
+        ("recovery", degradation.recovery_s, 0.0, LONGEST_S),
+    )
+    for name, value, least, most in limits:
+        if not _is_between(value, least, most):
+            return f"{name} must be a number from {least:g} to {most:g}, not {value!r}"
+    if type(degradation.dead) is not bool:
+        return f"dead must be True or False, not {degradation.dead!r}"
+    if not degradation.faults(RATIO):
+        return "nothing is wrong: give gain, bias, noise, step, stuck, delay, dropouts or dead"
+    return ""
+
+
+def _is_between(value: object, least: float, most: float) -> bool:
+    is_number = isinstance(value, int | float) and not isinstance(value, bool)
+    return is_number and least <= value <= most  # type: ignore[operator]  # a number
+
+
+def _ambiguous(degradation: Degradation, device: Device, names: tuple[str, ...]) -> str:
+    """Refuses a value for elements of which some count in metres, others in radians."""
+    several = len({device.kind_of(name) for name in names}) > 1
+    values = (degradation.bias, degradation.noise, degradation.step)
+    given = any(values) or isinstance(degradation.stuck, int | float)
+    if degradation.element is None and several and given:
+        return f"the elements of {device.name} differ in their units: name one, {shown(names)}"
+    return ""
+
+
+def delay_depth(width: int) -> int:
+    """Return how many values of each of `width` elements a delay remembers."""
+    return min(max(_LARGEST // width, _SHALLOWEST), _DEEPEST)
+
+
+def memory_size(degradation: Degradation) -> int:
+    """Return how many numbers a degradation remembers: values held, and those on their way."""
+    width = DEVICES[degradation.device].width if degradation.element is None else 1
+    return width * (3 + 2 * delay_depth(width)) if degradation.delay_s else width

@@ -1,0 +1,56 @@
+"""The friction of the floor under things that can be pushed.
+
+A thing rubs with the force mu m g (Coulomb), and against turning with that force times the mean
+distance of the floor under it from its middle.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+import numpy as np
+
+from crs_cc.sim.model.polygon import area_m2, second_moment_m4
+from crs_cc.sim.model.world import Box, Cylinder, Thing
+
+FLOOR_FRICTION: Final = 0.4
+"""Friction of things on the floor; chosen by us, about that of cardboard on linoleum."""
+
+GRAVITY_MPS2: Final = 9.80665
+"""Standard gravity (3rd General Conference on Weights and Measures, 1901)."""
+
+
+def friction_n(thing: Thing) -> float:
+    """Gives the force below which a thing does not move."""
+    return FLOOR_FRICTION * GRAVITY_MPS2 * thing.mass_kg
+
+
+def floor_m2(thing: Thing) -> float:
+    """Gives the area of the floor under a thing."""
+    if isinstance(thing, Cylinder):
+        return math.pi * thing.radius_m**2
+    if isinstance(thing, Box):
+        return thing.length_m * thing.width_m
+    return area_m2(np.array(thing.corners_m))
+
+
+def friction_nm(thing: Thing) -> float:
+    """Gives the torque below which a thing does not turn.
+
+    The mean distance from the middle of a disc is two thirds of its radius; anything else is
+    taken for a disc of the same area.
+    """
+    if isinstance(thing, Cylinder):
+        return friction_n(thing) * 2 / 3 * thing.radius_m
+    return friction_n(thing) * 2 / 3 * math.sqrt(floor_m2(thing) / math.pi)
+
+
+def moment_kgm2(thing: Thing) -> float:
+    """Gives a thing's moment of inertia about its middle: that of a disc or of a plate."""
+    if isinstance(thing, Cylinder):
+        return thing.mass_kg * thing.radius_m**2 / 2
+    if isinstance(thing, Box):
+        return thing.mass_kg * (thing.length_m**2 + thing.width_m**2) / 12
+    corners_m = np.array(thing.corners_m)
+    return thing.mass_kg * second_moment_m4(corners_m) / area_m2(corners_m)

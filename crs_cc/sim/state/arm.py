@@ -1,0 +1,42 @@
+"""Where the joints of arms are, and where they are going."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.model.world import WorldModel
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+
+
+@dataclass(slots=True)
+class ArmState:
+    """The arms; arrays have a row for each robot that has one, n of them.
+
+    Attributes:
+        from_rad: shoulder and elbow when they were told last where to go, (n, 2).
+        to_rad: where they go, (n, 2).
+        since_s: when they were told, (n,).
+        closed: whether the hand is closed, or is to be, (n,).
+        acts: whether it has still to do so, or to open, (n,).
+    """
+
+    from_rad: FloatArray
+    to_rad: FloatArray
+    since_s: FloatArray
+    closed: BoolArray
+    acts: BoolArray
+
+    @classmethod
+    def at_start(cls, world: WorldModel) -> Self:
+        """Gives arms that are stretched out as far as their joints allow, hands open."""
+        found = [arm for robot in world.robots if (arm := robot.model.arm) is not None]
+        start = [[joint.within(0.0) for joint in (arm.shoulder, arm.elbow)] for arm in found]
+        start_rad = np.array(start, dtype=np.float64).reshape(-1, 2)
+        no = np.zeros(len(found), dtype=np.bool_)
+        return cls(start_rad, start_rad.copy(), np.zeros(len(found)), no, no.copy())

@@ -1,0 +1,33 @@
+"""What the motors took from their battery."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.model.axis import AXES
+from crs_cc.sim.model.world import WorldModel
+
+FloatArray = npt.NDArray[np.float64]
+
+
+@dataclass(slots=True)
+class BatteryState:
+    """The motors' batteries of all robots; what is used all the time follows from the time.
+
+    Attributes:
+        moved_j: the energy that moving has used, (robots,).
+        speed_mps: the axes' speeds when this was counted last, (robots, 3).
+    """
+
+    moved_j: FloatArray
+    speed_mps: FloatArray
+
+    @classmethod
+    def at_start(cls, world: WorldModel) -> Self:
+        """Gives batteries of robots that have not moved yet."""
+        count = len(world.robots)
+        return cls(np.zeros(count), np.zeros((count, AXES)))

@@ -1,0 +1,46 @@
+"""What compasses told last."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.model.world import WorldModel
+from crs_cc.sim.state.last_measurement import Moments
+
+BoolArray = npt.NDArray[np.bool_]
+
+
+@dataclass(slots=True)
+class CompassState:
+    """The compasses; arrays have a row for each robot that has one, n of them.
+
+    Attributes:
+        on: whether they are switched on, (n,).
+        calibrated: whether they have been calibrated, (n,).
+        reading: what they told last [0.1 deg], (n,).
+        count: how often they measured, (n,).
+        measured: when they did last.
+    """
+
+    on: BoolArray
+    calibrated: BoolArray
+    reading: npt.NDArray[np.int32]
+    count: npt.NDArray[np.int64]
+    measured: Moments
+
+    @classmethod
+    def at_start(cls, world: WorldModel) -> Self:
+        """Gives compasses that have not measured yet."""
+        found = [model for robot in world.robots if (model := robot.model.compass) is not None]
+        count = len(found)
+        return cls(
+            np.array([compass.is_on for compass in found], dtype=np.bool_),
+            np.zeros(count, dtype=np.bool_),
+            np.zeros(count, dtype=np.int32),
+            np.zeros(count, dtype=np.int64),
+            Moments.never(count),
+        )

@@ -1,0 +1,103 @@
+"""The motion of the axes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from typing import Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.model.axis import AXES, STILL
+from crs_cc.sim.model.world import WorldModel
+from crs_cc.sim.state.motion_profile import Axes
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+WholeArray = npt.NDArray[np.int64]
+IndexArray = npt.NDArray[np.intp]
+
+
+@dataclass(slots=True)
+class DriveState:
+    """The motion of the axes; arrays have a row for each robot, and a column for each axis.
+
+    Attributes:
+        axes: the axes' profiles, shape (robots, 3) each.
+        clock_s: the instant to which each robot's axes have been turned.
+        moved_m: where the wheels took each robot in this cycle, world frame, (robots, 2).
+        facing_rad: the direction of the wheels that this led to.
+        turret_rad: the direction of the turret that this led to; of use where there is one.
+        slice: the way of each axis in this cycle, (robots, 3): the slice so far.
+        move_speed: speed of relative moves (`sp`), (robots, 3).
+        ramp: acceleration (`ac`), (robots, 3).
+        command: request code of the motion command that runs; 0 before the first.
+        command_cycle: the cycle in which it came.
+        timeout_s: the axes stop when no command came for so long (`conf_tm`), infinite for never.
+        deadline_s: when they will.
+        limp: the axes that nothing drives or holds, (robots, 3).
+        hindered: whether contact made the wheels turn otherwise than the motors would.
+        forward_mps: how fast these robots went, along their wheels.
+        ahead_m: how much further they would have gone in this cycle, by their motors, than their
+            encoders have counted.
+        stalled_s: for how long they have stood in spite of their motors.
+    """
+
+    axes: Axes
+    clock_s: FloatArray
+    moved_m: FloatArray
+    facing_rad: FloatArray
+    turret_rad: FloatArray
+    slice: FloatArray
+    move_speed: FloatArray
+    ramp: FloatArray
+    command: WholeArray
+    command_cycle: WholeArray
+    timeout_s: FloatArray
+    deadline_s: FloatArray
+    limp: BoolArray
+    hindered: BoolArray
+    forward_mps: FloatArray
+    ahead_m: FloatArray
+    stalled_s: FloatArray
+
+    @classmethod
+    def at_start(cls, world: WorldModel) -> Self:
+        """Gives axes that rest."""
+        count = len(world.robots)
+        drives = [robot.model.drive for robot in world.robots]
+        axes = [[axis or STILL for axis in drive.axes] for drive in drives]
+        heading_rad = np.array([robot.start.heading_rad for robot in world.robots])
+        return cls(
+            axes=Axes.standing(count),
+            clock_s=np.zeros(count),
+            moved_m=np.zeros((count, 2)),
+            facing_rad=heading_rad,
+            turret_rad=heading_rad.copy(),
+            slice=np.zeros((count, AXES)),
+            move_speed=_rows([[axis.speed for axis in three] for three in axes]),
+            ramp=_rows([[axis.acceleration for axis in three] for three in axes]),
+            command=np.zeros(count, dtype=np.int64),
+            command_cycle=np.zeros(count, dtype=np.int64),
+            timeout_s=np.array([drive.timeout_s or np.inf for drive in drives]),
+            deadline_s=np.full(count, np.inf),
+            limp=np.zeros((count, AXES), dtype=np.bool_),
+            hindered=np.zeros(count, dtype=np.bool_),
+            forward_mps=np.zeros(count),
+            ahead_m=np.zeros(count),
+            stalled_s=np.zeros(count),
+        )
+
+    def stop(self, rows: IndexArray) -> None:
+        """Lets axes stand still at once, without any command."""
+        for part in fields(self.axes):
+            getattr(self.axes, part.name)[rows] = 0.0
+        self.moved_m[rows] = self.slice[rows] = 0.0
+        self.forward_mps[rows] = self.ahead_m[rows] = self.stalled_s[rows] = 0.0
+        self.hindered[rows] = False
+        self.command[rows] = 0
+        self.deadline_s[rows] = np.inf
+
+
+def _rows(values: list[list[float]]) -> FloatArray:
+    return np.array(values, dtype=np.float64).reshape(-1, AXES)

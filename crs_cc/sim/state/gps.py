@@ -1,0 +1,32 @@
+"""What GPS receivers told last."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.model.world import WorldModel
+
+
+@dataclass(slots=True)
+class GpsState:
+    """The receivers; arrays have a row for each robot that has one, n of them.
+
+    Attributes:
+        fix_m: x and y in the world frame as they were measured last, (n, 2).
+        at_s: when that was; below 0 for never, (n,).
+        count: how often they measured, (n,).
+    """
+
+    fix_m: npt.NDArray[np.float64]
+    at_s: npt.NDArray[np.float64]
+    count: npt.NDArray[np.int64]
+
+    @classmethod
+    def at_start(cls, world: WorldModel) -> Self:
+        """Gives receivers that have not measured yet."""
+        count = sum(robot.model.gps is not None for robot in world.robots)
+        return cls(np.zeros((count, 2)), np.full(count, -1.0), np.zeros(count, dtype=np.int64))

@@ -1,0 +1,32 @@
+"""What heat sensors told last."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.model.world import WorldModel
+
+FloatArray = npt.NDArray[np.float64]
+
+
+@dataclass(slots=True)
+class HeatSensorState:
+    """The heat sensors; arrays have a row for each robot that has one, n of them.
+
+    Attributes:
+        reading: the heat around, before it is rounded, (n,).
+        at_s: when that was measured; below 0 for never, (n,).
+    """
+
+    reading: FloatArray
+    at_s: FloatArray
+
+    @classmethod
+    def at_start(cls, world: WorldModel) -> Self:
+        """Gives sensors that have not measured yet."""
+        count = sum(robot.model.heat.range_m > 0.0 for robot in world.robots)
+        return cls(np.zeros(count), np.full(count, -1.0))

@@ -1,0 +1,50 @@
+"""What infrared sensors told last."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final, Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.model.sensors import MAX_INFRARED
+from crs_cc.sim.model.world import WorldModel
+from crs_cc.sim.state.last_measurement import Moments
+
+FARTHEST: Final = 15
+"""The largest reading, four bits on the line (vendor source `Ndirect.c` 2.7): nothing is near."""
+
+
+@dataclass(slots=True)
+class InfraredState:
+    """The infrared rings; arrays have a row for each robot that has one, n of them.
+
+    Attributes:
+        on: the sensors that measure, (n, 16).
+        share: how much of a reading stays in the next, 0 to 1, (n,).
+        level: each reading before it is rounded, 0 to 15, (n, 16).
+        count: how often they measured, (n,).
+        measured: when they did last.
+    """
+
+    on: npt.NDArray[np.bool_]
+    share: npt.NDArray[np.float64]
+    level: npt.NDArray[np.float64]
+    count: npt.NDArray[np.int64]
+    measured: Moments
+
+    @classmethod
+    def at_start(cls, world: WorldModel) -> Self:
+        """Gives sensors that have not measured yet."""
+        rings = [ring for robot in world.robots if (ring := robot.model.infrared) is not None]
+        on = np.zeros((len(rings), MAX_INFRARED), dtype=np.bool_)
+        for row, ring in zip(on, rings, strict=True):
+            row[list(ring.order)] = True
+        return cls(
+            on,
+            np.array([ring.share for ring in rings], dtype=np.float64),
+            np.full((len(rings), MAX_INFRARED), float(FARTHEST)),
+            np.zeros(len(rings), dtype=np.int64),
+            Moments.never(len(rings)),
+        )

@@ -1,0 +1,36 @@
+"""What light sensors read last."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.model.beacons import MAX_LIGHT_SENSORS
+from crs_cc.sim.model.world import WorldModel
+
+FloatArray = npt.NDArray[np.float64]
+
+
+@dataclass(slots=True)
+class LightState:
+    """Rings of light sensors; arrays have a row for each robot that has one, n of them.
+
+    Attributes:
+        reading: what all sensors that there can be read, before it is rounded, (n, 32).
+        at_s: when that was; below 0 for never, (n,).
+        count: how often they measured, (n,).
+    """
+
+    reading: FloatArray
+    at_s: FloatArray
+    count: npt.NDArray[np.int64]
+
+    @classmethod
+    def at_start(cls, world: WorldModel) -> Self:
+        """Gives sensors that have not measured yet."""
+        count = sum(robot.model.light_sensors is not None for robot in world.robots)
+        reading = np.zeros((count, MAX_LIGHT_SENSORS))
+        return cls(reading, np.full(count, -1.0), np.zeros(count, dtype=np.int64))

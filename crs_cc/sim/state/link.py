@@ -1,0 +1,27 @@
+"""How fast the serial lines between hosts and robots are."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.model.world import WorldModel
+
+
+@dataclass(slots=True)
+class LinkState:
+    """The serial lines of all robots.
+
+    Attributes:
+        baud: their speeds [bit/s], (robots,).
+    """
+
+    baud: npt.NDArray[np.int64]
+
+    @classmethod
+    def at_start(cls, world: WorldModel) -> Self:
+        """Gives lines as the definitions have them."""
+        return cls(np.array([robot.model.link.baud for robot in world.robots], dtype=np.int64))

@@ -1,0 +1,128 @@
+"""What programs have put into the world, and what they have taken out of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from itertools import compress
+from typing import Final, Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core.suggest import unknown
+from crs_cc.core.units import tenths_inch_to_m
+from crs_cc.sim.model.world import Polygon, Solid, WorldModel
+
+BoolArray = npt.NDArray[np.bool_]
+Corners = npt.NDArray[np.int32]
+
+MAX_VERTICES: Final = 10
+"""The most corners that the vendor's interface gives to a polygon (`MAX_VERTICES`)."""
+
+_ADDED: Final = "obstacle-"
+
+
+@dataclass(slots=True)
+class ObstacleState:
+    """The polygons that programs added, in the order of their numbers, and what they left.
+
+    Arrays are never changed in place.
+
+    Attributes:
+        corners: x and y of each corner in the world frame [0.1 in], counter-clockwise, then zeros;
+            shape (added, 10, 2).
+        sizes: how many corners each has, (added,).
+        numbers: the number in the name of each, (added,).
+        owners: the robot whose program added it, (added,).
+        made: how many polygons were ever added.
+        standing: whether each thing of the world file still stands: walls, boxes, cylinders,
+            polygons, (things,).
+    """
+
+    corners: Corners
+    sizes: npt.NDArray[np.int64]
+    numbers: npt.NDArray[np.int64]
+    owners: npt.NDArray[np.int64]
+    made: int
+    standing: BoolArray
+
+    @classmethod
+    def at_start(cls, world: WorldModel) -> Self:
+        """Gives the obstacles of a world that no program has changed."""
+        none = np.zeros(0, dtype=np.int64)
+        things = np.ones(len(things_of(world)), dtype=np.bool_)
+        return cls(np.zeros((0, MAX_VERTICES, 2), np.int32), none, none, none, 0, things)
+
+    def of(self, added: int) -> Corners:
+        """Gives the corners of an added polygon, shape (corners, 2)."""
+        return self.corners[added, : self.sizes[added]]
+
+    def take(self, rows: npt.NDArray[np.intp]) -> Self:
+        """Gives the same with some of the added polygons only."""
+        return replace(
+            self,
+            corners=self.corners[rows],
+            sizes=self.sizes[rows],
+            numbers=self.numbers[rows],
+            owners=self.owners[rows],
+        )
+
+    def same_as(self, other: ObstacleState) -> bool:
+        """Tells whether the same things stand at the same places."""
+        return (
+            np.array_equal(self.numbers, other.numbers)
+            and np.array_equal(self.corners, other.corners)
+            and np.array_equal(self.sizes, other.sizes)
+            and np.array_equal(self.standing, other.standing)
+        )
+
+    def world_now(self, world: WorldModel) -> WorldModel:
+        """Gives a world with what programs put into it, and without what they took out of it."""
+        left = iter(self.standing.tolist())
+        added = [polygon_of(number, self.of(n)) for n, number in enumerate(self.numbers.tolist())]
+        return replace(
+            world,
+            walls=tuple(compress(world.walls, left)),
+            boxes=tuple(compress(world.boxes, left)),
+            cylinders=tuple(compress(world.cylinders, left)),
+            polygons=(*compress(world.polygons, left), *added),
+        )
+
+
+def without(obstacles: ObstacleState, world: WorldModel, name: str) -> ObstacleState:
+    """Gives the obstacles without a thing, whether of the world file or added by a program.
+
+    Raises:
+        ValueError: there is no such thing.
+    """
+    added = [f"{_ADDED}{number}" for number in obstacles.numbers.tolist()]
+    if name in added:
+        return obstacles.take(np.delete(np.arange(len(added)), added.index(name)))
+    names = [thing.id for thing in things_of(world)]
+    there = list(compress(names, obstacles.standing.tolist()))
+    if name not in there:
+        raise ValueError(unknown("thing", name, (*there, *added)))
+    standing = obstacles.standing & (np.arange(len(names)) != names.index(name))
+    return replace(obstacles, standing=standing)
+
+
+def things_of(world: WorldModel) -> tuple[Solid, ...]:
+    """Gives all things of a world file, its edge and its robots apart."""
+    return (*world.walls, *world.boxes, *world.cylinders, *world.polygons)
+
+
+def polygon_of(number: int, corners: Corners) -> Polygon:
+    """Gives a polygon that a program adds.
+
+    Args:
+        number: the number in its name.
+        corners: its corners [0.1 in], shape (corners, 2).
+    """
+    return _polygon(number, tuple(map(tuple, corners.tolist())))
+
+
+@lru_cache(maxsize=4096)  # the world is made anew with each that comes or goes
+def _polygon(number: int, corners: tuple[tuple[int, int], ...]) -> Polygon:
+    places = [(tenths_inch_to_m(float(x)), tenths_inch_to_m(float(y))) for x, y in corners]
+    return Polygon.of(f"{_ADDED}{number}", places)

@@ -1,0 +1,44 @@
+"""Where robots believe to be."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.model.axis import AXES
+from crs_cc.sim.model.world import WorldModel
+
+FloatArray = npt.NDArray[np.float64]
+
+
+@dataclass(slots=True)
+class OdometryState:
+    """Where each robot believes to be, in the frame of its odometry; shape (robots,) each.
+
+    Attributes:
+        x_m: where.
+        y_m: the same.
+        heading_rad: where it believes its wheels to point.
+        turret_rad: the same for the turret; 0 without one.
+        shaft: how far the shaft of each axis' encoder has turned, in the way of its axis,
+            (robots, 3).
+        told: how far it has turned by the counts of the encoder, (robots, 3).
+    """
+
+    x_m: FloatArray
+    y_m: FloatArray
+    heading_rad: FloatArray
+    turret_rad: FloatArray
+    shaft: FloatArray
+    told: FloatArray
+
+    @classmethod
+    def at_start(cls, world: WorldModel) -> Self:
+        """Gives the odometry of robots that were just switched on."""
+        count = len(world.robots)
+        shaft = np.zeros((count, AXES))
+        x_m, y_m, heading_rad, turret_rad = np.zeros((4, count))
+        return cls(x_m, y_m, heading_rad, turret_rad, shaft, shaft.copy())

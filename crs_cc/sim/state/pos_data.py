@@ -1,0 +1,53 @@
+"""Where and when sensors were read, as replies told it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final, Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.model.world import WorldModel
+
+IndexArray = npt.NDArray[np.intp]
+
+NUMBERS: Final = 9
+"""Numbers of the vendor's `PosData`: a configuration, and two times (`Nclient.h` 1.29)."""
+
+PLACES: Final = {
+    1: slice(0, 16),  # infrared sensors
+    2: slice(16, 32),  # sonars
+    4: slice(32, 33),  # bumpers
+    8: slice(33, 34),  # laser
+    16: slice(34, 35),  # compass
+}
+"""Where the sensors of each kind are, by the vendor's bits POS_INFRARED to POS_COMPASS."""
+
+_SENSORS: Final = 35
+
+
+@dataclass(slots=True)
+class PosDataState:
+    """What was told to the programs that have asked for it.
+
+    Attributes:
+        row: the row of each robot in `told`, -1 for one that has never asked, (robots,).
+        told: the vendor's `PosData` of each sensor, (rows, 35, 9).
+    """
+
+    row: IndexArray
+    told: npt.NDArray[np.int32]
+
+    @classmethod
+    def at_start(cls, world: WorldModel) -> Self:
+        """Gives a state in which nobody has asked."""
+        nobody = np.full(len(world.robots), -1, dtype=np.intp)
+        return cls(nobody, np.zeros((0, _SENSORS, NUMBERS), dtype=np.int32))
+
+    def attach(self, robots: IndexArray) -> None:
+        """Makes room for robots that ask."""
+        new = robots[self.row[robots] < 0]
+        self.row[new] = len(self.told) + np.arange(len(new))
+        room = np.zeros((len(new), _SENSORS, NUMBERS), dtype=np.int32)
+        self.told = np.concatenate([self.told, room])

@@ -1,0 +1,129 @@
+"""The sonars' timetables, the pings in the air, and what was heard."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final, Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.core.units import m_to_inch
+from crs_cc.sim.model.sonar import MAX_SONARS
+from crs_cc.sim.model.world import WorldModel
+
+FloatArray = npt.NDArray[np.float64]
+WholeArray = npt.NDArray[np.int64]
+IndexArray = npt.NDArray[np.intp]
+
+NO_ECHO: Final = 255
+"""A sonar's reading in inches when it hears nothing, the largest that the byte on the line holds
+(vendor source `Ndirect.c` 2.7)."""
+
+CONFIGURATION: Final = 7
+"""What a robot knows of itself when a sonar fires: x, y, heading, turret, three speeds."""
+
+_NONE: Final = -1
+
+
+@dataclass(slots=True)
+class SonarState:
+    """The sonars of all robots; arrays have a row for each robot.
+
+    Attributes:
+        order: the sonars in their firing order, as many as `length` says, (robots, 16).
+        length: how many firings a round of the order has; with 0 no sonar fires.
+        start_s: when the first one of the order fired.
+        interval_s: the time from one firing to the next.
+        turn: how many firings the order has had.
+        next_s: when the next sonar fires, infinite for never.
+        count: how many firings there were in all.
+        mode: the mode in which the sonars work.
+        listening: the sonar whose ping is in the air, -1 for none.
+        sent_s: when it was sent.
+        sent_from: what the robot knew of itself then, as in `State`, (robots, 7).
+        heard_s: when its echo comes, or the robot gives up.
+        heard_m: from how far it comes, infinite for no echo.
+        echo_m: how far away each sonar's last echo came from [m], infinite for none, (robots, 16).
+        fired_s: when the ping was sent that came back so; 0 before a sonar's first, (robots, 16).
+        fired_from: what the robot knew of itself then, as in `State`, (robots, 16, 7).
+    """
+
+    order: IndexArray
+    length: IndexArray
+    start_s: FloatArray
+    interval_s: FloatArray
+    turn: WholeArray
+    next_s: FloatArray
+    count: WholeArray
+    mode: IndexArray
+    listening: IndexArray
+    sent_s: FloatArray
+    sent_from: npt.NDArray[np.int32]
+    heard_s: FloatArray
+    heard_m: FloatArray
+    echo_m: FloatArray
+    fired_s: FloatArray
+    fired_from: npt.NDArray[np.int32]
+
+    @classmethod
+    def at_start(cls, world: WorldModel) -> Self:
+        """Gives sonars that have heard nothing; those in the order begin at once."""
+        boards = [robot.model.sonar_board for robot in world.robots]
+        count = len(boards)
+        order = np.zeros((count, MAX_SONARS), dtype=np.intp)
+        for row, board in zip(order, boards, strict=True):
+            row[: len(board.order)] = board.order
+        length = np.array([len(board.order) for board in boards], dtype=np.intp)
+        return cls(
+            order=order,
+            length=length,
+            start_s=np.zeros(count),
+            interval_s=np.array([board.interval_s for board in boards]),
+            turn=np.zeros(count, dtype=np.int64),
+            next_s=np.where(length > 0, 0.0, np.inf),
+            count=np.zeros(count, dtype=np.int64),
+            mode=np.zeros(count, dtype=np.intp),
+            listening=np.full(count, _NONE, dtype=np.intp),
+            sent_s=np.zeros(count),
+            sent_from=np.zeros((count, CONFIGURATION), dtype=np.int32),
+            heard_s=np.zeros(count),
+            heard_m=np.zeros(count),
+            echo_m=np.full((count, MAX_SONARS), np.inf),
+            fired_s=np.zeros((count, MAX_SONARS)),
+            fired_from=np.zeros((count, MAX_SONARS, CONFIGURATION), dtype=np.int32),
+        )
+
+    def reading_in(self, rows: IndexArray) -> npt.NDArray[np.int32]:
+        """Gives the readings of robots in whole inches, at most `NO_ECHO`, shape (k, 16)."""
+        return inches(self.echo_m[rows])
+
+    def hear(self, rows: IndexArray, to_s: FloatArray) -> None:
+        """Takes the echoes that came in until an instant of each robot, or were given up."""
+        heard = (self.listening[rows] != _NONE) & (self.heard_s[rows] <= to_s)
+        rows = rows[heard]
+        place = (rows, self.listening[rows])
+        self.echo_m[place] = self.heard_m[rows]
+        self.fired_s[place] = self.sent_s[rows]
+        self.fired_from[place] = self.sent_from[rows]
+        self.listening[rows] = _NONE
+
+    def reorder(
+        self, rows: IndexArray, order: IndexArray, length: IndexArray, now_s: FloatArray
+    ) -> None:
+        """Begins new orders: the first sonar fires now, those that are in none hear nothing."""
+        self.order[rows] = order
+        self.length[rows] = length
+        self.start_s[rows] = now_s
+        self.turn[rows] = 0
+        self.next_s[rows] = np.where(length > 0, now_s, np.inf)
+        self.listening[rows] = _NONE
+        silent = np.ones((len(rows), MAX_SONARS), dtype=np.bool_)
+        robot, turn = np.nonzero(np.arange(MAX_SONARS) < length[:, None])
+        silent[robot, order[robot, turn]] = False
+        self.echo_m[rows] = np.where(silent, np.inf, self.echo_m[rows])
+
+
+def inches(distance_m: FloatArray) -> npt.NDArray[np.int32]:
+    """Gives distances as sonars tell them: whole inches, 0 to `NO_ECHO`."""
+    return np.clip(np.rint(m_to_inch(distance_m)), 0, NO_ECHO).astype(np.int32)

@@ -1,0 +1,38 @@
+"""What microphones heard last."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.sim.model.beacons import TONES
+from crs_cc.sim.model.world import WorldModel
+
+FloatArray = npt.NDArray[np.float64]
+
+
+@dataclass(slots=True)
+class SoundState:
+    """Microphones; arrays have a row for each robot that has some, n of them.
+
+    Attributes:
+        level: how loud each tone was, before that is rounded, (n, 8).
+        bearing_rad: where the loudest came from, (n,).
+        at_s: when that was; below 0 for never, (n,).
+        count: how often they measured, (n,).
+    """
+
+    level: FloatArray
+    bearing_rad: FloatArray
+    at_s: FloatArray
+    count: npt.NDArray[np.int64]
+
+    @classmethod
+    def at_start(cls, world: WorldModel) -> Self:
+        """Gives microphones that have not measured yet."""
+        count = sum(robot.model.microphones is not None for robot in world.robots)
+        never, none = np.full(count, -1.0), np.zeros(count, dtype=np.int64)
+        return cls(np.zeros((count, TONES)), np.zeros(count), never, none)

@@ -1,0 +1,52 @@
+"""Which robots wait, and for what."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+import numpy.typing as npt
+
+from crs_cc.requests import MESSAGE
+from crs_cc.sim.model.axis import AXES
+from crs_cc.sim.model.world import WorldModel
+
+IndexArray = npt.NDArray[np.intp]
+
+
+@dataclass(slots=True)
+class WaitState:
+    """The waits; arrays have a row for each robot.
+
+    Attributes:
+        code: the code of the request that the robot waits for, 0 for robots that do not wait.
+        asked: its message, of dtype `MESSAGE`, zero for robots that do not wait.
+        until_s: when the wait ends whatever happens, infinite for never; of use while it lasts.
+        axes: the axes that have to stand still, (robots, 3).
+    """
+
+    code: npt.NDArray[np.int64]
+    asked: npt.NDArray[np.void]
+    until_s: npt.NDArray[np.float64]
+    axes: npt.NDArray[np.bool_]
+
+    @classmethod
+    def at_start(cls, world: WorldModel) -> Self:
+        """Gives robots that do not wait."""
+        count = len(world.robots)
+        return cls(
+            np.zeros(count, dtype=np.int64),
+            np.zeros(count, MESSAGE),
+            np.full(count, np.inf),
+            np.zeros((count, AXES), dtype=np.bool_),
+        )
+
+    def begin(self, code: int, rows: IndexArray, messages: npt.NDArray[np.void]) -> None:
+        """Lets robots wait for what they have asked."""
+        self.code[rows], self.asked[rows] = code, messages
+
+    def end(self, rows: IndexArray) -> None:
+        """Lets robots wait no longer."""
+        self.code[rows], self.asked[rows] = 0, np.zeros((), MESSAGE)
+        self.axes[rows] = False

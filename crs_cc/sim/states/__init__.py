@@ -1,1 +1,0 @@
-"""What changes while a world runs, device by device; `state.EnvState` holds them all."""
