@@ -17,8 +17,9 @@ from crs_cc.cli.beacons import draw_beacons, draw_fingers
 from crs_cc.cli.relief import PAPER, draw_relief, ground_m
 from crs_cc.cli.sensor_overlay import draw_sights
 from crs_cc.cli.svg import Page, Point, View
-from crs_cc.cli.tracks import FloatArray, simplified
+from crs_cc.cli.tracks import simplified
 from crs_cc.cli.x11_colours import HEX
+from crs_cc.core.arrays import FloatArray
 from crs_cc.core.quantity import round_length
 from crs_cc.sim.engine.drawings import Drawing
 from crs_cc.sim.engine.robot_colours import colour

@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Final
 
 import click
 import numpy as np
-import numpy.typing as npt
 
 from crs_cc.cli.interrupt import Interrupt
 from crs_cc.cli.load import Loaded, load
@@ -24,6 +23,7 @@ from crs_cc.cli.report import show_reports
 from crs_cc.cli.save_files import dropped, keep, missed
 from crs_cc.cli.summary import Run, as_json, exit_status
 from crs_cc.cli.tracks import Tracks
+from crs_cc.core.arrays import FloatArray
 from crs_cc.core.errors import CrsError
 from crs_cc.core.source import Diagnostic, Diagnostics
 from crs_cc.session.session import Session
@@ -39,7 +39,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.engine.step import Step
     from crs_cc.sim.model.world import WorldModel
 
-FloatArray = npt.NDArray[np.float64]
 
 _MOVED_M: Final = 0.005
 

@@ -17,9 +17,8 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
-FloatArray = npt.NDArray[np.float64]
+from crs_cc.core.arrays import FloatArray
 
 MAX_SAMPLES: Final = 1_000_000
 MAX_CONTACTS: Final = 5_000

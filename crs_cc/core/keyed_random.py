@@ -18,6 +18,8 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray
+
 _STEP: Final = np.uint64(0x9E3779B97F4A7C15)
 _FIRST: Final = np.uint64(0xBF58476D1CE4E5B9)
 _SECOND: Final = np.uint64(0x94D049BB133111EB)
@@ -38,7 +40,7 @@ class Chances:
         sequence = np.random.SeedSequence(seed, spawn_key=(stream,))
         self._start = sequence.generate_state(1, np.uint64)
 
-    def draw(self, *names: npt.NDArray[np.integer] | int) -> npt.NDArray[np.float64]:
+    def draw(self, *names: npt.NDArray[np.integer] | int) -> FloatArray:
         """Gives the number that belongs to each row of whole numbers, shape (k,).
 
         Args:

@@ -18,10 +18,8 @@ from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.int64]
+from crs_cc.core.arrays import FloatArray, Int64Array
 
 SONAR: Final = 0
 INFRARED: Final = 1
@@ -51,7 +49,7 @@ class Noise:
         self._blocks = np.zeros((robots, self._size, width))
         self._numbers = np.full(robots, -1, dtype=np.int64)
 
-    def rows(self, robots: IndexArray, numbers: IndexArray) -> FloatArray:
+    def rows(self, robots: Int64Array, numbers: Int64Array) -> FloatArray:
         """Gives row number `numbers[i]` of the stream of robot `robots[i]`, shape (k, width)."""
         blocks = numbers // self._size
         for place in np.flatnonzero(self._numbers[robots] != blocks):
@@ -91,7 +89,7 @@ class Draws:
         self._blocks = np.zeros((rows, self._size, 2, width))
         self._numbers = np.full(rows, -1, dtype=np.int64)
 
-    def rows(self, streams: IndexArray, numbers: IndexArray) -> tuple[FloatArray, FloatArray]:
+    def rows(self, streams: Int64Array, numbers: Int64Array) -> tuple[FloatArray, FloatArray]:
         """Gives row number `numbers[i]` of stream `streams[i]`, normal and uniform, (k, width)."""
         if not self._draws:
             return np.zeros((len(streams), self._width)), np.ones((len(streams), self._width))

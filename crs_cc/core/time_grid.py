@@ -9,15 +9,14 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
-FloatArray = npt.NDArray[np.float64]
+from crs_cc.core.arrays import BoolArray, FloatArray
 
 ROUNDING_S: Final = 1e-9
 """Instants that are no further apart are the same."""
 
 
-def is_due(last_s: FloatArray, at_s: FloatArray, interval_s: FloatArray) -> npt.NDArray[np.bool_]:
+def is_due(last_s: FloatArray, at_s: FloatArray, interval_s: FloatArray) -> BoolArray:
     """Tells which sensors may measure again.
 
     Args:

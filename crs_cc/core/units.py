@@ -14,10 +14,9 @@ from __future__ import annotations
 import math
 from typing import TypeVar
 
-import numpy as np
-import numpy.typing as npt
+from crs_cc.core.arrays import FloatArray
 
-Number = TypeVar("Number", float, npt.NDArray[np.float64])
+Number = TypeVar("Number", float, FloatArray)
 
 INCH_M = 0.0254  # by definition, international yard and pound agreement of 1959
 SOUND_MPS = 343.2  # in dry air at 20 degrees Celsius (CRC Handbook of Chemistry and Physics)

@@ -26,6 +26,7 @@ from typing import TYPE_CHECKING, Final, Literal, TypeAlias
 
 import numpy as np
 
+from crs_cc.core.arrays import Records
 from crs_cc.debug.errors import DebugError
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.runtime.codegen.watching import accesses
@@ -43,8 +44,6 @@ from crs_cc.runtime.watched import (
 )
 
 if TYPE_CHECKING:
-    import numpy.typing as npt
-
     from crs_cc.core.source import Location
     from crs_cc.runtime.diagnosis.inspect import StackFrame
     from crs_cc.runtime.executable import Executable
@@ -172,8 +171,8 @@ class Watches:
 
     # -- the ranges ----------------------------------------------------------------------------
 
-    def _ranges(self) -> npt.NDArray[np.void]:
-        ranges: npt.NDArray[np.void] = self._fleet.watched[self._robot]["ranges"][0]
+    def _ranges(self) -> Records:
+        ranges: Records = self._fleet.watched[self._robot]["ranges"][0]
         return ranges[: len(self._rows)]
 
     def _enter(self) -> None:
@@ -214,10 +213,10 @@ class Watches:
             watched["lowest"] = min(first for first, _ in on_stack)
             watched["highest"] = max(first + size for first, size in on_stack)
 
-    def _hits(self, number: int, *, header: bool) -> npt.NDArray[np.void] | None:
+    def _hits(self, number: int, *, header: bool) -> Records | None:
         """Gives the range of an object, or of its frame's header, if it was hit."""
         at = self._rows.get((number, header))
-        row: npt.NDArray[np.void] | None = None if at is None else self._ranges()[at]
+        row: Records | None = None if at is None else self._ranges()[at]
         return row if row is not None and row["hits"] else None
 
     # -- what happened -------------------------------------------------------------------------
@@ -242,7 +241,7 @@ class Watches:
         what: Literal["write", "read"] = "write" if int(row["hits"]) & WRITE else "read"
         return Access(watched, what, old, new, *self._place(row))
 
-    def _place(self, row: npt.NDArray[np.void]) -> tuple[Location | None, str, str]:
+    def _place(self, row: Records) -> tuple[Location | None, str, str]:
         """Gives where an access was made: the place, the function, and the library's function."""
         detail = self._plain.detail()
         number = int(row["place"])

@@ -23,9 +23,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 import wasmtime
 
+from crs_cc.core.arrays import ByteArray, IndexArray, Records
 from crs_cc.core.source import Location
 from crs_cc.requests import ERROR_KINDS, FAILED, MESSAGE, SLOT
 from crs_cc.runtime import pages
@@ -58,11 +58,11 @@ class Snapshot:
         shadow_content: those chunks.
     """
 
-    slot: npt.NDArray[np.void]
-    chunks: npt.NDArray[np.intp]
-    content: npt.NDArray[np.uint8]
-    shadow_chunks: npt.NDArray[np.intp]
-    shadow_content: npt.NDArray[np.uint8]
+    slot: Records
+    chunks: IndexArray
+    content: ByteArray
+    shadow_chunks: IndexArray
+    shadow_content: ByteArray
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,9 +76,9 @@ class _Sandbox:
 
     executable: Executable
     resume: wasmtime.Func
-    memory: npt.NDArray[np.uint8]
-    shadow: npt.NDArray[np.uint8]
-    marks: npt.NDArray[np.uint8]
+    memory: ByteArray
+    shadow: ByteArray
+    marks: ByteArray
     initial: range
     begun: wasmtime.Global | None
 
@@ -107,8 +107,8 @@ class Fleet:
         self._store = wasmtime.Store(engine())
         limits = wasmtime.Limits(_pages(len(executables)), _MOST_PAGES)
         self._mailbox = wasmtime.Memory(self._store, wasmtime.MemoryType(limits))
-        self.marks: list[npt.NDArray[np.uint8]] = []
-        self.watched: list[npt.NDArray[np.void]] = []
+        self.marks: list[ByteArray] = []
+        self.watched: list[Records] = []
         self._sandboxes: list[_Sandbox] = []
         self._builds: list[list[_Sandbox]] = []  # of each program all that were used
         self._fresh: list[Snapshot | None] = []  # of programs that were added
@@ -242,19 +242,19 @@ class Fleet:
         """Gives a robot's program."""
         return self._sandboxes[robot].executable
 
-    def memory(self, robot: int) -> npt.NDArray[np.uint8]:
+    def memory(self, robot: int) -> ByteArray:
         """Gives a robot's memory as an array of bytes that shows every change."""
         return self._sandboxes[robot].memory
 
-    def shadow(self, robot: int) -> npt.NDArray[np.uint8]:
+    def shadow(self, robot: int) -> ByteArray:
         """Gives what C may do with the bytes of a robot's memory; nothing in unchecked builds."""
         return self._sandboxes[robot].shadow
 
-    def messages(self, robots: npt.NDArray[np.intp]) -> npt.NDArray[np.void]:
+    def messages(self, robots: IndexArray) -> Records:
         """Gives copies of what robots posted, of dtype `MESSAGE`."""
         return self.slots["message"].view(_BYTES)[robots].view(MESSAGE)
 
-    def reply(self, robots: npt.NDArray[np.intp], messages: npt.NDArray[np.void]) -> None:
+    def reply(self, robots: IndexArray, messages: Records) -> None:
         """Writes replies over what robots posted."""
         self.slots["message"].view(_BYTES)[robots] = messages.view(_BYTES)
 
@@ -407,7 +407,7 @@ _WISHES: Final = ("stop_before_all", "stop_from")
 """Where a program shall stop: no part of its state."""
 
 
-def _view(store: wasmtime.Store, memory: object) -> npt.NDArray[np.uint8]:
+def _view(store: wasmtime.Store, memory: object) -> ByteArray:
     """Gives a memory as an array, which keeps the store alive; our memories never move."""
     assert isinstance(memory, wasmtime.Memory)
     address = ctypes.addressof(memory.data_ptr(store).contents)

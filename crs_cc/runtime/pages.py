@@ -21,11 +21,8 @@ import os
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
-IndexArray = npt.NDArray[np.intp]
-ByteArray = npt.NDArray[np.uint8]
-BoolArray = npt.NDArray[np.bool_]
+from crs_cc.core.arrays import BoolArray, ByteArray, IndexArray
 
 CHUNK: Final = 4096
 """What is kept or left out as a whole [bytes]."""

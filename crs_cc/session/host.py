@@ -11,12 +11,10 @@ from dataclasses import dataclass
 from typing import Any, Final, Literal
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray
 from crs_cc.requests import CODES, DATA_SIZE, REQUESTS
 from crs_cc.session.files import Disk
-
-FloatArray = npt.NDArray[np.float64]
 
 SYSTEM_CALL: Final = 1000
 """Processor time of a request to the host [instructions]; chosen by us: 20 microseconds

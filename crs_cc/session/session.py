@@ -26,8 +26,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import IndexArray, Int32Array, Int64Array
 from crs_cc.requests import CODES, REQUESTS, SUSPENDED
 from crs_cc.session.host import (
     HOST_CODES,
@@ -129,12 +129,12 @@ class Session(Crew):
             burnt = int(self.pending[robot] - self.fleet.slots["fuel"][robot])
         return float(self.clock_s[robot] + burnt / self._speed_hz[robot])
 
-    def _budgets(self, ready: npt.NDArray[np.intp], end_s: float) -> npt.NDArray[np.int64]:
+    def _budgets(self, ready: IndexArray, end_s: float) -> Int64Array:
         """Gives the fuel that takes programs to the end of the cycle."""
         fuel = np.ceil((end_s - self.clock_s[ready]) * self._speed_hz[ready])
         return np.asarray(fuel.astype(np.int64))
 
-    def _send(self, robots: npt.NDArray[np.intp], codes: npt.NDArray[np.int32]) -> None:
+    def _send(self, robots: IndexArray, codes: Int32Array) -> None:
         """Puts requests on the link."""
         sizes = self.fleet.slots["message"]["size"][robots]
         link_s = self.environment.link_s(codes, robots, sizes)
@@ -142,12 +142,12 @@ class Session(Crew):
             self._call_system(robots[link_s == 0.0])
         self._due_s[robots] = self.clock_s[robots] + link_s
 
-    def _call_system(self, robots: npt.NDArray[np.intp]) -> None:
+    def _call_system(self, robots: IndexArray) -> None:
         """Lets programs pay for a request with their hosts' processor time."""
         self.fuel[robots] += SYSTEM_CALL
         self.clock_s[robots] += SYSTEM_CALL / self._speed_hz[robots]
 
-    def _answer_hosts(self, robots: npt.NDArray[np.intp], codes: npt.NDArray[np.int32]) -> None:
+    def _answer_hosts(self, robots: IndexArray, codes: Int32Array) -> None:
         """Answers what programs ask of their hosts, at once."""
         self._call_system(robots)
         served = np.zeros(len(robots), dtype=np.bool_)
@@ -160,7 +160,7 @@ class Session(Crew):
         for robot, code in left:
             self._answer_host(robot, code)
 
-    def _answer_time(self, serve: TimeServer, robots: npt.NDArray[np.intp]) -> None:
+    def _answer_time(self, serve: TimeServer, robots: IndexArray) -> None:
         messages = self.fleet.messages(robots)
         used_s = self.fuel[robots] / self._speed_hz[robots]
         self.clock_s[robots] = serve(messages, self.clock_s[robots], used_s)

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, Final, Protocol
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.core.arrays import IndexArray
 from crs_cc.core.suggest import unknown
 from crs_cc.requests import FAILED
 from crs_cc.runtime.fleet import Fleet
@@ -311,7 +312,7 @@ class Crew:
         self._due_s[left] = ENDLESS
         self._end(left)
 
-    def _end(self, robots: npt.NDArray[np.intp]) -> None:
+    def _end(self, robots: IndexArray) -> None:
         self.alive[robots] = False
         self._ended_s[robots] = self.clock_s[robots]
 

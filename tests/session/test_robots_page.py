@@ -51,7 +51,7 @@ def others_of(model: RobotModel) -> str:
 
 
 def row(name: str) -> str:
-    model = load_robot(SIM / "robots" / f"{name}.xml")
+    model = load_robot(SIM / "files" / "robots" / f"{name}.xml")
     cells = [
         f"`{name}`",
         f"{100 * model.radius_m:.1f} cm, {model.mass_kg:g} kg",

@@ -15,7 +15,7 @@ from crs_cc.sim.files.world_xml import empty_world, load_world
 from crs_cc.sim.state.events import Event
 from tests.session.programs import build
 
-ROBOTS = Path(world_xml.__file__).parents[1] / "robots"
+ROBOTS = Path(world_xml.__file__).parents[0] / "robots"
 
 SOURCE = """
 #include "Nclient.h"

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import ByteArray
 from crs_cc.debug.data.expression_memory import EvaluationError
 from crs_cc.ir.program import MEMORY_SIZE, VALUE_TYPE, ByteState
 from crs_cc.ir.types import CType, EnumType, FloatType, IntegerType, PointerType
@@ -49,7 +49,7 @@ class Saved:
         """The address behind it."""
         return self.address + self.ctype.size
 
-    def has_value(self, memory: npt.NDArray[np.uint8]) -> bool:
+    def has_value(self, memory: ByteArray) -> bool:
         """Tells whether it has a value."""
         if self.flag is None:
             return not self.is_unset

@@ -11,9 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Final, Literal
 
-import numpy as np
-import numpy.typing as npt
-
+from crs_cc.core.arrays import ByteArray
 from crs_cc.core.source import Location
 from crs_cc.debug.data.memory import Saved
 from crs_cc.frontend.check.scope import ObjectSymbol
@@ -208,7 +206,7 @@ class Frame:
         is_unset = home.register in self.unset or not home.is_visible(self.place)
         return Saved(variable.name, variable.ctype, self.address(home), flag, is_unset)
 
-    def sizes(self, extents: Iterable[Home], memory: npt.NDArray[np.uint8]) -> dict[Location, int]:
+    def sizes(self, extents: Iterable[Home], memory: ByteArray) -> dict[Location, int]:
         """Gives the sizes of types that only the running program knows, by their lengths' places.
 
         Two of one place, which come from one macro, cannot be told from each other.

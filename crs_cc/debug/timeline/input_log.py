@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import ByteArray, IndexArray, Int64Array, Records
 from crs_cc.debug.timeline.position import Position
 from crs_cc.requests import MESSAGE
 
@@ -40,17 +40,17 @@ class Round:
         content: these bytes.
     """
 
-    robots: npt.NDArray[np.intp]
-    fuel: npt.NDArray[np.int64]
-    places: npt.NDArray[np.uint8]
-    content: npt.NDArray[np.uint8]
+    robots: IndexArray
+    fuel: Int64Array
+    places: ByteArray
+    content: ByteArray
 
     @classmethod
     def of(
         cls,
-        robots: npt.NDArray[np.intp],
-        fuel: npt.NDArray[np.int64],
-        messages: npt.NDArray[np.void],
+        robots: IndexArray,
+        fuel: Int64Array,
+        messages: Records,
     ) -> Self:
         """Makes it of what robots got, and the messages, of dtype `MESSAGE`, that they found."""
         content = messages.view(np.uint8)
@@ -83,7 +83,7 @@ class Tape:
         self._counts: dict[int, int] = {}
         self._ended: dict[int, tuple[int, ...]] = {}
 
-    def note(self, place: Position, pending: npt.NDArray[np.int64], fleet: Fleet) -> None:
+    def note(self, place: Position, pending: Int64Array, fleet: Fleet) -> None:
         """Notes a round that begins.
 
         Args:

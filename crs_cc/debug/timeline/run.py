@@ -17,8 +17,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import IndexArray, Int32Array
 from crs_cc.debug.timeline.console import Console
 from crs_cc.debug.timeline.history import History, Kept
 from crs_cc.debug.timeline.input_log import Tape
@@ -37,9 +37,6 @@ if TYPE_CHECKING:
     from crs_cc.runtime.sites import StatementSite
     from crs_cc.sim.engine.step import Step
     from crs_cc.sim.model.world import WorldModel
-
-
-IndexArray = npt.NDArray[np.intp]
 
 
 class InterruptedRunError(Exception):
@@ -448,7 +445,7 @@ class Run:
         return bool(self.session.fleet.slots["status"][robot] == FAILED)
 
 
-def _posted(robots: IndexArray, codes: npt.NDArray[np.int32]) -> tuple[tuple[int, int], ...]:
+def _posted(robots: IndexArray, codes: Int32Array) -> tuple[tuple[int, int], ...]:
     """Gives robots with the codes of the requests that they have posted, if they have."""
     return tuple(
         (robot, code) for robot, code in zip(robots.tolist(), codes.tolist(), strict=True) if code

@@ -19,10 +19,8 @@ from itertools import groupby
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
+from crs_cc.core.arrays import FloatArray, IndexArray
 
 Styles = str | Sequence[str]
 """One style for all, or one for each."""

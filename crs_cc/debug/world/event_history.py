@@ -11,15 +11,14 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray
 from crs_cc.debug.world.events import KINDS, Happening, happenings
 
 if TYPE_CHECKING:
     from crs_cc.sim.engine.environment import Environment
     from crs_cc.sim.engine.step import Step
 
-FloatArray = npt.NDArray[np.float64]
 
 _KINDS: Final = tuple(kind for kind in KINDS if kind != "tick" and "-" not in kind)
 _MOST_HAPPENINGS: Final = 20_000

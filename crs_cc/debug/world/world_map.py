@@ -27,8 +27,8 @@ from itertools import product
 from typing import TYPE_CHECKING, Final, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.core.quantity import round_length
 from crs_cc.debug.world.canvas import ACROSS, DOWN, Canvas, Pieces
 from crs_cc.sim.engine.robot_colours import colour
@@ -43,7 +43,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.geometry.scene import Outlines
     from crs_cc.sim.model.world import Solid
 
-FloatArray = npt.NDArray[np.float64]
 
 _ARROWS: Final = "→↗↑↖←↙↓↘"
 _WALL: Final = ""
@@ -211,7 +210,7 @@ class Chart:
         circles = np.column_stack([self.view.dots(outlines.circles[round_]), radii])
         self._canvas.circles(circles, self._styles(outlines.owners[round_]), _THINGS)
 
-    def _styles(self, owners: npt.NDArray[np.intp]) -> list[str]:
+    def _styles(self, owners: IndexArray) -> list[str]:
         things = self._environment.things
         return [_style(things[owner]) for owner in owners.tolist()]
 
@@ -219,7 +218,7 @@ class Chart:
         for sign, x_m, y_m in _sources(self._environment):
             self._canvas.put(*self.view.cell(x_m, y_m), sign, _LAMP, _MARKS)
 
-    def _robots(self, numbers: npt.NDArray[np.intp]) -> None:
+    def _robots(self, numbers: IndexArray) -> None:
         """Draws robots with their headings, and their numbers where there are several."""
         state, robots = self._environment.state, self._environment.world.robots
         styles = [f"bold {colour(number)}" for number in numbers.tolist()]
@@ -266,7 +265,7 @@ def _style(thing: Robot | Solid) -> str:
     return _MOVABLE if not isinstance(thing, Robot) and is_pushable(thing) else _FIXED
 
 
-def _filled(sides: FloatArray) -> tuple[FloatArray, npt.NDArray[np.intp]]:
+def _filled(sides: FloatArray) -> tuple[FloatArray, IndexArray]:
     """Gives lines that fill walls, whose two sides follow each other, in dots.
 
     Returns:

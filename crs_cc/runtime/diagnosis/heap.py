@@ -17,6 +17,7 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.core.arrays import ByteArray
 from crs_cc.runtime.layout import MEMORY_BYTES, round_up
 from crs_cc.runtime.link import ALLOCATOR, HEAP_SYMBOLS
 
@@ -50,7 +51,7 @@ class Block:
     freed: tuple[int, ...]
 
 
-def blocks(memory: npt.NDArray[np.uint8], addresses: Mapping[str, int]) -> Iterator[Block]:
+def blocks(memory: ByteArray, addresses: Mapping[str, int]) -> Iterator[Block]:
     """Gives the blocks of the heap in the order of their addresses.
 
     An unchecked program may have damaged its heap: then they end where no sense can be made of it.

@@ -6,9 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
-import numpy as np
-import numpy.typing as npt
-
+from crs_cc.core.arrays import ByteArray
 from crs_cc.core.source import Location
 from crs_cc.ir.program import Program
 from crs_cc.runtime.compiled import Compiled
@@ -49,8 +47,8 @@ class Stopped:
         saved: whether they have saved what they keep in registers, as all do unless a trap came.
     """
 
-    memory: npt.NDArray[np.uint8]
-    shadow: npt.NDArray[np.uint8]
+    memory: ByteArray
+    shadow: ByteArray
     program: Program
     compiled: Compiled
     lines: Mapping[str, Sequence[str]]
@@ -66,7 +64,7 @@ class Stopped:
 
 
 def call_stack(
-    memory: npt.NDArray[np.uint8], compiled: Compiled, failed_at: Location | None = None
+    memory: ByteArray, compiled: Compiled, failed_at: Location | None = None
 ) -> list[StackFrame]:
     """Gives the active functions of a program that has come back, the innermost first.
 
@@ -101,12 +99,12 @@ def call_stack(
     return frames[::-1]
 
 
-def _entered(memory: npt.NDArray[np.uint8], frame: Frame, fp: int) -> int:
+def _entered(memory: ByteArray, frame: Frame, fp: int) -> int:
     at = fp - frame.size + frame.entered
     if frame.entered < 0 or at < NULL_SIZE:
         return -1
     return int(memory[at : at + 8].view("<i8")[0])
 
 
-def _word(memory: npt.NDArray[np.uint8], address: int) -> int:
+def _word(memory: ByteArray, address: int) -> int:
     return int(memory[address : address + 4].view("<u4")[0])

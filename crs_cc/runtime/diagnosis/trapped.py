@@ -11,10 +11,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-import numpy as np
-import numpy.typing as npt
 import wasmtime
 
+from crs_cc.core.arrays import ByteArray
 from crs_cc.runtime.codegen.indices import SITE
 from crs_cc.runtime.compiled import Compiled
 from crs_cc.runtime.layout import HEADER_SIZE, RESUME, STACK_TOP
@@ -25,9 +24,7 @@ MOST_FRAMES: Final = 20
 """So many frames of the host's stack are told; those of a deeper one stay unknown."""
 
 
-def blamed_site(
-    trap: wasmtime.Trap, memory: npt.NDArray[np.uint8], compiled: Compiled
-) -> int | None:
+def blamed_site(trap: wasmtime.Trap, memory: ByteArray, compiled: Compiled) -> int | None:
     """Gives the number of the site that was about to be tested; None when it was something else."""
     last = compiled.first_function + len(compiled.functions)
     frames = [(each.func_index, each.func_offset) for each in trap.frames]
@@ -52,7 +49,7 @@ def _site_behind(code: Code, offset: int) -> int | None:
     return None
 
 
-def _note_places(active: Sequence[int], memory: npt.NDArray[np.uint8], compiled: Compiled) -> None:
+def _note_places(active: Sequence[int], memory: ByteArray, compiled: Compiled) -> None:
     """Notes in each active function, the outermost first, the call where it is."""
     fp = STACK_TOP - HEADER_SIZE
     for index in active[:-1]:

@@ -27,6 +27,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, ComplexArray, IndexArray, Records
 from crs_cc.core.keyed_random import Chances
 from crs_cc.core.random_streams import MESSAGES
 from crs_cc.sim.comms import inbox
@@ -42,10 +43,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.geometry.scene import Scene
     from crs_cc.sim.state.env_state import EnvState
 
-BoolArray = npt.NDArray[np.bool_]
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
-Table = npt.NDArray[np.void]
 
 _AT_ONCE: Final = 256  # messages whose receivers are listed together
 _STEP, _LOSS, _JITTER, _BYTE = range(4)  # what random numbers are for
@@ -59,7 +56,7 @@ class Air:
         self._chances = Chances(seed, MESSAGES)
         self._scene: Scene | None = None
 
-    def carry(self, state: EnvState, scene: Scene, packets: Table, end_s: float) -> None:
+    def carry(self, state: EnvState, scene: Scene, packets: Records, end_s: float) -> None:
         """Lets messages go to their receivers, at the end of the cycle in which they were sent.
 
         Args:
@@ -76,7 +73,7 @@ class Air:
         inbox.in_order(state.messages)
 
     def _carry_few(
-        self, state: EnvState, place: npt.NDArray[np.complex128], packets: Table, end_s: float
+        self, state: EnvState, place: ComplexArray, packets: Records, end_s: float
     ) -> None:
         channels, messages = self._channels, state.messages
         full = inbox.full(messages)
@@ -112,8 +109,8 @@ class Air:
     def _pairs(
         self,
         state: EnvState,
-        place: npt.NDArray[np.complex128],
-        packets: Table,
+        place: ComplexArray,
+        packets: Records,
         hears: BoolArray,
     ) -> tuple[IndexArray, IndexArray]:
         """Gives pairs of message and receiver, by message and then by receiver.
@@ -140,8 +137,8 @@ class Air:
     def _reach(
         self,
         state: EnvState,
-        place: npt.NDArray[np.complex128],
-        packets: Table,
+        place: ComplexArray,
+        packets: Records,
         which: BoolArray,
     ) -> BoolArray:
         """Tells which messages to all or to a group have any of some robots in their range."""
@@ -155,7 +152,7 @@ class Air:
     def _lose(
         self,
         state: EnvState,
-        packets: Table,
+        packets: Records,
         packet: IndexArray,
         receiver: IndexArray,
         fate: npt.NDArray[np.int8],
@@ -186,7 +183,7 @@ class Air:
     def _send_on(
         self,
         state: EnvState,
-        packets: Table,
+        packets: Records,
         packet: IndexArray,
         receiver: IndexArray,
         end_s: float,
@@ -205,7 +202,7 @@ class Air:
         packets = self._corrupted(packets, coming)
         inbox.expect(state.messages, packets, coming)
 
-    def _corrupted(self, packets: Table, coming: Table) -> Table:
+    def _corrupted(self, packets: Records, coming: Records) -> Records:
         """Gives the messages, behind them what arrives of those that lose bytes."""
         packet = coming["packet"]
         share = self._channels.corruption[packets["channel"][packet]]
@@ -228,7 +225,7 @@ class Air:
         return np.concatenate([packets, copies])
 
 
-def _is_meant(state: EnvState, packets: Table, receiver: IndexArray) -> BoolArray:
+def _is_meant(state: EnvState, packets: Records, receiver: IndexArray) -> BoolArray:
     """Tells whether messages to all are meant for robots: not one's own, and of one's groups."""
     group = packets["group"]
     bit = np.uint32(1) << np.maximum(group, 0).astype(np.uint32)

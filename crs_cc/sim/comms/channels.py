@@ -6,11 +6,9 @@ from dataclasses import dataclass
 from typing import Final, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, Int64Array, Records
 from crs_cc.sim.model.communication import HEAD_BYTES, Communication
-
-FloatArray = npt.NDArray[np.float64]
 
 _FARTHEST_M: Final = 1e5  # a world is not larger
 
@@ -25,8 +23,8 @@ class Channels:
     delay_s: FloatArray
     jitter_s: FloatArray
     bandwidth_bps: FloatArray
-    queue: npt.NDArray[np.int64]
-    drops_oldest: npt.NDArray[np.bool_]
+    queue: Int64Array
+    drops_oldest: BoolArray
     loss: FloatArray
     burst_begin: FloatArray
     burst_end: FloatArray
@@ -56,7 +54,7 @@ class Channels:
     def __len__(self) -> int:
         return len(self.names)
 
-    def duration_s(self, packets: npt.NDArray[np.void]) -> FloatArray:
+    def duration_s(self, packets: Records) -> FloatArray:
         """Gives how long the transmission of each message takes, shape (k,)."""
         size = packets["size"] + HEAD_BYTES
         return np.asarray(size / self.bandwidth_bps[packets["channel"]])

@@ -12,20 +12,16 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array, Records
 from crs_cc.sim.comms.message_log import Fate, note
 from crs_cc.sim.geometry.cell_list import expand
 from crs_cc.sim.state.messages import ARRIVED, COMING, GONE, MessageState
-
-BoolArray = npt.NDArray[np.bool_]
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
-Table = npt.NDArray[np.void]
 
 INBOX: Final = 64
 COMING_MOST: Final = 256
 
 
-def expect(messages: MessageState, packets: Table, coming: Table) -> None:
+def expect(messages: MessageState, packets: Records, coming: Records) -> None:
     """Takes over what is on its way from now on; when that is all, `in_order` must follow.
 
     Args:
@@ -83,14 +79,14 @@ def let_in(messages: MessageState, rows: IndexArray, by_s: FloatArray) -> None:
     note(messages, fate, packets, came["arrives_s"], came["receiver"])
 
 
-def count(messages: MessageState, rows: IndexArray) -> npt.NDArray[np.int64]:
+def count(messages: MessageState, rows: IndexArray) -> Int64Array:
     """Gives how many messages lie in the inboxes of robots, shape (k,)."""
     owner, place = _of(messages.receptions, rows)
     inside = messages.receptions["status"][place] == ARRIVED
     return np.bincount(owner[inside], minlength=len(rows))
 
 
-def take(messages: MessageState, rows: IndexArray) -> tuple[IndexArray, Table, FloatArray]:
+def take(messages: MessageState, rows: IndexArray) -> tuple[IndexArray, Records, FloatArray]:
     """Takes the first message out of each inbox that is not empty.
 
     Returns:
@@ -116,7 +112,7 @@ def first_s(messages: MessageState, rows: IndexArray) -> FloatArray:
     return first_s
 
 
-def clear(messages: MessageState, present: npt.NDArray[np.bool_]) -> None:
+def clear(messages: MessageState, present: BoolArray) -> None:
     """Takes everything from robots that are not in the world: present tells who is."""
     table = messages.receptions
     absent = ~present[table["receiver"]]
@@ -143,7 +139,7 @@ def _held(messages: MessageState) -> IndexArray:
     return np.bincount(table["receiver"][table["status"] != GONE], minlength=len(messages.sent))
 
 
-def _of(table: Table, rows: IndexArray) -> tuple[IndexArray, IndexArray]:
+def _of(table: Records, rows: IndexArray) -> tuple[IndexArray, IndexArray]:
     """Gives the receptions of robots: number of the robot among `rows`, and row of the table."""
     first = np.searchsorted(table["receiver"], rows, side="left")
     last = np.searchsorted(table["receiver"], rows, side="right")

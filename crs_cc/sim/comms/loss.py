@@ -14,11 +14,8 @@ on average.
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
-BoolArray = npt.NDArray[np.bool_]
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 
 
 def burst_states(

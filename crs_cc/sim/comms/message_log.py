@@ -15,13 +15,12 @@ from typing import TYPE_CHECKING, Final, Protocol, Self
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray, Records
 from crs_cc.sim.state.events import Event
 from crs_cc.sim.state.messages import EVERYBODY, FATES, NO_GROUP, TRAFFIC, MessageState
 
 if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
-
-Table = npt.NDArray[np.void]
 
 
 class Fate(IntEnum):
@@ -58,7 +57,7 @@ MEANINGS: Final = {
 
 def record(
     happened: Sequence[tuple[float, Fate]], *, sender: int, receiver: int, channel: int = 0
-) -> Table:
+) -> Records:
     """Makes a record by hand, for tests and examples."""
     table = np.zeros(len(happened), TRAFFIC)
     table["time_s"], table["fate"] = zip(*happened, strict=True)
@@ -70,8 +69,8 @@ def record(
 def note(
     messages: MessageState,
     fate: Fate | npt.NDArray[np.int8],
-    packets: Table,
-    time_s: npt.NDArray[np.float64],
+    packets: Records,
+    time_s: FloatArray,
     receivers: npt.NDArray[np.integer] | None = None,
 ) -> None:
     """Takes down what happened to messages.
@@ -94,7 +93,7 @@ def note(
     np.add.at(messages.counts, (table["channel"], table["fate"]), 1)
 
 
-def take(messages: MessageState) -> Table:
+def take(messages: MessageState) -> Records:
     """Gives what happened in a cycle, by time, and forgets it."""
     traffic = messages.traffic
     if not len(traffic):
@@ -103,7 +102,7 @@ def take(messages: MessageState) -> Table:
     return traffic[np.argsort(traffic["time_s"], kind="stable")]
 
 
-def events(traffic: Table, channels: Sequence[str], robots: Sequence[str]) -> Iterator[Event]:
+def events(traffic: Records, channels: Sequence[str], robots: Sequence[str]) -> Iterator[Event]:
     """Gives what happened as events.
 
     Args:
@@ -128,7 +127,7 @@ class HasTraffic(Protocol):
     """A timestep that has ended, as far as messages are concerned."""
 
     @property
-    def traffic(self) -> Table:
+    def traffic(self) -> Records:
         """What happened to messages in it, of dtype `TRAFFIC`."""
 
 
@@ -159,7 +158,7 @@ class Monitor:
         """Takes what happened in a timestep that has ended."""
         self.count(step.traffic)
 
-    def count(self, traffic: Table) -> None:
+    def count(self, traffic: Records) -> None:
         """Counts records, of dtype `TRAFFIC`."""
         keys = np.column_stack(
             [traffic[name].astype(np.int64) for name in ("channel", "sender", "receiver", "fate")]

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Records
 from crs_cc.requests import CODES, DATA_SIZE
 from crs_cc.sim.comms import inbox, outages, outbox
 from crs_cc.sim.comms.channel_model import Air
@@ -20,11 +20,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
     from crs_cc.sim.state.events import EventLog
-
-BoolArray = npt.NDArray[np.bool_]
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
-Messages = npt.NDArray[np.void]
 
 
 class Messenger:
@@ -139,7 +134,7 @@ class Messenger:
             inbox.tidy(messages)
 
 
-def wait(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+def wait(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Records) -> None:
     """Begins to wait for a message: i[0] ms long, not at all for 0, without an end below 0."""
     wait_s = messages["i"][:, 0] / 1000.0
     until_s = state.drive.clock_s[rows] + wait_s
@@ -152,7 +147,7 @@ def heard_s(state: EnvState, rows: IndexArray) -> FloatArray:
     return np.asarray(np.maximum(first_s, state.drive.clock_s[rows]))
 
 
-def _look_up(messages: Messages, names: tuple[str, ...], own: IndexArray) -> BoolArray:
+def _look_up(messages: Records, names: tuple[str, ...], own: IndexArray) -> BoolArray:
     """Finds what has a name, or else a number, -1 for one's own; writes both, and how many are."""
     good = np.zeros(len(messages), dtype=np.bool_)
     for row, mine in enumerate(own.tolist()):

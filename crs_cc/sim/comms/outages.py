@@ -8,15 +8,12 @@ start of the current cycle.
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, IndexArray, Records
 from crs_cc.sim.comms.channels import Channels
 from crs_cc.sim.model.communication import ANY
 from crs_cc.sim.state.events import EventLog
 from crs_cc.sim.state.messages import SHUT, MessageState
-
-IndexArray = npt.NDArray[np.intp]
-Table = npt.NDArray[np.void]
 
 
 def shut(messages: MessageState, now_s: float, channel: int, sender: int, receiver: int) -> None:
@@ -35,8 +32,8 @@ def reopen(messages: MessageState, now_s: float, channel: int, sender: int, rece
 
 
 def is_shut(
-    messages: MessageState, packets: Table, packet: IndexArray, receiver: IndexArray
-) -> npt.NDArray[np.bool_]:
+    messages: MessageState, packets: Records, packet: IndexArray, receiver: IndexArray
+) -> BoolArray:
     """Tells which messages cannot pass.
 
     Args:

@@ -15,21 +15,16 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, Int64Array, Records
 from crs_cc.sim.comms.channels import Channels
 from crs_cc.sim.comms.message_log import Fate, note
 from crs_cc.sim.state.messages import PACKET, MessageState
 
-BoolArray = npt.NDArray[np.bool_]
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
-Table = npt.NDArray[np.void]
-
 MOST: Final = 64
 
 
-def post(messages: MessageState, channels: Channels, packets: Table) -> BoolArray:
+def post(messages: MessageState, channels: Channels, packets: Records) -> BoolArray:
     """Takes messages, at most one of each robot, at the instants `sent_s`.
 
     Args:
@@ -54,7 +49,7 @@ def post(messages: MessageState, channels: Channels, packets: Table) -> BoolArra
     return np.asarray(~full)
 
 
-def depart(messages: MessageState, channels: Channels, end_s: float) -> Table:
+def depart(messages: MessageState, channels: Channels, end_s: float) -> Records:
     """Gives what begins to be sent before the end of a cycle, in that order, and lets go of it."""
     if not len(messages.outbox):
         return np.zeros(0, PACKET)
@@ -77,7 +72,7 @@ def clear(messages: MessageState, present: BoolArray, now_s: float) -> None:
 
 
 def _make_room(
-    messages: MessageState, channels: Channels, packets: Table, which: BoolArray
+    messages: MessageState, channels: Channels, packets: Records, which: BoolArray
 ) -> BoolArray:
     """Drops what waits too long where the oldest is dropped; tells where there is still no room."""
     box, count = messages.outbox, len(channels)
@@ -102,9 +97,7 @@ def _make_room(
     return np.asarray(full & ~drops)
 
 
-def _begin(
-    messages: MessageState, channels: Channels, keys: npt.NDArray[np.int64], by_s: FloatArray
-) -> None:
+def _begin(messages: MessageState, channels: Channels, keys: Int64Array, by_s: FloatArray) -> None:
     """Lets messages begin to be sent whose turn comes.
 
     Args:

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.geometry.cell_list import CellList
 from crs_cc.sim.geometry.rays import Fan
@@ -21,9 +21,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import Equipment
     from crs_cc.sim.state.env_state import EnvState
 
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
 
 _NEAREST_M = 0.1
 """Sources that are nearer than this sense as if they were so far away; chosen by us."""

@@ -6,7 +6,6 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 
 from crs_cc.sim.devices.arm import Arms
 from crs_cc.sim.devices.gripper import Grippers
@@ -18,8 +17,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.state.bodies import Contacts, Pull
     from crs_cc.sim.state.env_state import EnvState
     from crs_cc.sim.state.events import EventLog
-
-FloatArray = npt.NDArray[np.float64]
 
 
 class Handling:

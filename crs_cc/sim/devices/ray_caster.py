@@ -19,8 +19,8 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.sim.geometry.contact_mask import Pieces
 from crs_cc.sim.geometry.height_occlusion import Outlook, is_needed
 from crs_cc.sim.geometry.obstacles import Obstacles
@@ -33,8 +33,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.state.bodies import Bodies
     from crs_cc.sim.state.env_state import EnvState
 
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
 
 _SHORTEST_REACH_M: Final = 1.0
 

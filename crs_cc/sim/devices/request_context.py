@@ -6,8 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeAlias
 
-import numpy as np
-import numpy.typing as npt
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Records
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.ray_caster import Surroundings
@@ -31,10 +30,10 @@ class Asked:
     state: EnvState
     equipment: Equipment
     around: Surroundings
-    rows: npt.NDArray[np.intp]
-    messages: npt.NDArray[np.void]
-    at_s: npt.NDArray[np.float64]
+    rows: IndexArray
+    messages: Records
+    at_s: FloatArray
 
 
-Answer: TypeAlias = Callable[[Asked], npt.NDArray[np.bool_] | None]
+Answer: TypeAlias = Callable[[Asked], BoolArray | None]
 """Writes what robots are told over their messages; gives which requests were good, None for all."""

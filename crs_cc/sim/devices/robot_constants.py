@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array
 from crs_cc.sim.devices.degradation.filter import Degradations
 from crs_cc.sim.devices.drive.constants import Drives
 from crs_cc.sim.geometry.scene import Scene
@@ -17,10 +17,6 @@ from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.model.sonar import MAX_SONARS
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.physics.inclines import Inclines
-
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,10 +58,10 @@ class Equipment:
 
     timestep_s: float
     drives: Drives
-    vendor_model: npt.NDArray[np.int64]
+    vendor_model: Int64Array
     least_interval_s: FloatArray
     sonars: BoolArray
-    sonar_modes: npt.NDArray[np.int64]
+    sonar_modes: Int64Array
     bumpers: BoolArray
     infrared: IndexArray
     compass: IndexArray
@@ -80,7 +76,7 @@ class Equipment:
     sound: IndexArray
     brightest: FloatArray
     loudest: FloatArray
-    laser_points: npt.NDArray[np.int32]
+    laser_points: Int32Array
     calibration_s: FloatArray
     heat_range_m: FloatArray
     tag_range_m: FloatArray

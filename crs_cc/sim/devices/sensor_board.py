@@ -10,8 +10,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
 from crs_cc.requests import CODES, STATE_REPLIES
 from crs_cc.sim.devices import laser, pos_data
 from crs_cc.sim.devices.battery import Batteries
@@ -32,9 +32,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
 
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
-Messages = npt.NDArray[np.void]
 
 _OF_A_GROUP: Final = frozenset(
     CODES[name]
@@ -134,9 +131,9 @@ class Instruments:
         *,
         code: int,
         rows: IndexArray,
-        messages: Messages,
+        messages: Records,
         at_s: FloatArray,
-        states: npt.NDArray[np.int32],
+        states: Int32Array,
     ) -> None:
         """Tells batteries, clock, how many laser readings lie ready, and positions, with a state.
 
@@ -167,7 +164,7 @@ class Instruments:
         around: Surroundings,
         rows: IndexArray,
         poses: FloatArray,
-    ) -> tuple[npt.NDArray[np.int32], npt.NDArray[np.int32]]:
+    ) -> tuple[Int32Array, Int32Array]:
         """Lets the instruments measure without any error from somewhere else.
 
         Args:
@@ -197,9 +194,7 @@ class Instruments:
         return infrared, counts
 
 
-def _tell_laser(
-    state: EnvState, equipment: Equipment, code: int, rows: IndexArray
-) -> npt.NDArray[np.int32]:
+def _tell_laser(state: EnvState, equipment: Equipment, code: int, rows: IndexArray) -> Int32Array:
     """Keeps what lasers saw for the pages; gives how many readings each robot has, (k,)."""
     mine = equipment.laser[rows]
     asked = (mine >= 0) & (_asked(state, rows, LASER) | (code in _LASER_CODES))
@@ -214,5 +209,5 @@ def _tell_laser(
     return counts
 
 
-def _asked(state: EnvState, rows: IndexArray, group: slice) -> npt.NDArray[np.bool_]:
+def _asked(state: EnvState, rows: IndexArray, group: slice) -> BoolArray:
     return np.asarray((state.mask[rows, group].view(np.int8) > 0).any(axis=1))

@@ -16,16 +16,13 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
-Messages = npt.NDArray[np.void]
+from crs_cc.core.arrays import BoolArray, IndexArray, Records
 
 _END: Final = 255
 
 
-def orders(messages: Messages, most: int) -> tuple[IndexArray, BoolArray, BoolArray]:
+def orders(messages: Records, most: int) -> tuple[IndexArray, BoolArray, BoolArray]:
     """Gives the orders in some messages.
 
     Args:

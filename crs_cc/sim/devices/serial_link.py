@@ -13,14 +13,12 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
 from crs_cc.requests import CODES, DATA_SIZE, REQUESTS
 from crs_cc.sim.devices.robot_constants import Equipment
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.env_state import EnvState
 from crs_cc.sim.state.link import LinkState
-
-IndexArray = npt.NDArray[np.intp]
-Messages = npt.NDArray[np.void]
 
 _BITS_PER_BYTE: Final = 10
 _SPEEDS_BAUD: Final = (4800, 9600, 19200, 38400)  # vendor source `Ndirect.c` 2.7
@@ -71,7 +69,7 @@ class SerialLine:
 
     def time_s(
         self, state: LinkState, codes: npt.ArrayLike, robots: npt.ArrayLike, sizes: npt.ArrayLike
-    ) -> npt.NDArray[np.float64]:
+    ) -> FloatArray:
         """Gives how long requests and their replies are on the line, or on the network [s].
 
         Args:
@@ -94,15 +92,15 @@ class SerialLine:
         return np.asarray(np.where(networked, self._network_s[robot], line_s))
 
 
-def set_speed(state: EnvState, rows: IndexArray, baud: npt.NDArray[np.int32]) -> None:
+def set_speed(state: EnvState, rows: IndexArray, baud: Int32Array) -> None:
     """Sets the speed of lines; a speed that no line has changes nothing."""
     known = np.isin(baud, _SPEEDS_BAUD)
     state.link.baud[rows[known]] = baud[known]
 
 
 def conf_ser(
-    state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages
-) -> npt.NDArray[np.bool_]:
+    state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Records
+) -> BoolArray:
     """Sets the speed of the line, whatever the port: which one is the host's, nothing tells."""
     baud = messages["i"][:, 1].copy()
     set_speed(state, rows, baud)

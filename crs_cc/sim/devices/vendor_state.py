@@ -16,8 +16,8 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import IndexArray, Int32Array
 from crs_cc.core.units import m_to_tenths_inch, rad_to_tenths_deg
 from crs_cc.requests import LARGEST, NUM_STATE
 from crs_cc.sim.devices.drive import traction
@@ -26,8 +26,6 @@ from crs_cc.sim.model.sonar import MAX_SONARS
 from crs_cc.sim.state.env_state import EnvState
 from crs_cc.sim.state.rows import take
 from crs_cc.sim.state.sonar import CONFIGURATION
-
-IndexArray = npt.NDArray[np.intp]
 
 SIM_SPEED: Final = 0  # 10 is real time
 IR_0: Final = 1  # to 16, 0 to 15
@@ -50,7 +48,7 @@ _REAL_TIME: Final = 10
 _FULL_TURN: Final = 3600
 
 
-def state_vector(state: EnvState, equipment: Equipment, rows: IndexArray) -> npt.NDArray[np.int32]:
+def state_vector(state: EnvState, equipment: Equipment, rows: IndexArray) -> Int32Array:
     """Gives `State` of robots as their axes were turned last, shape (k, 45)."""
     vector = np.zeros((len(rows), NUM_STATE), dtype=np.int32)
     vector[:, SIM_SPEED] = _REAL_TIME
@@ -72,7 +70,7 @@ def state_vector(state: EnvState, equipment: Equipment, rows: IndexArray) -> npt
     return vector
 
 
-def configuration(state: EnvState, equipment: Equipment, rows: IndexArray) -> npt.NDArray[np.int32]:
+def configuration(state: EnvState, equipment: Equipment, rows: IndexArray) -> Int32Array:
     """Gives the part of `State` that tells where robots are and how fast, shape (k, 7)."""
     odometry = state.odometry
     speed, unit = traction.speed(state, equipment, rows), take(equipment.drives.unit, rows)

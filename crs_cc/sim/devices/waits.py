@@ -12,16 +12,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray, IndexArray, Records
 from crs_cc.sim.devices import drive
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import Equipment
     from crs_cc.sim.state.env_state import EnvState
-
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +32,7 @@ class Wait:
     """
 
     ends_s: Callable[[EnvState, IndexArray], FloatArray]
-    finish: Callable[[EnvState, Equipment, IndexArray, npt.NDArray[np.void]], object]
+    finish: Callable[[EnvState, Equipment, IndexArray, Records], object]
 
 
 def settle(

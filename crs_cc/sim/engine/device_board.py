@@ -10,8 +10,8 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.requests import CODES
 from crs_cc.sim.comms.messenger import Messenger
 from crs_cc.sim.devices import drive, heat
@@ -35,9 +35,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
     from crs_cc.sim.state.events import EventLog
-
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
 
 
 class Devices:
@@ -200,7 +197,7 @@ class Devices:
         self.messenger.end_cycle(state, equipment, self.log, from_s=from_s, to_s=to_s)
 
 
-def tell_page(asked: Asked) -> npt.NDArray[np.bool_]:
+def tell_page(asked: Asked) -> BoolArray:
     """Answers READINGS with a page of what a reply before told of; refuses other devices."""
     state, equipment = asked.state, asked.equipment
     device = asked.messages["i"][:, 0].copy()

@@ -21,14 +21,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray
 from crs_cc.core.units import tenths_deg_to_rad, tenths_inch_to_m
 
 if TYPE_CHECKING:
     from crs_cc.sim.state.drawings import DrawingState
 
-FloatArray = npt.NDArray[np.float64]
 
 ROBOT: Final = 0
 LINE: Final = 1

@@ -28,6 +28,7 @@ from typing import Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
 from crs_cc.requests import CODES, MESSAGE, NUM_STATE, STATE_REPLIES
 from crs_cc.sim.comms.message_log import take
 from crs_cc.sim.devices import drive
@@ -39,11 +40,6 @@ from crs_cc.sim.engine.falls import tell_falls
 from crs_cc.sim.engine.handlers import CHANGES_WORLD, HANDLERS, MOVES, UNCONNECTED, WAITS
 from crs_cc.sim.engine.step import TELLS, Served, Step, slices_of
 from crs_cc.sim.engine.world_data import Setting
-
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
-Messages = npt.NDArray[np.void]
 
 _ALL: Final = slice(None)
 _STATE_BYTES: Final = 4 * NUM_STATE
@@ -68,7 +64,7 @@ class Environment(Setting):
         return self._line.time_s(self.state.link, codes, robots, sizes)
 
     def serve(
-        self, code: int, robots: IndexArray, messages: Messages, clock_s: FloatArray
+        self, code: int, robots: IndexArray, messages: Records, clock_s: FloatArray
     ) -> FloatArray:
         """Answers one kind of request of all robots that posted it.
 
@@ -162,7 +158,7 @@ class Environment(Setting):
         heard = (slices, served, self._log.take(self.time_s), traffic)
         return Step(cycle, time_s, ended, at_s, messages, *touches, *heard)
 
-    def _handle(self, code: int, rows: IndexArray, messages: Messages) -> BoolArray:
+    def _handle(self, code: int, rows: IndexArray, messages: Records) -> BoolArray:
         """Lets connected robots do what is asked; gives which requests were good."""
         messages["result"] = 1
         if code in UNCONNECTED:
@@ -193,11 +189,11 @@ class Environment(Setting):
         self,
         code: int,
         rows: IndexArray,
-        messages: Messages,
+        messages: Records,
         at_s: FloatArray,
         good: BoolArray,
         *,
-        arguments: npt.NDArray[np.int32],
+        arguments: Int32Array,
     ) -> None:
         """Writes replies over messages."""
         self._advance(rows, at_s)
@@ -226,7 +222,7 @@ class Environment(Setting):
         self._served.append(Served(code, rows, at_s, arguments, results, states, told))
 
     def _answer(
-        self, code: int, rows: IndexArray, messages: Messages, at_s: FloatArray, good: BoolArray
+        self, code: int, rows: IndexArray, messages: Records, at_s: FloatArray, good: BoolArray
     ) -> None:
         """Lets devices write their answers over the messages of good requests."""
         replies = messages[good]
@@ -252,7 +248,7 @@ class Environment(Setting):
         state.drive.facing_rad[:] = state.heading_rad
         self._served = []
 
-    def _end_waits(self) -> tuple[IndexArray, FloatArray, Messages]:
+    def _end_waits(self) -> tuple[IndexArray, FloatArray, Records]:
         """Answers the waits that end in the cycle that begins."""
         waits = self.state.waits
         waiting = np.flatnonzero(waits.code)
@@ -271,7 +267,7 @@ class Environment(Setting):
             messages[mine] = replies
         return rows, at_s, messages
 
-    def _wait(self, code: int, rows: IndexArray, messages: Messages) -> FloatArray:
+    def _wait(self, code: int, rows: IndexArray, messages: Records) -> FloatArray:
         """Lets robots wait; gives when those go on that do so in this cycle, else infinity.
 
         Answers these, in place.

@@ -9,13 +9,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
+
+from crs_cc.core.arrays import FloatArray
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import Equipment
     from crs_cc.sim.state.events import EventLog
-
-FloatArray = npt.NDArray[np.float64]
 
 
 def tell_falls(

@@ -18,8 +18,8 @@ from collections.abc import Callable
 from typing import Final, TypeAlias
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, IndexArray, Records
 from crs_cc.requests import CODES, REQUESTS
 from crs_cc.sim.comms import messenger
 from crs_cc.sim.devices import (
@@ -44,15 +44,11 @@ from crs_cc.sim.engine.server.robot_poses import get_rpx
 from crs_cc.sim.state.env_state import EnvState
 from crs_cc.sim.state.mask import NUM_MASK, POS_DATA
 
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
-Messages = npt.NDArray[np.void]
-
-Handler: TypeAlias = Callable[[EnvState, Equipment, IndexArray, Messages], BoolArray | None]
+Handler: TypeAlias = Callable[[EnvState, Equipment, IndexArray, Records], BoolArray | None]
 """Gives whether each request was good; None when all were."""
 
 
-def connect(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+def connect(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> None:
     """Connects; whatever the number, a program's robot is the one that it runs in.
 
     That robot is there already, so that `create_robot` has nothing more to do.
@@ -63,7 +59,7 @@ def connect(state: EnvState, equipment: Equipment, rows: IndexArray, messages: M
 
 
 def disconnect(
-    state: EnvState, _equipment: Equipment, rows: IndexArray, _messages: Messages
+    state: EnvState, _equipment: Equipment, rows: IndexArray, _messages: Records
 ) -> None:
     """Ends the connection, or the simulator for this program.
 
@@ -72,18 +68,18 @@ def disconnect(
     state.connected[rows] = False
 
 
-def tell(_state: EnvState, _equipment: Equipment, _rows: IndexArray, _messages: Messages) -> None:
+def tell(_state: EnvState, _equipment: Equipment, _rows: IndexArray, _messages: Records) -> None:
     """Changes nothing: readings come with the reply, or the robot is as it is asked to be."""
 
 
 def leave_to_device(
-    _state: EnvState, _equipment: Equipment, _rows: IndexArray, _messages: Messages
+    _state: EnvState, _equipment: Equipment, _rows: IndexArray, _messages: Records
 ) -> None:
     """Does nothing yet: the device does and tells what is asked, see `Devices.answers`."""
 
 
 def refuse(
-    _state: EnvState, _equipment: Equipment, rows: IndexArray, _messages: Messages
+    _state: EnvState, _equipment: Equipment, rows: IndexArray, _messages: Records
 ) -> BoolArray:
     """Refuses what this robot, or its simulator, cannot do.
 
@@ -92,7 +88,7 @@ def refuse(
     return np.zeros(len(rows), dtype=np.bool_)
 
 
-def ct(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages) -> BoolArray:
+def ct(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Records) -> BoolArray:
     """Takes over which parts of `State` the program wants; refuses a mask that is not whole."""
     good: BoolArray = messages["size"] == NUM_MASK
     state.mask[rows[good]] = messages["data"][good, :NUM_MASK]

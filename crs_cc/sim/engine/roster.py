@@ -18,8 +18,8 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, IndexArray
 from crs_cc.core.quantity import ANGLE, HEAT
 from crs_cc.core.time_grid import ROUNDING_S
 from crs_cc.sim.files import object_ids
@@ -33,9 +33,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.state.events import EventLog
     from crs_cc.sim.state.presence import PresenceState
 
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
 
 EDGE: Final = "the edge of the world"
 

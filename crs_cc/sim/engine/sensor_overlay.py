@@ -12,15 +12,13 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray
 from crs_cc.core.units import tenths_inch_to_m
 from crs_cc.sim.model.sensors import Camera
 from crs_cc.sim.model.sonar import Sonar
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.env_state import EnvState
-
-FloatArray = npt.NDArray[np.float64]
 
 FRESH_S: Final = 0.25  # chosen by us
 _ARC: Final = 9  # points of the end of a beam

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array, Records
 from crs_cc.requests import CODES, REQUESTS
 from crs_cc.sim.devices.vendor_state import (
     BUMPER,
@@ -27,10 +27,6 @@ from crs_cc.sim.engine.drawings import Drawing
 from crs_cc.sim.state.bodies import Contacts
 from crs_cc.sim.state.env_state import EnvState
 from crs_cc.sim.state.events import Event
-
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
-WholeArray = npt.NDArray[np.int64]
 
 _SONARS: Final = ("sonar_in", slice(SONAR_0, BUMPER))
 _INFRARED: Final = ("infrared", slice(IR_0, SONAR_0))
@@ -79,10 +75,10 @@ class Served:
     code: int
     robots: IndexArray
     clock_s: FloatArray
-    arguments: npt.NDArray[np.int32]
-    results: npt.NDArray[np.int32]
-    states: npt.NDArray[np.int32]
-    told: npt.NDArray[np.void] | None = None
+    arguments: Int32Array
+    results: Int32Array
+    states: Int32Array
+    told: Records | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,14 +98,14 @@ class Slices:
     """
 
     axes: tuple[tuple[str, ...], ...]
-    command: WholeArray
-    number: WholeArray
-    count: WholeArray
+    command: Int64Array
+    number: Int64Array
+    count: Int64Array
     way: FloatArray
     travelled: FloatArray
     total: FloatArray
-    waiting: npt.NDArray[np.bool_]
-    present: npt.NDArray[np.bool_]
+    waiting: BoolArray
+    present: BoolArray
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,15 +134,15 @@ class Step:
     time_s: float
     robots: IndexArray
     at_s: FloatArray
-    messages: npt.NDArray[np.void]
+    messages: Records
     contacts: Contacts
-    pressed: npt.NDArray[np.int32]
-    released: npt.NDArray[np.int32]
+    pressed: Int32Array
+    released: Int32Array
     names: tuple[str, ...]
     slices: Slices
     served: tuple[Served, ...]
     events: tuple[Event, ...]
-    traffic: npt.NDArray[np.void]
+    traffic: Records
 
     @property
     def drawings(self) -> tuple[Drawing, ...]:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from crs_cc.core.arrays import FloatArray
 from crs_cc.sim.engine.roster import EDGE, in_the_way
 from crs_cc.sim.geometry.overlap import overlap_m
 from crs_cc.sim.geometry.placement import TOLERANCE_M
@@ -19,8 +20,6 @@ from crs_cc.sim.model.world import Cylinder, Pose, Robot, Wall
 from crs_cc.sim.physics.carrying import release
 
 if TYPE_CHECKING:
-    import numpy.typing as npt
-
     from crs_cc.sim.devices.robot_constants import Equipment
     from crs_cc.sim.model.world import Solid, Thing
     from crs_cc.sim.state.env_state import EnvState
@@ -125,7 +124,7 @@ def _obstacle(state: EnvState, equipment: Equipment, body: int, wanted: Thing) -
     return ""
 
 
-def _standing(thing: Robot | Solid, pose: npt.NDArray[np.float64]) -> Solid:
+def _standing(thing: Robot | Solid, pose: FloatArray) -> Solid:
     """Gives a thing where it is; a robot as the cylinder that it is."""
     if isinstance(thing, Wall):
         return thing
@@ -135,7 +134,7 @@ def _standing(thing: Robot | Solid, pose: npt.NDArray[np.float64]) -> Solid:
     return replace(thing, pose=place)
 
 
-def _extent_m(thing: Thing) -> npt.NDArray[np.float64]:
+def _extent_m(thing: Thing) -> FloatArray:
     """Gives the lower left and the upper right corner of what a thing covers, (2, 2)."""
     if isinstance(thing, Cylinder):
         middle = np.array([thing.pose.x_m, thing.pose.y_m])

@@ -23,8 +23,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import IndexArray
 from crs_cc.core.suggest import unknown
 from crs_cc.core.time_grid import ROUNDING_S
 from crs_cc.sim.comms.control import CommunicationControl
@@ -48,8 +48,6 @@ from crs_cc.sim.state.env_state import EnvState
 from crs_cc.sim.state.events import Event, EventLog
 from crs_cc.sim.state.obstacles import without
 from crs_cc.sim.state.snapshot_codec import Packed, packed
-
-IndexArray = npt.NDArray[np.intp]
 
 
 @dataclass(frozen=True, slots=True)

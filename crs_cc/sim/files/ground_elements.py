@@ -5,9 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Final
 
-import numpy as np
-import numpy.typing as npt
-
+from crs_cc.core.arrays import FloatArray
 from crs_cc.core.quantity import ANGLE, LENGTH
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.files.image import picture
@@ -69,7 +67,7 @@ def _heightmap(
     return HeightMap(x_m, y_m, pixel_m, grey.shape[1], tuple(heights_m))
 
 
-def _grey(image: str, folder: Path | None) -> npt.NDArray[np.float64]:
+def _grey(image: str, folder: Path | None) -> FloatArray:
     grey = picture(folder, image)
     if min(grey.shape) < _LEAST_PIXELS or max(grey.shape) > MOST_PIXELS:
         size = f"{grey.shape[1]} x {grey.shape[0]}"

@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray
 from crs_cc.sim.files.nearby import read_below
 
 MAX_BYTES: Final = 16 * 1024 * 1024
@@ -26,7 +26,7 @@ _SIGNATURE: Final = b"\x89PNG\r\n\x1a\n"
 _HEAD: Final = struct.Struct(">I4sII")  # length and kind of the first chunk, width, height
 
 
-def picture(folder: Path | None, name: str) -> npt.NDArray[np.float64]:
+def picture(folder: Path | None, name: str) -> FloatArray:
     """Gives the grey values of a picture that a world file names, see `grey_values`.
 
     Args:
@@ -41,7 +41,7 @@ def picture(folder: Path | None, name: str) -> npt.NDArray[np.float64]:
     return grey_values(read_below(folder, name, ".png", MAX_BYTES))
 
 
-def grey_values(data: bytes) -> npt.NDArray[np.float64]:
+def grey_values(data: bytes) -> FloatArray:
     """Gives the grey values of a PNG file.
 
     Colours count by their luma (ITU-R BT.601); what is transparent shows white behind it. Pictures
@@ -72,7 +72,7 @@ def grey_values(data: bytes) -> npt.NDArray[np.float64]:
     return values
 
 
-def _decoded(data: bytes) -> npt.NDArray[np.float64]:
+def _decoded(data: bytes) -> FloatArray:
     from PIL import Image
 
     with Image.open(io.BytesIO(data), formats=["PNG"]) as picture:
@@ -86,7 +86,7 @@ def _decoded(data: bytes) -> npt.NDArray[np.float64]:
         return _levels(picture.convert("L"))
 
 
-def _levels(picture: object) -> npt.NDArray[np.float64]:
+def _levels(picture: object) -> FloatArray:
     return np.asarray(picture, dtype=np.float64) / 0xFF
 
 

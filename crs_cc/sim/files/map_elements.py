@@ -14,8 +14,8 @@ from pathlib import Path
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, Int64Array
 from crs_cc.core.quantity import ANGLE, LENGTH, RATIO
 from crs_cc.sim.files.document import Element
 from crs_cc.sim.files.image import picture
@@ -25,8 +25,6 @@ from crs_cc.sim.model.world import Area, Box, Pose
 MAX_RECTANGLES: Final = 10_000
 """How many boxes one map may become."""
 
-BoolArray = npt.NDArray[np.bool_]
-WholeArray = npt.NDArray[np.int64]
 _SHOWN: Final = 80
 
 
@@ -74,7 +72,7 @@ def map_boxes(
     )
 
 
-def rectangles(dark: BoolArray) -> WholeArray:
+def rectangles(dark: BoolArray) -> Int64Array:
     """Gives rectangles that together cover what is dark, and nothing twice.
 
     Runs of dark pixels that lie above each other with the same ends become one rectangle; once
@@ -91,7 +89,7 @@ def rectangles(dark: BoolArray) -> WholeArray:
     return np.asarray(fewer[np.lexsort((fewer[:, 2], fewer[:, 0]))])
 
 
-def _few_rectangles(dark: BoolArray) -> WholeArray:
+def _few_rectangles(dark: BoolArray) -> Int64Array:
     found = rectangles(dark)
     if len(found) > MAX_RECTANGLES:
         raise ValueError(
@@ -101,7 +99,7 @@ def _few_rectangles(dark: BoolArray) -> WholeArray:
     return found
 
 
-def _stacked_runs(dark: BoolArray) -> WholeArray:
+def _stacked_runs(dark: BoolArray) -> Int64Array:
     edges = np.zeros((dark.shape[0], dark.shape[1] + 2), dtype=np.int8)
     edges[:, 1:-1] = dark
     steps = np.diff(edges, axis=1)

@@ -14,10 +14,8 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
+from crs_cc.core.arrays import FloatArray, IndexArray
 
 _ROUNDING: Final = 1e-9  # lets no point that is just within reach fall into a cell beyond
 _AT_ONCE: Final = 256  # queries for which pairs are listed together,

@@ -5,11 +5,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray
 from crs_cc.sim.geometry.scene import Outlines, Scene
-
-FloatArray = npt.NDArray[np.float64]
 
 
 def clearance_m(scene: Scene, position_m: FloatArray, angle_rad: FloatArray) -> float:

@@ -25,18 +25,13 @@ from functools import lru_cache
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.cell_list import CellList, few_pairs
 from crs_cc.sim.geometry.obstacles import Grid
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene, own_corners_m, triangles_of
 from crs_cc.sim.model.world import Box, Cylinder, Solid, Wall
-
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-ComplexArray = npt.NDArray[np.complex128]
-IndexArray = npt.NDArray[np.intp]
 
 _ON_M: Final = 1e-9  # rounding must not let a sensor on a side be outside here, inside for `rays`
 

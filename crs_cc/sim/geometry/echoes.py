@@ -51,15 +51,10 @@ from dataclasses import dataclass
 from typing import Final, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.cell_list import expand
 from crs_cc.sim.geometry.outline_query import Prospect
-
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-ComplexArray = npt.NDArray[np.complex128]
-IndexArray = npt.NDArray[np.intp]
 
 ANY_ANGLE: Final = math.pi / 2
 """The critical angle of faces that answer from everywhere."""

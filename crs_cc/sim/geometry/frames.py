@@ -13,9 +13,8 @@ import math
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
-FloatArray = npt.NDArray[np.float64]
+from crs_cc.core.arrays import FloatArray
 
 _TURN: Final = 2 * math.pi
 

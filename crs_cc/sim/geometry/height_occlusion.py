@@ -34,8 +34,8 @@ from dataclasses import dataclass
 from typing import Final, TypeAlias
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.obstacles import Obstacles
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.shape_table import Things
@@ -43,10 +43,6 @@ from crs_cc.sim.geometry.terrain import Terrain
 from crs_cc.sim.model.ground import Ground, Patch
 from crs_cc.sim.model.world import TALL_M
 
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-ComplexArray = npt.NDArray[np.complex128]
-IndexArray = npt.NDArray[np.intp]
 Segments: TypeAlias = "tuple[IndexArray, ComplexArray, ComplexArray, FloatArray]"
 
 _SHORTEST_M: Final = 1e-6  # shorter sides of a patch's cut are none

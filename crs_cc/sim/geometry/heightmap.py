@@ -21,14 +21,9 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.model.ground import HeightMap
-
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-ComplexArray = npt.NDArray[np.complex128]
-IndexArray = npt.NDArray[np.intp]
 
 _AT_ONCE: Final = 1_000_000  # viewers times pixels: what fits into the memory of any machine
 _SIDES: Final = ((0, -1, 0, 1), (1, 0, 1, 1 + 1j), (0, 1, 1 + 1j, 1j), (-1, 0, 1j, 0))

@@ -30,14 +30,11 @@ from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import ComplexArray, FloatArray
 from crs_cc.sim.geometry.scene import Scene, own_corners_m
 from crs_cc.sim.geometry.terrain import Terrain, corners_m
 from crs_cc.sim.model.world import Cylinder, Thing
-
-FloatArray = npt.NDArray[np.float64]
-ComplexArray = npt.NDArray[np.complex128]
 
 STEP_M: Final = 0.02
 """The highest step over which things can be pushed."""

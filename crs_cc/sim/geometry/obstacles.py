@@ -12,14 +12,10 @@ from dataclasses import dataclass
 from typing import Final, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.cell_list import CellList, expand, few_pairs
 from crs_cc.sim.geometry.scene import Outlines
-
-FloatArray = npt.NDArray[np.float64]
-ComplexArray = npt.NDArray[np.complex128]
-IndexArray = npt.NDArray[np.intp]
 
 _MOST_CELLS: Final = 128  # along each side of the grid
 _CELLS_PER_REACH: Final = 8

@@ -7,12 +7,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
-import numpy as np
-import numpy.typing as npt
-
-FloatArray = npt.NDArray[np.float64]
-ComplexArray = npt.NDArray[np.complex128]
-IndexArray = npt.NDArray[np.intp]
+from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 
 
 class Prospect(Protocol):

@@ -15,12 +15,10 @@ overlap by the least of the overlaps along these.
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray
 from crs_cc.sim.geometry.scene import convex_parts_of, corners_m
 from crs_cc.sim.model.world import Box, Cylinder, Solid, Wall
-
-FloatArray = npt.NDArray[np.float64]
 
 
 def overlap_m(thing: Solid, other: Solid) -> float:

@@ -19,16 +19,13 @@ from itertools import chain, islice
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray
 from crs_cc.sim.geometry.cell_list import Discs, overlapping
 from crs_cc.sim.geometry.overlap import overlap_m
 from crs_cc.sim.geometry.scene import corners_m
 from crs_cc.sim.model.polygon import distances_m
 from crs_cc.sim.model.world import Box, Cylinder, Polygon, Solid, Wall, WorldModel, is_pushable
-
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
 
 TOLERANCE_M: Final = 1e-6
 

@@ -20,8 +20,8 @@ from functools import lru_cache
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.sim.model.polygon import is_convex, triangles
 from crs_cc.sim.model.world import (
     Box,
@@ -33,10 +33,6 @@ from crs_cc.sim.model.world import (
     WorldModel,
     is_pushable,
 )
-
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,14 +18,11 @@ from dataclasses import dataclass
 from typing import Protocol, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model.polygon import distances_m
 from crs_cc.sim.model.world import Box, Cylinder, Polygon, Robot, Solid, Wall
-
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
 
 
 class Placed(Protocol):

@@ -19,9 +19,9 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
-FloatArray = npt.NDArray[np.float64]
+from crs_cc.core.arrays import FloatArray
+
 Run = tuple[int, int]
 """The first and the last point of a segment."""
 

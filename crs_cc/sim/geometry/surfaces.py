@@ -19,12 +19,10 @@ from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray, Int32Array
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model.world import PLAIN
-
-FloatArray = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +36,7 @@ class Surfaces:
         hushed: how far each is heard, as a share of how far a hard one is; None when all are hard.
     """
 
-    colour: npt.NDArray[np.int32]
+    colour: Int32Array
     infrared: FloatArray | None
     hushed: FloatArray | None
 

@@ -23,16 +23,11 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.heightmap import Heights
 from crs_cc.sim.geometry.obstacles import Grid
 from crs_cc.sim.model.ground import Ground
-
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-ComplexArray = npt.NDArray[np.complex128]
-IndexArray = npt.NDArray[np.intp]
 
 _ON_M: Final = 1e-9  # rounding must not leave a gap between patches that touch
 

@@ -18,10 +18,8 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
+from crs_cc.core.arrays import FloatArray, IndexArray
 
 SHORTEST_M: Final = 1e-3
 """The shortest side, and the narrowest waist, that a polygon may have."""

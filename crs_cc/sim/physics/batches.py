@@ -8,16 +8,13 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 import pymunk
 from pymunk import batch
 
+from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.sim.physics.rigid import Rigid
 from crs_cc.sim.physics.space import Space
 from crs_cc.sim.state.bodies import Bodies
-
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
 
 _MOTION: Final = (
     batch.BodyFields.POSITION | batch.BodyFields.ANGLE

@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.sim.geometry.frames import compose, relative, wrapped
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.shape_table import Things
@@ -26,8 +26,6 @@ from crs_cc.sim.state.holds import GRIPPER, HAND, Holds
 if TYPE_CHECKING:
     from crs_cc.sim.state.env_state import EnvState
 
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
 
 _OWN_M: Final = 0.01
 """A contact that is further than this from a robot's body is its load's."""

@@ -6,15 +6,12 @@ from dataclasses import replace
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.physics.carrying import Load
 from crs_cc.sim.physics.space import SLOP_M
 from crs_cc.sim.state.bodies import NO_CONTACTS, Bodies, Contacts
-
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
 
 TORN_M: Final = 0.02
 """How deep a load gets into something before it is torn out of the fingers; chosen by us."""

@@ -12,18 +12,14 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 import pymunk
 
+from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.physics.carrying import Load
 from crs_cc.sim.physics.inclines import Incline
 from crs_cc.sim.physics.space import Space
 from crs_cc.sim.state.bodies import Bodies, Pull
-
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
 
 _SAME_N: Final = 1e-9  # a smaller force needs no limit
 

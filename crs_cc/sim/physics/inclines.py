@@ -34,15 +34,12 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.terrain import Terrain
 from crs_cc.sim.model.mass_properties import FLOOR_FRICTION, GRAVITY_MPS2
 from crs_cc.sim.model.world import WorldModel
-
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
 
 _MARGIN_M: Final = 0.01
 _LEAST_N: Final = 1e-3

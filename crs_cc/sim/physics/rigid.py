@@ -15,16 +15,13 @@ from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray
 from crs_cc.sim.geometry.frames import compose, relative
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model.mass_properties import friction_n, friction_nm, moment_kgm2
 from crs_cc.sim.model.world import Thing
 from crs_cc.sim.state.bodies import Bodies
-
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,17 +5,15 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 import pymunk
 
+from crs_cc.core.arrays import FloatArray
 from crs_cc.sim.geometry.frames import compose
 from crs_cc.sim.geometry.ledges import Ledges
 from crs_cc.sim.geometry.scene import Scene, convex_parts_of, corners_m, own_corners_m
 from crs_cc.sim.model.world import Box, Cylinder, Polygon, Solid, Thing, Wall
 from crs_cc.sim.physics.rigid import Whole
 from crs_cc.sim.state.bodies import Bodies
-
-FloatArray = npt.NDArray[np.float64]
 
 SURFACE_FRICTION: Final = 0.5
 """Friction of each surface; where two touch their product counts. Chosen by us."""

@@ -29,8 +29,8 @@ from dataclasses import replace
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray
 from crs_cc.core.gc_pause import without_collector
 from crs_cc.sim.geometry.clearance import clearance_m
 from crs_cc.sim.geometry.ledges import Ledges
@@ -51,9 +51,6 @@ from crs_cc.sim.state.bodies import (
     Pull,
     Ran,
 )
-
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
 
 REBUILD: Final = 100
 """Cycles after which the space is made anew."""

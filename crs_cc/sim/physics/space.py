@@ -13,9 +13,9 @@ from dataclasses import dataclass, field
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 import pymunk
 
+from crs_cc.core.arrays import FloatArray
 from crs_cc.sim.geometry.ledges import Ledges
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model.world import Thing, WorldModel
@@ -29,8 +29,6 @@ from crs_cc.sim.physics.shapes import (
     shapes_of,
     thing_shapes,
 )
-
-FloatArray = npt.NDArray[np.float64]
 
 SLOP_M: Final = 0.0005
 """Overlap that is left alone, so that things at rest stay in contact."""

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray, Int64Array
 from crs_cc.sim.model.world import WorldModel
 
 
@@ -21,9 +21,9 @@ class BeaconState:
         tone: its tone, (robots,).
     """
 
-    brightness: npt.NDArray[np.float64]
-    level: npt.NDArray[np.float64]
-    tone: npt.NDArray[np.int64]
+    brightness: FloatArray
+    level: FloatArray
+    tone: Int64Array
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:

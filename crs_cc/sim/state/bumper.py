@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import Int32Array
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.last_measurement import Moments
 
@@ -21,7 +21,7 @@ class BumperState:
         hit: when a switch was pressed last that was not pressed before.
     """
 
-    pressed: npt.NDArray[np.int32]
+    pressed: Int32Array
     hit: Moments
 
     @classmethod

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray, Int32Array, Int64Array
 from crs_cc.sim.model.sensors import MAX_COLUMNS
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.paged_reply import Told
@@ -27,10 +27,10 @@ class CameraState:
         told: what the last reply told of.
     """
 
-    colour: npt.NDArray[np.int32]
-    range: npt.NDArray[np.int32]
-    at_s: npt.NDArray[np.float64]
-    count: npt.NDArray[np.int64]
+    colour: Int32Array
+    range: Int32Array
+    at_s: FloatArray
+    count: Int64Array
     told: Told
 
     @classmethod

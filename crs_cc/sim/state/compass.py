@@ -6,12 +6,10 @@ from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, Int32Array, Int64Array
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.last_measurement import Moments
-
-BoolArray = npt.NDArray[np.bool_]
 
 
 @dataclass(slots=True)
@@ -28,8 +26,8 @@ class CompassState:
 
     on: BoolArray
     calibrated: BoolArray
-    reading: npt.NDArray[np.int32]
-    count: npt.NDArray[np.int64]
+    reading: Int32Array
+    count: Int64Array
     measured: Moments
 
     @classmethod

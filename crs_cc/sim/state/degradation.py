@@ -8,14 +8,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final, Literal, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, Int64Array, Records
 from crs_cc.sim.model.degradation import DEVICES, HOLD, Degradation, delay_depth
 
 if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
 
-FloatArray = npt.NDArray[np.float64]
 
 NUMBER: Final = {name: number for number, name in enumerate(DEVICES)}
 """The number of each device in arrays."""
@@ -63,10 +62,10 @@ class DegradationState:
         next_s: when the next one begins, fades or is over; infinite for never.
     """
 
-    table: npt.NDArray[np.void]
+    table: Records
     memory: FloatArray
-    made: npt.NDArray[np.int64]
-    present: npt.NDArray[np.bool_]
+    made: Int64Array
+    present: BoolArray
     next_s: float
 
     @classmethod
@@ -131,7 +130,7 @@ class DegradationState:
         self.next_s = float(np.min(turns_s(table), initial=np.inf))
 
 
-def turns_s(table: npt.NDArray[np.void]) -> FloatArray:
+def turns_s(table: Records) -> FloatArray:
     """Gives when degradations come to their next phase, infinite for never, shape (n,)."""
     end_s = table["onset_s"] + table["duration_s"]
     never_s = np.full(len(table), np.inf)
@@ -139,7 +138,7 @@ def turns_s(table: npt.NDArray[np.void]) -> FloatArray:
     return np.asarray(choices[table["phase"], np.arange(len(table))])
 
 
-def record(degradation: Degradation, robot: int, serial: int) -> npt.NDArray[np.void]:
+def record(degradation: Degradation, robot: int, serial: int) -> Records:
     """Gives a degradation as a record of the table.
 
     Args:

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
-import numpy.typing as npt
+
+from crs_cc.core.arrays import Int32Array, Int64Array
 
 
 @dataclass(slots=True)
@@ -18,8 +19,8 @@ class DrawingState:
         robots: whose program drew it, (marks,).
     """
 
-    marks: npt.NDArray[np.int32]
-    robots: npt.NDArray[np.int64]
+    marks: Int32Array
+    robots: Int64Array
 
     @classmethod
     def at_start(cls) -> Self:

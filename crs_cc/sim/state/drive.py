@@ -6,16 +6,11 @@ from dataclasses import dataclass, fields
 from typing import Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array
 from crs_cc.sim.model.axis import AXES, STILL
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.motion_profile import Axes
-
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-WholeArray = npt.NDArray[np.int64]
-IndexArray = npt.NDArray[np.intp]
 
 
 @dataclass(slots=True)
@@ -51,8 +46,8 @@ class DriveState:
     slice: FloatArray
     move_speed: FloatArray
     ramp: FloatArray
-    command: WholeArray
-    command_cycle: WholeArray
+    command: Int64Array
+    command_cycle: Int64Array
     timeout_s: FloatArray
     deadline_s: FloatArray
     limp: BoolArray

@@ -22,8 +22,8 @@ from dataclasses import dataclass, fields, is_dataclass
 from typing import Any, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, ByteArray, FloatArray, Int64Array
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.arm import ArmState
@@ -55,11 +55,6 @@ from crs_cc.sim.state.sound import SoundState
 from crs_cc.sim.state.tilt import TiltState
 from crs_cc.sim.state.timers import TimerState
 from crs_cc.sim.state.waits import WaitState
-
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-WholeArray = npt.NDArray[np.int64]
-IndexArray = npt.NDArray[np.intp]
 
 
 @dataclass(slots=True)
@@ -136,7 +131,7 @@ class EnvState:
     gripper: GripperState
     arm: ArmState
     beacons: BeaconState
-    mask: npt.NDArray[np.uint8]
+    mask: ByteArray
     pos_data: PosDataState
     battery: BatteryState
     heat: HeatState
@@ -146,10 +141,10 @@ class EnvState:
     connected: BoolArray
     messages: MessageState
     waits: WaitState
-    contacts_before: WholeArray
+    contacts_before: Int64Array
     distance_m: FloatArray
-    collisions: WholeArray
-    commands: WholeArray
+    collisions: Int64Array
+    commands: Int64Array
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
@@ -235,7 +230,7 @@ class EnvState:
         return digest.hexdigest()
 
 
-def _whole(count: int) -> WholeArray:
+def _whole(count: int) -> Int64Array:
     return np.zeros(count, dtype=np.int64)
 
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray, Int64Array
 from crs_cc.sim.model.world import WorldModel
 
 
@@ -21,9 +21,9 @@ class GpsState:
         count: how often they measured, (n,).
     """
 
-    fix_m: npt.NDArray[np.float64]
-    at_s: npt.NDArray[np.float64]
-    count: npt.NDArray[np.int64]
+    fix_m: FloatArray
+    at_s: FloatArray
+    count: Int64Array
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:

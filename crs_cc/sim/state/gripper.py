@@ -6,11 +6,9 @@ from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray
 from crs_cc.sim.model.world import WorldModel
-
-FloatArray = npt.NDArray[np.float64]
 
 
 @dataclass(slots=True)
@@ -27,7 +25,7 @@ class GripperState:
 
     from_m: FloatArray
     since_s: FloatArray
-    closing: npt.NDArray[np.bool_]
+    closing: BoolArray
     before_m: FloatArray
     width_m: FloatArray
 

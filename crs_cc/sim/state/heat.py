@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model.world import WorldModel
 
@@ -21,7 +21,7 @@ class HeatState:
             what cannot, the ground; shape (names,).
     """
 
-    left: npt.NDArray[np.float64]
+    left: FloatArray
 
     @classmethod
     def at_start(cls, world: WorldModel, scene: Scene) -> Self:

@@ -15,11 +15,8 @@ from dataclasses import dataclass
 from typing import Final, Self
 
 import numpy as np
-import numpy.typing as npt
 
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array
 
 GRIPPER: Final = 0
 HAND: Final = 1
@@ -36,7 +33,7 @@ class Holds:
             of the mount, of what is in a hand in the frame of the hand, (robots, 2, 3).
     """
 
-    thing: npt.NDArray[np.int64]
+    thing: Int64Array
     grasp: FloatArray
 
     @classmethod

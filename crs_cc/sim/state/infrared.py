@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import Final, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, Int64Array
 from crs_cc.sim.model.sensors import MAX_INFRARED
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.last_measurement import Moments
@@ -28,10 +28,10 @@ class InfraredState:
         measured: when they did last.
     """
 
-    on: npt.NDArray[np.bool_]
-    share: npt.NDArray[np.float64]
-    level: npt.NDArray[np.float64]
-    count: npt.NDArray[np.int64]
+    on: BoolArray
+    share: FloatArray
+    level: FloatArray
+    count: Int64Array
     measured: Moments
 
     @classmethod

@@ -6,14 +6,12 @@ from dataclasses import dataclass
 from typing import Final, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import Int32Array, Int64Array
 from crs_cc.sim.model.sensors import NUM_LASER
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.last_measurement import Moments
 from crs_cc.sim.state.paged_reply import Told
-
-WholeArray = npt.NDArray[np.int32]
 
 _USUAL_SEGMENTS: Final = (50, 4, 30)
 """What the vendor's header advises to give to `conf_sg`."""
@@ -37,14 +35,14 @@ class LaserState:
         predicted: what the last answer to PREDICT told of.
     """
 
-    mode: WholeArray
-    wanted: WholeArray
-    averaged: WholeArray
-    segments: WholeArray
-    points: WholeArray
-    seen: WholeArray
-    ranges: WholeArray
-    count: npt.NDArray[np.int64]
+    mode: Int32Array
+    wanted: Int32Array
+    averaged: Int32Array
+    segments: Int32Array
+    points: Int32Array
+    seen: Int32Array
+    ranges: Int32Array
+    count: Int64Array
     measured: Moments
     told: Told
     predicted: Told

@@ -17,10 +17,8 @@ from typing import Final, Self
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
 from crs_cc.core.time_grid import is_due
-
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
 
 _CONFIGURATION: Final = 7  # x, y, heading, turret, and the speeds of three axes
 
@@ -35,16 +33,14 @@ class Moments:
     """
 
     at_s: FloatArray
-    configuration: npt.NDArray[np.int32]
+    configuration: Int32Array
 
     @classmethod
     def never(cls, count: int) -> Self:
         """Gives robots that have not measured yet."""
         return cls(np.full(count, -1.0), np.zeros((count, _CONFIGURATION), dtype=np.int32))
 
-    def are_due(
-        self, rows: IndexArray, at_s: FloatArray, interval_s: FloatArray
-    ) -> npt.NDArray[np.bool_]:
+    def are_due(self, rows: IndexArray, at_s: FloatArray, interval_s: FloatArray) -> BoolArray:
         """Tells which robots have the instrument, and may measure with it again.
 
         Args:

@@ -6,12 +6,10 @@ from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray, Int64Array
 from crs_cc.sim.model.beacons import MAX_LIGHT_SENSORS
 from crs_cc.sim.model.world import WorldModel
-
-FloatArray = npt.NDArray[np.float64]
 
 
 @dataclass(slots=True)
@@ -26,7 +24,7 @@ class LightState:
 
     reading: FloatArray
     at_s: FloatArray
-    count: npt.NDArray[np.int64]
+    count: Int64Array
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:

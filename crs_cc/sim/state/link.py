@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import Int64Array
 from crs_cc.sim.model.world import WorldModel
 
 
@@ -19,7 +19,7 @@ class LinkState:
         baud: their speeds [bit/s], (robots,).
     """
 
-    baud: npt.NDArray[np.int64]
+    baud: Int64Array
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:

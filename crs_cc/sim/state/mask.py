@@ -9,7 +9,8 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
+
+from crs_cc.core.arrays import ByteArray
 
 NUM_MASK: Final = 44
 POS_DATA: Final = 0  # which sensors' positions are wanted, bit by bit
@@ -18,7 +19,7 @@ LASER: Final = slice(42, 43)
 COMPASS: Final = slice(43, 44)
 
 
-def first_mask(robots: int) -> npt.NDArray[np.uint8]:
+def first_mask(robots: int) -> ByteArray:
     """Gives what `init_mask` sets: everything, but no positions."""
     mask = np.ones((robots, NUM_MASK), dtype=np.uint8)
     mask[:, POS_DATA] = 0

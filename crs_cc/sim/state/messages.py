@@ -8,13 +8,9 @@ from typing import Final, Self
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, Int64Array, Records
 from crs_cc.requests import DATA_SIZE
 from crs_cc.sim.model.world import WorldModel
-
-BoolArray = npt.NDArray[np.bool_]
-FloatArray = npt.NDArray[np.float64]
-WholeArray = npt.NDArray[np.int64]
-Table = npt.NDArray[np.void]
 
 PACKET: Final = np.dtype(
     [
@@ -96,16 +92,16 @@ class MessageState:
         counts: how often each fate came to messages on each channel, (channels, fates).
     """
 
-    sent: WholeArray
+    sent: Int64Array
     groups: npt.NDArray[np.uint32]
     free_s: FloatArray
     bursts: BoolArray
-    outbox: Table
-    packets: Table
-    receptions: Table
-    shuts: Table
-    traffic: Table
-    counts: WholeArray
+    outbox: Records
+    packets: Records
+    receptions: Records
+    shuts: Records
+    traffic: Records
+    counts: Int64Array
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:

@@ -26,13 +26,10 @@ from dataclasses import dataclass, fields
 from typing import Final, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray
 from crs_cc.sim.model.axis import AXES
 from crs_cc.sim.state.rows import ALL, Rows, take
-
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
 
 _NO_WAY: Final = 1e-12  # shorter ways are rounding errors
 

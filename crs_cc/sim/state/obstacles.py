@@ -8,14 +8,13 @@ from itertools import compress
 from typing import Final, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, IndexArray, Int32Array, Int64Array
 from crs_cc.core.suggest import unknown
 from crs_cc.core.units import tenths_inch_to_m
 from crs_cc.sim.model.world import Polygon, Solid, WorldModel
 
-BoolArray = npt.NDArray[np.bool_]
-Corners = npt.NDArray[np.int32]
+Corners = Int32Array
 
 MAX_VERTICES: Final = 10
 """The most corners that the vendor's interface gives to a polygon (`MAX_VERTICES`)."""
@@ -41,9 +40,9 @@ class ObstacleState:
     """
 
     corners: Corners
-    sizes: npt.NDArray[np.int64]
-    numbers: npt.NDArray[np.int64]
-    owners: npt.NDArray[np.int64]
+    sizes: Int64Array
+    numbers: Int64Array
+    owners: Int64Array
     made: int
     standing: BoolArray
 
@@ -58,7 +57,7 @@ class ObstacleState:
         """Gives the corners of an added polygon, shape (corners, 2)."""
         return self.corners[added, : self.sizes[added]]
 
-    def take(self, rows: npt.NDArray[np.intp]) -> Self:
+    def take(self, rows: IndexArray) -> Self:
         """Gives the same with some of the added polygons only."""
         return replace(
             self,

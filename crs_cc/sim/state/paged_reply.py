@@ -17,9 +17,8 @@ from typing import Final, Self
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.core.arrays import Int32Array
 from crs_cc.requests import DATA_SIZE
-
-WholeArray = npt.NDArray[np.int32]
 
 _PAGE: Final = DATA_SIZE // 4  # numbers
 
@@ -34,9 +33,9 @@ class Told:
         numbers: the numbers, one reading after the other, (n, room).
     """
 
-    count: WholeArray
-    width: WholeArray
-    numbers: WholeArray
+    count: Int32Array
+    width: Int32Array
+    numbers: Int32Array
 
     @classmethod
     def nothing(cls, count: int, room: int) -> Self:

@@ -6,11 +6,9 @@ from dataclasses import dataclass
 from typing import Final, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import IndexArray, Int32Array
 from crs_cc.sim.model.world import WorldModel
-
-IndexArray = npt.NDArray[np.intp]
 
 NUMBERS: Final = 9
 """Numbers of the vendor's `PosData`: a configuration, and two times (`Nclient.h` 1.29)."""
@@ -37,7 +35,7 @@ class PosDataState:
     """
 
     row: IndexArray
-    told: npt.NDArray[np.int32]
+    told: Int32Array
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:

@@ -12,9 +12,11 @@ from typing import Final, TypeAlias, TypeVar
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.core.arrays import IndexArray
+
 Scalar = TypeVar("Scalar", bound=np.generic)
 
-Rows: TypeAlias = "npt.NDArray[np.intp] | slice"
+Rows: TypeAlias = "IndexArray | slice"
 """Which robots: their indices, or `ALL`."""
 
 ALL: Final = slice(None)

@@ -6,15 +6,11 @@ from dataclasses import dataclass
 from typing import Final, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray, IndexArray, Int32Array, Int64Array
 from crs_cc.core.units import m_to_inch
 from crs_cc.sim.model.sonar import MAX_SONARS
 from crs_cc.sim.model.world import WorldModel
-
-FloatArray = npt.NDArray[np.float64]
-WholeArray = npt.NDArray[np.int64]
-IndexArray = npt.NDArray[np.intp]
 
 NO_ECHO: Final = 255
 """A sonar's reading in inches when it hears nothing, the largest that the byte on the line holds
@@ -53,18 +49,18 @@ class SonarState:
     length: IndexArray
     start_s: FloatArray
     interval_s: FloatArray
-    turn: WholeArray
+    turn: Int64Array
     next_s: FloatArray
-    count: WholeArray
+    count: Int64Array
     mode: IndexArray
     listening: IndexArray
     sent_s: FloatArray
-    sent_from: npt.NDArray[np.int32]
+    sent_from: Int32Array
     heard_s: FloatArray
     heard_m: FloatArray
     echo_m: FloatArray
     fired_s: FloatArray
-    fired_from: npt.NDArray[np.int32]
+    fired_from: Int32Array
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
@@ -94,7 +90,7 @@ class SonarState:
             fired_from=np.zeros((count, MAX_SONARS, CONFIGURATION), dtype=np.int32),
         )
 
-    def reading_in(self, rows: IndexArray) -> npt.NDArray[np.int32]:
+    def reading_in(self, rows: IndexArray) -> Int32Array:
         """Gives the readings of robots in whole inches, at most `NO_ECHO`, shape (k, 16)."""
         return inches(self.echo_m[rows])
 
@@ -124,6 +120,6 @@ class SonarState:
         self.echo_m[rows] = np.where(silent, np.inf, self.echo_m[rows])
 
 
-def inches(distance_m: FloatArray) -> npt.NDArray[np.int32]:
+def inches(distance_m: FloatArray) -> Int32Array:
     """Gives distances as sonars tell them: whole inches, 0 to `NO_ECHO`."""
     return np.clip(np.rint(m_to_inch(distance_m)), 0, NO_ECHO).astype(np.int32)

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray, Int64Array
 from crs_cc.sim.model.world import WorldModel
 
 
@@ -21,9 +21,9 @@ class TiltState:
         count: how often they measured, (n,).
     """
 
-    tilt_rad: npt.NDArray[np.float64]
-    at_s: npt.NDArray[np.float64]
-    count: npt.NDArray[np.int64]
+    tilt_rad: FloatArray
+    at_s: FloatArray
+    count: Int64Array
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:

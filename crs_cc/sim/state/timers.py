@@ -6,13 +6,10 @@ from dataclasses import dataclass
 from typing import Final, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array
 from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.model.world import WorldModel
-
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
 
 GPS, CAMERA, HEAT, LASER, INFRARED, COMPASS, TILT, LIGHT, SOUND = range(9)
 """Numbers of the sensors that can have a timer, those of `crs.h`."""
@@ -34,7 +31,7 @@ class TimerState:
 
     period_s: FloatArray
     start_s: FloatArray
-    turn: npt.NDArray[np.int64]
+    turn: Int64Array
     next_s: FloatArray
     soonest_s: FloatArray
 
@@ -49,7 +46,7 @@ class TimerState:
             period_s, none, none.astype(np.int64), next_s, next_s.min(axis=1, initial=np.inf)
         )
 
-    def on_request(self, rows: IndexArray, sensor: int) -> npt.NDArray[np.bool_]:
+    def on_request(self, rows: IndexArray, sensor: int) -> BoolArray:
         """Tells which robots have no timer for a sensor."""
         return np.asarray(self.period_s[rows, sensor] == 0.0)
 

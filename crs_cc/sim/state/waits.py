@@ -6,13 +6,11 @@ from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array, Records
 from crs_cc.requests import MESSAGE
 from crs_cc.sim.model.axis import AXES
 from crs_cc.sim.model.world import WorldModel
-
-IndexArray = npt.NDArray[np.intp]
 
 
 @dataclass(slots=True)
@@ -26,10 +24,10 @@ class WaitState:
         axes: the axes that have to stand still, (robots, 3).
     """
 
-    code: npt.NDArray[np.int64]
-    asked: npt.NDArray[np.void]
-    until_s: npt.NDArray[np.float64]
-    axes: npt.NDArray[np.bool_]
+    code: Int64Array
+    asked: Records
+    until_s: FloatArray
+    axes: BoolArray
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
@@ -42,7 +40,7 @@ class WaitState:
             np.zeros((count, AXES), dtype=np.bool_),
         )
 
-    def begin(self, code: int, rows: IndexArray, messages: npt.NDArray[np.void]) -> None:
+    def begin(self, code: int, rows: IndexArray, messages: Records) -> None:
         """Lets robots wait for what they have asked."""
         self.code[rows], self.asked[rows] = code, messages
 

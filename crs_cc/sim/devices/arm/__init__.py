@@ -20,8 +20,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.core.units import m_to_tenths_inch, rad_to_tenths_deg, tenths_deg_to_rad
 from crs_cc.requests import LARGEST
 from crs_cc.sim.devices.collision_free import has_room
@@ -37,9 +37,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.state.env_state import EnvState
     from crs_cc.sim.state.events import EventLog
 
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
 
 _GRAMS: Final = 1000.0
 

@@ -27,7 +27,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
+
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import Equipment
@@ -36,9 +37,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
 
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
 
 COMPUTERS: Final = 12.0 / 5
 MOTORS: Final = 12.85 / 5
@@ -118,7 +116,7 @@ class Batteries:
 
     def told(
         self, state: EnvState, equipment: Equipment, rows: IndexArray, at_s: FloatArray
-    ) -> tuple[npt.NDArray[np.int32], npt.NDArray[np.int32]]:
+    ) -> tuple[Int32Array, Int32Array]:
         """Gives the bytes of the computers' and of the motors' battery, shape (k,) each."""
         kinds, for_s = self._kind[rows], at_s - state.presence.joined_s[rows]
         charges = (
@@ -135,9 +133,7 @@ class Batteries:
         told = np.where(np.isnan(volts), 0.0, volts)
         return _byte(told[:, 0], COMPUTERS), _byte(told[:, 1], MOTORS)
 
-    def status(
-        self, state: EnvState, rows: IndexArray, at_s: FloatArray
-    ) -> npt.NDArray[np.int32] | None:
+    def status(self, state: EnvState, rows: IndexArray, at_s: FloatArray) -> Int32Array | None:
         """Gives bits 2 and 3 of the motors' status, None if no robot has its charge there."""
         asks = self._in_status[rows]
         if not asks.any():
@@ -177,7 +173,7 @@ class _Supply:
         left = self.start[kinds] - used_j / self.capacity_j[kinds]
         return np.asarray(np.maximum(left, 0.0))
 
-    def bytes(self, kinds: IndexArray, charge: FloatArray) -> npt.NDArray[np.int32]:
+    def bytes(self, kinds: IndexArray, charge: FloatArray) -> Int32Array:
         """Gives what goes on the line for charges."""
         return np.asarray(self._bytes[kinds, (charge * _STEPS + 0.5).astype(np.intp)])
 
@@ -191,11 +187,11 @@ def _places(curve_v: tuple[float, ...]) -> FloatArray:
     return np.linspace(0.0, 1.0, len(curve_v))
 
 
-def _byte(volts: FloatArray, factor: float) -> npt.NDArray[np.int32]:
+def _byte(volts: FloatArray, factor: float) -> Int32Array:
     return np.clip(np.rint((volts / factor - 2) * (255 / 3)), 0, 255).astype(np.int32)
 
 
-def _bytes(curve_v: tuple[float, ...], factor: float) -> npt.NDArray[np.int32]:
+def _bytes(curve_v: tuple[float, ...], factor: float) -> Int32Array:
     """Gives the byte for each step of charge from empty to full.
 
     >>> _bytes((12.0, 13.0), COMPUTERS)[[0, 500]].tolist(), round((2 + 234 * 3 / 255) * MOTORS, 1)

@@ -9,21 +9,16 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Records
 from crs_cc.sim.model.beacons import TONES
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import Equipment
     from crs_cc.sim.state.env_state import EnvState
 
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
-Messages = npt.NDArray[np.void]
 
-
-def light(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> BoolArray:
+def light(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> BoolArray:
     """Lets lamps shine; refuses robots that have none."""
     brightest = equipment.brightest[rows]
     wanted = _within(state, equipment, "lamp", rows, messages, most=brightest)
@@ -31,7 +26,7 @@ def light(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Mes
     return np.asarray(brightest > 0.0)
 
 
-def sound(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> BoolArray:
+def sound(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> BoolArray:
     """Lets speakers sound; refuses robots that have none, and tones that are none."""
     tone = messages["i"][:, 1]
     good = (equipment.loudest[rows] > 0.0) & (tone >= 0) & (tone < TONES)
@@ -47,7 +42,7 @@ def _within(
     equipment: Equipment,
     device: str,
     rows: IndexArray,
-    messages: Messages,
+    messages: Records,
     *,
     most: FloatArray,
 ) -> FloatArray:

@@ -20,8 +20,8 @@ import math
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
 from crs_cc.sim.devices.vendor_state import configuration
 from crs_cc.sim.state.bodies import Contacts
 
@@ -31,10 +31,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
 
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
-Messages = npt.NDArray[np.void]
 
 _TURN: Final = 2 * math.pi
 _BITS: Final = 24  # of State[33]
@@ -62,7 +58,7 @@ class Bumpers:
         self._bearing_rad, self._span_rad = table[..., 0], table[..., 1]
         self._bit = table[..., 2].astype(np.int32)
 
-    def pressed(self, robots: IndexArray, bearing_rad: FloatArray) -> npt.NDArray[np.int32]:
+    def pressed(self, robots: IndexArray, bearing_rad: FloatArray) -> Int32Array:
         """Gives the bits of the switches that contacts press, shape (k,).
 
         Args:
@@ -119,9 +115,9 @@ class Bumpers:
         self,
         state: EnvState,
         equipment: Equipment,
-        pressed: npt.NDArray[np.int32],
+        pressed: Int32Array,
         at_s: float,
-    ) -> npt.NDArray[np.int32]:
+    ) -> Int32Array:
         """Gives what becomes of the switches that are pressed at an instant, (robots,)."""
         if not equipment.degradations.concern(state, "bumper"):
             return pressed
@@ -135,7 +131,7 @@ class Bumpers:
 
 
 def get_bp(
-    _state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messages
+    _state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Records
 ) -> BoolArray:
     """Refuses robots that have no bumpers; the reply has the switches."""
     return np.asarray(equipment.bumpers[rows])

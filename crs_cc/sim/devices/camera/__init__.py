@@ -25,9 +25,9 @@ import math
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
 from crs_cc.core import random_streams
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
 from crs_cc.core.time_grid import is_due
 from crs_cc.core.units import m_to_tenths_inch, rad_to_tenths_deg
 from crs_cc.sim.devices.camera.blobs import blobs
@@ -45,10 +45,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
 
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
-WholeArray = npt.NDArray[np.int32]
 
 _PIXEL: Final = 2
 _BLOB: Final = 4
@@ -146,7 +142,7 @@ class Cameras:
         return has
 
 
-def _told_blobs(model: Camera, colour: WholeArray, range_: WholeArray) -> WholeArray:
+def _told_blobs(model: Camera, colour: Int32Array, range_: Int32Array) -> Int32Array:
     """Gives angle and width [0.1 deg], colour and range [0.1 in] of blobs, shape (blobs, 4)."""
     found = blobs(colour, range_)
     step = float(rad_to_tenths_deg(model.field_of_view_rad / model.columns))

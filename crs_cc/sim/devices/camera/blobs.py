@@ -14,10 +14,10 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-WholeArray = npt.NDArray[np.int32]
+from crs_cc.core.arrays import Int32Array
 
 
-def blobs(colours: npt.NDArray[np.integer], ranges: npt.NDArray[np.integer]) -> WholeArray:
+def blobs(colours: npt.NDArray[np.integer], ranges: npt.NDArray[np.integer]) -> Int32Array:
     """Gives the runs of columns that show one colour of something.
 
     Args:

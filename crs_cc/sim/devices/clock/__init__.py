@@ -17,13 +17,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
+
+from crs_cc.core.arrays import FloatArray, IndexArray
 
 if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
 
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
 
 _WRAP: Final = 2.0**32
 _ROUNDING: Final = 1e-9  # ticks; an instant that is meant to be on a tick is

@@ -21,8 +21,8 @@ import math
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Records
 from crs_cc.core.random_streams import COMPASS, Noise
 from crs_cc.core.units import rad_to_tenths_deg
 from crs_cc.sim.devices import drive
@@ -35,10 +35,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
 
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
-Messages = npt.NDArray[np.void]
 
 OFF: Final = 0
 CALIBRATE: Final = 2
@@ -102,14 +98,14 @@ class Compasses:
 
 
 def get_cp(
-    _state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messages
+    _state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Records
 ) -> BoolArray:
     """Refuses robots that have no compass; the reply has the reading."""
     return np.asarray(equipment.compass[rows] >= 0)
 
 
 def conf_cp(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
 ) -> BoolArray:
     """Switches the compass; refuses modes that there are not."""
     mode, mine = messages["i"][:, 0], equipment.compass[rows]

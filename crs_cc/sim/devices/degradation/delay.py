@@ -10,15 +10,11 @@ from dataclasses import dataclass
 from typing import Final, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.core.time_grid import ROUNDING_S
 from crs_cc.sim.devices.degradation.pipeline import Pass
 from crs_cc.sim.state.degradation import width_of
-
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
 
 _SPARE: Final = 2  # so many more values are kept than a delay needs
 _LEAST_S: Final = 1e-3  # the shortest time over which a speed of long ago is taken

@@ -44,8 +44,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.core.random_streams import DEGRADATION, Draws
 from crs_cc.core.time_grid import ROUNDING_S
 from crs_cc.sim.devices.degradation.delay import delayed, delayed_speeds
@@ -56,8 +56,6 @@ from crs_cc.sim.state.degradation import NUMBER, OVER, DegradationState
 if TYPE_CHECKING:
     from crs_cc.sim.state.env_state import EnvState
 
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
 
 _FINEST: Final = 1e-9
 
@@ -82,7 +80,7 @@ class Degradations:
 
     def __init__(self, seed: int) -> None:
         self._seed = seed
-        self._of: npt.NDArray[np.bool_] | None = None
+        self._of: BoolArray | None = None
         self._layers: dict[int, list[_Layer]] = {}
 
     def concern(self, state: EnvState, device: str) -> bool:

@@ -6,15 +6,11 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.core.quantity import ANGLE
 from crs_cc.sim.model.degradation import DEVICES
 from crs_cc.sim.state.degradation import ALL_ELEMENTS, FIXED, FREE, HOLDS, DegradationState
-
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
 
 _FINEST: Final = 1e-9  # rounding to smaller steps changes nothing
 _LARGEST: Final = 1e6

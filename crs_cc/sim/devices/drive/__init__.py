@@ -31,8 +31,8 @@ import math
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
 from crs_cc.requests import CODES
 from crs_cc.sim.devices import odometry
 from crs_cc.sim.devices.drive import traction
@@ -45,11 +45,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import Equipment
     from crs_cc.sim.state.env_state import EnvState
 
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-WholeArray = npt.NDArray[np.int64]
-IndexArray = npt.NDArray[np.intp]
-Messages = npt.NDArray[np.void]
 
 IGNORE: Final = 0
 VELOCITY: Final = 1
@@ -152,31 +147,31 @@ def face(state: EnvState, equipment: Equipment) -> None:
 # -- commands --------------------------------------------------------------------------------------
 
 
-def ac(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+def ac(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> None:
     """Sets accelerations."""
     values = messages["i"][:, :AXES]
     _set(state.drive.ramp, equipment.drives.ramp_limit, equipment, rows, values)
 
 
-def sp(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+def sp(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> None:
     """Sets the speeds of `pr`."""
     values = messages["i"][:, :AXES]
     _set(state.drive.move_speed, equipment.drives.speed_limit, equipment, rows, values)
 
 
-def pr(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+def pr(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> None:
     """Starts a relative move."""
     _move(state, equipment, rows, messages["i"][:, :AXES])
     _remember(state, rows, CODES["PR"])
 
 
-def vm(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+def vm(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> None:
     """Sets speeds."""
     _run_at(state, equipment, rows, messages["i"][:, :AXES])
     _remember(state, rows, CODES["VM"])
 
 
-def mv(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> BoolArray:
+def mv(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> BoolArray:
     """Commands each axis in a mode of its own; refuses modes that the vendor's client refuses."""
     modes, values = messages["i"][:, 0:6:2], messages["i"][:, 1:6:2]
     good = np.asarray(((modes >= IGNORE) & (modes <= SPEED)).all(axis=1))
@@ -205,19 +200,19 @@ def mv(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messag
     return good
 
 
-def st(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messages) -> None:
+def st(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Records) -> None:
     """Stops the axes and holds them."""
     _stop(state, equipment, rows)
     _remember(state, rows, CODES["ST"])
 
 
-def lp(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messages) -> None:
+def lp(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Records) -> None:
     """Lets the axes go limp: the wheels roll out, what turns stops."""
     _let_go(state, equipment, rows)
     _remember(state, rows, CODES["LP"])
 
 
-def ws(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+def ws(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> None:
     """Begins to wait until the chosen axes stand still."""
     state.waits.axes[rows] = messages["i"][:, :AXES] != 0
     timeout_s = (messages["i"][:, 3] & _BYTE).astype(np.float64)
@@ -226,7 +221,7 @@ def ws(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messag
     state.waits.until_s[rows] = np.where(endless, np.inf, until_s)
 
 
-def zr(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messages) -> None:
+def zr(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Records) -> None:
     """Begins to turn steering and turret to their zero marks, the shorter way; `zeroed` ends it.
 
     The marks are where wheels and turret point ahead of the base. A differential drive has none.
@@ -253,7 +248,7 @@ def zr(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messa
     _remember(state, rows, CODES["ZR"])
 
 
-def zeroed(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+def zeroed(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> None:
     """Sets the odometry of robots to 0; fails for those that did not get to their zero marks."""
     stands = (state.drive.axes.end_s(rows) <= state.drive.clock_s[rows, None]).all(axis=1)
     done = stands | ~equipment.drives.synchro[rows]
@@ -262,7 +257,7 @@ def zeroed(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Me
     renew_deadline(state, rows)
 
 
-def conf_tm(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+def conf_tm(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Records) -> None:
     """Sets the time without a command after which the axes stop, 0 for never."""
     timeout_s = (messages["i"][:, 0] & _BYTE).astype(np.float64)
     state.drive.timeout_s[rows] = np.where(timeout_s > 0.0, timeout_s, np.inf)
@@ -274,7 +269,7 @@ def _set(
     limit: FloatArray,
     equipment: Equipment,
     rows: IndexArray,
-    values: npt.NDArray[np.int32],
+    values: Int32Array,
     *,
     which: BoolArray | bool = True,
 ) -> None:
@@ -288,7 +283,7 @@ def _run_at(
     state: EnvState,
     equipment: Equipment,
     rows: IndexArray,
-    values: npt.NDArray[np.int32],
+    values: Int32Array,
     which: BoolArray | bool = True,
 ) -> None:
     _take_up(state, equipment, rows, which)
@@ -302,7 +297,7 @@ def _move(
     state: EnvState,
     equipment: Equipment,
     rows: IndexArray,
-    values: npt.NDArray[np.int32],
+    values: Int32Array,
     which: BoolArray | bool = True,
 ) -> None:
     _take_up(state, equipment, rows, which)

@@ -18,15 +18,12 @@ from dataclasses import dataclass
 from typing import Final, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray
 from crs_cc.core.units import tenths_deg_to_rad, tenths_inch_to_m
 from crs_cc.sim.model.axis import STILL
 from crs_cc.sim.model.robot import Drive, Odometry
 from crs_cc.sim.model.world import WorldModel
-
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
 
 _FINEST: Final = 1e-12  # what an encoder counts in that counts everything
 

@@ -20,7 +20,6 @@ import math
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
 from crs_cc.core.random_streams import ROLLING, Noise
 from crs_cc.sim.devices.drive.constants import weighted
@@ -30,7 +29,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
 
-FloatArray = npt.NDArray[np.float64]
 
 _TURN: Final = 2 * math.pi
 

@@ -22,8 +22,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.sim.devices import odometry
 from crs_cc.sim.devices.drive.constants import weighted
 from crs_cc.sim.model.axis import AXES
@@ -35,9 +35,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import Equipment
     from crs_cc.sim.state.env_state import EnvState
 
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
 
 _SAME_M: Final = 1e-9  # smaller differences of ways are rounding errors
 _STANDS_MPS: Final = 0.005  # slower wheels stand; ours

@@ -13,9 +13,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 
 from crs_cc.core import random_streams
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.core.time_grid import is_due
 from crs_cc.core.units import m_to_tenths_inch
 from crs_cc.sim.devices.mount import mount_poses
@@ -27,9 +27,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import Equipment
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
-
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
 
 
 class GpsReceivers:
@@ -73,7 +70,7 @@ class GpsReceivers:
         gps.fix_m[mine], gps.at_s[mine] = fix_m, at_s
         gps.count[mine] += 1
 
-    def tell(self, asked: Asked) -> npt.NDArray[np.bool_]:
+    def tell(self, asked: Asked) -> BoolArray:
         """Answers GPS; refuses robots that have no receiver, or whose receiver has no fix."""
         state, equipment, rows = asked.state, asked.equipment, asked.rows
         has = np.asarray(equipment.gps[rows] >= 0)

@@ -20,8 +20,8 @@ import math
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.core.units import m_to_tenths_inch
 from crs_cc.requests import LARGEST
 from crs_cc.sim.devices.grasp_choice import can_be_taken, nearest
@@ -40,9 +40,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.state.env_state import EnvState
     from crs_cc.sim.state.events import EventLog
 
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
 
 _CLOSE: Final = 0.5
 _SAME_M: Final = 1e-9

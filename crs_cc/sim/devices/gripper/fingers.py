@@ -11,14 +11,11 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.sim.geometry.cell_list import CellList
 from crs_cc.sim.geometry.frames import relative
 from crs_cc.sim.geometry.scene import Outlines
-
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
 
 _Parts: TypeAlias = tuple[IndexArray, IndexArray, FloatArray, FloatArray, FloatArray]
 """Gripper, thing, lowest and highest y, lowest x [m] of parts of outlines."""

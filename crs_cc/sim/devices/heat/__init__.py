@@ -17,8 +17,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.requests import LARGEST
 from crs_cc.sim.geometry.cell_list import CellList
 from crs_cc.sim.state.timers import HEAT
@@ -28,10 +28,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.devices.request_context import Asked
     from crs_cc.sim.devices.robot_constants import Equipment
     from crs_cc.sim.state.env_state import EnvState
-
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
 
 
 def read(

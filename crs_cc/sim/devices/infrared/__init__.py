@@ -27,8 +27,8 @@ import math
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
 from crs_cc.core.random_streams import INFRARED, Noise
 from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.devices.sensor_order import orders
@@ -44,10 +44,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
 
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
-Messages = npt.NDArray[np.void]
 
 _TURN: Final = 2 * math.pi
 _TENTHS: Final = 10
@@ -120,7 +116,7 @@ class InfraredRing:
         around: Surroundings,
         rows: IndexArray,
         poses: FloatArray,
-    ) -> npt.NDArray[np.int32]:
+    ) -> Int32Array:
         """Gives what robots' rings would tell without any error if their mounts were elsewhere.
 
         Args:
@@ -179,14 +175,14 @@ def _brightest(world: WorldModel) -> float:
 
 
 def get_ir(
-    _state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messages
+    _state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Records
 ) -> BoolArray:
     """Refuses robots that have no infrared sensors; the reply has the readings."""
     return np.asarray(equipment.infrared[rows] >= 0)
 
 
 def conf_ir(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
 ) -> BoolArray:
     """Sets the share that stays and the sensors that measure; refuses sensors that cannot be."""
     order, given, good = orders(messages, MAX_INFRARED)

@@ -31,6 +31,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
 from crs_cc.core.random_streams import LASER, Noise
 from crs_cc.core.units import m_to_tenths_inch
 from crs_cc.requests import LARGEST
@@ -50,11 +51,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
 
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
-WholeArray = npt.NDArray[np.int32]
-Messages = npt.NDArray[np.void]
 
 POINTS: Final = 2
 SEGMENTS: Final = 4
@@ -122,7 +118,7 @@ class Lasers:
         poses: FloatArray,
         *,
         at_s: FloatArray | None = None,
-    ) -> tuple[WholeArray, WholeArray, WholeArray]:
+    ) -> tuple[Int32Array, Int32Array, Int32Array]:
         """Gives the points that the lasers of robots see from somewhere.
 
         Args:
@@ -202,14 +198,14 @@ def is_on(mode: npt.NDArray[np.integer]) -> BoolArray:
     return np.asarray(mode & _ON != 0)
 
 
-def widths(mode: npt.NDArray[np.integer]) -> WholeArray:
+def widths(mode: npt.NDArray[np.integer]) -> Int32Array:
     """Gives the numbers of each reading that states tell in a mode."""
     return np.where(np.isin(mode, _SEGMENT_MODES), SEGMENTS, POINTS).astype(np.int32)
 
 
 def keep(
-    state: EnvState, told: Told, mine: IndexArray, width: WholeArray,
-    seen: tuple[WholeArray, WholeArray],
+    state: EnvState, told: Told, mine: IndexArray, width: Int32Array,
+    seen: tuple[Int32Array, Int32Array],
 ) -> None:  # fmt: skip
     """Keeps readings for the pages that the client will ask for.
 
@@ -232,7 +228,7 @@ def keep(
         told.numbers[number, : found.size] = found.ravel()
 
 
-def page(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> BoolArray:
+def page(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> BoolArray:
     """Hands over a page of the readings that the last reply, or PREDICT's, told of."""
     mine = equipment.laser[rows]
     good = np.asarray(mine >= 0)
@@ -245,14 +241,14 @@ def page(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Mess
 
 
 def get_laser(
-    _state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messages
+    _state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Records
 ) -> BoolArray:
     """Refuses robots that have no laser; the reply tells how many readings there are."""
     return np.asarray(equipment.laser[rows] >= 0)
 
 
 def conf_ls(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
 ) -> BoolArray:
     """Sets the mode and how many points are looked for; refuses modes that tell pixels."""
     mode, mine = messages["i"][:, 0], equipment.laser[rows]
@@ -269,7 +265,7 @@ def conf_ls(
 
 
 def conf_sg(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
 ) -> BoolArray:
     """Sets how points become segments."""
     mine = equipment.laser[rows]

@@ -18,9 +18,9 @@ import math
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
 from crs_cc.core import random_streams
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.requests import LARGEST
 from crs_cc.sim.devices.emitters import Sources, line_of_sight, sense
 from crs_cc.sim.model.beacons import MAX_LIGHT_SENSORS
@@ -33,9 +33,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
 
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
 
 _TURN: Final = 2 * math.pi
 

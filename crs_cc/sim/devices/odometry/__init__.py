@@ -25,8 +25,8 @@ import math
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray, IndexArray, Records
 from crs_cc.core.units import tenths_deg_to_rad, tenths_inch_to_m
 from crs_cc.sim.devices.drive.constants import weighted
 from crs_cc.sim.state.rows import take
@@ -35,9 +35,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import Equipment
     from crs_cc.sim.state.env_state import EnvState
 
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
-Messages = npt.NDArray[np.void]
 
 _TURN: Final = 2 * math.pi
 _NO_TURN: Final = 1e-20  # the limit of sin(x) / x at 0 is 1
@@ -92,13 +89,13 @@ def _counted(
     return np.asarray(whole)
 
 
-def dp(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+def dp(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Records) -> None:
     """Sets x and y."""
     state.odometry.x_m[rows] = tenths_inch_to_m(messages["i"][:, 0].astype(np.float64))
     state.odometry.y_m[rows] = tenths_inch_to_m(messages["i"][:, 1].astype(np.float64))
 
 
-def da(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+def da(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> None:
     """Sets the heading, and the angle of the turret where there is one."""
     angles = (messages["i"][:, :2] % _FULL_TURN).astype(np.float64)
     heading_rad, turret_rad = tenths_deg_to_rad(angles).T

@@ -17,8 +17,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray, IndexArray, Int32Array, Records
 from crs_cc.requests import CODES
 from crs_cc.sim.state.mask import POS_DATA
 from crs_cc.sim.state.pos_data import NUMBERS, PLACES
@@ -29,10 +29,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.state.env_state import EnvState
     from crs_cc.sim.state.last_measurement import Moments
 
-BoolArray = npt.NDArray[np.bool_]
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
-Messages = npt.NDArray[np.void]
 
 INFRARED: Final = 1
 SONAR: Final = 2
@@ -78,7 +74,7 @@ def tell(
             _copy(state, clock, robots, places, (at_s, configuration))
 
 
-def page(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages) -> None:
+def page(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Records) -> None:
     """Hands over a page of what the last reply told of one kind of sensor."""
     messages["result"], messages["size"] = 0, 0
     for place, row in enumerate(state.pos_data.row[rows].tolist()):
@@ -92,7 +88,7 @@ def page(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Mes
 
 def _read(
     state: EnvState, equipment: Equipment, robots: IndexArray, kind: int
-) -> tuple[FloatArray, npt.NDArray[np.int32]]:
+) -> tuple[FloatArray, Int32Array]:
     """Gives when sensors were read, (k, s), below 0 for never, and from where, (k, s, 7)."""
     if kind == SONAR:
         return state.sonar.fired_s[robots], state.sonar.fired_from[robots]
@@ -105,7 +101,7 @@ def _read(
     return _last(state.compass.measured, equipment.compass[robots])
 
 
-def _last(moments: Moments, numbers: IndexArray) -> tuple[FloatArray, npt.NDArray[np.int32]]:
+def _last(moments: Moments, numbers: IndexArray) -> tuple[FloatArray, Int32Array]:
     """Gives the last measurement of each robot; its number is -1 where the sensor is missing."""
     at_s = np.full((len(numbers), 1), -1.0)
     configuration = np.zeros((len(numbers), 1, moments.configuration.shape[1]), dtype=np.int32)
@@ -120,7 +116,7 @@ def _copy(
     clock: BoardClock,
     robots: IndexArray,
     places: slice,
-    read: tuple[FloatArray, npt.NDArray[np.int32]],
+    read: tuple[FloatArray, Int32Array],
 ) -> None:
     at_s, configuration = read
     once = at_s >= 0.0

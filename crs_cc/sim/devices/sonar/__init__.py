@@ -33,8 +33,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray, Int32Array, Records
 from crs_cc.core.units import SOUND_MPS, m_to_tenths_inch
 from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.mount import mount_poses
@@ -55,11 +55,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
 
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-ComplexArray = npt.NDArray[np.complex128]
-IndexArray = npt.NDArray[np.intp]
-Messages = npt.NDArray[np.void]
 
 _ROBOTS_AT_ONCE: Final = 64  # whose sonars are all looked at: pings and what is near them
 _RATES: Final = 256  # the rate is an unsigned char
@@ -164,7 +159,7 @@ class SonarRing:
 
     def look(
         self, state: EnvState, around: Surroundings, rows: IndexArray, poses: FloatArray
-    ) -> npt.NDArray[np.int32]:
+    ) -> Int32Array:
         """Gives what robots' sonars would tell without any error if the robots stood elsewhere.
 
         Args:
@@ -286,14 +281,14 @@ class SonarRing:
 
 
 def get_sn(
-    _state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Messages
+    _state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Records
 ) -> BoolArray:
     """Refuses robots that have no sonars; the reply has the readings."""
     return np.asarray(equipment.sonars[rows].any(axis=1))
 
 
 def conf_sn(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
 ) -> BoolArray:
     """Sets which sonars fire and how often; refuses an order with a sonar that is not there."""
     order, given, good = orders(messages, MAX_SONARS)
@@ -310,7 +305,7 @@ def conf_sn(
 
 
 def set_mode(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
 ) -> BoolArray:
     """Lets sonars work in another mode from their next ping on; refuses modes there are not."""
     mode = messages["i"][:, 0]

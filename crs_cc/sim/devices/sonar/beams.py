@@ -19,8 +19,8 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 from crs_cc.core.units import SOUND_MPS
 from crs_cc.sim.geometry.cell_list import CellList
 from crs_cc.sim.geometry.echoes import ANY_ANGLE, Pings, Points
@@ -30,9 +30,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.robot import RobotModel
     from crs_cc.sim.state.env_state import EnvState
 
-FloatArray = npt.NDArray[np.float64]
-ComplexArray = npt.NDArray[np.complex128]
-IndexArray = npt.NDArray[np.intp]
 
 _THIN_RAD: Final = 1e-9  # a cone must have an inside
 _NEAR_M: Final = 1e-3  # cells must have a size

@@ -24,17 +24,13 @@ from statistics import NormalDist
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array
 from crs_cc.core.random_streams import SONAR, Noise
 
 if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
 
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
-WholeArray = npt.NDArray[np.int64]
 
 _ERROR, _DROPOUT, _CROSSTALK = range(3)
 _DEVIATES: Final = 3
@@ -62,7 +58,7 @@ class SonarErrors:
         )
         self._noise = Noise(seed, SONAR, _DEVIATES, len(modes)) if random else None
 
-    def draw(self, rows: IndexArray, numbers: WholeArray) -> FloatArray:
+    def draw(self, rows: IndexArray, numbers: Int64Array) -> FloatArray:
         """Gives the deviates of one firing of each robot, shape (k, 3).
 
         Args:

@@ -20,9 +20,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
 from crs_cc.core import random_streams
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.core.units import rad_to_tenths_deg
 from crs_cc.requests import LARGEST
 from crs_cc.sim.devices.emitters import Sources, line_of_sight, sense
@@ -37,9 +37,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
 
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
 
 AROUND: Final = 0.25
 """The share of a sound's pressure that is left behind something."""

@@ -11,22 +11,19 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, IndexArray, Records
 from crs_cc.sim.devices.heat import hot_things
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import Equipment
     from crs_cc.sim.state.env_state import EnvState
 
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
-Messages = npt.NDArray[np.void]
 
 _NOTHING_M: Final = -1.0  # nothing is so near
 
 
-def tag(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages) -> BoolArray:
+def tag(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> BoolArray:
     """Takes the heat away, and answers with how many things lost it; refuses robots without."""
     has = np.asarray(equipment.tag_range_m[rows] > 0.0)
     rows, range_m = rows[has], equipment.tag_range_m[rows[has]]

@@ -15,9 +15,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
 from crs_cc.core import random_streams
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.core.time_grid import is_due
 from crs_cc.core.units import rad_to_tenths_deg
 from crs_cc.sim.devices.mount import mount_poses
@@ -30,8 +30,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
 
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
 
 _MOST: Final = 3600.0  # a degraded one may tell anything
 
@@ -84,7 +82,7 @@ class Inclinometers:
         tilt.tilt_rad[mine], tilt.at_s[mine] = tilt_rad, at_s
         tilt.count[mine] += 1
 
-    def tell(self, asked: Asked) -> npt.NDArray[np.bool_]:
+    def tell(self, asked: Asked) -> BoolArray:
         """Answers TILT; refuses robots that have no inclinometer, or whose one tells nothing."""
         state, equipment, rows = asked.state, asked.equipment, asked.rows
         has = np.asarray(equipment.inclinometer[rows] >= 0)

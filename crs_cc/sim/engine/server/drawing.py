@@ -12,8 +12,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, IndexArray, Int32Array, Records
 from crs_cc.sim.engine.drawings import ARROW, ROBOT, is_mode, is_xor
 from crs_cc.sim.state.drawings import DrawingState
 
@@ -21,9 +21,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import Equipment
     from crs_cc.sim.state.env_state import EnvState
 
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
-Messages = npt.NDArray[np.void]
 
 MAX_OWN: Final = 10_000
 """The most marks that one program can have in the picture."""
@@ -36,7 +33,7 @@ _REFRESH_ALL: Final = 0
 _REFRESH_CLIENT_GRAPHICS: Final = 9
 
 
-def draw(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Messages) -> BoolArray:
+def draw(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Records) -> BoolArray:
     """Draws a robot, a line or an arc; refuses shapes and modes that are not known."""
     good = np.zeros(len(rows), dtype=np.bool_)
     for row, robot in enumerate(rows.tolist()):
@@ -54,7 +51,7 @@ def draw(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Mes
 
 
 def refresh(
-    state: EnvState, _equipment: Equipment, _rows: IndexArray, messages: Messages
+    state: EnvState, _equipment: Equipment, _rows: IndexArray, messages: Records
 ) -> BoolArray:
     """Erases what is asked for, as far as programs have drawn it."""
     what = messages["i"][:, 0]
@@ -63,7 +60,7 @@ def refresh(
     return np.asarray((what >= _REFRESH_ALL) & (what <= _REFRESH_CLIENT_GRAPHICS))
 
 
-def _put(drawings: DrawingState, robot: int, mark: npt.NDArray[np.int32], *, xor: bool) -> None:
+def _put(drawings: DrawingState, robot: int, mark: Int32Array, *, xor: bool) -> None:
     """Puts a mark on top; the same below goes away, and by exclusive or both do."""
     own = drawings.robots == robot
     keep = ~(own & (drawings.marks == mark).all(axis=1))

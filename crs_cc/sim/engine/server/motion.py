@@ -24,19 +24,14 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, TypeAlias
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray, Records
 from crs_cc.core.units import m_to_tenths_inch, tenths_inch_to_m
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import Equipment
     from crs_cc.sim.state.env_state import EnvState
 
-FloatArray = npt.NDArray[np.float64]
-BoolArray = npt.NDArray[np.bool_]
-ComplexArray = npt.NDArray[np.complex128]
-IndexArray = npt.NDArray[np.intp]
-Messages = npt.NDArray[np.void]
 
 _SEGMENT: Final = 0
 _ARC: Final = 1
@@ -49,7 +44,7 @@ _CLOSER_M: Final = 1e-10
 
 
 def motion_check(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
 ) -> BoolArray:
     """Answers with the first contact on each robot's path; refuses where there is none."""
     position_m, angle_rad = state.bodies.position_m, state.bodies.angle_rad

@@ -12,8 +12,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, IndexArray, Records
 from crs_cc.core.units import tenths_deg_to_rad, tenths_inch_to_m
 from crs_cc.sim.engine.roster import in_the_way
 from crs_cc.sim.engine.teleport import put_robot
@@ -23,15 +23,12 @@ if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import Equipment
     from crs_cc.sim.state.env_state import EnvState
 
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
-Messages = npt.NDArray[np.void]
 
 _FULL_TURN: Final = 3600  # [0.1 deg]
 
 
 def place_robot(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
 ) -> BoolArray:
     """Puts robots somewhere, one after the other; refuses places that are not free."""
     good = np.zeros(len(rows), dtype=np.bool_)

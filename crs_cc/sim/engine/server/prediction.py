@@ -11,8 +11,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 
+from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.core.units import tenths_deg_to_rad, tenths_inch_to_m
 from crs_cc.requests import NUM_STATE
 from crs_cc.sim.devices.mount import mount_rad
@@ -25,9 +25,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.devices.sensor_board import Instruments
     from crs_cc.sim.devices.sonar import SonarRing
     from crs_cc.sim.state.env_state import EnvState
-
-FloatArray = npt.NDArray[np.float64]
-IndexArray = npt.NDArray[np.intp]
 
 
 def predict(asked: Asked, *, sensors: tuple[SonarRing, Instruments]) -> None:

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
+from crs_cc.core.arrays import BoolArray, IndexArray, Int64Array, Records
 from crs_cc.core.quantity import LENGTH
 from crs_cc.core.units import m_to_tenths_inch, tenths_inch_to_m
 from crs_cc.sim.geometry.placement import TOLERANCE_M, distance_from_m
@@ -29,9 +30,6 @@ if TYPE_CHECKING:
     from crs_cc.sim.devices.robot_constants import Equipment
     from crs_cc.sim.state.env_state import EnvState
 
-BoolArray = npt.NDArray[np.bool_]
-IndexArray = npt.NDArray[np.intp]
-Messages = npt.NDArray[np.void]
 
 MAX_OWN: Final = 100
 """The most polygons that one robot's program can have in the world at a time."""
@@ -43,7 +41,7 @@ _FURTHEST: Final = int(m_to_tenths_inch(LENGTH.limit))
 
 
 def add_obstacle(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
 ) -> BoolArray:
     """Adds a polygon."""
     good = [
@@ -54,7 +52,7 @@ def add_obstacle(
 
 
 def delete_obstacle(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
 ) -> BoolArray:
     """Takes a polygon away, which is named by its corners."""
     good = np.zeros(len(rows), dtype=np.bool_)
@@ -66,7 +64,7 @@ def delete_obstacle(
 
 
 def move_obstacle(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Messages
+    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
 ) -> BoolArray:
     """Moves a polygon, which is named by its corners, and answers with its new ones.
 
@@ -90,7 +88,7 @@ def move_obstacle(
 
 
 def new_world(
-    state: EnvState, _equipment: Equipment, _rows: IndexArray, _messages: Messages
+    state: EnvState, _equipment: Equipment, _rows: IndexArray, _messages: Records
 ) -> None:
     """Takes away everything but the edge of the world and the robots."""
     nothing = np.zeros(0, dtype=np.intp)
@@ -98,7 +96,7 @@ def new_world(
     state.obstacles = replace(left, standing=np.zeros_like(left.standing))
 
 
-def _corners(message: np.void) -> npt.NDArray[np.int64] | None:
+def _corners(message: np.void) -> Int64Array | None:
     """Gives the corners in a message, shape (corners, 2); None where their number is wrong."""
     count = int(message["i"][0])
     if not 3 <= count <= MAX_VERTICES:
@@ -106,9 +104,7 @@ def _corners(message: np.void) -> npt.NDArray[np.int64] | None:
     return np.asarray(message["data"][: 8 * count].view("<i4").reshape(-1, 2), dtype=np.int64)
 
 
-def _add(
-    state: EnvState, equipment: Equipment, robot: int, corners: npt.NDArray[np.int64] | None
-) -> bool:
+def _add(state: EnvState, equipment: Equipment, robot: int, corners: Int64Array | None) -> bool:
     """Adds a polygon if it can be one and may stand there."""
     obstacles = state.obstacles
     if corners is None or np.abs(corners).max() > _FURTHEST:
@@ -138,9 +134,7 @@ def _add(
     return True
 
 
-def _find(
-    obstacles: ObstacleState, equipment: Equipment, corners: npt.NDArray[np.int64] | None
-) -> int | None:
+def _find(obstacles: ObstacleState, equipment: Equipment, corners: Int64Array | None) -> int | None:
     """Gives the first polygon with some corners; None if there is none.
 
     Returns:

@@ -1,0 +1,20 @@
+"""The array types of the whole package, by what their elements are."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+FloatArray = npt.NDArray[np.float64]
+BoolArray = npt.NDArray[np.bool_]
+ComplexArray = npt.NDArray[np.complex128]
+ByteArray = npt.NDArray[np.uint8]
+
+IndexArray = npt.NDArray[np.intp]
+"""Positions in other arrays."""
+
+Int32Array = npt.NDArray[np.int32]
+Int64Array = npt.NDArray[np.int64]
+
+Records = npt.NDArray[np.void]
+"""Rows of a structured dtype, which whoever returns them names."""
