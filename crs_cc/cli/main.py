@@ -8,7 +8,7 @@
 121 122   the C source, the world file is at fault
 123       the only robot's program was stopped by an error
 130       interrupted by Ctrl-C
-141       whoever read the output went away
+141       broken pipe: the reader closed the output
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ import contextlib
 import os
 import sys
 import traceback
-from collections.abc import Sequence
-from typing import TextIO
+from collections.abc import Iterator, Sequence
+from typing import Any, TextIO
 
 import click
 
@@ -53,7 +53,7 @@ Exit status:
   121 122   the C source, the world file is at fault
   123       the only robot's program was stopped by an error
   130       interrupted by Ctrl-C
-  141       whoever read the output went away
+  141       broken pipe: the reader closed the output
 """
 
 
@@ -65,13 +65,23 @@ class _SystemFailure(Exception):  # noqa: N818 - it carries an error, it is none
         self.error = error
 
 
+@contextlib.contextmanager
+def _past_click() -> Iterator[None]:
+    try:
+        yield
+    except OSError as error:
+        raise _SystemFailure(error) from None
+
+
 class _Crs(click.Group):
+    def make_context(self, *args: Any, **extra: Any) -> click.Context:
+        with _past_click():  # --help and --version write here already
+            return super().make_context(*args, **extra)
+
     def invoke(self, ctx: click.Context) -> object:
-        try:
+        with _past_click():
             result: object = super().invoke(ctx)
             sys.stdout.flush()
-        except OSError as error:
-            raise _SystemFailure(error) from None
         return result
 
 
