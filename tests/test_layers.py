@@ -20,7 +20,7 @@ MAX_LINES = 500
 ROWS: tuple[frozenset[str], ...] = tuple(
     frozenset(row.split())
     for row in (
-        "errors garbage source units requests robot_api",
+        "errors file_names garbage source units requests robot_api",
         "ir",
         "frontend runtime sim",
         "session",

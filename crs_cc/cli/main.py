@@ -18,7 +18,7 @@ import os
 import sys
 import traceback
 from collections.abc import Iterator, Sequence
-from typing import Any, TextIO
+from typing import Any
 
 import click
 
@@ -30,6 +30,7 @@ from crs_cc.cli.messages import say, show
 from crs_cc.cli.new import new
 from crs_cc.cli.run import run
 from crs_cc.cli.status import BROKEN_PIPE, INTERRUPTED, SYSTEM
+from crs_cc.cli.streams import mute, prepare_streams
 from crs_cc.errors import CrsError, InternalError
 
 _EPILOG = """
@@ -102,7 +103,7 @@ for command in (run, debug, check, compile_, new):
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs `crs` with these arguments, by default the process's own; gives the exit status."""
-    _open_missing_streams()
+    prepare_streams()
     try:
         return _main(arguments)
     except OSError as error:  # while saying what is wrong
@@ -132,27 +133,14 @@ def _main(arguments: Sequence[str] | None) -> int:
     return int(status or 0)
 
 
-def _open_missing_streams() -> None:
-    """Gives a process that was started with closed streams something to write to."""
-    for name in ("stdout", "stderr"):
-        if getattr(sys, name) is None:
-            setattr(sys, name, open(os.devnull, "w"))  # noqa: PTH123, SIM115 - for good
-
-
 def _system_failure(error: OSError) -> int:
     """Says what the system refused, as far as it lets us; what is still unwritten is lost."""
-    _mute(sys.stdout)
+    mute(sys.stdout)
     if isinstance(error, BrokenPipeError):
-        _mute(sys.stderr)
+        mute(sys.stderr)
         return BROKEN_PIPE
     say(f"crs: error: {error.strerror or error}{f': {error.filename}' if error.filename else ''}")
     return SYSTEM
-
-
-def _mute(stream: TextIO) -> None:
-    """Lets the interpreter's own last flush of a stream go nowhere instead of failing again."""
-    with contextlib.suppress(OSError, ValueError):
-        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def _ask_for_report() -> None:

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.calls import calling
 from crs_cc.debug.errors import DebugError
+from crs_cc.file_names import displayed
 from crs_cc.ir.names import plain_name
 from crs_cc.requests import CODES
 from crs_cc.robot_api import GROUPS
@@ -151,5 +152,5 @@ def _function(
 
 def is_file(file: str, wanted: str) -> bool:
     """Tells whether a user means a file: by its whole path, or the end of it."""
-    parts, own = PurePath(wanted).parts, PurePath(file).parts
+    parts, own = PurePath(displayed(wanted)).parts, PurePath(displayed(file)).parts
     return bool(parts) and own[-len(parts) :] == parts

@@ -67,7 +67,7 @@ def key(*parts: str | bytes | Iterable[str]) -> str:
         rows = [part] if isinstance(part, str | bytes) else list(part)
         digest.update(f"{len(rows)}:".encode())
         for row in rows:
-            raw = row.encode() if isinstance(row, str) else row
+            raw = row.encode("utf-8", "surrogatepass") if isinstance(row, str) else row
             digest.update(f"{len(raw)}:".encode() + raw)
     return digest.hexdigest()[:32]
 

@@ -27,6 +27,7 @@ from rich.syntax import Syntax
 from rich.text import Text
 
 from crs_cc.debug.commands.command import Kind, Line, SourceLine
+from crs_cc.file_names import displayed
 
 _LONGEST_LINE: Final = 4096
 _STYLES: Final[dict[Kind, str]] = {
@@ -109,7 +110,7 @@ class Terminal:
 
 def _clean(text: str) -> str:
     """Gives a line without characters that would do harm on a terminal."""
-    return text.expandtabs().translate(_CONTROLS)
+    return displayed(text).expandtabs().translate(_CONTROLS)
 
 
 def _rendered(text: Text) -> str:

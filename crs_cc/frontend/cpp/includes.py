@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
+from crs_cc.file_names import from_text
 from crs_cc.frontend.cpp.missing import header_of_ours, hint_for_missing
 from crs_cc.frontend.cpp.tokens import shown
 from crs_cc.frontend.options import Options
@@ -96,7 +97,7 @@ class Headers:
             folders.insert(0, folder)
         outside = False
         for each in folders:
-            path = each / name
+            path = each / from_text(name)
             file = _resolved(path)
             if file and not any(file.is_relative_to(root) for root in self._roots):
                 outside = True  # and whether it exists is not told
