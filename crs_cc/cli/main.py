@@ -23,6 +23,7 @@ from typing import Any
 import click
 
 from crs_cc import __version__
+from crs_cc.cli.cache import cache
 from crs_cc.cli.check import check
 from crs_cc.cli.compile import compile_
 from crs_cc.cli.debug import debug
@@ -97,7 +98,7 @@ def crs() -> None:
     """Runs real C control programs of the Nomadic Scout in a simulated world."""
 
 
-for command in (run, debug, check, compile_, new):
+for command in (run, debug, check, compile_, new, cache):
     crs.add_command(command)
 
 
