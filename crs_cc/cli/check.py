@@ -124,12 +124,17 @@ def _messages(
 
 
 def _linked(programs: Sequence[Program], diagnostics: Diagnostics) -> tuple[list[Diagnostic], int]:
-    """Gives all messages, those about the files as one program too, and its exit status."""
+    """Return all messages, those about the files as one program too, and its exit status.
+
+    The code is generated too, because only that shows whether a robot's memory has room for the
+    program, and whether its functions are simple enough.
+    """
+    from crs_cc.runtime.codegen.module import compile_program
     from crs_cc.runtime.link import link
     from crs_cc.session.library import library
 
     try:
-        link(programs, library(), diagnostics)
+        compile_program(link(programs, library(), diagnostics))
     except CompileError as error:
         return merged(diagnostics.messages, error.diagnostics), error.exit_status
     return diagnostics.messages, 0

@@ -13,6 +13,7 @@ import click
 
 from crs_cc.cli.messages import say
 from crs_cc.core.errors import CrsError
+from crs_cc.core.file_names import displayed
 from crs_cc.core.source import Diagnostic, Diagnostics
 from crs_cc.frontend.preprocess.options import DIALECTS, STANDARDS, Dialect
 
@@ -87,8 +88,9 @@ def compiler_options(command: Callable[..., Any]) -> Callable[..., Any]:
         dialect: Dialect | None,
         **others: Any,
     ) -> Any:
+        macros = tuple(map(displayed, defines)), tuple(map(displayed, undefines))
         return command(
-            compiler=CompilerOptions(include_paths, defines, undefines, standard, dialect),
+            compiler=CompilerOptions(include_paths, *macros, standard, dialect),
             **others,
         )
 

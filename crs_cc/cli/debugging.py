@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING
 from crs_cc.cli import full_screen
 from crs_cc.cli.load import load
 from crs_cc.cli.messages import is_coloured, show_before_run
-from crs_cc.cli.save_files import keep
+from crs_cc.cli.save_files import keep_all
+from crs_cc.cli.status import SYSTEM
 from crs_cc.core.source import Diagnostics
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.program import DebugProgram
@@ -39,22 +40,23 @@ def debug_programs(options: DebugOptions) -> int:
     Raises:
         CrsError: what keeps the programs from starting.
         click.UsageError: a robot has no program, or there is no terminal for the full screen.
-        OSError: the programs' files cannot be written.
+        OSError: what the programs read cannot be read.
     """
     on_screen = full_screen.is_wanted(options)
     loaded = _load(options)
     if on_screen:
         given = None if options.input is None else file_input(options.input)
         make = functools.partial(make_debugger, loaded, options)
-        _keep_files(full_screen.show(options, make, given), options)
-        return 0
+        is_kept = _keep_files(full_screen.show(options, make, given), options)
+        return 0 if is_kept else SYSTEM
     names = [robot.id for robot in loaded.world.robots]
     terminal = Terminal(sys.stdout.buffer, names, is_coloured=is_coloured(sys.stdout))
     keyboard = Keyboard(terminal)
     debugger = make_debugger(loaded, options, terminal.program, _input(options, keyboard))
     scripts = Scripts(options.scripts, options.commands)
     failed = Repl(debugger, terminal, keyboard).run(scripts, batch=options.batch)
-    _keep_files(debugger, options)
+    if not _keep_files(debugger, options):
+        return SYSTEM
     return int(bool(failed)) if options.batch else 0
 
 
@@ -77,13 +79,16 @@ def file_input(path: Path) -> Input:
     return lambda _robot, wanted: stream.readline(wanted)
 
 
-def _keep_files(debugger: Debugger, options: DebugOptions) -> None:
-    """Writes what the programs have written up to here to where the user wants it."""
+def _keep_files(debugger: Debugger, options: DebugOptions) -> bool:
+    """Write what the programs have written up to here to where the user wants it.
+
+    Returns:
+        Whether nothing of it is lost.
+    """
     if options.outputs is None:
-        return
-    for number, name in enumerate(debugger.names):
-        folder = options.outputs / name if len(debugger.names) > 1 else options.outputs
-        keep(folder, debugger.session.files(number))
+        return True
+    files = [(name, debugger.session.files(n)) for n, name in enumerate(debugger.names)]
+    return keep_all(options.outputs, files)
 
 
 def _load(options: DebugOptions) -> Loaded:

@@ -8,7 +8,7 @@
 121 122   the C source, the world file is at fault
 123       the only robot's program was stopped by an error
 130       interrupted by Ctrl-C
-141       whoever read the output went away
+141       broken pipe: the reader closed the output
 """
 
 from __future__ import annotations
@@ -17,12 +17,13 @@ import contextlib
 import os
 import sys
 import traceback
-from collections.abc import Sequence
-from typing import TextIO
+from collections.abc import Iterator, Sequence
+from typing import Any
 
 import click
 
 from crs_cc import __version__
+from crs_cc.cli.cache import cache
 from crs_cc.cli.check import check
 from crs_cc.cli.compile import compile_
 from crs_cc.cli.debug import debug
@@ -30,6 +31,7 @@ from crs_cc.cli.messages import say, show
 from crs_cc.cli.new import new
 from crs_cc.cli.run import run
 from crs_cc.cli.status import BROKEN_PIPE, INTERRUPTED, SYSTEM
+from crs_cc.cli.streams import mute, prepare_streams
 from crs_cc.core.errors import CrsError, InternalError
 
 _EPILOG = """
@@ -53,7 +55,7 @@ Exit status:
   121 122   the C source, the world file is at fault
   123       the only robot's program was stopped by an error
   130       interrupted by Ctrl-C
-  141       whoever read the output went away
+  141       broken pipe: the reader closed the output
 """
 
 
@@ -65,13 +67,23 @@ class _SystemFailure(Exception):  # noqa: N818 - it carries an error, it is none
         self.error = error
 
 
+@contextlib.contextmanager
+def _past_click() -> Iterator[None]:
+    try:
+        yield
+    except OSError as error:
+        raise _SystemFailure(error) from None
+
+
 class _Crs(click.Group):
+    def make_context(self, *args: Any, **extra: Any) -> click.Context:
+        with _past_click():  # --help and --version write here already
+            return super().make_context(*args, **extra)
+
     def invoke(self, ctx: click.Context) -> object:
-        try:
+        with _past_click():
             result: object = super().invoke(ctx)
             sys.stdout.flush()
-        except OSError as error:
-            raise _SystemFailure(error) from None
         return result
 
 
@@ -86,13 +98,13 @@ def crs() -> None:
     """Runs real C control programs of the Nomadic Scout in a simulated world."""
 
 
-for command in (run, debug, check, compile_, new):
+for command in (run, debug, check, compile_, new, cache):
     crs.add_command(command)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs `crs` with these arguments, by default the process's own; gives the exit status."""
-    _open_missing_streams()
+    prepare_streams()
     try:
         return _main(arguments)
     except OSError as error:  # while saying what is wrong
@@ -122,27 +134,14 @@ def _main(arguments: Sequence[str] | None) -> int:
     return int(status or 0)
 
 
-def _open_missing_streams() -> None:
-    """Gives a process that was started with closed streams something to write to."""
-    for name in ("stdout", "stderr"):
-        if getattr(sys, name) is None:
-            setattr(sys, name, open(os.devnull, "w"))  # noqa: PTH123, SIM115 - for good
-
-
 def _system_failure(error: OSError) -> int:
     """Says what the system refused, as far as it lets us; what is still unwritten is lost."""
-    _mute(sys.stdout)
+    mute(sys.stdout)
     if isinstance(error, BrokenPipeError):
-        _mute(sys.stderr)
+        mute(sys.stderr)
         return BROKEN_PIPE
     say(f"crs: error: {error.strerror or error}{f': {error.filename}' if error.filename else ''}")
     return SYSTEM
-
-
-def _mute(stream: TextIO) -> None:
-    """Lets the interpreter's own last flush of a stream go nowhere instead of failing again."""
-    with contextlib.suppress(OSError, ValueError):
-        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def _ask_for_report() -> None:

@@ -12,6 +12,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.cli.messages import show
 from crs_cc.core.source import Diagnostic, Location
 
 if TYPE_CHECKING:
@@ -22,23 +23,48 @@ _FOLDER: Final = os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW
 _FILE: Final = os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_NOFOLLOW | os.O_NONBLOCK
 
 
-def keep(folder: Path, files: Mapping[bytes, bytes]) -> None:
-    """Writes files below a folder, whose last part is made when it is not there.
+def keep(folder: Path, files: Mapping[bytes, bytes]) -> list[Diagnostic]:
+    """Write files below a folder, whose last part is made when it is not there.
 
-    Raises:
-        OSError: one of them cannot be written.
+    Returns:
+        What could not be written, and why; all others are written.
     """
-    folder.mkdir(exist_ok=True)
-    top = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
+    try:
+        folder.mkdir(exist_ok=True)
+        top = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
+    except OSError as error:
+        return [_not_kept(folder, error)]
+    failed = []
     try:
         for name, content in files.items():
             try:
                 _write(top, name.split(b"/"), content)
             except OSError as error:
-                shown = str(folder / os.fsdecode(name))
-                raise OSError(error.errno, error.strerror, shown) from None
+                failed.append(_not_kept(folder / os.fsdecode(name), error))
     finally:
         os.close(top)
+    return failed
+
+
+def keep_all(folder: Path, robots: Sequence[tuple[str, Mapping[bytes, bytes]]]) -> bool:
+    """Write the files of robots below a folder, and report each one that cannot be written.
+
+    Args:
+        folder: where to; of several robots each has a folder of its own there.
+        robots: the name of each robot, and the files that its program wrote.
+
+    Returns:
+        Whether all of them are written.
+    """
+    failed = []
+    for name, files in robots:
+        failed += keep(folder / name if len(robots) > 1 else folder, files)
+    show(failed)
+    return not failed
+
+
+def _not_kept(path: Path, error: OSError) -> Diagnostic:
+    return Diagnostic("error", Location(str(path)), f"cannot be written: {error.strerror}")
 
 
 def _write(top: int, parts: Sequence[bytes], content: bytes) -> None:

@@ -20,7 +20,8 @@ from crs_cc.cli.messages import as_data, is_terminal, say, show, show_before_run
 from crs_cc.cli.output import ProgramOutput, ProgressLine, read_line
 from crs_cc.cli.plot import Picture, Trip
 from crs_cc.cli.report import show_reports
-from crs_cc.cli.save_files import dropped, keep, missed
+from crs_cc.cli.save_files import dropped, keep_all, missed
+from crs_cc.cli.status import SYSTEM
 from crs_cc.cli.summary import Run, as_json, exit_status
 from crs_cc.cli.tracks import Tracks
 from crs_cc.core.arrays import FloatArray
@@ -71,10 +72,10 @@ def _simulate(options: RunOptions) -> int:
     _report(run, options)
     if not options.quiet:
         show(list(runner.unconnected()))
-    _keep_files(runner.session, run, options)
+    is_kept = _keep_files(runner.session, run, options)
     if options.plot is not None:
         _write(options.plot, runner.picture(run).render())
-    return exit_status(run)
+    return exit_status(run) if is_kept else SYSTEM
 
 
 class Runner:
@@ -265,10 +266,13 @@ def _write(path: Path, picture: bytes) -> None:
         raise OSError(error.errno, error.strerror, str(path)) from None  # a full disk has no name
 
 
-def _keep_files(session: Session, run: Run, options: RunOptions) -> None:
-    """Writes what the programs wrote to where the user wants it, or says that it is lost.
+def _keep_files(session: Session, run: Run, options: RunOptions) -> bool:
+    """Write what the programs wrote to where the user wants it, or warn that it is dropped.
 
-    Says too which files they did not find although they are there.
+    Warn too of files that they did not find although they are there.
+
+    Returns:
+        Whether nothing is lost that the user wants.
     """
     robots = run.result.robots
     if not options.quiet:
@@ -279,10 +283,8 @@ def _keep_files(session: Session, run: Run, options: RunOptions) -> None:
     if options.outputs is None:
         if lost and not options.quiet:
             show([dropped(robots[number], written[number]) for number in lost])
-        return
-    for number, files in written.items():
-        folder = options.outputs / robots[number].id if len(robots) > 1 else options.outputs
-        keep(folder, files)
+        return True
+    return keep_all(options.outputs, [(robots[n].id, files) for n, files in written.items()])
 
 
 def _report(run: Run, options: RunOptions) -> None:

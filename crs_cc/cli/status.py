@@ -7,4 +7,4 @@ SYSTEM: Final = 1
 INTERRUPTED: Final = 130
 """Ctrl-C: 128 and the number of SIGINT, as shells have it."""
 BROKEN_PIPE: Final = 141
-"""Whoever read our output went away: 128 and the number of SIGPIPE."""
+"""Broken pipe: the reader closed the output. 128 and the number of SIGPIPE."""

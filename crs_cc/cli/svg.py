@@ -19,6 +19,8 @@ from typing import Final
 
 from lxml import etree
 
+from crs_cc.core.file_names import displayed
+
 Point = tuple[float, float]
 Points = Sequence[Point]
 Attributes = Mapping[str, str | float]
@@ -146,4 +148,4 @@ def _points(points: Points) -> str:
 
 def _legal(text: str) -> str:
     """Replaces the characters that XML cannot hold, which a name may contain."""
-    return _FORBIDDEN.sub("\ufffd", text)
+    return _FORBIDDEN.sub("\ufffd", displayed(text))

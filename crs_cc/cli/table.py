@@ -31,10 +31,13 @@ def print_summary(run: Run) -> None:
     width = None if is_terminal(sys.stderr) else _WIDTH_ELSEWHERE
     console = Console(stderr=True, highlight=False, width=width)
     robots = run.result.robots
-    console.print(_card(robots[0]) if len(robots) == 1 else _fitting_table(robots, console))
-    for line in unfinished(run):
-        console.print(line, markup=False)
-    console.print(_closing_line(run), style="dim")
+    with console.capture() as captured:  # rich itself would end the process at a broken pipe
+        console.print(_card(robots[0]) if len(robots) == 1 else _fitting_table(robots, console))
+        for line in unfinished(run):
+            console.print(line, markup=False)
+        console.print(_closing_line(run), style="dim")
+    sys.stderr.write(captured.get())
+    sys.stderr.flush()
 
 
 def _closing_line(run: Run) -> str:

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.core.file_names import displayed
 from crs_cc.core.source import Location
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.calls import calling
@@ -151,5 +152,5 @@ def _function(
 
 def is_file(file: str, wanted: str) -> bool:
     """Tells whether a user means a file: by its whole path, or the end of it."""
-    parts, own = PurePath(wanted).parts, PurePath(file).parts
+    parts, own = PurePath(displayed(wanted)).parts, PurePath(displayed(file)).parts
     return bool(parts) and own[-len(parts) :] == parts

@@ -18,6 +18,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Final, Literal, TypeAlias
 
+from crs_cc.core.file_names import displayed
 from crs_cc.ir.operators import OPERATORS
 from crs_cc.ir.program import ValueType
 
@@ -80,7 +81,7 @@ def _vector(items: Iterable[bytes]) -> bytes:
 
 
 def _name(text: str) -> bytes:
-    raw = text.encode()
+    raw = displayed(text).encode()
     return unsigned(len(raw)) + raw
 
 

@@ -3,7 +3,7 @@
 An entry is a pickle behind its SHA-256, so that a damaged one is known before it is loaded. A
 pickle can run any code: the folder must belong to the user, and nobody else may write there.
 Otherwise, and where there is no folder, nothing is kept. Every name contains the fingerprint of
-the compiler, so a changed compiler never meets an old entry.
+the compiler, so a changed compiler never meets an old entry. `cache_size` bounds the folder.
 """
 
 from __future__ import annotations
@@ -21,12 +21,15 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TypeVar
 
+from crs_cc.session.cache_size import TEMPORARY, Room
+
 PACKAGE = Path(__file__).parent.parent
 COMPILER = ("requests", "ir", "frontend", "runtime", "session")
 SUFFIXES = {".py", ".c", ".h", ".txt"}
 
 _DIGEST_SIZE = hashlib.sha256().digest_size
 _Entry = TypeVar("_Entry")
+_room = Room()
 
 
 def folder() -> Path | None:
@@ -67,7 +70,7 @@ def key(*parts: str | bytes | Iterable[str]) -> str:
         rows = [part] if isinstance(part, str | bytes) else list(part)
         digest.update(f"{len(rows)}:".encode())
         for row in rows:
-            raw = row.encode() if isinstance(row, str) else row
+            raw = row.encode("utf-8", "surrogatepass") if isinstance(row, str) else row
             digest.update(f"{len(raw)}:".encode() + raw)
     return digest.hexdigest()[:32]
 
@@ -76,11 +79,13 @@ def load(name: str, kind: type[_Entry]) -> _Entry | None:
     """Gives an entry of a kind, or None when there is none that is whole."""
     place = folder()
     try:
-        if place is None or not _is_private(place):
+        if place is None or not is_private(place):
             return None
         content = (place / name).read_bytes()
     except OSError:
         return None
+    with contextlib.suppress(OSError):  # a folder that can only be read is good enough
+        os.utime(place / name)  # used now
     digest, pickled = content[:_DIGEST_SIZE], content[_DIGEST_SIZE:]
     if hashlib.sha256(pickled).digest() != digest:
         return None
@@ -92,18 +97,22 @@ def load(name: str, kind: type[_Entry]) -> _Entry | None:
 
 
 def store(name: str, entry: object) -> None:
-    """Keeps an entry; does nothing where the folder cannot be written, or is not private."""
+    """Keep an entry; do nothing where the folder cannot be written, or is not private.
+
+    Entries that were used the longest time ago are removed if they have to make room for it.
+    """
     place = folder()
     if place is None:
         return
     pickled = pickle.dumps(entry, pickle.HIGHEST_PROTOCOL)
+    content = hashlib.sha256(pickled).digest() + pickled
     with contextlib.suppress(OSError):
         place.mkdir(mode=0o700, parents=True, exist_ok=True)
-        if _is_private(place):
-            _write(place / name, hashlib.sha256(pickled).digest() + pickled)
+        if is_private(place) and _room.make(place, len(content)):
+            _write(place / name, content)
 
 
-def _is_private(place: Path) -> bool:
+def is_private(place: Path) -> bool:
     """Tells whether a folder is the user's own, and only the user can write there.
 
     Raises:
@@ -120,7 +129,8 @@ def _write(path: Path, content: bytes) -> None:
     Raises:
         OSError: it cannot be written; nothing is left behind.
     """
-    handle, name = tempfile.mkstemp(dir=path.parent)
+    begin, end = TEMPORARY
+    handle, name = tempfile.mkstemp(dir=path.parent, prefix=begin, suffix=end)
     temporary = Path(name)
     try:
         with os.fdopen(handle, "wb") as file:

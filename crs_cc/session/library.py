@@ -34,7 +34,7 @@ class CachedLibrary:
     def __init__(self) -> None:
         self._units: dict[str, Program] = {}
         self._index: dict[str, str] = {}  # which unit defines a name
-        for line in (SOURCES / "index.txt").read_text().splitlines():
+        for line in (SOURCES / "index.txt").read_text("utf-8").splitlines():
             unit, _, names = line.partition(":")
             self._index |= dict.fromkeys(names.split(), unit)
         self._known = frozenset(self._index.values())
@@ -96,7 +96,7 @@ def _compile(unit: str) -> Program:
     diagnostics = Diagnostics()
     try:
         options = Options(system_paths=(HEADERS, path.parent), trusted=name == link.ALLOCATOR)
-        program = compile_text(path.read_text(), name, options, diagnostics)
+        program = compile_text(path.read_text("utf-8"), name, options, diagnostics)
     except CompileError as error:
         raise InternalError(error.diagnostics) from error
     verify(program)

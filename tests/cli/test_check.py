@@ -69,3 +69,27 @@ def test_what_goes_wrong_in_a_world_is_told(capfd: pytest.CaptureFixture[str]) -
     assert "degradation 'weak' of 'robot0': drive right, gain 0.97, from 50 s on for 10 s" in (
         told.out + told.err
     )
+
+
+@pytest.mark.parametrize(
+    ("source", "message"),
+    [
+        (
+            "char a[2000000000];\nint main(void) { return a[0]; }\n",
+            "large.c:1:6: error: 'a' does not fit: 2000000000 bytes of ",
+        ),
+        (
+            "int main(void) { _Alignas(4096) char a[9]; a[0] = 0; return a[0]; }\n",
+            "large.c:1:5: error: 'a' in 'main' is aligned to 4096 bytes",
+        ),
+    ],
+)
+def test_check_refuses_what_no_robot_has_room_for_as_run_does(
+    source: str, message: str, capfd: pytest.CaptureFixture[str]
+) -> None:
+    Path("large.c").write_text(source)
+    assert main(["run", "large.c"]) == 121
+    refused = capfd.readouterr().err
+    assert refused.startswith(message)
+    assert main(["check", "-q", "large.c"]) == 121
+    assert capfd.readouterr().err == refused

@@ -112,6 +112,53 @@ def test_links_and_devices_are_not_followed(name: bytes, folder: Path) -> None:
     (out / "link").symlink_to(outside / "file")
     (out / "inner").symlink_to(outside)
     os.mkfifo(out / "pipe")
-    with pytest.raises(OSError, match=name.decode()):
-        keep(out, {name: b"content"})
+    (failed,) = keep(out, {name: b"content"})
+    assert failed.location.file == str(out / name.decode())
     assert list(outside.iterdir()) == []
+
+
+LOGS = r"""
+#include <stdio.h>
+int main(void)
+{
+    const char *names[] = {"first", "taken", "last"};
+    for (int i = 0; i < 3; i++)
+        fputs("kept", fopen(names[i], "w"));
+    return 7;
+}
+"""
+
+
+def test_a_file_that_cannot_be_kept_does_not_lose_those_after_it(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    Path("logs.c").write_text(LOGS)
+    Path("out/taken").mkdir(parents=True)
+    assert main(["run", "logs.c", "--files", "out", "--plot", "path.svg"]) == 1
+    assert Path("out/first").read_text() == Path("out/last").read_text() == "kept"
+    assert Path("path.svg").exists()
+    assert capfd.readouterr().err == "out/taken: error: cannot be written: Is a directory\n"
+
+
+def test_a_folder_that_cannot_be_made_does_not_lose_the_files_of_other_robots(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    Path("logs.c").write_text(LOGS)
+    Path("pair.xml").write_text(PAIR)
+    Path("out").mkdir()
+    Path("out/left").write_text("not a folder")
+    assert main(["run", "logs.c", "pair.xml", "--files", "out"]) == 1
+    assert Path("out/right/last").read_text() == "kept"
+    assert capfd.readouterr().err == "out/left: error: cannot be written: File exists\n"
+
+
+def test_files_that_cannot_be_kept_after_debugging_are_reported(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    Path("logs.c").write_text(LOGS)
+    Path("out/taken").mkdir(parents=True)
+    Path("commands").write_text("run\n")
+    arguments = ["debug", "--batch", "-x", "commands", "logs.c", "--files", "out"]
+    assert main(arguments) == 1
+    assert Path("out/last").read_text() == "kept"
+    assert "out/taken: error: cannot be written: Is a directory\n" in capfd.readouterr().err

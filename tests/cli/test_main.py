@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import os
 import resource
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -193,3 +195,53 @@ def test_a_system_that_gives_no_room_for_addresses_is_said_to(tmp_path: Path) ->
     done = run_crs("run", str(tmp_path / "hello.c"), preexec_fn=limited)
     assert done.returncode == 1
     assert "error: the system gives no memory for 1 program" in done.stderr
+
+
+def run_without_reader(*arguments: str, stderr: bool = False, **options: Any) -> tuple[int, str]:
+    """Return exit status and stderr of a crs whose output nobody reads."""
+    reader, writer = os.pipe()
+    os.close(reader)
+    command = [sys.executable, "-m", "crs_cc", *arguments]
+    errors = writer if stderr else subprocess.PIPE
+    done = subprocess.run(
+        command, stdin=subprocess.DEVNULL, stdout=writer, stderr=errors, check=False, **options
+    )
+    os.close(writer)
+    return done.returncode, (done.stderr or b"").decode()
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["--help"],
+        ["--version"],
+        ["run", "hello.c"],
+        ["run", "hello.c", "--json"],
+        ["check", "hello.c", "--json"],
+        ["compile", "--emit", "ir", "hello.c"],
+        ["debug", "--repl", "hello.c"],
+        ["debug", "--batch", "hello.c", "-x", "commands"],
+    ],
+    ids=" ".join,
+)
+def test_a_broken_pipe_ends_with_141_and_without_a_traceback(
+    arguments: list[str], tmp_path: Path
+) -> None:
+    hello = '#include <stdio.h>\nint main(void) { puts("hello"); return 0; }\n'
+    (tmp_path / "hello.c").write_text(hello)
+    (tmp_path / "commands").write_text("run\n")
+    status, errors = run_without_reader(*arguments, cwd=tmp_path)
+    assert status == 141
+    assert errors == ("hello\n" if "--json" in arguments and "run" in arguments else "")
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [["--help"], ["--bogus"], ["check", "no.c"], ["run", "silent.c", "--summary"]],
+    ids=" ".join,
+)
+def test_a_broken_pipe_to_which_messages_go_too_ends_with_141(
+    arguments: list[str], tmp_path: Path
+) -> None:
+    (tmp_path / "silent.c").write_text("int main(void) { return 0; }\n")
+    assert run_without_reader(*arguments, stderr=True, cwd=tmp_path) == (141, "")

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.core.file_names import from_text
 from crs_cc.debug.commands.arguments import demand
 from crs_cc.debug.commands.command import Answer, Command, Group
 from crs_cc.debug.errors import DebugError
@@ -46,7 +47,7 @@ def read_script(path: Path) -> list[str]:
 def _source(shell: Shell, text: str) -> Answer:
     if shell.depth >= _DEEPEST:
         raise DebugError(f"scripts read each other {_DEEPEST} times: that has no end")
-    lines = read_script(Path(demand(text, "a file of commands")))
+    lines = read_script(Path(from_text(demand(text, "a file of commands"))))
     shell.depth += 1
     before = shell.debugger.stop
     try:
@@ -62,7 +63,7 @@ def _source(shell: Shell, text: str) -> Answer:
 
 
 def _save_breakpoints(shell: Shell, text: str) -> Answer:
-    path = Path(demand(text, "a file"))
+    path = Path(from_text(demand(text, "a file")))
     breakpoints = list(shell.debugger.breakpoints)
     lines = [_HEAD, *(line for each in breakpoints for line in _written(shell, each))]
     _write(path, "\n".join(lines) + "\n")

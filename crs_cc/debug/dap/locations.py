@@ -90,7 +90,7 @@ class ClientPlaces:
         """
         if not file.startswith(LIBRARY):
             return "\n".join(lines)
-        return (SOURCES / file.removeprefix(LIBRARY)).read_text()
+        return (SOURCES / file.removeprefix(LIBRARY)).read_text("utf-8")
 
     def line(self, line: int) -> int:
         """Gives a line as the client counts."""

@@ -26,6 +26,7 @@ from rich.console import Console
 from rich.syntax import Syntax
 from rich.text import Text
 
+from crs_cc.core.file_names import displayed
 from crs_cc.debug.commands.command import Kind, Line, SourceLine
 
 _LONGEST_LINE: Final = 4096
@@ -109,7 +110,7 @@ class Terminal:
 
 def _clean(text: str) -> str:
     """Gives a line without characters that would do harm on a terminal."""
-    return text.expandtabs().translate(_CONTROLS)
+    return displayed(text).expandtabs().translate(_CONTROLS)
 
 
 def _rendered(text: Text) -> str:

@@ -37,6 +37,6 @@ def _headers(folder: Path) -> tuple[tuple[str, str], ...]:
     """Gives the headers for programs in a folder, the usual ones first, by name with their text."""
     paths = [*sorted(folder.glob("*.h")), *sorted(folder.glob("sys/*.h"))]
     own = [path for path in paths if not path.name.startswith("crs")]
-    found = {path.relative_to(folder).as_posix(): path.read_text() for path in own}
+    found = {path.relative_to(folder).as_posix(): path.read_text("utf-8") for path in own}
     usual = {name: found.pop(name) for name in _USUAL if name in found}
     return tuple((usual | found).items())

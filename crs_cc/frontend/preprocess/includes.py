@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
+from crs_cc.core.file_names import from_text
 from crs_cc.frontend.preprocess.missing_header import header_of_ours, hint_for_missing
 from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.preprocess.tokens import shown
@@ -96,7 +97,7 @@ class Headers:
             folders.insert(0, folder)
         outside = False
         for each in folders:
-            path = each / name
+            path = each / from_text(name)
             file = _resolved(path)
             if file and not any(file.is_relative_to(root) for root in self._roots):
                 outside = True  # and whether it exists is not told

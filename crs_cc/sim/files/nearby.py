@@ -17,6 +17,8 @@ import stat
 from pathlib import Path, PurePosixPath
 from typing import Final
 
+from crs_cc.core.file_names import from_text
+
 _FOLDER: Final = os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW
 _FILE: Final = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK
 _LONGEST: Final = 4096
@@ -35,7 +37,7 @@ def read_below(folder: Path, name: str, ending: str, most: int) -> bytes:
     Raises:
         ValueError: the name is not allowed, or the file cannot be read; says why.
     """
-    path = PurePosixPath(name)
+    path = PurePosixPath(from_text(name))
     outside = path.is_absolute() or ".." in path.parts or path.suffix.lower() != ending
     if outside or "\0" in name or len(name) > _LONGEST:
         raise ValueError(

@@ -9,6 +9,7 @@ from itertools import islice
 from pathlib import Path, PurePosixPath
 from typing import Final, Literal, TypeAlias
 
+from crs_cc.core.file_names import from_text
 from crs_cc.core.quantity import HEAT, LENGTH, TIME
 from crs_cc.sim.files.beacon_elements import lights, sounds
 from crs_cc.sim.files.communication_elements import communication
@@ -202,7 +203,7 @@ def _program(element: Element, folder: Path | None, reader: Reader) -> str:
     text = element.attributes.get("program", "")
     if not text:
         return ""
-    path = PurePosixPath(text)
+    path = PurePosixPath(from_text(text))
     if path.suffix != ".c" or path.is_absolute() or "\0" in text:
         reader.error(
             element, f"program {text!r}: must be a C file (.c), by a path relative to this file"

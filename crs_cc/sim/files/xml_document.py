@@ -30,6 +30,7 @@ IDEAL: Final = "ideal"
 
 _HERE: Final = Path(__file__).parent
 _NAME: Final = re.compile(rb"<([A-Za-z-]+)")
+_POSITION: Final = re.compile(r"(, line \d+, column \d+)?( \([^()]*, line \d+\))?$")
 _SKIPPED: Final = ((b"<?", b"?>"), (b"<!--", b"-->"))
 _SAID_BETTER: Final = {
     "SCHEMAV_CVC_PATTERN_VALID",  # numbers, later: with the units that are known
@@ -117,7 +118,8 @@ def elements(
             _refuse_document_type(file)
         line, column = error.position
         place = Location(file, line or 0, max(column, 0))
-        raise WorldError([_syntax_message(place, str(error.msg), diagnostics)]) from None
+        reason = _without_position(str(error.msg), place.line)
+        raise WorldError([_syntax_message(place, reason, diagnostics)]) from None
     if root.getroottree().docinfo.doctype:
         _refuse_document_type(file)
     if root.tag != outermost:
@@ -196,6 +198,20 @@ def _plain(node: etree._Element) -> Element:
 def lines_of(text: bytes) -> list[str]:
     """Gives the lines of a file, for messages."""
     return text.decode("utf-8", errors="replace").splitlines()
+
+
+def _without_position(message: str, line: int) -> str:
+    r"""Return libxml2's message on one line, without the position that stands in front of it.
+
+    >>> _without_position("mismatch: wall line 3 and world, line 3, column 5", 3)
+    'mismatch: wall and world'
+    >>> _without_position("mismatch: wall line 2 and world, line 3, column 5", 3)
+    'mismatch: wall line 2 and world'
+    >>> _without_position("not UTF-8 !\nBytes: 0xFF 0x20 (room.xml, line 3)", 3)
+    'not UTF-8 ! Bytes: 0xFF 0x20'
+    """
+    text = _POSITION.sub("", " ".join(message.split()))
+    return re.sub(rf" line {line}\b", "", text)
 
 
 def _syntax_message(place: Location, text: str, diagnostics: Diagnostics) -> Diagnostic:

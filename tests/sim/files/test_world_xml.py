@@ -511,6 +511,29 @@ def test_a_hostile_file_is_refused_in_one_clear_message(name):
     assert len(message) < 400
 
 
+@pytest.mark.parametrize(
+    ("row", "expected"),
+    [
+        ("<wall </world>", "w.xml:3:7: error: not well-formed XML: error parsing attribute name"),
+        (
+            "<wall></box>",
+            "w.xml:3:13: error: not well-formed XML: Opening and ending tag mismatch: wall and box",
+        ),
+        ("<wall y='1' y='2'/>", "w.xml:3:18: error: not well-formed XML: Attribute y redefined"),
+    ],
+)
+def test_a_syntax_message_says_its_position_once(row, expected):
+    assert messages_of(lines(AREA, row)) == [expected]
+
+
+def test_a_syntax_message_keeps_the_position_of_another_line():
+    (message,) = messages_of(lines(AREA, "<wall>", "</box>"))
+    assert message.endswith(
+        "w.xml:4:7: error: not well-formed XML: Opening and ending tag mismatch: "
+        "wall line 3 and box"
+    )
+
+
 def test_what_is_no_readable_file_is_refused(tmp_path):
     large = tmp_path / "large.xml"
     with large.open("wb") as file:
