@@ -198,6 +198,7 @@ def first_echo(
         face_m[face_m > loud_m[faces.ping] * faces.share[:, None]] = np.inf
         round_m[round_m > loud_m[rounds.ping] * rounds.share[:, None]] = np.inf
     glancing_m = faces.away_m / np.maximum(np.cos(pings.critical_rad[faces.ping]), 1e-12)
+    glancing_m += _ON_M  # rounding must not keep a face silent that is met at the very angle
     face_m[face_m > np.minimum(reach_m[faces.ping], glancing_m[:, None])] = np.inf
     round_m[round_m > reach_m[rounds.ping]] = np.inf
     found_m = np.full(len(pings), np.inf)
@@ -260,7 +261,8 @@ def _faces(
     inside = np.flatnonzero(behind_m >= -_ON_M)
     middle = pings.local(ping[inside], pings.place[ping[inside]])
     a_in, b_in = a[inside], b[inside]
-    before = _cross(a_in - middle, b_in - middle) < 0.0
+    # A middle in the line of a face looks along it: rounding must not put it before the face.
+    before = _cross(a_in - middle, b_in - middle) < -_ON_M * length_m[inside]
     between = _cross(middle, a_in) * _cross(middle, b_in) <= 0.0
     pierced = ping[inside[before & between]]
     cos, sin = np.cos(pings.half_rad).take(ping), np.sin(pings.half_rad).take(ping)

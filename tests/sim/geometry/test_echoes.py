@@ -91,6 +91,16 @@ def test_beside_a_wall_that_does_not_answer_the_next_thing_is_heard():
     assert pillar_alone == pytest.approx(abs(5 - 0.5j) - 0.3)
 
 
+def test_a_wall_met_at_the_very_critical_angle_answers():
+    # The side of the beam does so, but for rounding one way or the other.
+    for turned in (45, -45):
+        for half_deg in range(5, 25):
+            half, critical = math.radians(half_deg), math.radians(45 - half_deg)
+            at_side = 2 / math.cos(math.radians(45 - half_deg))
+            heard = hear(wall_at(2, turned), half=half, critical=critical)
+            assert heard == pytest.approx(at_side)
+
+
 # -- corners and cylinders ---------------------------------------------------------------------
 
 
