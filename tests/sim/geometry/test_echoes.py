@@ -1,6 +1,7 @@
 """What a single ping comes back from: by hand, and the same as beams of a whole ring measure."""
 
 import math
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -292,3 +293,17 @@ def test_the_same_is_heard_however_the_world_is_turned():
     obstacles = Obstacles(turned(fixed), turned(moving), 6.7, 0.3)
     crooked = first_echo(pings_of(others, LOBE, CRITICAL), obstacles)
     assert crooked == pytest.approx(straight, abs=1e-6)
+
+
+def test_soft_things_in_one_place_take_bounded_memory_and_time():
+    rng = np.random.default_rng(1)
+    places = zip(*rng.uniform([[3.0], [-0.3], [0.0]], [[3.6], [0.3], [1.5]], (3, 300)), strict=True)
+    boxes = [Box(f"b{number}", Pose(*place), 1, 1) for number, place in enumerate(places)]
+    around, hushed = obstacles_of(*boxes), np.full(len(boxes), 0.8)
+    pings = Pings.of([(0j, 0j, toward) for toward in np.linspace(-0.2, 0.2, 16)], 0.4, RANGE_M)
+    tracemalloc.start()
+    found_m = first_echo(pings, around, hushed=hushed)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 100e6  # all pairs of corners and sides at once were 1.7 GB
+    assert found_m == pytest.approx(first_echo(pings, around), abs=1e-6)
