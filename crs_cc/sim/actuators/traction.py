@@ -141,7 +141,8 @@ def _arrive(state: EnvState, equipment: Equipment, rows: IndexArray) -> None:
     left = np.abs(take(axes.total, rows) - take(axes.travelled, rows))
     near = (take(axes.limit, rows) > 0.0) & (left <= _ARRIVED_UNITS * equipment.drives.unit[rows])
     near &= state.drive.stalled_s[rows, None] >= _ARRIVED_S
-    hardware.end_here(axes, rows, rolls & (near | ~rolls).all(axis=1)[:, None])
+    arrived = (near | ~rolls).all(axis=1, keepdims=True)
+    hardware.end_here(axes, rows, np.asarray(rolls & arrived))
 
 
 def ways_m(equipment: Equipment, before_m: FloatArray, went_m: FloatArray) -> FloatArray:
