@@ -46,7 +46,7 @@ array([1.3])
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Final, Self
 
@@ -64,6 +64,7 @@ _RAYS: Final = np.linspace(-1.0, 1.0, 17)
 _ON_M: Final = 1e-9  # a transducer so near to a face lies on it
 _BEFORE_M: Final = 1e-6  # what lies less than this in front of a place does not hide it
 _SEAM_M: Final = 1e-3  # faces that end so near to each other touch
+_AT_ONCE: Final = 1 << 18  # pairs that are looked at together
 _STRAIGHT: Final = 1e-3  # sine of the angle below which one face goes on in another
 
 
@@ -149,7 +150,7 @@ class Points:
         ping, place, share = (np.concatenate(column) for column in zip(*parts, strict=True))
         return cls(ping, place, np.abs(place), share)
 
-    def where(self, kept: BoolArray) -> Self:
+    def where(self, kept: BoolArray | IndexArray | slice) -> Self:
         """Gives some of the points."""
         return type(self)(self.ping[kept], self.place[kept], self.told_m[kept], self.share[kept])
 
@@ -182,23 +183,27 @@ def first_echo(
     reach_m = pings.range_m[:, None] * np.exp2(-pings.falloff[:, None] * angle_rad * angle_rad)
     loud_m = reach_m
     face_m, round_m = faces.hits_m(rays[faces.ping]), rounds.hits_m(rays[rounds.ping])
-    points = _in_beam(pings, _points(faces, rounds, shaped, voices))
     if shaped:
         free_m = np.full(reach_m.shape, np.inf)
         np.minimum.at(free_m, faces.ping, face_m)
         np.minimum.at(free_m, rounds.ping, round_m)
         reach_m = np.minimum(reach_m, free_m + _BEFORE_M)
-        points = points.where(~_hidden(points, faces, rounds))
     if hushed is not None:
         face_m[face_m > loud_m[faces.ping] * faces.share[:, None]] = np.inf
         round_m[round_m > loud_m[rounds.ping] * rounds.share[:, None]] = np.inf
     glancing_m = faces.away_m / np.maximum(np.cos(pings.critical_rad[faces.ping]), 1e-12)
+    glancing_m += _ON_M  # rounding must not keep a face silent that is met at the very angle
     face_m[face_m > np.minimum(reach_m[faces.ping], glancing_m[:, None])] = np.inf
     round_m[round_m > reach_m[rounds.ping]] = np.inf
     found_m = np.full(len(pings), np.inf)
     np.minimum.at(found_m, faces.ping, face_m.min(axis=1))
     np.minimum.at(found_m, rounds.ping, round_m.min(axis=1))
-    np.minimum.at(found_m, points.ping, points.told_m)
+    for points in _points(faces, rounds, shaped, voices):
+        heard = _in_beam(pings, points)
+        if shaped:
+            _hear(heard, faces, rounds, found_m)
+        else:
+            np.minimum.at(found_m, heard.ping, heard.told_m)
     found_m[pierced] = 0.0
     found_m[covered] = 0.0
     return found_m
@@ -255,7 +260,8 @@ def _faces(
     inside = np.flatnonzero(behind_m >= -_ON_M)
     middle = pings.local(ping[inside], pings.place[ping[inside]])
     a_in, b_in = a[inside], b[inside]
-    before = _cross(a_in - middle, b_in - middle) < 0.0
+    # A middle in the line of a face looks along it: rounding must not put it before the face.
+    before = _cross(a_in - middle, b_in - middle) < -_ON_M * length_m[inside]
     between = _cross(middle, a_in) * _cross(middle, b_in) <= 0.0
     pierced = ping[inside[before & between]]
     cos, sin = np.cos(pings.half_rad).take(ping), np.sin(pings.half_rad).take(ping)
@@ -291,13 +297,15 @@ def _rounds(
     return _Rounds(ping[kept], middle[kept], radius_m[kept], share), ping[inside]
 
 
-def _points(faces: _Faces, rounds: _Rounds, shaped: bool, voices: Points | None) -> Points:
-    """Gives the feet and ends of faces, the fronts of circles, and where faces meet."""
+def _points(
+    faces: _Faces, rounds: _Rounds, shaped: bool, voices: Points | None
+) -> Iterator[Points]:
+    """Yield the feet and ends of faces, the fronts of circles, and where faces meet, in blocks."""
     square = faces.along.real**2 + faces.along.imag**2
     share = -(faces.start * faces.along.conj()).real / square
     foot = np.flatnonzero((share > 0.0) & (share < 1.0))
     front = rounds.middle * (1.0 - rounds.radius_m / np.abs(rounds.middle))
-    points = Points.at(
+    yield Points.at(
         _ends(faces, faces.start, shaped),
         _ends(faces, faces.start + faces.along, shaped),
         (
@@ -306,16 +314,12 @@ def _points(faces: _Faces, rounds: _Rounds, shaped: bool, voices: Points | None)
             faces.share[foot],
         ),
         (rounds.ping, front, rounds.share),
-        *([_corners(faces)] if shaped else []),
     )
-    if voices is None:
-        return points
-    return Points(
-        np.concatenate([points.ping, voices.ping]),
-        np.concatenate([points.place, voices.place]),
-        np.concatenate([points.told_m, voices.told_m]),
-        np.concatenate([points.share, voices.share]),
-    )
+    if shaped:
+        for one, other in _pairs(faces.ping, faces.ping):
+            yield _corners(faces, one, other)
+    if voices is not None:
+        yield voices
 
 
 def _ends(
@@ -324,24 +328,22 @@ def _ends(
     """Gives the ends of faces, without those at which another face goes on, if that matters."""
     if not shaped:
         return faces.ping, end, faces.share
-    one, other = _pairs(faces.ping, faces.ping)
-    along, length_m = faces.along, np.abs(faces.along)[other]
-    apart = end[one] - faces.start[other]
-    over_m = (apart * along[other].conj()).real / length_m
-    goes_on = (one != other) & (np.abs(_cross(apart, along[other])) <= _SEAM_M * length_m)
-    goes_on &= (over_m >= -_SEAM_M) & (over_m <= length_m + _SEAM_M)
-    goes_on &= _parallel(along[one], along[other])
-    corner = np.ones(len(end), dtype=np.bool_)
-    corner[one[goes_on]] = False
+    along, corner = faces.along, np.ones(len(end), dtype=np.bool_)
+    for one, other in _pairs(faces.ping, faces.ping):
+        length_m, apart = np.abs(along[other]), end[one] - faces.start[other]
+        over_m = (apart * along[other].conj()).real / length_m
+        goes_on = (one != other) & (np.abs(_cross(apart, along[other])) <= _SEAM_M * length_m)
+        goes_on &= (over_m >= -_SEAM_M) & (over_m <= length_m + _SEAM_M)
+        goes_on &= _parallel(along[one], along[other])
+        corner[one[goes_on]] = False
     return faces.ping[corner], end[corner], faces.share[corner]
 
 
-def _corners(faces: _Faces) -> tuple[IndexArray, ComplexArray, FloatArray]:
+def _corners(faces: _Faces, one: IndexArray, other: IndexArray) -> Points:
     """Gives where faces in the same beam cut each other, as those of walls in a room do.
 
     Sound goes by way of both, so the softer one decides.
     """
-    one, other = _pairs(faces.ping, faces.ping)
     once = (one < other) & ~_parallel(faces.along[one], faces.along[other])
     one, other = one[once], other[once]
     apart = faces.start[other] - faces.start[one]
@@ -351,7 +353,7 @@ def _corners(faces: _Faces) -> tuple[IndexArray, ComplexArray, FloatArray]:
     meet = (share >= 0.0) & (share <= 1.0) & (others >= 0.0) & (others <= 1.0)
     one, other, share = one[meet], other[meet], share[meet]
     heard = np.minimum(faces.share[one], faces.share[other])
-    return faces.ping[one], faces.start[one] + share * faces.along[one], heard
+    return Points.at((faces.ping[one], faces.start[one] + share * faces.along[one], heard))
 
 
 def _in_beam(pings: Pings, points: Points) -> Points:
@@ -362,21 +364,51 @@ def _in_beam(pings: Pings, points: Points) -> Points:
     return points.where(np.abs(points.place) <= reach_m)
 
 
+def _hear(points: Points, faces: _Faces, rounds: _Rounds, found_m: FloatArray) -> None:
+    """Take over what points tell that have nothing before them, the nearest first.
+
+    Args:
+        points: the points; those that tell more than what is found are not looked at.
+        faces: what may lie before them.
+        rounds: the same.
+        found_m: what each ping has found, changed in place.
+    """
+    points = points.where(points.told_m < found_m[points.ping])
+    points = points.where(np.argsort(points.told_m, kind="stable"))
+    before = np.bincount(faces.ping, minlength=len(found_m))
+    before += np.bincount(rounds.ping, minlength=len(found_m))
+    while len(points.ping):
+        work = np.cumsum(before[points.ping])
+        count = max(1, int(np.searchsorted(work, _AT_ONCE, side="right")))
+        near = points.where(slice(count))
+        near = near.where(~_hidden(near, faces, rounds))
+        np.minimum.at(found_m, near.ping, near.told_m)
+        points = points.where(slice(count, None))
+        points = points.where(points.told_m < found_m[points.ping])
+
+
 def _hidden(points: Points, faces: _Faces, rounds: _Rounds) -> BoolArray:
     """Tells which points have something before them."""
     away_m = np.abs(points.place)
     rays = (points.place / np.maximum(away_m, _ON_M))[:, None]
     free_m = np.full((len(points.ping), 1), np.inf)
     for shapes in (faces, rounds):
-        point, shape = _pairs(points.ping, shapes.ping)
-        np.minimum.at(free_m, point, shapes.hits_m(rays[point], shape))
+        for point, shape in _pairs(points.ping, shapes.ping):
+            np.minimum.at(free_m, point, shapes.hits_m(rays[point], shape))
     return np.asarray(free_m[:, 0] < away_m - _BEFORE_M)
 
 
-def _pairs(ping: IndexArray, sorted_pings: IndexArray) -> tuple[IndexArray, IndexArray]:
-    """Gives pairs of things of the same ping; the second ones must be sorted by ping."""
+def _pairs(ping: IndexArray, sorted_pings: IndexArray) -> Iterator[tuple[IndexArray, IndexArray]]:
+    """Yield pairs of things of the same ping, in blocks; the second ones must be sorted by ping."""
     starts = np.searchsorted(sorted_pings, ping, side="left")
-    return expand(starts, np.searchsorted(sorted_pings, ping, side="right") - starts)
+    counts = np.searchsorted(sorted_pings, ping, side="right") - starts
+    ends, first = np.cumsum(counts), 0
+    while first < len(ping):
+        done = int(ends[first - 1]) if first else 0
+        last = max(first + 1, int(np.searchsorted(ends, done + _AT_ONCE, side="right")))
+        one, other = expand(starts[first:last], counts[first:last])
+        yield one + first, other
+        first = last
 
 
 def _parallel(a: ComplexArray, b: ComplexArray) -> BoolArray:

@@ -20,6 +20,7 @@ from crs_cc.sim.geometry.scene import Outlines
 _MOST_CELLS: Final = 128  # along each side of the grid
 _CELLS_PER_REACH: Final = 8
 _SHAPES_AT_ONCE: Final = 64  # while the grid is made
+_MOST_LISTED: Final = 8_000_000  # pairs of cell and shape; where there are more, cells are larger
 _SLACK_M: Final = 1e-6
 
 
@@ -184,6 +185,8 @@ class Grid:
         self._corner_m = low.min(axis=0, initial=np.inf) if self._count else np.zeros(2)
         extent_m = high.max(axis=0) - self._corner_m if self._count else np.zeros(2)
         self._cell_m = max(reach_m / _CELLS_PER_REACH, float(extent_m.max()) / _MOST_CELLS, 1e-3)
+        while self._listed(low, high) > _MOST_LISTED and self._cell_m < extent_m.max():
+            self._cell_m *= 2
         self._size = np.floor(extent_m / self._cell_m).astype(np.intp) + 1
         found = [
             self._cells_of(np.arange(first, min(first + _SHAPES_AT_ONCE, self._count)), ends_m,
@@ -209,6 +212,11 @@ class Grid:
         cell = np.where(inside, row * columns + column, columns * rows).astype(np.intp)
         points, members = expand(self._starts.take(cell), self._counts.take(cell))
         return points, self._shapes.take(members)
+
+    def _listed(self, low: FloatArray, high: FloatArray) -> int:
+        """Return how many pairs of cell and shape there are at most."""
+        first, last = (np.floor((ends - self._corner_m) / self._cell_m) for ends in (low, high))
+        return int((last - first + 1.0).prod(axis=1).sum())
 
     def _cells_of(
         self,

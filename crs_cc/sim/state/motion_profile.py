@@ -237,6 +237,19 @@ def fall_short(axes: Axes, rows: Rows, now_s: FloatArray, short: FloatArray) -> 
         )
 
 
+def end_here(axes: Axes, rows: Rows, which: BoolArray) -> None:
+    """End moves where their axes are, as if that were the goal.
+
+    Args:
+        axes: their profiles.
+        rows: which robots, k of them.
+        which: the axes that are meant, shape (k, 3).
+    """
+    for gone in (axes.ramp_s, axes.cruise_s, axes.brake_s, axes.limit, axes.speed):
+        gone[rows] = np.where(which, 0.0, take(gone, rows))
+    axes.total[rows] = np.where(which, take(axes.travelled, rows), take(axes.total, rows))
+
+
 def _replace(axes: Axes, rows: Rows, which: BoolArray | bool, **profile: FloatArray) -> None:
     """Writes new profiles over the old ones of the axes that are meant."""
     profile["travelled"] = profile["begun"]

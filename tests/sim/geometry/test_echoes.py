@@ -1,6 +1,7 @@
 """What a single ping comes back from: by hand, and the same as beams of a whole ring measure."""
 
 import math
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -89,6 +90,16 @@ def test_beside_a_wall_that_does_not_answer_the_next_thing_is_heard():
     assert heard == pytest.approx(abs(end), abs=0.02)  # the wall's end
     pillar_alone = hear(wall_at(2.5, 70, 1.0), pillar, critical=CRITICAL)
     assert pillar_alone == pytest.approx(abs(5 - 0.5j) - 0.3)
+
+
+def test_a_wall_met_at_the_very_critical_angle_answers():
+    # The side of the beam does so, but for rounding one way or the other.
+    for turned in (45, -45):
+        for half_deg in range(5, 25):
+            half, critical = math.radians(half_deg), math.radians(45 - half_deg)
+            at_side = 2 / math.cos(math.radians(45 - half_deg))
+            heard = hear(wall_at(2, turned), half=half, critical=critical)
+            assert heard == pytest.approx(at_side)
 
 
 # -- corners and cylinders ---------------------------------------------------------------------
@@ -282,3 +293,17 @@ def test_the_same_is_heard_however_the_world_is_turned():
     obstacles = Obstacles(turned(fixed), turned(moving), 6.7, 0.3)
     crooked = first_echo(pings_of(others, LOBE, CRITICAL), obstacles)
     assert crooked == pytest.approx(straight, abs=1e-6)
+
+
+def test_soft_things_in_one_place_take_bounded_memory_and_time():
+    rng = np.random.default_rng(1)
+    places = zip(*rng.uniform([[3.0], [-0.3], [0.0]], [[3.6], [0.3], [1.5]], (3, 300)), strict=True)
+    boxes = [Box(f"b{number}", Pose(*place), 1, 1) for number, place in enumerate(places)]
+    around, hushed = obstacles_of(*boxes), np.full(len(boxes), 0.8)
+    pings = Pings.of([(0j, 0j, toward) for toward in np.linspace(-0.2, 0.2, 16)], 0.4, RANGE_M)
+    tracemalloc.start()
+    found_m = first_echo(pings, around, hushed=hushed)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 100e6  # all pairs of corners and sides at once were 1.7 GB
+    assert found_m == pytest.approx(first_echo(pings, around), abs=1e-6)

@@ -9,6 +9,10 @@ When something holds a robot up, or pushes it, along its wheels:
   that do not turn;
 - limp wheels (`lp`) roll with any push stronger than their friction, and their encoders count.
 
+The force of the motors grows with how far the wheels lag behind, so at the end of a relative move,
+where little is left to go, it is less than what it takes to push a box, or to slide along a wall.
+So a move that has stalled for a while, as near to its goal as two units of the interface, is done.
+
 Across the wheels everything slips. Motors that have stalled for the time `give-up` of the robot
 definition stop, as if the program had called `st`.
 
@@ -38,6 +42,8 @@ if TYPE_CHECKING:
 
 _SAME_M: Final = 1e-9  # smaller differences of ways are rounding errors
 _STANDS_MPS: Final = 0.005  # slower wheels stand; ours
+_ARRIVED_S: Final = 0.5  # a move that stalls for so long,
+_ARRIVED_UNITS: Final = 2  # and so near to its goal, is done; ours
 
 
 def pull(state: EnvState, equipment: Equipment) -> Pull:
@@ -122,7 +128,19 @@ def feel(state: EnvState, equipment: Equipment, went_m: FloatArray) -> None:
     forward_mps = weighted(state.bodies.velocity_mps[rows], ahead) * longer
     state.drive.hindered[rows] = felt[rows]
     state.drive.forward_mps[rows] = np.where(felt[rows], forward_mps, 0.0)
-    _give_up(state, equipment, rows, felt[rows] & ~limp[rows] & (np.abs(forward_mps) < _STANDS_MPS))
+    stalled = felt[rows] & ~limp[rows] & (np.abs(forward_mps) < _STANDS_MPS)
+    _arrive(state, equipment, rows[stalled])
+    _give_up(state, equipment, rows, stalled)
+
+
+def _arrive(state: EnvState, equipment: Equipment, rows: IndexArray) -> None:
+    """End the moves of robots that have stalled for a while just before the goal."""
+    axes, rolls = state.drive.axes, equipment.drives.rolls[rows] > 0.0
+    left = np.abs(take(axes.total, rows) - take(axes.travelled, rows))
+    near = (take(axes.limit, rows) > 0.0) & (left <= _ARRIVED_UNITS * equipment.drives.unit[rows])
+    near &= state.drive.stalled_s[rows, None] >= _ARRIVED_S
+    arrived = (near | ~rolls).all(axis=1, keepdims=True)
+    motion_profile.end_here(axes, rows, np.asarray(rolls & arrived))
 
 
 def ways_m(equipment: Equipment, before_m: FloatArray, went_m: FloatArray) -> FloatArray:
