@@ -10,6 +10,7 @@ import textwrap
 from functools import cache
 from typing import Final
 
+from crs_cc.robot_api.row import OURS, Function, Group
 from crs_cc.sim.model.device import Device
 from crs_cc.sim.model.registry import devices
 
@@ -27,12 +28,28 @@ def device_headers() -> tuple[tuple[str, str], ...]:
     lines.append("#define _CRS_REGISTERED_H")
     for device in devices():
         values = "; ".join(value.meaning for value in device.values)
-        text = f"{device.summary}. *{device.does}*: {values}, each in {device.unit}."
-        comment = textwrap.wrap(text.replace("*/", "* /").replace("*", ""), _WIDTH - 6)
+        text = f"{device.title}: {device.does} ({device.unit}): {values}."
+        comment = textwrap.wrap(text.replace("*/", ""), _WIDTH - 6)
         lines += ["", f"/* {f'{chr(10)}   '.join(comment)} */", f"{device.prototype};"]
         lines.append(f"#define CRS_SENSOR_{device.name.upper()} {device.number}")
     lines += ["", "#endif", ""]
     return ((HEADER, "\n".join(lines)),)
+
+
+@cache
+def registered_functions() -> Group:
+    """Return the functions of all devices, as rows of the table of `crs.h`."""
+    rows = (
+        Function(
+            device.prototype,
+            f"{device.does}: {', '.join(value.meaning for value in device.values)}",
+            units=device.unit,
+            posts=(device.name.upper(),),
+            source=(OURS,),
+        )
+        for device in devices()
+    )
+    return Group("Sensors that read a few numbers", tuple(rows))
 
 
 def unit_of(device: Device) -> str:
