@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import textwrap
 from functools import cache
+from pathlib import Path
 from typing import Final
 
 from crs_cc.robot_api.row import OURS, Function, Group
@@ -23,7 +24,10 @@ _LARGEST_SOURCE: Final = 1 << 20
 
 @cache
 def device_headers() -> tuple[tuple[str, str], ...]:
-    """Return the header that declares the functions of all devices, by its name."""
+    """Return the header that declares the functions of all devices, and those of their own.
+
+    Each is a name and its text.
+    """
     lines = ["/* The devices of the registry; made of their rows. */", "#ifndef _CRS_REGISTERED_H"]
     lines.append("#define _CRS_REGISTERED_H")
     for device in devices():
@@ -33,7 +37,18 @@ def device_headers() -> tuple[tuple[str, str], ...]:
         lines += ["", f"/* {f'{chr(10)}   '.join(comment)} */", f"{device.prototype};"]
         lines.append(f"#define CRS_SENSOR_{device.name.upper()} {device.number}")
     lines += ["", "#endif", ""]
-    return ((HEADER, "\n".join(lines)),)
+    own = [(path.name, _text(path)) for device in devices() for path in _own_headers(device)]
+    return ((HEADER, "\n".join(lines)), *own)
+
+
+def _own_headers(device: Device) -> list[Path]:
+    """Return the headers in a device's folder, which programs include by their names."""
+    return sorted(device.folder.glob("*.h")) if device.source else []
+
+
+def _text(path: Path) -> str:
+    with path.open("rb") as file:
+        return file.read(_LARGEST_SOURCE).decode("utf-8", errors="replace")
 
 
 @cache
@@ -72,7 +87,7 @@ def source(device: Device) -> str:
     """Return the C source of a device's function: its own, or derived from its row."""
     path = device.folder / f"{device.name}.c"
     if device.source and path.is_file():
-        return path.read_text("utf-8", errors="replace")[:_LARGEST_SOURCE]
+        return _text(path)
     lines = [
         "#include <crs/device.h>",
         "",

@@ -48,7 +48,8 @@ ASKED = (
     ("infrared", "GET_IR"), ("infrared", "CONF_IR"), ("compass", "GET_CP"),
     ("compass", "CONF_CP", 1), ("laser", "CONF_LS", 51), ("laser", "CONF_SG"), ("laser", "GET_LS"),
     ("laser", "GET_SG"), ("laser", "LASER_PAGE"), ("laser", "LASER"), ("laser", "READINGS", LASER),
-    *((device.element, device.name.upper()) for device in devices()), ("camera", "CAMERA"), ("camera", "READINGS", CAMERA),
+    ("camera", "CAMERA"), ("camera", "READINGS", CAMERA),
+    *((device.element, device.name.upper()) for device in devices()),
     ("heat", "HEAT"), ("heat", "SENSE_HEAT"), ("tag", "TAG"), ("tag", "TAKE_HEAT"),
     ("gripper", "GRIPPER"), ("gripper", "GET_GRIPPER"), ("arm", "ARM"), ("arm", "GET_ARM"),
     ("arm", "HAND"), ("lamp", "LIGHT", 9), ("speaker", "SOUND", 9), ("light-sensors", "GET_LIGHT"),
@@ -57,7 +58,8 @@ ASKED = (
       for request in ("PERIOD", "AGE")
       for device, number in (*((each.element, each.number) for each in devices()),
                              ("camera", CAMERA), ("heat", HEAT), ("laser", LASER),
-                             ("infrared", INFRARED), ("compass", COMPASS),                             ("light-sensors", LIGHT), ("microphones", SOUND))),
+                             ("infrared", INFRARED), ("compass", COMPASS),
+                             ("light-sensors", LIGHT), ("microphones", SOUND))),
 )  # fmt: skip
 
 COUNTS = {"READINGS", "LASER_PAGE"}
