@@ -19,7 +19,7 @@ from __future__ import annotations
 from typing import Final
 
 from crs_cc.requests.code import Argument, RequestCode
-from crs_cc.requests.device import DEVICE_REQUESTS
+from crs_cc.requests.device import DEVICE_REQUESTS, device_request
 from crs_cc.requests.door import (
     DATA_SIZE,
     ERROR_KINDS,
@@ -43,6 +43,7 @@ __all__ = [
     "LARGEST",
     "MESSAGE",
     "NUM_STATE",
+    "REGISTERED",
     "REQUESTS",
     "RETURNED",
     "SLOT",
@@ -50,6 +51,8 @@ __all__ = [
     "SUSPENDED",
     "Argument",
     "RequestCode",
+    "device_request",
+    "register",
     "slot_offset",
 ]
 
@@ -60,3 +63,14 @@ REQUESTS: Final[dict[int, RequestCode]] = {request.code: request for request in 
 
 CODES: Final[dict[str, int]] = {request.name: request.code for request in _TABLE}
 """Every request's number by its name."""
+
+REGISTERED: Final = range(300, 512)
+"""The codes of requests to registered devices; these need no connection."""
+
+
+def register(request: RequestCode) -> None:
+    """Add the request of a registered device to the tables; done again, it changes nothing."""
+    assert request.code in REGISTERED
+    assert REQUESTS.get(request.code, request) == request
+    REQUESTS[request.code] = request
+    CODES[request.name] = request.code

@@ -1,9 +1,11 @@
 """The functions of `crs.h`: what robots have here beyond the vendor's.
 
+Those of the device registry are in `session.device_library`.
+
 `docs/crs-h.md` is made of it, and a test holds it, the header and the library together.
 
 >>> [function.name for group in DEVICE_GROUPS for function in group.functions][0]
-'crs_gps'
+'crs_camera'
 """
 
 from __future__ import annotations
@@ -13,15 +15,6 @@ from typing import Final
 from crs_cc.robot_api.row import OURS, Function, Group
 
 SENSORS: Final = Group("Sensors", (
-    Function(
-        "int crs_gps(int *x, int *y)", "tells where the robot is in the world", units="0.1 in",
-        posts=("GPS",), source=(OURS,),
-    ),
-    Function(
-        "int crs_tilt(int *pitch, int *roll)",
-        "tells how the robot is tilted: above 0 with the nose up, and with the left side up",
-        units="0.1 deg", posts=("TILT",), source=(OURS,),
-    ),
     Function(
         "int crs_camera(struct crs_pixel *row, int most)",
         "lets the camera look, and tells colour and range of its columns, from the left to the "

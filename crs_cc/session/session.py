@@ -28,7 +28,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from crs_cc.core.arrays import IndexArray, Int32Array, Int64Array
-from crs_cc.requests import CODES, REQUESTS, SUSPENDED
+from crs_cc.requests import CODES, REGISTERED, REQUESTS, SUSPENDED
 from crs_cc.session.host import (
     HOST_CODES,
     SYSTEM_CALL,
@@ -40,7 +40,7 @@ from crs_cc.session.session_state import ENDLESS, Crew
 if TYPE_CHECKING:
     from crs_cc.session.host import TimeServer
 
-_GOES_OUT = np.isin(np.arange(max(REQUESTS) + 2), list(REQUESTS.keys() - HOST_CODES))
+_GOES_OUT = np.isin(np.arange(REGISTERED.stop + 1), list(REQUESTS.keys() - HOST_CODES))
 """By code, whether a request goes over the link; the last stands for all codes beyond."""
 
 

@@ -10,12 +10,11 @@ from crs_cc.debug.data.evaluate import Evaluator
 from crs_cc.debug.data.prepare import Names
 from crs_cc.debug.program import DebugProgram
 from crs_cc.debug.world.state_rows import state_fields
-from crs_cc.frontend.preprocess.options import Options
 from crs_cc.requests import SUSPENDED
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Host, HostRequest
-from crs_cc.session.library import HEADERS
+from crs_cc.session.library import library_options
 
 
 class EndError(Exception):
@@ -30,7 +29,7 @@ class Stopping:
         for path, source in zip(paths, sources, strict=True):
             path.write_text(source)
         self.executable = build_executable(paths, Diagnostics(), debug=True, checked=checked)
-        self.program = DebugProgram(self.executable, paths, Options(system_paths=(HEADERS,)))
+        self.program = DebugProgram(self.executable, paths, library_options())
         self.fleet = Fleet([self.executable])
         self.printed = b""
         self.host = Host([["test"]], self._take, lambda *_: b"")

@@ -16,10 +16,9 @@ from typing import Final
 
 from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Diagnostics
-from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_text
 from crs_cc.ir.verify import verify
-from crs_cc.session.library import HEADERS
+from crs_cc.session.library import library_options
 
 CORPUS: Final = Path(__file__).parent.parent / "c"
 FINDINGS: Final = Path("build/fuzz-frontend")
@@ -140,7 +139,7 @@ def survive(source: str, longest_s: float = 20.0) -> str:
     diagnostics = Diagnostics()
     began = time.monotonic()
     try:
-        verify(compile_text(source, "a.c", Options(system_paths=(HEADERS,)), diagnostics))
+        verify(compile_text(source, "a.c", library_options(), diagnostics))
     except CompileError:
         if not diagnostics.errors:
             return "refused without a message"

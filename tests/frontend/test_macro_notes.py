@@ -10,7 +10,7 @@ from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_file
-from crs_cc.session.library import HEADERS
+from crs_cc.session.library import library_options
 from tests.frontend.compiling import messages
 
 UNDECLARED = "error: use of undeclared identifier 'sped'"
@@ -63,7 +63,7 @@ def test_the_note_points_to_a_header_of_the_users_but_to_none_of_ours(tmp_path: 
     )
     diagnostics = Diagnostics()
     with pytest.raises(CompileError):
-        compile_file(program, Options(system_paths=(HEADERS,)), diagnostics)
+        compile_file(program, library_options(), diagnostics)
     (note,) = [each for each in diagnostics.messages if each.severity == "note"]
     assert str(note.location) == f"{tmp_path / 'speeds.h'}:1:9"
     assert note.source_line == "#define FAST 5"

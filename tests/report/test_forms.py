@@ -9,12 +9,12 @@ import pytest
 from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.dialect import dialect_of
-from crs_cc.frontend.preprocess.options import Dialect, Options
+from crs_cc.frontend.preprocess.options import Dialect
 from crs_cc.session.build import build_executable
-from crs_cc.session.library import HEADERS
+from crs_cc.session.library import library_options
 from tests.nclient.drive import drive
 
-OPTIONS = Options(system_paths=(HEADERS,))
+OPTIONS = library_options()
 
 VENDORS = '#include "Nclient.h"\nint main(void) { return connect_robot(1) == 0; }\n'
 UNDECLARED = "main() { connect_robot(1); vm(10, 10, 0); return 0; }\n"

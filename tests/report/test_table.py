@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import pytest
 
 from crs_cc.core.source import Diagnostics
-from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_text
 from crs_cc.robot_api.report import COMMANDS, REPORT_STATE, Command
-from crs_cc.session.library import HEADERS, library
+from crs_cc.session.library import HEADERS, library, library_options
 from tests.robot_api.dialects import section
 
 HEADER = (HEADERS / "crs" / "report.h").read_text()
@@ -73,6 +73,6 @@ def test_the_section_is_markdown_that_shows_every_command() -> None:
 
 def test_the_header_needs_nothing_of_the_program() -> None:
     messages = Diagnostics()
-    options = Options(system_paths=(HEADERS,), dialect="report")
+    options = replace(library_options(), dialect="report")
     compile_text("int runcode(void) { return NULL == 0; }", "a.c", options, messages)
     assert not messages.messages

@@ -8,10 +8,9 @@ import pytest
 
 from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.check.scope import ENTRIES
-from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_file, compile_text
 from crs_cc.runtime.link import references
-from crs_cc.session.library import HEADERS, SOURCES, library
+from crs_cc.session.library import HEADERS, SOURCES, library, library_options
 
 DIALECT = "crs/report.h"
 """What takes the place of `Nclient.h` in the report's dialect."""
@@ -52,7 +51,7 @@ FAMILIES = (
 def test_each_header_compiles_alone_and_twice_without_a_word(name: str) -> None:
     diagnostics = Diagnostics()
     text = f"#include <{name}>\n#include <{name}>\nint unit;\n"
-    compile_text(text, "unit.c", Options(system_paths=(HEADERS,)), diagnostics)
+    compile_text(text, "unit.c", library_options(), diagnostics)
     assert not diagnostics.messages
 
 
@@ -60,7 +59,7 @@ def test_all_headers_compile_together() -> None:
     diagnostics = Diagnostics()
     names = [name for name in PUBLIC if name != DIALECT]
     text = "".join(f"#include <{name}>\n" for name in [*names, *reversed(names)])
-    compile_text(text + "int unit;\n", "unit.c", Options(system_paths=(HEADERS,)), diagnostics)
+    compile_text(text + "int unit;\n", "unit.c", library_options(), diagnostics)
     assert not diagnostics.messages
 
 
@@ -84,7 +83,7 @@ def test_a_program_may_define_what_c89_leaves_free() -> None:
     for unit in sorted(path.relative_to(SOURCES).as_posix() for path in SOURCES.rglob("*.c")):
         if unit.startswith(FAMILIES):
             continue
-        program = compile_file(SOURCES / unit, Options(system_paths=(HEADERS,)), Diagnostics())
+        program = compile_file(SOURCES / unit, library_options(), Diagnostics())
         for name, definition in (program.functions | program.data).items():
             used = [each for each in references(definition) if not allowed.fullmatch(each)]
             assert not used, f"{name} of {unit}"

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 from crs_cc.robot_api.device import DEVICE_GROUPS
-from crs_cc.sim.model.degradation import DEVICES
+from crs_cc.sim.model.degradation import degradables
 from tests.sim.test_world_format_page import Schema
 
 ROOT = Path(__file__).parents[2]
@@ -32,7 +32,7 @@ class Row:
         element: its element in a robot definition; empty for none.
         reads: the C functions that read it.
         says: what else there is to say.
-        degradation: its name in `DEVICES`; empty for none.
+        degradation: its name in `degradables()`; empty for none.
     """
 
     title: str
@@ -148,7 +148,7 @@ def section(row: Row, schema: Schema) -> Iterator[str]:
     yield "| attribute | what it is | if not given | |\n| --- | --- | --- | --- |"
     for attribute in schema.parts(element, "attribute"):
         yield schema.row(attribute, attribute.get("use") == "required")
-    device = DEVICES[row.degradation]
+    device = degradables()[row.degradation]
     yield f"\nDegradation `{device.name}`: {device.title}; without a value: {device.nothing}."
 
 

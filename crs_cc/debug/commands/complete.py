@@ -17,7 +17,7 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.debug.locations import is_file
 from crs_cc.debug.world.edits import FAULTS
 from crs_cc.debug.world.events import KINDS
-from crs_cc.sim.model.degradation import DEVICES
+from crs_cc.sim.model.degradation import degradables
 
 if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell
@@ -114,7 +114,7 @@ def _branches(shell: Shell, _word: str) -> Iterable[str]:
 
 def _edits(shell: Shell, _word: str) -> Iterable[str]:
     """Gives what changes of the world are about: names, devices and faults."""
-    return (*shell.debugger.session.environment.names, *DEVICES, *FAULTS, "to", "from", "all")
+    return (*shell.debugger.session.environment.names, *degradables(), *FAULTS, "to", "from", "all")
 
 
 _ARGUMENTS: Final[dict[Completes, Callable[[Shell, str], Iterable[str]]]] = {

@@ -28,7 +28,7 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.rows import angle, instant, pose_text
 from crs_cc.sim.files.degradation_elements import degradation
 from crs_cc.sim.files.document import Element, Reader
-from crs_cc.sim.model.degradation import DEVICES, described
+from crs_cc.sim.model.degradation import degradables, described
 from crs_cc.sim.model.world import Pose
 
 if TYPE_CHECKING:
@@ -220,11 +220,11 @@ def _heal(environment: Environment, words: Words) -> str:
 def _concerns(each: Degradation, robot: Robot, text: str) -> bool:
     """Tells whether a degradation is one of a device or of its element."""
     device, _, element = text.partition(".")
-    if device not in DEVICES:
-        raise ValueError(unknown("device", device, tuple(DEVICES)))
+    if device not in degradables():
+        raise ValueError(unknown("device", device, tuple(degradables())))
     if each.device != device:
         return False
-    names = DEVICES[device].elements(robot.model)
+    names = degradables()[device].elements(robot.model)
     own = "" if each.element is None else names[each.element]
     return not element or element in {own, str(each.element)}
 

@@ -24,6 +24,8 @@ from crs_cc.frontend.preprocess.tokens import shown
 
 MAX_FILE_SIZE: Final = 4 << 20
 """The largest source file that is read [bytes]."""
+GENERATED: Final = "<generated>"
+"""The folder of generated headers in messages."""
 _OUTSIDE: Final = "lies outside"
 """Stands for the digest of a file that is not read; it equals none, so nothing is taken as known.
 """
@@ -37,11 +39,17 @@ class Header:
         path: where, as the user's folders are named.
         file: the same file with all links followed.
         root: the folder of the search in which it was found.
+        content: what is in it, where it is no file but generated.
     """
 
     path: Path
     file: Path
     root: Path
+    content: bytes | None = None
+
+    def read(self) -> bytes | Refusal:
+        """Return what is in the header."""
+        return read_regular_file(self.file) if self.content is None else self.content
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,6 +82,7 @@ class Headers:
         self._digests = {} if digests is None else digests
         self.include_paths = options.include_paths
         self.system_paths = options.system_paths
+        self._generated = dict(options.generated)
         folders = (main_folder, *self.include_paths, *self.system_paths)
         self._roots = [root for root in map(_resolved, folders) if root is not None]
 
@@ -107,6 +116,9 @@ class Headers:
                 self._digests[str(path)] = digest(path)
             if file and _exists(file):
                 return Header(path, file, each)
+        if name in self._generated:
+            path = Path(GENERATED, name)
+            return Header(path, path, Path(GENERATED), self._generated[name].encode())
         if outside:
             return Refusal(f"'{shown(name)}' lies outside the folders that a program may read")
         return self._missing(name, folders)

@@ -42,6 +42,7 @@ class Options:
         dialect: whose functions the program calls: the vendor's, or those of the CRS report, which
             need no header; then it may also be just the statements of its body.
         trusted: whether the file is the allocator, see `ir.program.Function`.
+        generated: headers of ours that are in no file: the name of each, and its text.
     """
 
     include_paths: tuple[Path, ...] = ()
@@ -51,6 +52,7 @@ class Options:
     standard: str = "gnu17"
     trusted: bool = False
     dialect: Dialect = "nomad"
+    generated: tuple[tuple[str, str], ...] = ()
 
     @property
     def is_strict(self) -> bool:

@@ -22,7 +22,7 @@ from typing import Final
 from crs_cc.frontend.preprocess import gnu
 from crs_cc.frontend.preprocess.budget import Budget
 from crs_cc.frontend.preprocess.expand import MacroUses, MoreTokens, expand
-from crs_cc.frontend.preprocess.includes import Header, Headers, Refusal, read_regular_file
+from crs_cc.frontend.preprocess.includes import Header, Headers, Refusal
 from crs_cc.frontend.preprocess.macros import DEFINED, Macro
 from crs_cc.frontend.preprocess.reader import Reader
 from crs_cc.frontend.preprocess.report import Report
@@ -122,7 +122,7 @@ class State:
             self.report.fatal(place, f"headers include each other more than {MAX_DEPTH} deep")
         text = self._texts.get(header.file)
         if text is None:
-            content = read_regular_file(header.file)
+            content = header.read()
             if isinstance(content, Refusal):
                 self.report.error(place, f"'{header.path}' {content.text}", content.hint)
                 return

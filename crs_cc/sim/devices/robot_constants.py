@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Self
 
@@ -13,6 +13,7 @@ from crs_cc.sim.devices.degradation.filter import Degradations
 from crs_cc.sim.devices.drive.constants import Drives
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.geometry.shape_table import Things
+from crs_cc.sim.model.registry import devices
 from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.model.sonar import MAX_SONARS
 from crs_cc.sim.model.world import WorldModel
@@ -34,8 +35,7 @@ class Equipment:
         infrared: number of each robot among those that have an infrared ring, -1 for the others.
         compass: the same for compasses.
         laser: the same for lasers.
-        gps: the same for GPS receivers.
-        inclinometer: the same for inclinometers.
+        sensors: the same for each device of `registry.devices()`, by its name.
         camera: the same for cameras.
         gripper: the same for grippers.
         arm: the same for arms.
@@ -66,8 +66,7 @@ class Equipment:
     infrared: IndexArray
     compass: IndexArray
     laser: IndexArray
-    gps: IndexArray
-    inclinometer: IndexArray
+    sensors: Mapping[str, IndexArray]
     camera: IndexArray
     gripper: IndexArray
     arm: IndexArray
@@ -103,8 +102,10 @@ class Equipment:
             _numbers([model.infrared is not None for model in models]),
             _numbers([model.compass is not None for model in models]),
             _numbers([model.laser is not None for model in models]),
-            _numbers([model.gps is not None for model in models]),
-            _numbers([model.inclinometer is not None for model in models]),
+            {
+                device.name: _numbers([model.device(device.name) is not None for model in models])
+                for device in devices()
+            },
             _numbers([model.camera is not None for model in models]),
             _numbers([model.gripper is not None for model in models]),
             _numbers([model.arm is not None for model in models]),

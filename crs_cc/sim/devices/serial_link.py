@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
-from crs_cc.requests import CODES, DATA_SIZE, REQUESTS
+from crs_cc.requests import CODES, DATA_SIZE, REGISTERED, REQUESTS
 from crs_cc.sim.devices.robot_constants import Equipment
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.env_state import EnvState
@@ -22,7 +22,7 @@ from crs_cc.sim.state.link import LinkState
 
 _BITS_PER_BYTE: Final = 10
 _SPEEDS_BAUD: Final = (4800, 9600, 19200, 38400)  # vendor source `Ndirect.c` 2.7
-_CODES: Final = max(REQUESTS) + 1
+_CODES: Final = REGISTERED.stop
 _CARRIED: Final = frozenset({CODES["TK"], CODES["SPECIAL"]})  # their data goes over the line
 _TO_SIMULATOR: Final = frozenset(
     CODES[name]
@@ -32,9 +32,12 @@ _TO_SIMULATOR: Final = frozenset(
         "QUIT_SERVER",
     )
 )  # fmt: skip
-_OVER_NETWORK: Final = _TO_SIMULATOR | {
-    code for code, request in REQUESTS.items() if request.server == "device"
-} - {CODES["READINGS"]}  # they came with the reply
+_OVER_NETWORK: Final = (
+    _TO_SIMULATOR
+    | {code for code, request in REQUESTS.items() if request.server == "device"}
+    - {CODES["READINGS"]}
+    | set(REGISTERED)
+)  # pages came with the reply
 _WITHOUT_TIME: Final = frozenset(
     CODES[name]
     for name in ("CONNECT", "DISCONNECT", "CREATE", "LASER_PAGE", "POS_DATA")  # chosen by us

@@ -22,7 +22,7 @@ import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.requests import LARGEST
-from crs_cc.sim.state.timers import SENSORS
+from crs_cc.sim.state.timers import sensor_count
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.ray_caster import Surroundings
@@ -83,7 +83,7 @@ class Timers:
         timers = state.timers
         soonest_s = timers.soonest_s[rows]
         begin_s = state.cycle * equipment.timestep_s
-        for sensor in range(SENSORS):
+        for sensor in range(sensor_count()):
             due = timers.next_s[rows, sensor] == soonest_s
             if due.any():
                 mine, at_s = rows[due], soonest_s[due]

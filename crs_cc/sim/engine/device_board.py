@@ -16,16 +16,16 @@ from crs_cc.requests import CODES
 from crs_cc.sim.comms.messenger import Messenger
 from crs_cc.sim.devices import drive, heat
 from crs_cc.sim.devices.camera import Cameras
-from crs_cc.sim.devices.gps import GpsReceivers
 from crs_cc.sim.devices.handling import Handling
 from crs_cc.sim.devices.light import LightRings
+from crs_cc.sim.devices.sensor import Sensor
 from crs_cc.sim.devices.sensor_board import Instruments
 from crs_cc.sim.devices.sonar import SonarRing
 from crs_cc.sim.devices.sound import Microphones
-from crs_cc.sim.devices.tilt import Inclinometers
 from crs_cc.sim.devices.timers import Timed, Timers
 from crs_cc.sim.engine.server.prediction import predict
-from crs_cc.sim.state.timers import CAMERA, GPS, HEAT, LASER, LIGHT, SOUND, TILT
+from crs_cc.sim.model.registry import devices
+from crs_cc.sim.state.timers import CAMERA, HEAT, LASER, LIGHT, SOUND
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.ray_caster import Surroundings
@@ -64,16 +64,15 @@ class Devices:
         self._lights = LightRings(world, seed)
         self._microphones = Microphones(world, seed)
         self.messenger = Messenger(world, seed)
-        receivers = GpsReceivers(world, seed)
-        inclinometers = Inclinometers(world, seed)
+        sensors = [Sensor(device, world, seed) for device in devices()]
         self._timers = Timers(
             {
-                GPS: Timed(
-                    receivers.read,
-                    lambda equipment: equipment.gps,
-                    lambda state: state.gps.at_s,
-                    receivers.interval_s,
-                ),
+                **{
+                    each.row.number: Timed(
+                        each.read, each.numbers, each.measured_s, each.interval_s
+                    )
+                    for each in sensors
+                },
                 CAMERA: Timed(
                     self._cameras.read,
                     lambda equipment: equipment.camera,
@@ -85,12 +84,6 @@ class Devices:
                     lambda equipment: equipment.heat,
                     lambda state: state.heat_sensor.at_s,
                     np.zeros(len(world.robots)),
-                ),
-                TILT: Timed(
-                    inclinometers.read,
-                    lambda equipment: equipment.inclinometer,
-                    lambda state: state.tilt.at_s,
-                    inclinometers.interval_s,
                 ),
                 LIGHT: Timed(
                     self._lights.read,
@@ -110,9 +103,7 @@ class Devices:
         self.answers: dict[int, Answer] = {
             CODES["SONAR"]: self.sonars.tell,
             CODES["PREDICT"]: partial(predict, sensors=(self.sonars, self.instruments)),
-            CODES["TILT"]: inclinometers.tell,
             CODES["HEAT"]: heat.tell,
-            CODES["GPS"]: receivers.tell,
             CODES["CAMERA"]: self._cameras.tell,
             CODES["READINGS"]: tell_page,
             CODES["SENSE_HEAT"]: heat.tell,
@@ -128,6 +119,7 @@ class Devices:
             CODES["GET_LIGHT"]: self._lights.tell,
             CODES["GET_SOUND"]: self._microphones.tell,
             **self.messenger.answers,
+            **{each.row.code: each.answer for each in sensors},
         }
 
     @property

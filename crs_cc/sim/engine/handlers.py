@@ -20,7 +20,7 @@ from typing import Final, TypeAlias
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, IndexArray, Records
-from crs_cc.requests import CODES, REQUESTS
+from crs_cc.requests import CODES, REGISTERED, REQUESTS
 from crs_cc.sim.comms import messenger
 from crs_cc.sim.devices import (
     beacons,
@@ -41,6 +41,7 @@ from crs_cc.sim.engine.server import drawing, world
 from crs_cc.sim.engine.server.motion import motion_check
 from crs_cc.sim.engine.server.place import place_robot
 from crs_cc.sim.engine.server.robot_poses import get_rpx
+from crs_cc.sim.model.registry import devices
 from crs_cc.sim.state.env_state import EnvState
 from crs_cc.sim.state.mask import NUM_MASK, POS_DATA
 
@@ -152,8 +153,6 @@ HANDLERS: Final[dict[int, Handler]] = {
         ("SONAR", leave_to_device),
         ("HEAT", leave_to_device),
         ("TAG", tag.tag),
-        ("GPS", leave_to_device),
-        ("TILT", leave_to_device),
         ("CAMERA", leave_to_device),
         ("SEND", leave_to_device),
         ("RECEIVE", messenger.wait),
@@ -182,11 +181,13 @@ HANDLERS: Final[dict[int, Handler]] = {
 }
 """The handler of each request that a robot answers, or one of its devices."""
 
+HANDLERS.update({device.code: leave_to_device for device in devices()})
+
 UNCONNECTED: Final = frozenset(
     code
     for code, request in REQUESTS.items()
     if request.server == "device" or request.name in {"CONNECT", "CREATE"}
-)
+) | frozenset(REGISTERED)
 """Requests for which a program need not be connected."""
 
 MOVES: Final = frozenset(CODES[name] for name in ("PR", "VM", "MV"))

@@ -13,7 +13,7 @@ from typing import Final
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array, Records
-from crs_cc.requests import CODES, REQUESTS
+from crs_cc.requests import CODES, REGISTERED, REQUESTS
 from crs_cc.sim.devices.vendor_state import (
     BUMPER,
     COMPASS,
@@ -52,7 +52,7 @@ TELLS: Final = frozenset(
     if request.server != "host"
     and not request.tells_state
     and any(result.place != "result" for result in request.results)
-)
+) | frozenset(REGISTERED)
 """The codes of the requests whose replies tell something of their own."""
 
 _TEXT: Final = 40  # so much of a text is shown

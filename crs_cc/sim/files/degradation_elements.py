@@ -20,12 +20,12 @@ from typing import TYPE_CHECKING, Final
 from crs_cc.core.quantity import RATIO, TIME
 from crs_cc.core.suggest import unknown
 from crs_cc.sim.model.degradation import (
-    DEVICES,
     HOLD,
     MAX_MEMORY,
+    Degradable,
     Degradation,
-    Device,
     complaint,
+    degradables,
     element_of,
     memory_size,
     shown,
@@ -72,10 +72,10 @@ def degradations(
 
 def degradation(element: Element, model: RobotModel, reader: Reader) -> Degradation | None:
     """Gives what an element says is wrong with a robot of a kind; None after a mistake."""
-    device = DEVICES.get(element.attributes["device"])
+    device = degradables().get(element.attributes["device"])
     if device is None:
         name = element.attributes["device"]
-        reader.refuse(element, f"device: {unknown('device', name, tuple(DEVICES))}")
+        reader.refuse(element, f"device: {unknown('device', name, tuple(degradables()))}")
         return None
     number = _element(element, device, model, reader)
     if number == _UNKNOWN:
@@ -107,7 +107,7 @@ def degradation(element: Element, model: RobotModel, reader: Reader) -> Degradat
     return None if element.broken else found
 
 
-def _element(element: Element, device: Device, model: RobotModel, reader: Reader) -> int | None:
+def _element(element: Element, device: Degradable, model: RobotModel, reader: Reader) -> int | None:
     """Gives the number of the element that is meant, None for all, `_UNKNOWN` for none there is."""
     text = element.attributes.get("element")
     names = device.elements(model)

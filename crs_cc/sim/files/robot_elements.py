@@ -21,7 +21,13 @@ from crs_cc.core.quantity import (
 )
 from crs_cc.core.suggest import unknown
 from crs_cc.requests import REQUESTS
-from crs_cc.sim.files import beacon_elements, handling_elements, sensor_elements, sonar_elements
+from crs_cc.sim.files import (
+    beacon_elements,
+    device_elements,
+    handling_elements,
+    sensor_elements,
+    sonar_elements,
+)
 from crs_cc.sim.files.document import Element, Reader
 from crs_cc.sim.model.axis import Axis
 from crs_cc.sim.model.robot import Drive, Heat, Link, Odometry, RobotModel
@@ -61,8 +67,6 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         infrared=sensor_elements.infrared(root, reader),
         compass=sensor_elements.compass(root, reader),
         laser=sensor_elements.laser(root, reader),
-        gps=sensor_elements.gps(root, reader),
-        inclinometer=sensor_elements.inclinometer(root, reader),
         camera=sensor_elements.camera(root, reader),
         gripper=handling_elements.gripper(root, radius_m, reader),
         arm=handling_elements.arm(root, reader),
@@ -77,6 +81,7 @@ def robot_model(root: Element, reader: Reader) -> RobotModel:
         host_speed_hz=reader.positive(root.first("host"), "speed", FREQUENCY, 5e7),
         vendor_model=VENDOR_MODELS.index(vendor),
         height_m=reader.positive(body, "height", LENGTH, math.inf),
+        devices=device_elements.models(root, reader),
     )
 
 

@@ -19,8 +19,6 @@ from crs_cc.sim.model.sensors import (
     Battery,
     Camera,
     Compass,
-    Gps,
-    Inclinometer,
     Infrared,
     Laser,
     MotorBattery,
@@ -130,30 +128,6 @@ def laser(root: Element, reader: Reader) -> Laser | None:
         mode=int(element.attributes["mode"]),
         z_m=reader.not_negative(element, "height", LENGTH),
         period_s=period_s(element, reader),
-    )
-
-
-def gps(root: Element, reader: Reader) -> Gps | None:
-    """Gives the GPS receiver, None for a robot without one."""
-    element = root.maybe("gps")
-    if element is None:
-        return None
-    return Gps(
-        reader.positive(element, "rate", FREQUENCY),
-        reader.not_negative(element, "noise", LENGTH),
-        period_s(element, reader),
-    )
-
-
-def inclinometer(root: Element, reader: Reader) -> Inclinometer | None:
-    """Gives the inclinometer, None for a robot without one."""
-    element = root.maybe("inclinometer")
-    if element is None:
-        return None
-    return Inclinometer(
-        reader.positive(element, "rate", FREQUENCY),
-        reader.not_negative(element, "noise", ANGLE),
-        period_s(element, reader),
     )
 
 

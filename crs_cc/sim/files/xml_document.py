@@ -18,6 +18,7 @@ from lxml import etree
 
 from crs_cc.core.errors import WorldError
 from crs_cc.core.source import Diagnostic, Diagnostics, Location
+from crs_cc.sim.files import device_elements
 from crs_cc.sim.files.document import MAX_MESSAGES, Element, Reader
 from crs_cc.sim.files.schema_messages import explain
 from crs_cc.sim.files.schema_names import UnknownName, unknown_names
@@ -27,6 +28,8 @@ MAX_BYTES: Final = 16 * 1024 * 1024
 
 IDEAL: Final = "ideal"
 """The setup that every robot definition has: the definition as it stands."""
+
+ROBOT_SCHEMA: Final = "robot.xsd"
 
 _HERE: Final = Path(__file__).parent
 _NAME: Final = re.compile(rb"<([A-Za-z-]+)")
@@ -162,7 +165,7 @@ def _validate(root: etree._Element, name: str, file: str, diagnostics: Diagnosti
     schema = _schema(name)
     if schema.validate(root):
         return
-    found = list(islice(unknown_names(root, _schema_document(name).getroot()), MAX_MESSAGES))
+    found = list(islice(unknown_names(root, schema_document(name).getroot()), MAX_MESSAGES))
     lines = {each.line for each in found}
     for entry in schema.error_log:
         said = _SAID_BETTER | (_SAID_OF_UNKNOWN if entry.line in lines else set())
@@ -175,13 +178,17 @@ def _validate(root: etree._Element, name: str, file: str, diagnostics: Diagnosti
 
 
 @cache
-def _schema_document(name: str) -> etree._ElementTree:
-    return etree.parse(_HERE / name)
+def schema_document(name: str) -> etree._ElementTree:
+    """Return a schema, that of robot definitions with the elements of all devices."""
+    document = etree.parse(_HERE / name)
+    if name == ROBOT_SCHEMA:
+        device_elements.add_to_schema(document.getroot())
+    return document
 
 
 @cache
 def _schema(name: str) -> etree.XMLSchema:
-    return etree.XMLSchema(_schema_document(name), attribute_defaults=True)
+    return etree.XMLSchema(schema_document(name), attribute_defaults=True)
 
 
 def _plain(node: etree._Element) -> Element:

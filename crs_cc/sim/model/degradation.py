@@ -17,8 +17,9 @@ device: metres, radians, seconds, volts.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING, Final, Literal
 
 from crs_cc.core.quantity import (
@@ -36,10 +37,12 @@ from crs_cc.core.quantity import (
 from crs_cc.core.suggest import unknown
 from crs_cc.sim.model.axis import AXES
 from crs_cc.sim.model.beacons import MAX_LIGHT_SENSORS, TONES
+from crs_cc.sim.model.registry import devices
 from crs_cc.sim.model.sensors import MAX_COLUMNS, MAX_INFRARED, NUM_LASER
 from crs_cc.sim.model.sonar import MAX_SONARS
 
 if TYPE_CHECKING:
+    from crs_cc.sim.model.device import Device
     from crs_cc.sim.model.robot import RobotModel
 
 LONGEST_DELAY_S: Final = 60.0
@@ -65,7 +68,7 @@ class Degradation:
 
     Attributes:
         robot: the robot's id.
-        device: the device's name in `DEVICES`.
+        device: the device's name in `degradables()`.
         element: which of its elements, None for all of them.
         bias: what is added, in the unit of the device.
         gain: what values are multiplied with.
@@ -121,7 +124,7 @@ class Degradation:
 
 
 @dataclass(frozen=True, slots=True)
-class Device:
+class Degradable:
     """A sensor or actuator that can be degraded.
 
     Attributes:
@@ -170,96 +173,101 @@ def _axes(model: RobotModel) -> tuple[str, ...]:
     return model.drive.axis_names
 
 
-DEVICES: Final = {
+_OTHERS: Final = {
     device.name: device
     for device in (
-        Device(
+        Degradable(
             "sonar", "a sonar's distance", LENGTH,
             lambda model: _at([sonar.id for sonar in model.sonars]), MAX_SONARS, "no echo",
         ),
-        Device(
+        Degradable(
             "bumper", "a switch, by its bit: 1 when pressed, else 0; pressed from 0.5 on",
             RATIO, lambda model: _at([switch.bit for switch in model.bumpers]), _SWITCHES,
             "not pressed",
         ),
-        Device(
+        Degradable(
             "infrared", "an infrared sensor's distance", LENGTH,
             lambda model: _numbered(MAX_INFRARED if model.infrared else 0), MAX_INFRARED,
             "nothing seen, 15",
         ),
-        Device(
+        Degradable(
             "compass", "the direction", ANGLE, _single(lambda model: model.compass), 1,
             "the reading stays",
         ),
-        Device(
+        Degradable(
             "laser", "the distance of a point, from the right to the left", LENGTH,
             lambda model: _numbered(model.laser.points if model.laser else 0), NUM_LASER,
             "no point",
         ),
-        Device(
+        Degradable(
             "camera", "how far away is what a column shows, from the left to the right", LENGTH,
             lambda model: _numbered(model.camera.columns if model.camera else 0), MAX_COLUMNS,
             "nothing is seen",
         ),
-        Device(
-            "gps", "where the robot is", LENGTH, _single(lambda model: model.gps, "x", "y"), 2,
-            "no fix: refused",
-        ),
-        Device(
-            "tilt", "how the robot is tilted", ANGLE,
-            _single(lambda model: model.inclinometer, "pitch", "roll"), 2, "no reading: refused",
-        ),
-        Device(
+        Degradable(
             "heat", "the heat around", HEAT, _single(lambda model: model.heat.range_m), 1, "0",
         ),
-        Device(
+        Degradable(
             "odometry", "how fast the encoder of an axis counts", SPEED, _axes, AXES,
             "counts nothing",
         ),
-        Device(
+        Degradable(
             "battery", "the voltage", VOLTAGE,
             _single(_always, "computers", "motors"), 2, "the lowest voltage",
         ),
-        Device(
+        Degradable(
             "drive", "how fast the motor of an axis turns it", SPEED, _axes, AXES, "stands",
             acts=True,
         ),
-        Device(
+        Degradable(
             "wheels", "how fast an axis moves the robot", SPEED, _axes, AXES, "slips on the spot",
             acts=True,
         ),
-        Device(
+        Degradable(
             "tag", "how far heat is taken away", LENGTH,
             _single(lambda model: model.heat.tag_range_m), 1, "takes nothing", acts=True,
         ),
-        Device(
+        Degradable(
             "gripper", "what the gripper is told: 1 to close, from 0.5 on, else to open", RATIO,
             _single(lambda model: model.gripper), 1, "not told", acts=True,
         ),
-        Device(
+        Degradable(
             "arm", "the angle to which a joint is told to turn", ANGLE,
             _single(lambda model: model.arm, "shoulder", "elbow"), 2, "not told", acts=True,
         ),
-        Device(
+        Degradable(
             "light", "what a light sensor reads", BRIGHTNESS,
             lambda model: _numbered(model.light_sensors.number if model.light_sensors else 0),
             MAX_LIGHT_SENSORS, "0",
         ),
-        Device(
+        Degradable(
             "sound", "how loud a tone is heard", LOUDNESS,
             lambda model: _numbered(TONES if model.microphones else 0), TONES, "0",
         ),
-        Device(
+        Degradable(
             "lamp", "how bright it is told to shine", BRIGHTNESS,
             _single(lambda model: model.brightest), 1, "0", acts=True,
         ),
-        Device(
+        Degradable(
             "speaker", "how loud it is told to sound", LOUDNESS,
             _single(lambda model: model.loudest), 1, "0", acts=True,
         ),
     )
 }  # fmt: skip
-"""Every device that can be degraded, by name."""
+"""Devices that can be degraded, by name, those of the registry apart."""
+
+
+@cache
+def degradables() -> Mapping[str, Degradable]:
+    """Return every device that can be degraded, by name."""
+    return {**_OTHERS, **{device.name: _sensor(device) for device in devices()}}
+
+
+def _sensor(device: Device) -> Degradable:
+    names = [value.name for value in device.values]
+    elements = _single(lambda model: model.device(device.name) is not None, *names)
+    title = device.does.removeprefix("reads ")
+    return Degradable(device.name, title, device.kind, elements, len(names), device.nothing)
 
 
 def complaint(degradation: Degradation, model: RobotModel) -> str:
@@ -272,9 +280,9 @@ def complaint(degradation: Degradation, model: RobotModel) -> str:
     texts = (degradation.robot, degradation.device, degradation.id)
     if not all(isinstance(text, str) for text in texts):
         return "robot, device and id must be texts"
-    device = DEVICES.get(degradation.device)
+    device = degradables().get(degradation.device)
     if device is None:
-        return unknown("device", degradation.device, tuple(DEVICES))
+        return unknown("device", degradation.device, tuple(degradables()))
     names = device.elements(model)
     if not names:
         return f"the robot has no {device.name}"
@@ -294,19 +302,19 @@ def described(degradation: Degradation, model: RobotModel) -> str:
     >>> described(Degradation("robot0", "sonar", bias=0.3), scout)
     'sonar, bias 0.3m'
     """
-    device, element = DEVICES[degradation.device], degradation.element
+    device, element = degradables()[degradation.device], degradation.element
     names = device.elements(model)
     which = "" if element is None else f" {names[element]}"
     kind = device.kind_of(names[element or 0])
     return f"{device.name}{which}, {degradation.faults(kind)}"
 
 
-def element_of(device: Device, model: RobotModel, text: str) -> int | None:
+def element_of(device: Degradable, model: RobotModel, text: str) -> int | None:
     """Gives the number of the element that a text names, by name or number; None for none.
 
     >>> from crs_cc.sim.files.world_xml import empty_world
     >>> scout = empty_world().robots[0].model
-    >>> [element_of(DEVICES["drive"], scout, text) for text in ("left", "1", "2", "", "up")]
+    >>> [element_of(degradables()["drive"], scout, text) for text in ("left", "1", "2", "", "up")]
     [1, 1, None, None, None]
     """
     for number, name in enumerate(device.elements(model)):
@@ -360,7 +368,7 @@ def _is_between(value: object, least: float, most: float) -> bool:
     return is_number and least <= value <= most  # type: ignore[operator]  # a number
 
 
-def _ambiguous(degradation: Degradation, device: Device, names: tuple[str, ...]) -> str:
+def _ambiguous(degradation: Degradation, device: Degradable, names: tuple[str, ...]) -> str:
     """Refuses a value for elements of which some count in metres, others in radians."""
     several = len({device.kind_of(name) for name in names}) > 1
     values = (degradation.bias, degradation.noise, degradation.step)
@@ -377,5 +385,5 @@ def delay_depth(width: int) -> int:
 
 def memory_size(degradation: Degradation) -> int:
     """Return how many numbers a degradation remembers: values held, and those on their way."""
-    width = DEVICES[degradation.device].width if degradation.element is None else 1
+    width = degradables()[degradation.device].width if degradation.element is None else 1
     return width * (3 + 2 * delay_depth(width)) if degradation.delay_s else width

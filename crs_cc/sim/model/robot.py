@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Final
+from typing import Any, Final
 
 from crs_cc.sim.model.axis import Axis
 from crs_cc.sim.model.beacons import LightSensors, Microphones
@@ -24,8 +24,6 @@ from crs_cc.sim.model.sensors import (
     Battery,
     Camera,
     Compass,
-    Gps,
-    Inclinometer,
     Infrared,
     Laser,
     MotorBattery,
@@ -168,8 +166,6 @@ class RobotModel:
         infrared: its infrared ring, None where there is none.
         compass: its compass, None where there is none.
         laser: its laser, None where there is none.
-        gps: its GPS receiver, None where there is none.
-        inclinometer: what tells how it is tilted, None where there is none.
         camera: its camera, None where there is none.
         gripper: its gripper, None where there is none.
         arm: its arm, None where there is none.
@@ -185,6 +181,7 @@ class RobotModel:
         vendor_model: number of the model, as the vendor's `connect_robot` takes it: 0 a Nomad 200,
             1 a Nomad 150, 2 a Scout.
         height_m: how high it is; infinite for as high as anything that looks at it.
+        devices: the names of the devices that it has of `registry.devices()`, each with its model.
     """
 
     name: str
@@ -200,8 +197,6 @@ class RobotModel:
     infrared: Infrared | None = None
     compass: Compass | None = None
     laser: Laser | None = None
-    gps: Gps | None = None
-    inclinometer: Inclinometer | None = None
     camera: Camera | None = None
     gripper: Gripper | None = None
     arm: Arm | None = None
@@ -216,9 +211,14 @@ class RobotModel:
     host_speed_hz: float = 5e7
     vendor_model: int = 2
     height_m: float = math.inf
+    devices: tuple[tuple[str, Any], ...] = ()
 
     def __hash__(self) -> int:
         return hash(self.name)  # robots are sorted by kind again and again
+
+    def device(self, name: str) -> Any | None:
+        """Return the model of a device of `registry.devices()`, None where it has no such one."""
+        return next((model for each, model in self.devices if each == name), None)
 
     @property
     def sonar_modes(self) -> tuple[SonarMode, ...]:

@@ -113,36 +113,6 @@ class Laser:
 
 
 @dataclass(frozen=True, slots=True)
-class Gps:
-    """A receiver that tells where the robot is in the world.
-
-    Attributes:
-        rate_hz: how often it measures at most.
-        noise_m: standard deviation of the error along x and along y.
-        period_s: how often it measures by its timer; 0 for when it is asked.
-    """
-
-    rate_hz: float
-    noise_m: float
-    period_s: float = 0.0
-
-
-@dataclass(frozen=True, slots=True)
-class Inclinometer:
-    """What tells how the robot is tilted.
-
-    Attributes:
-        rate_hz: how often it measures at most.
-        noise_rad: standard deviation of the error of pitch and of roll.
-        period_s: how often it measures by its timer; 0 for when it is asked.
-    """
-
-    rate_hz: float
-    noise_rad: float
-    period_s: float = 0.0
-
-
-@dataclass(frozen=True, slots=True)
 class Camera:
     """A camera that sees a row of colours and ranges, on the mount.
 

@@ -5,19 +5,17 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING, Any, Final, Literal, Self
 
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, Int64Array, Records
-from crs_cc.sim.model.degradation import DEVICES, HOLD, Degradation, delay_depth
+from crs_cc.sim.model.degradation import HOLD, Degradation, degradables, delay_depth
 
 if TYPE_CHECKING:
     from crs_cc.sim.model.world import WorldModel
 
-
-NUMBER: Final = {name: number for number, name in enumerate(DEVICES)}
-"""The number of each device in arrays."""
 
 WAITS, ACTS, FADES, OVER = range(4)
 """Phases of a degradation: before its onset, for its duration, while it fades, and then."""
@@ -27,7 +25,6 @@ MOTIONS: Final = frozenset({"odometry", "drive", "wheels"})
 
 ALL_ELEMENTS: Final = -1
 FREE, HOLDS, FIXED = range(3)
-_WIDTHS: Final = np.array([device.width for device in DEVICES.values()])
 _NUMBERS: Final = (
     "bias", "gain", "noise", "step", "delay_s", "dropouts", "onset_s", "recovery_s",
 )  # fmt: skip
@@ -75,7 +72,7 @@ class DegradationState:
             np.zeros(0, _FORM),
             np.zeros(0),
             np.zeros(len(world.robots), dtype=np.int64),
-            np.zeros(len(DEVICES), dtype=np.bool_),
+            np.zeros(len(degradables()), dtype=np.bool_),
             np.inf,
         )
         numbers = {robot.id: number for number, robot in enumerate(world.robots)}
@@ -124,7 +121,7 @@ class DegradationState:
         """
         table = self.table
         if others:
-            present = np.zeros(len(DEVICES), dtype=np.bool_)
+            present = np.zeros(len(degradables()), dtype=np.bool_)
             present[table["device"][table["phase"] != OVER]] = True
             self.present = present
         self.next_s = float(np.min(turns_s(table), initial=np.inf))
@@ -146,11 +143,11 @@ def record(degradation: Degradation, robot: int, serial: int) -> Records:
         robot: its robot's number.
         serial: its number among those of its robot.
     """
-    device, stuck = DEVICES[degradation.device], degradation.stuck
+    device, stuck = degradables()[degradation.device], degradation.stuck
     width = device.width if degradation.element is None else 1
     row = np.zeros((), _FORM)
     row["id"], row["robot"], row["serial"] = degradation.id, robot, serial
-    row["device"] = NUMBER[device.name]
+    row["device"] = number_of(device.name)
     row["element"] = ALL_ELEMENTS if degradation.element is None else degradation.element
     for name in ("dead", *_NUMBERS):
         row[name] = getattr(degradation, name)
@@ -172,7 +169,7 @@ def degradation_of(row: Any, robot: str) -> Degradation:
     values = {name: float(row[name]) for name in _NUMBERS}
     return Degradation(
         robot,
-        list(DEVICES)[row["device"]],
+        list(degradables())[row["device"]],
         None if row["element"] == ALL_ELEMENTS else int(row["element"]),
         stuck=stuck,
         dead=bool(row["dead"]),
@@ -195,4 +192,19 @@ def empty_memory(row: Any) -> FloatArray:
 
 def width_of(device: Any, element: Any) -> Any:
     """Gives of how many elements degradations remember values; numbers or arrays."""
-    return np.where(element == ALL_ELEMENTS, _WIDTHS[device], 1)
+    return np.where(element == ALL_ELEMENTS, _widths()[device], 1)
+
+
+def number_of(device: str) -> int:
+    """Return the number of a device in arrays."""
+    return _numbers_of_devices()[device]
+
+
+@cache
+def _numbers_of_devices() -> dict[str, int]:
+    return {name: number for number, name in enumerate(degradables())}
+
+
+@cache
+def _widths() -> Int64Array:
+    return np.array([device.width for device in degradables().values()])

@@ -36,7 +36,6 @@ from crs_cc.sim.state.compass import CompassState
 from crs_cc.sim.state.degradation import DegradationState
 from crs_cc.sim.state.drawings import DrawingState
 from crs_cc.sim.state.drive import DriveState
-from crs_cc.sim.state.gps import GpsState
 from crs_cc.sim.state.gripper import GripperState
 from crs_cc.sim.state.heat import HeatState
 from crs_cc.sim.state.heat_sensor import HeatSensorState
@@ -50,9 +49,9 @@ from crs_cc.sim.state.obstacles import ObstacleState
 from crs_cc.sim.state.odometry import OdometryState
 from crs_cc.sim.state.pos_data import PosDataState
 from crs_cc.sim.state.presence import PresenceState
+from crs_cc.sim.state.sensors import sensor_states
 from crs_cc.sim.state.sonar import SonarState
 from crs_cc.sim.state.sound import SoundState
-from crs_cc.sim.state.tilt import TiltState
 from crs_cc.sim.state.timers import TimerState
 from crs_cc.sim.state.waits import WaitState
 
@@ -79,8 +78,7 @@ class EnvState:
         infrared: the infrared sensors' readings.
         compass: the compasses' readings.
         laser: what the lasers saw and told.
-        gps: what GPS receivers told.
-        tilt: what inclinometers told.
+        sensors: the `Readings` of each device of `registry.devices()`, by its name.
         camera: what cameras saw and told.
         heat_sensor: what heat sensors told.
         light: what light sensors read.
@@ -120,8 +118,7 @@ class EnvState:
     infrared: InfraredState
     compass: CompassState
     laser: LaserState
-    gps: GpsState
-    tilt: TiltState
+    sensors: Any
     camera: CameraState
     heat_sensor: HeatSensorState
     light: LightState
@@ -167,8 +164,7 @@ class EnvState:
             infrared=InfraredState.at_start(world),
             compass=CompassState.at_start(world),
             laser=LaserState.at_start(world),
-            gps=GpsState.at_start(world),
-            tilt=TiltState.at_start(world),
+            sensors=sensor_states(world),
             camera=CameraState.at_start(world),
             heat_sensor=HeatSensorState.at_start(world),
             light=LightState.at_start(world),

@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 from typing import Final, Self
 
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int64Array
+from crs_cc.sim.model.registry import devices
 from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.model.world import WorldModel
 
-GPS, CAMERA, HEAT, LASER, INFRARED, COMPASS, TILT, LIGHT, SOUND = range(9)
-"""Numbers of the sensors that can have a timer, those of `crs.h`."""
+CAMERA, HEAT, LASER, INFRARED, COMPASS, LIGHT, SOUND = 1, 2, 3, 4, 5, 7, 8
+"""Numbers in `crs.h` of sensors that can have a timer; the others are those of the registry."""
 
-SENSORS: Final = 9
+
+@cache
+def sensor_count() -> int:
+    """Return how many sensors can have a timer; their numbers are below this."""
+    return 1 + max([SOUND, *(device.number for device in devices())])
 
 
 @dataclass(slots=True)
@@ -22,10 +28,10 @@ class TimerState:
     """The timers; arrays have a row for each robot, a column for each sensor.
 
     Attributes:
-        period_s: how often each measures; 0 for one that measures on request, (robots, 9).
-        start_s: when the timer was set, (robots, 9).
-        turn: how many periods have begun since then, (robots, 9).
-        next_s: when each measures next, infinite without a timer, (robots, 9).
+        period_s: how often each measures; 0 for one that measures on request, (robots, sensors).
+        start_s: when the timer was set, (robots, sensors).
+        turn: how many periods have begun since then, (robots, sensors).
+        next_s: when each measures next, infinite without a timer, (robots, sensors).
         soonest_s: the least of these, (robots,).
     """
 
@@ -39,7 +45,7 @@ class TimerState:
     def at_start(cls, world: WorldModel) -> Self:
         """Gives timers as the robots' definitions set them."""
         periods = [_periods_s(robot.model) for robot in world.robots]
-        period_s = np.array(periods, dtype=np.float64).reshape(-1, SENSORS)
+        period_s = np.array(periods, dtype=np.float64).reshape(-1, sensor_count())
         next_s = np.where(period_s > 0.0, 0.0, np.inf)
         none = np.zeros_like(period_s)
         return cls(
@@ -77,9 +83,16 @@ _ROUNDING: Final = 1e-6
 
 
 def _periods_s(model: RobotModel) -> list[float]:
-    """Gives the periods of a robot's sensors, in the order of their numbers."""
-    devices = (
-        model.gps, model.camera, model.heat, model.laser, model.infrared, model.compass,
-        model.inclinometer, model.light_sensors, model.microphones,
-    )  # fmt: skip
-    return [0.0 if device is None else device.period_s for device in devices]
+    """Return the periods of a robot's sensors, in the order of their numbers; 0 for none."""
+    numbered = {
+        CAMERA: model.camera,
+        HEAT: model.heat,
+        LASER: model.laser,
+        INFRARED: model.infrared,
+        COMPASS: model.compass,
+        LIGHT: model.light_sensors,
+        SOUND: model.microphones,
+        **{device.number: model.device(device.name) for device in devices()},
+    }
+    have = [numbered.get(number) for number in range(sensor_count())]
+    return [0.0 if device is None else device.period_s for device in have]

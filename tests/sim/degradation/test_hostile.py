@@ -9,7 +9,7 @@ from crs_cc.requests import CODES, MESSAGE
 from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.engine.handlers import HANDLERS
 from crs_cc.sim.files.world_xml import parse_world
-from crs_cc.sim.model.degradation import DEVICES, Degradation, complaint
+from crs_cc.sim.model.degradation import Degradation, complaint, degradables
 from crs_cc.sim.model.world import Robot
 from tests.sim.degradation.law import world_with
 
@@ -20,8 +20,8 @@ TIMES_S = (0.0, 1e-300, 0.05, 0.1, 0.15, 0.3, 1.0, 60.0, 1e7)
 
 def anything(rng: np.random.Generator, robot: Robot) -> Degradation:
     """Gives a degradation by chance, of a device that the robot has."""
-    names = [name for name, device in DEVICES.items() if device.elements(robot.model)]
-    device = DEVICES[str(rng.choice(names))]
+    names = [name for name, device in degradables().items() if device.elements(robot.model)]
+    device = degradables()[str(rng.choice(names))]
     count = len(device.elements(robot.model))
     chance = rng.random(12) < 0.4
 

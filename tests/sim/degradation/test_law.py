@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.sim.model.degradation import DEVICES, Degradation
+from crs_cc.sim.model.degradation import Degradation, degradables
 from tests.sim.degradation.law import Law
 
 
@@ -173,7 +173,7 @@ def test_many_robots_at_once_are_told_the_same_as_one_after_the_other():
 def test_a_sound_device_is_left_as_it_is():
     law = Law.of(fault(bias=1.0))
     values = np.ones((1, 3))
-    for name in set(DEVICES) - {"sonar"}:
+    for name in set(degradables()) - {"sonar"}:
         told = law.degradations.alter(law.state, name, np.array([0]), values, np.ones(1))
         assert told is values
 

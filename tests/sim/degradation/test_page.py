@@ -15,7 +15,7 @@ import pytest
 
 from crs_cc.cli.main import main
 from crs_cc.sim.files.world_xml import empty_world, known_robots, load_world
-from crs_cc.sim.model.degradation import DEVICES, Degradation, Device, shown
+from crs_cc.sim.model.degradation import Degradable, Degradation, degradables, shown
 from crs_cc.sim.model.robot import RobotModel
 
 ROOT = Path(__file__).parents[3]
@@ -37,19 +37,19 @@ def test_the_page_has_every_device(check_golden: Callable[[Path, bytes], None]) 
 def table() -> str:
     titles = ("device", "values", "unit", "elements", "without a value")
     lines = [f"| {' | '.join(titles)} |", f"| {' | '.join('---' for _ in titles)} |"]
-    for device in DEVICES.values():
+    for device in degradables().values():
         title = f"{device.title} (actuator)" if device.acts else device.title
         cells = (f"`{device.name}`", title, unit(device), elements(device), device.nothing)
         lines.append(f"| {' | '.join(cells)} |")
     return "\n".join(lines)
 
 
-def unit(device: Device) -> str:
+def unit(device: Degradable) -> str:
     kinds = dict.fromkeys(device.kind_of(name) for name in names_of(device) if name)
     return ", ".join(kind.default or "-" for kind in kinds) or device.kind.default or "-"
 
 
-def names_of(device: Device) -> list[str]:
+def names_of(device: Degradable) -> list[str]:
     return [name for robot in robots() for name in device.elements(robot)] or [""]
 
 
@@ -58,7 +58,7 @@ def robots() -> list[RobotModel]:
     return [empty_world(robot=name).robots[0].model for name in names]
 
 
-def elements(device: Device) -> str:
+def elements(device: Degradable) -> str:
     """Gives the elements of robots that have them, in the order of `robots`."""
     told: dict[str, str] = {}
     for robot in robots():

@@ -1,0 +1,57 @@
+"""What the sensors of `registry.devices()` measured last.
+
+>>> from crs_cc.sim.files.world_xml import empty_world
+>>> [name for name in sensor_states(empty_world()).__slots__ if name == "tilt"]
+['tilt']
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, Self
+
+import numpy as np
+
+from crs_cc.core.arrays import FloatArray, Int64Array
+from crs_cc.sim.model.registry import devices
+from crs_cc.sim.model.world import WorldModel
+
+
+@dataclass(slots=True)
+class Readings:
+    """The readings of one kind of sensor; arrays have a row for each robot that has one, n of them.
+
+    Attributes:
+        value: what was measured last [SI unit], NaN for nothing, (n, values).
+        at_s: when that was; below 0 for never, (n,).
+        count: how many measurements there were, (n,).
+    """
+
+    value: FloatArray
+    at_s: FloatArray
+    count: Int64Array
+
+    @classmethod
+    def never(cls, count: int, width: int) -> Self:
+        """Return the readings of `count` sensors that have not measured yet."""
+        return cls(np.zeros((count, width)), np.full(count, -1.0), np.zeros(count, dtype=np.int64))
+
+
+def sensor_states(world: WorldModel) -> Any:
+    """Return a dataclass with the `Readings` of each device of the registry, by its name."""
+    columns = {
+        device.name: Readings.never(
+            sum(robot.model.device(device.name) is not None for robot in world.robots),
+            len(device.values),
+        )
+        for device in devices()
+    }
+    return _columns()(**columns)
+
+
+@cache
+def _columns() -> type:
+    names = [(device.name, Readings) for device in devices()]
+    return dataclasses.make_dataclass("SensorStates", names, slots=True)
