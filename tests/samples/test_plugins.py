@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import os
+import re
+import shlex
 import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+
+from crs_cc.cli.main import main
 
 ROOT = Path(__file__).parents[2]
 SAMPLE = ROOT / "samples" / "plugins" / "uwb"
@@ -26,11 +30,15 @@ def installed(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return target
 
 
-def crs(target: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+def crs(
+    target: Path, *arguments: str, folder: Path | None = None
+) -> subprocess.CompletedProcess[str]:
     paths = [str(target), str(ROOT), os.environ.get("PYTHONPATH", "")]
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, paths))}
     command = [sys.executable, "-m", "crs_cc", *arguments]
-    return subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
+    return subprocess.run(
+        command, capture_output=True, text=True, env=environment, cwd=folder, check=False
+    )
 
 
 def test_its_sensor_measures_for_a_program_that_includes_its_header(installed: Path) -> None:
@@ -69,3 +77,37 @@ def test_a_device_that_cannot_be_loaded_is_named(installed: Path, tmp_path: Path
     assert done.returncode == 2
     assert done.stderr.startswith("crs_missing:DEVICE: error: device 'bad' cannot be loaded:")
     assert "Traceback" not in done.stderr
+
+
+PAGE = (ROOT / "docs" / "extending.md").read_text()
+
+
+def blocks(language: str) -> list[str]:
+    return re.findall(rf"```{language}\n(.*?)```", PAGE, re.DOTALL)
+
+
+def test_the_page_shows_the_sample_as_it_is() -> None:
+    files = {path: path.read_text() for path in sorted(SAMPLE.rglob("*")) if path.is_file()}
+    for block in (*blocks("python"), *blocks("toml")):
+        lines = [line for line in block.splitlines() if line]
+        assert any(_in_order(lines, text) for text in files.values()), block
+
+
+def _in_order(lines: list[str], text: str) -> bool:
+    rest = iter(text.splitlines())
+    return all(line in rest for line in lines)
+
+
+def test_the_pages_commands_run(installed: Path, tmp_path: Path) -> None:
+    shutil.copytree(ROOT / "samples", tmp_path / "samples")
+    commands = [line for line in "".join(blocks("sh")).splitlines() if line.startswith("crs ")]
+    assert len(commands) == 4
+    for command in commands:
+        done = crs(installed, *shlex.split(command)[1:], folder=tmp_path)
+        assert done.returncode == 0, f"{command}: {done.stderr}"
+
+
+def test_the_pages_world_is_one(tmp_path: Path) -> None:
+    (world,) = blocks("xml")
+    (tmp_path / "world.xml").write_text(world)
+    assert main(["check", str(tmp_path / "world.xml")]) == 0
