@@ -4,6 +4,7 @@
 # make fuzz    compares random programs with gcc -m32 (COUNT=500 SEED=1), with csmith's if installed
 # make fuzz-frontend  damages programs and nests all constructs: refused or compiled, nothing else
 # make bench   measures, prints ratios
+# make docs    writes the generated pages of docs/ from docs/templates and the code
 
 PYTHON ?= python3
 VENV := .venv
@@ -25,7 +26,7 @@ define install
 		&& for extras in '' '$(1)'; do cp pyproject.toml "$(VENV)/installed$$extras"; done; }
 endef
 
-.PHONY: demo test check fuzz fuzz-frontend bench install install-dev clean
+.PHONY: demo test check fuzz fuzz-frontend bench docs install install-dev clean
 
 demo: install
 	$(BIN)/crs run samples/scout_c/wander.c worlds/room.xml --max-time 60 --plot demo.svg --summary
@@ -50,6 +51,9 @@ bench: install
 	@set -e; for script in bench/c_speed.py bench/compile.py bench/debug.py bench/environment.py \
 			bench/fleet.py bench/start.py; do \
 		echo "== $$script"; $(BIN)/python $$script; done
+
+docs: install
+	$(BIN)/python -m docs.generate
 
 install:
 	$(call install,)
