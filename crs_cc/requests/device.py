@@ -38,7 +38,7 @@ DEVICE_REQUESTS: Final = (
     _device(
         "READINGS", 202, "int crs_camera(struct crs_pixel *row, int most)",
         "returns a page of the readings prepared by the previous reply",
-        arguments(("i[0]", "the sensor's number", "1"), ("i[1]", "the first reading requested", "1")),
+        arguments(("i[0]", "the sensor's number", "1"), ("i[1]", "first reading requested", "1")),
         results=arguments(
             ("result", "number of readings in the page", "1"), ("i[0]", "numbers per reading", "1"),
             ("data", "the numbers as int32", "0.1 in, 0.1 deg, 0xRRGGBB"),
@@ -169,7 +169,7 @@ DEVICE_REQUESTS: Final = (
     _device(
         "CHANNEL", 244, "int crs_find_channel(const char *name)", "looks up a channel",
         arguments(
-            ("size", "length of its name, 0 to look it up by number", "byte"), ("data", "the name", "1"),
+            ("size", "length of its name, 0 for by number", "byte"), ("data", "the name", "1"),
             ("i[0]", "its number", "1"),
         ),
         results=arguments(
@@ -180,7 +180,7 @@ DEVICE_REQUESTS: Final = (
     _device(
         "ROBOT", 245, "int crs_my_number(void)", "looks up a robot",
         arguments(
-            ("size", "length of its name, 0 to look it up by number", "byte"), ("data", "the name", "1"),
+            ("size", "length of its name, 0 for by number", "byte"), ("data", "the name", "1"),
             ("i[0]", "its number, -1 for the calling robot", "1"),
         ),
         results=arguments(

@@ -40,7 +40,7 @@ HOST_REQUESTS: Final = (
     RequestCode(
         "ARGUMENT", 6, "host", "int main(int argc, char **argv)",
         "reads a part of one of the program's arguments",
-        arguments(("i[0]", "number of the argument", "1"), ("i[1]", "first byte requested", "byte")),
+        arguments(("i[0]", "argument number", "1"), ("i[1]", "first byte requested", "byte")),
         arguments(
             ("result", "length of the argument, -1 if there is none", "byte"),
             ("size", "bytes", "byte"), ("data", "the part", "1"),

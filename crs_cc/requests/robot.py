@@ -164,7 +164,7 @@ ROBOT_REQUESTS: Final = (
         results=arguments(
             ("result", "readings in this page: at most 31 points or 15 segments", "1"),
             ("i[0]", "numbers of each: 2 for a point, 4 for a segment's two ends", "1"),
-            ("data", "x and y as int32, forward and left of the centre of robot and turret", _LENGTH),
+            ("data", "x and y as int32, forward and left of the robot's centre", _LENGTH),
         ),
     ),
     _robot(

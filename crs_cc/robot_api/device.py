@@ -111,7 +111,7 @@ HANDLING: Final = Group("Grippers, arms and tagging", (
     Function(
         "int crs_tag(void)",
         "removes the heat of all objects in range, like tagTarget() of the CRS report; returns"
-        " the number of objects, -1 if the robot has no heat sensor",
+        " the number of objects, -1 if the robot cannot do this",
         posts=("TAKE_HEAT",), source=(OURS,),
     ),
 ))  # fmt: skip
