@@ -1,5 +1,5 @@
 /*
- * bounce.c - cross a room by touch alone, as the first floor cleaners did.
+ * bounce.c - cross a room with bumpers only, like early cleaning robots.
  *
  * Straight on until a bumper closes; then back a hand's width, turn away from the
  * side that was hit by some angle of chance, and on again. Each contact is told
@@ -24,7 +24,7 @@
 #define BACK       40        /* 0.1 inch */
 #define SWITCHES   8         /* bumpers, 45 degrees apart, counterclockwise from the front */
 #define SQUARE     100       /* 0.1 inch */
-#define SQUARES    64        /* in each direction, from the middle */
+#define SQUARES    64        /* in each direction, from the centre */
 
 /* The motor status word, by name. */
 typedef union {
@@ -63,7 +63,7 @@ static void mark(long x, long y)
     }
 }
 
-/* Writes a bumper mask as a row of switches, the front one first. */
+/* Prints a bumper mask as a row of switches, the front one first. */
 static const char *switches(long mask)
 {
     static char text[SWITCHES + 1];
@@ -74,7 +74,7 @@ static const char *switches(long mask)
     return text;
 }
 
-/* Tells whether a mask has more at the left (switches 1 to 3) than at the right. */
+/* Returns whether a mask has more switches on the left (1 to 3) than on the right. */
 static int hit_left(long mask)
 {
     int balance = 0, i;

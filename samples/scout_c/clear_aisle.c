@@ -1,5 +1,5 @@
 /*
- * clear_aisle.c - pushes what stands in its way to the end of an aisle.
+ * clear_aisle.c - pushes obstacles to the end of an aisle.
  *
  * The robot drives ahead until a bumper closes, and goes on pushing. Every thirty
  * inches it says how far it has come; what it pushes it feels only by its bumper.
@@ -18,7 +18,7 @@ enum { FREE, PUSHING, STUCK };
 
 static const char *const doing[] = { "free", "pushing", "stuck" };
 
-/* How far it has come, in inches. */
+/* Returns the distance driven, in inches. */
 static long way(void)
 {
     return State[STATE_CONF_X] / 10;

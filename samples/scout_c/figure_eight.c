@@ -34,7 +34,7 @@ struct pose { double x, y, heading; };
 struct loop {
     struct timeval start;
     long turns, missed;
-    long least, most, last;     /* microseconds from one turn to the next */
+    long least, most, last;     /* microseconds per iteration */
     double sum, squares;
 };
 
@@ -54,7 +54,7 @@ static void start_loop(struct loop *loop)
     gettimeofday(&loop->start, NULL);
 }
 
-/* Sleeps until the next turn, and gives when that is, in seconds since the start. */
+/* Sleeps until the next iteration; returns its time in seconds since the start. */
 static double next_turn(struct loop *loop)
 {
     long late = microseconds_since(&loop->start) - ++loop->turns * PERIOD;
@@ -86,7 +86,7 @@ static void show_loop(const struct loop *loop)
            loop->least / 1000.0, loop->most / 1000.0);
 }
 
-/* Where the robot should be at a time: on the left circle, then on the right one. */
+/* Returns the target position at a time: on the left circle, then on the right. */
 static struct pose wanted(double seconds)
 {
     double angle = SPEED * seconds / RADIUS;
@@ -110,7 +110,7 @@ static struct pose encoders(void)
     return p;
 }
 
-/* Gives how far the robot is from where it should be, after it has set the wheels. */
+/* Returns the distance of the robot from where it should be, after it has set the wheels. */
 static double steer(struct pose is, struct pose ought, double side)
 {
     double dx = ought.x - is.x, dy = ought.y - is.y;

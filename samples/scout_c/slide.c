@@ -1,5 +1,5 @@
 /*
- * slide.c - a Nomad 200 slides along a wall, a hand's breadth away, by infrared alone.
+ * slide.c - a Nomad 200 follows a wall closely by infrared alone.
  *
  * Sonars are blind so near; infrared sensors are made for it. Each tells how much of
  * its own light comes back, 0 to 15, about the inches to the surface, and 15 where
@@ -21,7 +21,7 @@
 #define NOTHING    15
 #define SPEED      60           /* 0.1 inch/s */
 #define STEER_MAX  150          /* 0.1 degree/s */
-#define HEADING_MAX 400         /* the wheels turn at most so far from the turret, 0.1 degree */
+#define HEADING_MAX 400         /* maximum angle between wheels and turret, 0.1 degree */
 #define WAY        2500         /* 0.1 inch */
 #define MAX_TURNS  1200
 
@@ -32,7 +32,7 @@ static int limited(int value, int most)
     return value > most ? most : value < -most ? -most : value;
 }
 
-/* Where the wheels point, from where they pointed at the start: 0.1 degree. */
+/* Returns the direction of the wheels relative to the start, 0.1 degree. */
 static int wheels(void)
 {
     int angle = (int) State[STATE_CONF_STEER];
@@ -48,7 +48,7 @@ int main(void)
         fprintf(stderr, "slide: no robot\n");
         return 1;
     }
-    conf_ir(5, order);                     /* half of each reading is the one before */
+    conf_ir(5, order);                     /* average each reading with the previous one */
     conf_tm(5);
     ac(100, 300, 300);
     sp(SPEED, STEER_MAX, 300);

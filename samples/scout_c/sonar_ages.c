@@ -56,8 +56,8 @@ static void show(struct setting *s)
     int n = count(s->order), i, age;
 
     conf_sn(s->rate, s->order);
-    usleep(2000000);                   /* all have had their turn since */
-    gs();                              /* brings readings, places and times */
+    usleep(2000000);                   /* all sonars have fired since */
+    gs();                              /* reads distances, positions and times */
     posSonarRingGet(ring);
     time = posTimeGet();
     reading = State[STATE_SONAR_0];

@@ -13,7 +13,7 @@
 #define NEAR   25               /* inches */
 #define STEPS  400
 
-/* Gives the shortest way to anything ahead or half ahead, in inches. */
+/* Returns the shortest way to anything ahead or half ahead, in inches. */
 static long ahead(void)
 {
     long best = State[STATE_SONAR_0];

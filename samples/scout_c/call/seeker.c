@@ -1,5 +1,5 @@
 /*
- * seeker.c - find who calls, by ear: the other half of caller.c.
+ * seeker.c - find a caller by sound; the counterpart of caller.c.
  *
  * The robot turns to where the call comes from and drives there. Behind a wall the
  * call is weak, and the way is not free: where a bumper is pressed, the robot backs
@@ -17,7 +17,7 @@
 #define TONES    8
 #define HELP     3
 #define HERE     5
-#define NEAR     450         /* so loud is the call where we have found it */
+#define NEAR     450         /* level at which the caller has been found */
 #define ANSWER   500
 #define CRUISE   120         /* 0.1 inch/s */
 #define ASIDE    400         /* 0.1 inch, along a wall */

@@ -46,7 +46,7 @@ nearest(r, first, last)
     return best;
 }
 
-/* The client: ahead while it is free, else a turn to the freer side. */
+/* The client: straight ahead while free, otherwise a turn to the freer side. */
 static
 client(d, vx, va)
     driver *d;
