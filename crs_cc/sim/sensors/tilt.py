@@ -1,13 +1,13 @@
-"""The inclinometer: how the robot is tilted.
+"""The inclinometer: pitch and roll of the robot.
 
-    pitch = atan(rise of the ground ahead) + noise      above 0 with the nose up
-    roll  = atan(rise of the ground to the left) + noise      above 0 with the left side up
+    pitch = atan(slope of the ground in forward direction) + noise    positive with the nose up
+    roll  = atan(slope of the ground to the left) + noise      positive with the left side up
 
-by metre, under the robot's middle, ahead being where the mount points; to the nearest 0.1 degree,
-with normal deviates. It measures when the program asks, at most at its rate, or by its timer;
-between two measurements it tells the last one. On level ground both are 0, also at a ledge: robots
-do not tip. Speeding up and bumps, which fool real ones, count for nothing. All of it was chosen by
-us.
+under the robot's centre, where forward is the direction of the mount; to the nearest 0.1 degree,
+with normal deviates. It measures when the program requests it, at most at its rate, or on its
+timer; requests in between return the previous measurement. On level ground both are 0, also at a
+ledge: robots do not tip over. Acceleration and bumps, which disturb real inclinometers, have no
+effect. The model was chosen by us.
 """
 
 from __future__ import annotations
