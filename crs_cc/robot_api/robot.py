@@ -233,7 +233,7 @@ READING: Final = Group("Reading", (
         "int get_sn(void)", "reads the last result of each sonar, in whole inches",
         refreshes="STATE_SONAR_*", posts=("GET_SN",), source=_BOTH,
         chosen="A reading changes when its echo arrives, 1.8 ms after the firing for each foot,"
-               " or, without an echo, when the listening time ends. The parameters of <sonars> in"
+               " or, without an echo, when the listening time ends. The parameters of `<sonars>` in"
                " a robot definition determine what is detected; the formulas are in"
                " `crs_cc/sim/geometry/echoes.py` and `crs_cc/sim/sensors/sonar_errors.py`.",
     ),
@@ -266,7 +266,7 @@ READING: Final = Group("Reading", (
     Function(
         "int get_bp(void)", "reads the bumpers", refreshes="STATE_BUMPER", posts=("GET_BP",),
         source=_BOTH,
-        chosen="The bit that each switch of a Scout sets; <bumpers> of the robot definition sets"
+        chosen="Each switch of a Scout sets one bit; `<bumpers>` of the robot definition defines"
                " the layout. A switch is pressed from the timestep after a contact begins, while"
                " it lasts.",
     ),

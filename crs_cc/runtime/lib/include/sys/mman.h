@@ -1,4 +1,4 @@
-/* POSIX sys/mman.h: memory by the page, and copies of files. Nothing is shared, as nobody else is
+/* POSIX sys/mman.h: anonymous mappings, and private copies of files. Nothing is shared, as nobody else is
    there, and nothing is ever swapped out or protected. */
 #ifndef _SYS_MMAN_H
 #define _SYS_MMAN_H
