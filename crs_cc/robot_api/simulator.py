@@ -52,7 +52,8 @@ WORLD: Final = Group("World", (
         "returns the true poses of all robots: their number, then x, y, heading of each",
         units="0.1 in, 0.1 in, 0.1 deg", posts=("GET_RPX",),
         under_ndirect="FALSE, robot_pos[0] is -1", source=(SOURCE, OURS),
-        chosen="The third number is assumed to be the heading; robots are in the order of the world file.",
+        chosen="The third number is assumed to be the heading; robots are in the order of the world"
+               " file.",
     ),
     Function(
         "int predict_sensors(int x, int y, int th, int tu, long *state, int *laser)",

@@ -1,10 +1,10 @@
 /*
  * behaviours.c - a stack of behaviours; the topmost active one controls the robot.
  *
- * Each behaviour is a pair of functions: wants() evaluates the sensors and tells
- * whether it has something to do, act() gives the wheels their speeds. The
- * arbiter asks them from the top to the bottom, as the layers of a subsumption
- * architecture (Brooks 1986) suppress those below them:
+ * Each behaviour is a pair of functions: wants() evaluates the sensors and returns
+ * whether it is active, act() sets the wheel speeds. The arbiter tests them from top to
+ * bottom, as the layers of a subsumption architecture (Brooks 1986) suppress those below
+ * them:
  *
  *     escape    a bumper is pressed: back off, then turn
  *     avoid     something is close ahead: turn in place to the open side
@@ -12,8 +12,8 @@
  *     explore   straight on for long enough: take another direction by chance
  *     cruise    always: straight on
  *
- * Whenever another behaviour takes over, a line is written; at the end, how long
- * each had the robot.
+ * Whenever another behaviour takes over, a line is printed; at the end, the total time of
+ * each.
  *
  * Usage:  crs run behaviours.c cluttered.xml             90 seconds
  *         crs run behaviours.c cluttered.xml -- 30 7     30 seconds, chance from 7

@@ -1,13 +1,12 @@
 /*
  * bounce.c - cross a room with bumpers only, like early cleaning robots.
  *
- * Straight on until a bumper closes; then back a hand's width, turn away from the
- * side that was hit by some angle of chance, and on again. Each contact is told
- * with the bits of State[STATE_BUMPER] and the place where it happened, and at
- * the end how much of the floor was seen: the squares of 10 inches that the
- * middle of the robot has crossed, one bit for each.
+ * The robot drives straight until a bumper closes, backs up a few inches, turns away from
+ * the side that was hit by a random angle, and continues. For each contact it prints the
+ * bits of State[STATE_BUMPER] and the position, and at the end the area covered: the
+ * squares of 10 inches that the robot's centre has crossed, one bit for each.
  *
- * The sonars are off: an order that begins with 255 fires none.
+ * The sonars are off: an order that starts with 255 fires none.
  *
  * Usage:  crs run bounce.c room.xml            12 contacts
  *         crs run bounce.c room.xml -- 5       5 contacts

@@ -1,12 +1,12 @@
 /*
  * by_compass.c - drives a square by compass, because the wheels are unequal.
  *
- * One wheel is a little larger than the other. A robot that is told to go straight on
- * goes in a bow, and its encoders do not know. The compass does: on each side of the
- * square it is held on one heading, and the encoders only tell how far the robot went.
+ * One wheel is slightly larger than the other. When told to drive straight, the robot
+ * drives in a curve, which its encoders do not measure. The compass does: on each side of
+ * the square it holds the heading, and the encoders measure only the distance.
  *
- * The position is kept twice: as the encoders believe, and from way and compass. Both
- * are printed; at the end the robot is where the second one says.
+ * The position is tracked twice: by encoders alone, and by distance and compass. Both are
+ * printed; at the end the second one is correct.
  *
  * Usage:  crs run by_compass.c slippery.xml
  */

@@ -1,9 +1,9 @@
 /*
  * clear_aisle.c - pushes obstacles to the end of an aisle.
  *
- * The robot drives ahead until a bumper closes, and goes on pushing. Every thirty
- * inches it says how far it has come; what it pushes it feels only by its bumper.
- * Where it gets no further for two seconds, or after MOST inches, it backs off.
+ * The robot drives ahead until a bumper closes, and continues pushing. Every thirty
+ * inches it prints the distance; it detects the object only by its bumper. If it makes no
+ * progress for two seconds, or after MOST inches, it backs off.
  *
  *     crs run clear_aisle.c warehouse.xml
  */

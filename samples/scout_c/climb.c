@@ -1,12 +1,12 @@
 /*
  * climb.c - climbs a ramp by inclinometer, with limp wheels half-way up.
  *
- * On a slope a robot is pulled down: limp it rolls back, with its motors on it
- * stays where it is. So on the ramp this one lets its wheels go for a moment,
- * catches itself, and climbs on until the ground is level again.
+ * On a slope a robot is pulled downhill: with limp wheels it rolls back, with its motors
+ * on it holds its position. On the ramp, this robot makes its wheels limp for a moment,
+ * brakes, and climbs on until the ground is level again.
  *
- * How high it got follows from its encoders and the inclinometer: a way s along
- * ground that rises by the angle p leads up by s sin p.
+ * The height follows from encoders and inclinometer: a distance s along a slope of pitch
+ * p raises the robot by s sin p.
  *
  * Usage:  crs run climb.c slope.xml
  */

@@ -1,14 +1,14 @@
 /*
  * count_doors.c - drive along a corridor and count the doors on both sides.
  *
- * The sonars at 90 degrees look at the walls. While a reading is that of the wall
- * it is averaged into the distance of the wall; where it grows by more than JUMP
- * an opening begins, and ends where it comes back. A sonar hears the nearest
- * thing within its whole beam, so that an opening seems narrower than it is, by
- * the width of the beam at the distance of the wall, and that is added again.
+ * The sonars at 90 degrees measure the walls. Readings of the wall are averaged to get
+ * its distance; where the reading grows by more than JUMP, an opening begins, and ends
+ * where it returns. A sonar detects the nearest object within its whole beam, so an
+ * opening appears narrower than it is, by the width of the beam at the distance of the
+ * wall, which is added again.
  *
- * An opening of MIN_DOOR to MAX_DOOR inches is a door, a wider one a passage, a
- * narrower one just a gap. Where we are along the corridor the encoders tell.
+ * An opening of MIN_DOOR to MAX_DOOR inches is a door, a wider one a passage, a narrower
+ * one a gap. The position along the corridor comes from the encoders.
  *
  * Usage:  crs run count_doors.c corridor.xml
  */

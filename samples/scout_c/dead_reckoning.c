@@ -6,13 +6,13 @@
  *     encoders  what the robot works out from the turns of its wheels
  *     truth     where the simulator has the robot: get_rpx(). No robot has that
  *
- * The robot drives a square to the left and one to the right (Borenstein and Feng
- * 1994: errors that one of them hides, the other shows), then runs into a wall at
- * an angle and goes on pushing. Its motors stall, and its wheels slip along the
- * wall, of which the encoders feel nothing: from then on they are wrong, for good.
- * That is what walls, doors and other things one knows the place of are for.
+ * The robot drives a square to the left and one to the right (Borenstein and Feng 1994:
+ * errors that one of them hides, the other shows), then hits a wall at an angle and
+ * continues to push. Its motors stall, and its wheels slip along the wall, which the
+ * encoders do not measure: from then on their position is wrong. Landmarks with known
+ * positions could correct it.
  *
- * All places are told in the frame of the start.
+ * All positions are in the frame of the start.
  *
  * Usage:  crs run dead_reckoning.c wall.xml
  */

@@ -1,9 +1,8 @@
 /* Drives back and forth between two walls, and detects a faulty sonar.
 
-   While the robot drives straight on, what is ahead comes nearer by just as much as the wheels
-   have turned. A sonar that says otherwise again and again is not believed any more, until what
-   it says fits again, and those beside it take its place; one that has missed an echo is believed
-   all the same. */
+   While the robot drives straight, obstacles ahead approach by exactly the distance driven. A
+   sonar that repeatedly contradicts this is ignored until its readings are consistent again, and
+   its neighbours replace it; a single missed echo is tolerated. */
 
 #include <math.h>
 #include <stdio.h>

@@ -1,16 +1,15 @@
 /*
  * figure_eight.c - two circles at a steady 10 Hz, by gettimeofday() and usleep().
  *
- * A control loop must know how late it is. Each turn begins at a multiple of
- * PERIOD after the start; what is left of it is slept away. A turn that took
- * longer is counted as missed, and the next one begins at once.
+ * A control loop must know its timing errors. Each iteration starts at a multiple of
+ * PERIOD after the start; the program sleeps for the rest of it. An iteration that took
+ * longer is counted as missed, and the next one starts immediately.
  *
- * The robot drives a circle to the left and one to the right. At each moment it
- * should be at a place that can be computed; the distance from there is fed back
- * into the speeds, since wheel speeds are whole 0.1 inches per second, and the
- * circle would not close without that.
+ * The robot drives a circle to the left and one to the right. Its target position at each
+ * time is known; the deviation is fed back to the speeds, since wheel speeds are
+ * multiples of 0.1 inch per second, and the circle would not close without that.
  *
- * The last lines show how regular the loop was.
+ * The last lines show the regularity of the loop.
  *
  * Usage:  crs run figure_eight.c               needs 2 m to the left and to the right
  */

@@ -1,8 +1,8 @@
 /*
  * follow_red.c - drives to a red object by camera: visual servoing.
  *
- * The robot turns until a red blob comes into the picture, then steers so that it
- * stays in the middle, slower the nearer it gets, and stops in front of it.
+ * The robot turns until a red blob is in the picture, then steers to keep it centred,
+ * slows down as it approaches, and stops in front of it.
  *
  * Usage:  crs run follow_red.c gallery.xml
  */

@@ -1,8 +1,8 @@
 /*
  * follow_wall.c - find a wall and follow it on the right.
  *
- * A state machine: each state is a function that looks at the sonars, sets the
- * wheels and gives the state to go on with.
+ * A state machine: each state is a function that evaluates the sonars, sets the wheels
+ * and returns the next state.
  *
  *     seek     drive straight until something is ahead or at the right
  *     align    turn left in place until the wall lies at the right

@@ -1,19 +1,18 @@
 /*
  * grid_map.c - draw a map of a room: an occupancy grid from sonar readings.
  *
- * The robot goes along a list of places and stops every STEP inches until each
- * sonar has fired once. A reading of r inches says two things (Moravec and Elfes
- * 1985): the inside of the beam up to r is free, and somewhere on the arc at r
- * there is something. Each cell of the grid keeps the logarithm of the odds that
- * it is occupied, so that evidence is simply added; that for free counts more
- * near the axis of the beam, and that for occupied is shared by the arc: the
- * longer it is, the less each of its cells gets.
+ * The robot drives through a list of points and stops every STEP inches until each sonar
+ * has fired once. A reading of r inches means two things (Moravec and Elfes 1985): the
+ * inside of the beam up to r is free, and somewhere on the arc at r there is an obstacle.
+ * Each cell of the grid stores the logarithm of the odds that it is occupied, so evidence
+ * is simply added; evidence for free is stronger near the axis of the beam, and evidence
+ * for occupied is divided over the arc: the longer the arc, the less for each cell.
  *
  * At the end the grid is printed:  # occupied  . free  + where the robot stopped
  *
  * Usage:  crs run grid_map.c studio.xml
  *
- * The list of places is for the room of studio.xml, from its start.
+ * The list of points is for the room of studio.xml, from its start.
  */
 
 #include <stdio.h>

@@ -1,8 +1,8 @@
 /*
  * laser_door.c - finds a door in a wall by laser and drives through it.
  *
- * A door is where neighbouring beams see much further than those at its sides. The
- * robot goes up to the wall, looks where its door is, and drives through its middle.
+ * In a door, adjacent beams measure a much longer range than at its sides. The robot
+ * drives up to the wall, locates the door, and drives through its centre.
  *
  * Usage:  crs run laser_door.c gallery.xml
  */

@@ -5,9 +5,8 @@
  *
  *     seconds  x  y  heading  right  left  bumper  16 sonars
  *
- * in inches, degrees, inches/s. After the drive the file is opened again, read
- * with fscanf(), and what it says is summed up: how far the robot went, how fast
- * it was, and the nearest thing that each sonar heard.
+ * in inches, degrees, inches/s. After the drive the file is opened again, read with
+ * fscanf(), and summarised: distance, speed, and the nearest echo of each sonar.
  *
  * Usage:  crs run log_drive.c room.xml --files logs
  *

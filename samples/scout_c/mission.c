@@ -11,9 +11,8 @@
  *     repeat N ... end    do what stands between N times; may be nested
  *     home INCHES         an error unless the start is so near
  *
- * Whatever goes wrong, deep in whichever command, jumps out to main() with
- * longjmp(): a word that is none of these, a bumper that closes. There the robot
- * is stopped, and the line is told.
+ * Any error, such as an unknown word or a closed bumper, jumps to main() with longjmp()
+ * from any depth. There the robot is stopped, and the line is printed.
  *
  * Usage:  crs run mission.c studio.xml --file samples/scout_c/mission.txt
  *         ... --file other.txt -- other.txt

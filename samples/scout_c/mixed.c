@@ -1,10 +1,10 @@
 /*
  * mixed.c - one behaviour for several types of robots.
  *
- * The program is told on which robot it runs, and looks up what differs: where
- * its sonars point, how wide it is, and what vm() moves. The rest is the same
- * for all: go ahead, bend away from what comes near, and turn in place when
- * the way is blocked. From time to time it says where it is.
+ * The program is passed the type of its robot, and looks up the differences: the
+ * directions of the sonars, the width, and the meaning of vm(). The rest is the same for
+ * all: drive ahead, steer away from obstacles, and turn in place if the way is blocked.
+ * It prints its position regularly.
  *
  * Usage:  crs run mixed.c worlds/mixed.xml      the world names each robot's kind
  *         crs run mixed.c --robot amigobot -- amigobot

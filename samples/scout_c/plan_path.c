@@ -1,15 +1,15 @@
 /*
  * plan_path.c - plan a path on a map with a wavefront, and follow it.
  *
- * The map is a grid of characters. All cells too near to something are closed for
- * the middle of the robot. A wave that starts at the goal numbers the cells that
- * are left by their distance (Jarvis 1984), and going down from the start gives a
- * shortest way. Corners that can be cut in a straight line are cut.
+ * The map is a grid of characters. All cells too close to an obstacle are closed for the
+ * robot's centre. A wave that starts at the goal numbers the remaining cells by their
+ * distance (Jarvis 1984), and descending from the start gives a shortest path. Corners
+ * that can be cut in a straight line are cut.
  *
- * Before that a flood fill, a recursive one, tells whether there is a way at all.
+ * Before that, a recursive flood fill determines whether there is a path at all.
  *
- * While driving, the sonars ahead are watched: should something stand in the way
- * that the map does not know, the robot stops and says so.
+ * While driving, the front sonars are monitored: if there is an obstacle that is not on
+ * the map, the robot stops and reports it.
  *
  * Usage:  crs run plan_path.c office.xml --file worlds/office.grid
  *         ... -- MAP X Y           another map or goal, inches on the map

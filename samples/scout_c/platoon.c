@@ -1,16 +1,15 @@
 /*
  * platoon.c - a convoy by radio: the leader broadcasts its position, the others follow.
  *
- * Every robot runs this program; number 0 leads. It drives a course, and
- * broadcasts its position. The others keep these positions: the leader's trail.
- * Robot n drives n gaps behind the leader, along the trail and not straight to
- * the leader, so that it takes every corner where the leader took it. It steers
- * to a point of the trail a little ahead, and its speed makes up for what it is
- * too far behind. Every message has the whole that is needed, so that a lost one
- * costs a point of the trail and nothing more.
+ * Every robot runs this program; number 0 leads. It drives a course, and broadcasts its
+ * position. The others store these positions: the leader's trail. Robot n drives n gaps
+ * behind the leader, along the trail instead of straight to the leader, so that it takes
+ * every corner where the leader did. It steers to a point of the trail slightly ahead,
+ * and its speed corrects its distance. Every message is complete, so a lost one costs
+ * only one point of the trail.
  *
- * All robots reckon in one frame: each sets its own odometry to where it starts.
- * (convoy/ does it with sonars instead, and without a word.)
+ * All robots use one frame: each sets its own odometry to its starting position. (convoy/
+ * does it with sonars instead of messages.)
  *
  * Usage:  crs run platoon.c platoon.xml
  */

@@ -1,12 +1,11 @@
 /*
  * relay.c - carry messages around a wall that blocks radio.
  *
- * Three robots run this program, and each finds its part by its name. "source"
- * reads its sonars now and then, and keeps the readings. "base" wants to have
- * them, but hears nothing: a wall lies between. So "carrier" drives to and fro,
- * calls, takes over what there is to take, and hands it on. A reading is kept
- * by whoever has it until somebody else says to have it, by its number; so none
- * is lost, whatever the radio loses.
+ * Three robots run this program, and each finds its role by its name. "source" reads its
+ * sonars from time to time, and stores the readings. "base" needs them, but is out of
+ * reach: a wall is in between. So "carrier" drives back and forth, calls, receives the
+ * stored readings, and passes them on. A reading is stored until another robot
+ * acknowledges it by its number; so none is lost, whatever the radio loses.
  *
  * Usage:  crs run relay.c radio-shadow.xml
  */

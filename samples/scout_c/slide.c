@@ -1,13 +1,14 @@
 /*
  * slide.c - a Nomad 200 follows a wall closely by infrared alone.
  *
- * Sonars are blind so near; infrared sensors are made for it. Each tells how much of
- * its own light comes back, 0 to 15, about the inches to the surface, and 15 where
- * nothing is near. Number 4 looks to the left, 3 and 5 by 22.5 degrees to its sides.
+ * Sonars cannot measure such short distances; infrared sensors can. Each measures how
+ * much of its own light is reflected, 0 to 15, approximately the inches to the surface,
+ * and 15 if nothing is near. Number 4 points to the left, 3 and 5 by 22.5 degrees to its
+ * sides.
  *
- * The wheels steer by how near the wall is (4) and by how it runs (3 and 5); the base
- * and the turret keep their direction. A dark wall sends back less light, and looks
- * farther away than it is: the robot comes nearer. The program cannot know.
+ * The wheels are steered by the distance of the wall (4) and by its direction (3 and 5);
+ * the base and the turret keep their direction. A dark wall reflects less light, and
+ * appears farther away: the robot gets closer. The program cannot detect this.
  *
  * Usage:  crs run slide.c wavy.xml
  */

@@ -1,11 +1,11 @@
 /*
  * stage.c - the edge of a stage, seen from below and from above.
  *
- * From the floor the edge of a plateau is a wall: the sonar ahead tells how far it
- * is, and the robot stops in front of it. From above there is nothing to see: the
- * sonar looks out over the edge, and only its encoders tell the robot where to stop.
+ * From the floor, the edge of a plateau is a wall: the front sonar measures its distance,
+ * and the robot stops in front of it. From above it is invisible: the sonar's beam passes
+ * over the edge, and only the encoders determine where to stop.
  *
- * The robot goes up by a ramp to the left, whose place it knows.
+ * The robot drives up a ramp to the left, whose position it knows.
  *
  * Usage:  crs run stage.c plateau.xml
  */

@@ -1,11 +1,10 @@
 /*
  * tag_heat.c - finds hot objects and tags them, in the report's dialect.
  *
- * The robot goes ahead in legs of ten inches. Before each leg it feels for heat:
- * where there is some, it says so and tags, which cools everything within reach.
- * Then it looks ahead with three sonars, and turns towards the freer side while
- * something is near. Several robots can run it in one world: each tags what the
- * others have left.
+ * The robot drives in legs of ten inches. Before each leg it measures the heat: if there
+ * is any, it prints it and tags, which cools everything in range. Then it checks three
+ * front sonars, and turns towards the freer side while an obstacle is near. Several
+ * robots can run it in one world: each tags what the others have left.
  *
  *     crs run tag_heat.c complex-3r.xml
  */

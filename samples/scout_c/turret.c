@@ -2,14 +2,14 @@
  * turret.c - a Nomad 200 drives around a pillar with its turret facing it.
  *
  * The three axes of a Nomad 200 are independent: its wheels drive, all of them are
- * steered alike, and the turret with the sonars turns above them. The base itself
- * never turns. So the robot can look to one side all the time while it drives a
- * course with corners.
+ * steered together, and the turret with the sonars rotates above them. The base itself
+ * never turns. So the robot can face one side all the time while it drives a course with
+ * corners.
  *
- * Where the pillar stands is known; from the encoders follows in which direction it
- * lies, and the turret is held there. Sonar 0, which looks where the turret looks,
- * should then read the distance to the pillar, less the two radii. Both are printed,
- * and at the end how far they were apart.
+ * The position of the pillar is known; its direction follows from the encoders, and the
+ * turret is held there. Sonar 0, which points where the turret points, should then read
+ * the distance to the pillar, minus the two radii. Both are printed, and at the end their
+ * difference.
  *
  * Usage:  crs run turret.c pillar.xml
  */

@@ -1,8 +1,8 @@
 /*
  * two_modes.c - uses one sonar mode for long range, the other for short range.
  *
- * The low frequency hears a column across the hall, to 10 cm; the high one does not
- * hear it at all, but once the robot is there it tells millimetres.
+ * The low frequency detects a column across the hall, with a resolution of 10 cm; the
+ * high one does not detect it from there, but measures millimetres nearby.
  *
  * Usage:  crs run two_modes.c gallery.xml
  */

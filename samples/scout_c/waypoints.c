@@ -1,8 +1,8 @@
 /*
  * waypoints.c - drives to waypoints by GPS and compass.
  *
- * The receiver measures by its own timer, five times a second. The program asks how
- * old a fix is, and steers by it all the same: at 10 in/s a fix of 0.2 s is 2 in old.
+ * The receiver measures periodically, five times a second. The program reads the age of a
+ * fix, and uses it in any case: at 10 in/s a fix of 0.2 s is 2 in old.
  *
  * Usage:  crs run waypoints.c gallery.xml
  */

@@ -1,10 +1,10 @@
 /*
  * follower.c - follow another robot by sonar; the counterpart of leader.c.
  *
- * The nearest echo ahead is taken for the robot in front. Where it is comes from
- * which sonars hear it: each looks into a direction of its own, and the mean of
- * the directions, of those that hear about the same distance, is that of the
- * leader. Speed keeps the distance, steering keeps it ahead.
+ * The nearest echo ahead is assumed to be the robot in front. Its direction is
+ * the mean of the directions of all sonars that measure about the same distance.
+ * Speed controls the distance to the leader, and steering keeps the leader
+ * straight ahead.
  *
  * Usage:  crs run convoy/convoy.xml          the world names the programs of both robots
  */

@@ -1,8 +1,8 @@
 /*
  * hand.c - arrange cans in a row with a two-joint arm.
  *
- * Where the tip must go is given; which angles bring it there is the arm's inverse
- * kinematics: the elbow by the law of cosines, the shoulder by what is left.
+ * The joint angles for a position of the tip are given by the arm's inverse kinematics:
+ * the elbow by the law of cosines, then the shoulder.
  *
  *      d^2 = x^2 + y^2
  *      cos elbow = (d^2 - upper^2 - fore^2) / (2 upper fore)

@@ -1,9 +1,8 @@
 /*
  * follow.c - follows a light at a distance, and stops where it goes out.
  *
- * It turns to the side that is brighter, and drives the slower the brighter it is:
- * light falls with the square of the distance, so where it gets more than NEAR the
- * lamp is close enough.
+ * It turns to the brighter side, and drives more slowly in brighter light: brightness
+ * falls with the square of the distance, so above NEAR the lamp is close enough.
  */
 
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /*
  * guide.c - carries a light around a corner for another robot to follow.
  *
- * The lamp is bright while it drives and goes out where it has arrived.
+ * The lamp is on while the robot drives, and goes out when it has arrived.
  *
  * Usage:  crs run lantern/lantern.xml        the world names both programs
  */

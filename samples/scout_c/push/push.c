@@ -1,9 +1,9 @@
 /*
  * push.c - one of two robots that push a crate too heavy for one.
  *
- * Each drives on until a bumper tells that it is at the crate, says so to the other,
- * and waits for its word. Then both push. All the time each tells the other how far
- * it has come, and who is ahead waits: so the crate goes straight.
+ * Each drives until a bumper reports the crate, sends a message to the other, and waits
+ * for its message. Then both push. They continuously exchange their distances, and the
+ * one ahead waits: so the crate moves straight.
  *
  * Usage:  crs run push/push.xml              the world names the program
  */

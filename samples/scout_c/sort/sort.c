@@ -1,10 +1,10 @@
 /*
  * sort.c - collect cans and sort them by weight.
  *
- * Cans stand somewhere on the line ahead. The robot drives until the beam between
- * the fingers of its gripper is broken, closes them, and so knows how wide the can
- * is and what it weighs. It carries the can back home, heavy ones to the left and
- * light ones to the right, puts it down and goes for the next.
+ * Cans are somewhere on the line ahead. The robot drives until the beam between the
+ * fingers of its gripper is interrupted, closes them, and so measures the width and the
+ * weight of the can. It carries the can home, heavy ones to the left and light ones to
+ * the right, puts it down and goes for the next.
  *
  * Usage:  crs run sort/sort.xml              the world names the program
  */

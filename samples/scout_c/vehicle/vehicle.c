@@ -1,11 +1,11 @@
 /*
  * vehicle.c - a Braitenberg vehicle that approaches a light.
  *
- * Each eye drives the wheel of the other side: the more light the left eye gets,
- * the faster runs the right wheel, and so the vehicle turns to the light and comes
- * faster the brighter it is (V. Braitenberg, "Vehicles", 1984, number 2b). Light
- * falls with the square of the distance, so its root is what counts. A bumper turns
- * it aside; where it is bright enough, it rests.
+ * Each light sensor drives the wheel of the other side: the more light on the left, the
+ * faster the right wheel, and so the vehicle turns to the light and gets faster the
+ * brighter it is (V. Braitenberg, "Vehicles", 1984, number 2b). Brightness falls with the
+ * square of the distance, so its root is used. If a bumper is pressed it turns aside;
+ * where it is bright enough, it stops.
  *
  * Usage:  crs run vehicle/vehicle.xml        the world names the program
  */

@@ -1,14 +1,14 @@
 /*
  * base.c - a base server: receives velocities, publishes the pose.
  *
- * A toolkit's base server gets its commands from other programs; here they come
- * from a table. As there, a command counts for a second only: without a new one
- * the robot is stopped. A signal ends the server, and its handler stops the robot.
+ * A toolkit's base server gets its commands from other programs; here they come from a
+ * table. As there, a command is valid for one second only: without a new one, the robot
+ * stops. A signal ends the server, and its handler stops the robot.
  *
- * This file does not include the client's header, as such files often did not. So
- * vm(0.0, 0.0, 0.0) is called without a prototype and nothing makes integers of
- * the arguments; it stops the robot all the same, because a double of zero is
- * nothing but zeros. crs warns of it.
+ * This file does not include the client's header, as was common. So vm(0.0, 0.0, 0.0) is
+ * called without a prototype and its arguments are not converted to integers; it stops
+ * the robot nevertheless, because the bits of a double zero are all zero. crs prints a
+ * warning.
  *
  * Usage:  crs run drivers/carmen_like/base.c drivers/carmen_like/scout_base.c studio.xml
  */

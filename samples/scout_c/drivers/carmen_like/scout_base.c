@@ -1,9 +1,9 @@
 /*
  * scout_base.c - a Scout as a base: between metres and tenths of an inch.
  *
- * Written in the manner of the toolkits of about 2000. They wrap each call of the
- * client, pass floating point numbers where it takes integers and leave it to the
- * header to convert them, and switch the sonars off with no order at all.
+ * Written in the style of toolkits of about 2000. They wrap each call of the client, pass
+ * floating-point numbers where it expects integers, relying on the header to convert
+ * them, and switch the sonars off by passing no order.
  */
 
 #include <math.h>

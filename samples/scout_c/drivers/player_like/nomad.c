@@ -1,13 +1,13 @@
 /*
  * nomad.c - the driver of Nomad robots: fills the server's interfaces from State.
  *
- * Written in the manner of the device servers of about 2005 around an old client:
- * functions without prototypes, all groups of State read in each turn, the mask of
- * what replies carry written by hand, and the usual trick to silence the sonars, an
- * order that has one element, 255.
+ * Written in the style of device servers of about 2005 around an old client: functions
+ * without prototypes, all groups of State read in each cycle, a hand-written mask of the
+ * data in replies, and the usual way to switch off the sonars, an order with one element,
+ * 255.
  *
- * Drivers of the time wrote the mask in a loop to i <= NUM_MASK, one past its end.
- * crs stops that with an error, unless checks are off (--unchecked); so here it is <.
+ * Drivers of the time wrote the mask in a loop to i <= NUM_MASK, one past its end. crs
+ * stops this with an error, unless checks are off (--unchecked); so here it is <.
  */
 
 # include <stdio.h>

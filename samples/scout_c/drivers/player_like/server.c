@@ -1,8 +1,8 @@
 /*
  * server.c - a device server with one driver: a loop at 10 Hz until a signal comes.
  *
- * Each turn updates the driver and gives it a command, here that of a small client
- * which keeps away from what is near. Every two seconds the interfaces are printed.
+ * Each iteration updates the driver and sends it a command, here from a small client that
+ * avoids obstacles. Every two seconds the interfaces are printed.
  *
  * Usage:  crs run -std=gnu89 drivers/player_like/server.c drivers/player_like/nomad.c room.xml
  */

@@ -1,4 +1,4 @@
-/* BSD sys/ioctl.h: FIONREAD only; no descriptor is a device. */
+/* BSD sys/ioctl.h: FIONREAD is supported; no descriptor is a device. */
 #ifndef _SYS_IOCTL_H
 #define _SYS_IOCTL_H
 
