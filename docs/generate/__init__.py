@@ -10,7 +10,7 @@ one such function per placeholder, collected in `FILLERS`.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from importlib import import_module
 from pathlib import Path
 from typing import Final
@@ -70,7 +70,7 @@ def cell(text: str) -> str:
     return text.replace("|", "\\|")
 
 
-def table(titles: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
+def table(titles: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> str:
     """Return a Markdown table; cells must not contain bare `|`.
 
     >>> print(table(("a", "b"), [("1", "2")]))

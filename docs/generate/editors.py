@@ -45,7 +45,7 @@ def attributes() -> str:
 
 
 def _row(each: Attribute) -> tuple[str, ...]:
-    kind = "strings" if each.kind == "array" else each.kind
+    kind: str = "strings" if each.kind == "array" else each.kind
     if each.choices:
         kind = " or ".join(f"`{choice}`" for choice in each.choices)
     default = "" if each.default is None else f"`{json.dumps(each.default)}`"
