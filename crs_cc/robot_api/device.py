@@ -35,7 +35,7 @@ SENSORS: Final = Group("Sensors", (
         units="0.1 deg, 0.1 deg, 0xRRGGBB, 0.1 in", posts=("CAMERA", "READINGS"), source=(OURS,),
     ),
     Function(
-        "int crs_heat(int *heat)", "measures the heat",
+        "int crs_heat(int *heat)", "measures the total heat of the objects in range",
         posts=("SENSE_HEAT",), source=(OURS,),
     ),
     Function(

@@ -31,7 +31,7 @@ ROBOTS: Final = Path(crs_cc.sim.__file__).parent / "robots"
 
 def functions() -> str:
     """Return a section with a table for each group of functions."""
-    titles = ("function", "units", "does", "refreshes", "ms", "under Ndirect", "source")
+    titles = ("function", "units", "description", "updates", "ms", "under Ndirect", "source")
     return "\n\n".join(
         f"### {group.title}\n\n{table(titles, [_function(each) for each in group.functions])}"
         for group in GROUPS
@@ -83,7 +83,7 @@ def dialect_functions() -> str:
     """Return the table of the functions of the report's dialect."""
     same = {"": "the same", "-": "none"}
     return table(
-        ("in the report's dialect", "units", "does", "the vendor's", "report"),
+        ("function", "units", "in the report's dialect", "vendor's dialect", "report section"),
         [
             (
                 f"`{each.prototype}`",
@@ -100,7 +100,7 @@ def dialect_functions() -> str:
 def dialect_state() -> str:
     """Return the table of the `State` entries that differ between the dialects."""
     return table(
-        ("in State", "vendor's", "report's"),
+        ("State entry", "vendor's dialect", "report's dialect"),
         [(f"`{index}`", vendors, reports) for index, vendors, reports in REPORT_STATE],
     )
 
