@@ -1,10 +1,10 @@
-# make demo    runs a real control program in a world and draws its path
-# make test    runs the whole test suite
-# make check   checks style, types and layers, and runs the quick tests; under a minute
-# make fuzz    compares random programs with gcc -m32 (COUNT=500 SEED=1), with csmith's if installed
-# make fuzz-frontend  damages programs and nests all constructs: refused or compiled, nothing else
-# make bench   measures, prints ratios
-# make docs    writes the generated pages of docs/ from docs/templates and the code
+# make demo    run a control program in a world and plot its path
+# make test    run the full test suite
+# make check   check style, types and layers, and run the quick tests; under a minute
+# make fuzz    compare random programs with gcc -m32 (COUNT=500 SEED=1), with csmith's if installed
+# make fuzz-frontend  damage programs and nest all constructs: rejected or compiled, nothing else
+# make bench   run the benchmarks
+# make docs    write the generated pages of docs/ from docs/templates and the code
 
 PYTHON ?= python3
 VENV := .venv
