@@ -1,9 +1,10 @@
-# make demo    runs a real control program in a world and draws its path
-# make test    runs the whole test suite
-# make check   checks style, types and layers, and runs the quick tests; under a minute
-# make fuzz    compares random programs with gcc -m32 (COUNT=500 SEED=1), with csmith's if installed
-# make fuzz-frontend  damages programs and nests all constructs: refused or compiled, nothing else
-# make bench   measures, prints ratios
+# make demo    run a control program in a world and plot its path
+# make test    run the full test suite
+# make check   check style, types and layers, and run the quick tests; under a minute
+# make fuzz    compare random programs with gcc -m32 (COUNT=500 SEED=1), with csmith's if installed
+# make fuzz-frontend  damage programs and nest all constructs: rejected or compiled, nothing else
+# make bench   run the benchmarks
+# make docs    write the generated pages of docs/ from docs/templates and the code
 
 PYTHON ?= python3
 VENV := .venv
@@ -25,7 +26,7 @@ define install
 		&& for extras in '' '$(1)'; do cp pyproject.toml "$(VENV)/installed$$extras"; done; }
 endef
 
-.PHONY: demo test check fuzz fuzz-frontend bench install install-dev clean
+.PHONY: demo test check fuzz fuzz-frontend bench docs install install-dev clean
 
 demo: install
 	$(BIN)/crs run samples/scout_c/wander.c worlds/room.xml --max-time 60 --plot demo.svg --summary
@@ -50,6 +51,9 @@ bench: install
 	@set -e; for script in bench/c_speed.py bench/compile.py bench/debug.py bench/environment.py \
 			bench/fleet.py bench/start.py; do \
 		echo "== $$script"; $(BIN)/python $$script; done
+
+docs: install
+	$(BIN)/python -m docs.generate
 
 install:
 	$(call install,)

@@ -20,7 +20,7 @@ HOST_REQUESTS: Final = (
     RequestCode(
         "READ", 3, "host", "int read(int fd, void *bytes, unsigned count)",
         "reads from the standard input stream (0)",
-        arguments(("i[0]", "stream", "1"), ("i[1]", "bytes wanted", "byte")),
+        arguments(("i[0]", "stream", "1"), ("i[1]", "number of bytes requested", "byte")),
         arguments(
             ("result", "bytes read, 0 at the end, -1 on error", "byte"),
             ("size", "bytes", "byte"), ("data", "the bytes", "1"),
@@ -34,21 +34,21 @@ HOST_REQUESTS: Final = (
     ),
     RequestCode(
         "SLEEP", 5, "host", "int usleep(unsigned microseconds)",
-        "lets simulated time pass",
-        arguments(("f[0]", "how long", "s")), arguments(("result", "0", "1")),
+        "sleeps in simulated time",
+        arguments(("f[0]", "duration", "s")), arguments(("result", "0", "1")),
     ),
     RequestCode(
         "ARGUMENT", 6, "host", "int main(int argc, char **argv)",
-        "reads a piece of one of the program's arguments",
-        arguments(("i[0]", "number of the argument", "1"), ("i[1]", "first byte wanted", "byte")),
+        "reads a part of one of the program's arguments",
+        arguments(("i[0]", "argument number", "1"), ("i[1]", "first byte requested", "byte")),
         arguments(
-            ("result", "length of the argument, -1 when there is none", "byte"),
-            ("size", "bytes", "byte"), ("data", "the piece", "1"),
+            ("result", "length of the argument, -1 if there is none", "byte"),
+            ("size", "bytes", "byte"), ("data", "the part", "1"),
         ),
     ),
     RequestCode(
         "FILE_OPEN", 7, "host", "FILE *fopen(const char *name, const char *mode)",
-        "opens a file on the robot's own disk, or makes it",
+        "opens or creates a file on the robot's own disk",
         arguments(
             ("i[0]", "flags: O_CREAT, O_EXCL, O_TRUNC, O_TMPFILE of fcntl.h", "1"),
             ("size", "length of the name", "byte"), ("data", "the name", "1"),
@@ -56,7 +56,7 @@ HOST_REQUESTS: Final = (
         arguments(("result", "the file's number, or -errno", "1")),
     ),
     RequestCode(
-        "FILE_CLOSE", 8, "host", "int close(int fd)", "says that an open file is no longer needed",
+        "FILE_CLOSE", 8, "host", "int close(int fd)", "closes an open file",
         arguments(("i[0]", "the file's number", "1")), arguments(("result", "0, or -errno", "1")),
     ),
     RequestCode(
@@ -64,8 +64,8 @@ HOST_REQUESTS: Final = (
         "size_t fread(void *items, size_t size, size_t count, FILE *stream)",
         "reads from a file",
         arguments(
-            ("i[0]", "the file's number", "1"), ("i[1]", "first byte wanted", "byte"),
-            ("i[2]", "bytes wanted", "byte"),
+            ("i[0]", "the file's number", "1"), ("i[1]", "first byte requested", "byte"),
+            ("i[2]", "number of bytes requested", "byte"),
         ),
         arguments(
             ("result", "bytes read, 0 at the end, or -errno", "byte"),
@@ -77,27 +77,27 @@ HOST_REQUESTS: Final = (
         "size_t fwrite(const void *items, size_t size, size_t count, FILE *stream)",
         "writes to a file",
         arguments(
-            ("i[0]", "the file's number", "1"), ("i[1]", "where, -1 for the end", "byte"),
+            ("i[0]", "the file's number", "1"), ("i[1]", "position, -1 for the end", "byte"),
             ("size", "bytes", "byte"), ("data", "the bytes", "1"),
         ),
-        arguments(("result", "place behind what was written, or -errno", "byte")),
+        arguments(("result", "position after the written data, or -errno", "byte")),
     ),
     RequestCode(
         "FILE_RESIZE", 11, "host", "int ftruncate(int fd, off_t size)",
-        "cuts a file off or fills it up with zeros",
+        "truncates a file, or extends it with zeros",
         arguments(
             ("i[0]", "the file's number", "1"), ("i[1]", "size, -1 for no change", "byte")
         ),
         arguments(("result", "size, or -errno", "byte")),
     ),
     RequestCode(
-        "FILE_REMOVE", 12, "host", "int remove(const char *name)", "takes a file's name away",
+        "FILE_REMOVE", 12, "host", "int remove(const char *name)", "removes the name of a file",
         arguments(("size", "length of the name", "byte"), ("data", "the name", "1")),
         arguments(("result", "0, or -errno", "1")),
     ),
     RequestCode(
         "FILE_RENAME", 13, "host", "int rename(const char *from, const char *to)",
-        "gives a file another name",
+        "renames a file",
         arguments(
             ("i[0]", "length of the old name", "byte"), ("size", "length of both", "byte"),
             ("data", "the old name, the new name", "1"),
@@ -106,12 +106,12 @@ HOST_REQUESTS: Final = (
     ),
     RequestCode(
         "CLIENT", 14, "host", "int server_is_running(void)",
-        "tells which of the vendor's two client libraries ours is to behave like",
+        "returns which of the vendor's two client libraries to imitate",
         (), arguments(("result", "0 Nclient, 1 Ndirect", "1")),
     ),
     RequestCode(
         "UNCONNECTED", 15, "host", "int connect_robot(long id, ...)",
-        "tells, once, that the program calls its robot without a connection",
+        "reports, once, that the program calls its robot without a connection",
         (), arguments(("result", "0", "1")),
     ),
 )  # fmt: skip

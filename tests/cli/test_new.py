@@ -120,7 +120,7 @@ def test_what_the_robots_template_keeps_in_a_comment_can_be_taken_out(
     monkeypatch.chdir(tmp_path)
     main(["new", "robot", "rover"])
     text = Path("rover.xml").read_text()
-    head, _, rest = text.partition("docs/actuators.md tell what they do.\n")
+    head, _, rest = text.partition("docs/actuators.md describe them.\n")
     more, _, tail = rest.partition("  -->\n")
     Path("rover.xml").write_text(f"{head} -->\n{more}{tail}")
     capfd.readouterr()

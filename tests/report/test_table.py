@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 
 import pytest
 
 from crs_cc.core.source import Diagnostics
+from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.unit import compile_text
 from crs_cc.robot_api.report import COMMANDS, REPORT_STATE, Command
-from crs_cc.session.library import HEADERS, library, library_options
-from tests.robot_api.dialects import section
+from crs_cc.session.library import HEADERS, library
 
 HEADER = (HEADERS / "crs" / "report.h").read_text()
 DECLARED = re.findall(r'^(int \w+\([^;]*?\))\s+__asm__\("(\w+)"\);', HEADER, re.MULTILINE)
@@ -64,15 +63,8 @@ def test_the_indices_are_those_of_the_header_and_else_of_the_vendors() -> None:
     }  # fmt: skip
 
 
-def test_the_section_is_markdown_that_shows_every_command() -> None:
-    lines = list(section())
-    for command in COMMANDS:
-        assert any(line.startswith(f"| `{command.prototype}` |") for line in lines)
-    assert {line.count("|") for line in lines if line.startswith("|")} == {4, 6}
-
-
 def test_the_header_needs_nothing_of_the_program() -> None:
     messages = Diagnostics()
-    options = replace(library_options(), dialect="report")
+    options = Options(system_paths=(HEADERS,), dialect="report")
     compile_text("int runcode(void) { return NULL == 0; }", "a.c", options, messages)
     assert not messages.messages

@@ -71,27 +71,28 @@ def _shown(made: Checkpoint) -> str:
 
 BRANCHES: Final = Group(
     "branches",
-    "Instants to come back to, and runs that go on in different ways.",
+    "Marking positions, and exploring alternative continuations of a run.",
     (
         Command(
-            "checkpoint", "[NAME]", "Keep this instant, to come back to.", _checkpoint,
+            "checkpoint", "[NAME]", "Save the current position as a checkpoint.", _checkpoint,
         ),
         Command(
             "restart", "N", "Go to a checkpoint.", _restart, completes="checkpoint",
         ),
         Command("info checkpoints", "", "List the checkpoints.", _info_checkpoints),
         Command(
-            "branch", "NAME", "Let the run go on as another one from here, and keep this one.",
+            "branch", "NAME", "Create a branch of the run at the current position, and switch to"
+                              " it.",
             _branch,
-            text="What is changed from here on (variables, the world) belongs to the new branch.",
+            text="Later changes (to variables or the world) affect only the new branch.",
         ),
         Command(
-            "switch", "NAME", "Go to another branch, to where it was left.", _switch,
-            completes="branch",
+            "switch", "NAME", "Switch to another branch, at the position where it was left.",
+            _switch, completes="branch",
         ),
         Command(
-            "compare", "NAME", "Tell how another branch differs from this one.", _compare,
-            completes="branch",
+            "compare", "NAME", "Print the differences between another branch and this one.",
+            _compare, completes="branch",
         ),
         Command("info branches", "", "List the branches.", _info_branches),
     ),

@@ -197,12 +197,12 @@ def _of_robot(shell: Shell, one: Breakpoint) -> str:
 
 _PLACES: Final = (
     "PLACE is a line (12), a line of a file (turn.c:12), a function of the program (turn), or one"
-    " of the robot (ws, get_sn): then it stops when the robot is asked. A line without code stands"
-    " for the next one with code. Without a place, the line where the program stands. With"
-    " several robots it stops any of them, unless one is named. CONDITION is a C expression."
+    " of the robot (ws, get_sn), which stops when the program sends its request. If a line has no"
+    " code, the next one that has is used. Default: the current line. With several robots, it"
+    " applies to all of them unless one is named. CONDITION is a C expression."
 )
 _NUMBERS: Final = (
-    "N is a number, a range such as 2-4, or $ for the newest breakpoint; without one, all."
+    "N is a number, a range such as 2-4, or $ for the newest breakpoint. Default: all."
 )
 
 
@@ -214,27 +214,30 @@ def _kinds() -> str:
 
 BREAKPOINTS: Final = Group(
     "breakpoints",
-    "Where and when to stop, going forward or backward.",
+    "Setting conditions at which the run stops, forward and in reverse.",
     (
         Command(
-            "break", "[PLACE] [robot NAME] [if CONDITION]", "Stop at a line or a function.",
+            "break", "[PLACE] [robot NAME] [if CONDITION]", "Set a breakpoint at a line or a"
+                                                            " function.",
             _break, ("b", "br"), text=_PLACES, completes="place",
         ),
         Command(
-            "tbreak", "[PLACE] [robot NAME] [if CONDITION]", "Stop there once.",
-            partial(_break, temporary=True), ("tb",), text='Places are those of "break".',
+            "tbreak", "[PLACE] [robot NAME] [if CONDITION]", "Set a breakpoint that is deleted"
+                                                             " when it is hit.",
+            partial(_break, temporary=True), ("tb",), text="PLACE is as in \"break\".",
             completes="place",
         ),
         Command(
-            "watch", "EXPRESSION [if CONDITION]", "Stop when a value changes.",
+            "watch", "EXPRESSION [if CONDITION]", "Stop when the value of an expression changes.",
             partial(_watch, kind="change"),
-            text="EXPRESSION names an object: a variable, an element, *p. It stops behind the"
-            " statement that changed it, backward before it. A variable of a function is watched"
-            " as long as the function is active.",
+            text="EXPRESSION names an object: a variable, an element, *p. The run stops after the"
+                 " statement that wrote it (in reverse: before it). A local variable is watched as"
+                 " long as its function is active.",
             completes="expression",
         ),
         Command(
-            "wwatch", "EXPRESSION [if CONDITION]", "Stop when a value is written, changed or not.",
+            "wwatch", "EXPRESSION [if CONDITION]", "Stop when a value is written, even if"
+                                                   " unchanged.",
             partial(_watch, kind="write"), completes="expression",
         ),
         Command(
@@ -246,17 +249,18 @@ BREAKPOINTS: Final = Group(
             partial(_watch, kind="access"), completes="expression",
         ),
         Command(
-            "catch", "WHAT [robot NAME]", "Stop when something happens to a program or a robot.",
+            "catch", "WHAT [robot NAME]", "Stop when an event happens to a program or a robot.",
             _catch, text=f"WHAT is exit (a program ended) or {_kinds()}.", completes="catch",
         ),
         Command(
-            "dprintf", 'PLACE,"FORMAT",EXPRESSION...', "Print there, and do not stop.", _dprintf,
-            text="The format is printf's: %d %u %x %o %c %s %f %g %p and %%; each stands"
-            " for the next expression, whose value is shown as its type says.",
+            "dprintf", 'PLACE,"FORMAT",EXPRESSION...', "Print formatted values at a place,"
+                                                       " without stopping.", _dprintf,
+            text="The format is printf's: %d %u %x %o %c %s %f %g %p and %%; each consumes the"
+                 " next expression, whose value is converted according to its type.",
             completes="place",
         ),
         Command(
-            "log", "PLACE TEXT", "Print TEXT there, and do not stop.", _log,
+            "log", "PLACE TEXT", "Print TEXT at a place, without stopping.", _log,
             text="Expressions in braces are replaced by their values: log 12 speed is {speed}.",
             completes="place",
         ),
@@ -265,25 +269,25 @@ BREAKPOINTS: Final = Group(
             text=_NUMBERS, completes="breakpoint",
         ),
         Command(
-            "disable", "[N...]", "Let breakpoints do nothing.", partial(_enable, on=False),
+            "disable", "[N...]", "Disable breakpoints.", partial(_enable, on=False),
             text=_NUMBERS, completes="breakpoint",
         ),
         Command(
-            "enable", "[N...]", "Let breakpoints stop again.", partial(_enable, on=True),
+            "enable", "[N...]", "Enable breakpoints.", partial(_enable, on=True),
             ("en",), text=_NUMBERS, completes="breakpoint",
         ),
         Command(
-            "condition", "N [CONDITION]", "Let a breakpoint stop only if a C expression is true.",
-            _condition, text="Without a condition it always stops.", completes="breakpoint",
+            "condition", "N [CONDITION]", "Set the condition of a breakpoint, a C expression.",
+            _condition, text="Without CONDITION, remove it.", completes="breakpoint",
         ),
         Command(
-            "ignore", "N COUNT", "Pass a breakpoint so many times.", _ignore,
+            "ignore", "N COUNT", "Ignore the next COUNT hits of a breakpoint.", _ignore,
             completes="breakpoint",
         ),
         Command(
-            "commands", "[N...]", "Let commands be done when a breakpoint is hit.", _commands,
-            text='The commands follow, a line each, up to a line "end". If the first is "silent",'
-            " nothing is said of the stop. Without a number, those of the newest breakpoint.",
+            "commands", "[N...]", "Set commands to execute when a breakpoint is hit.", _commands,
+            text="The commands follow, one per line, up to a line \"end\". If the first one is"
+                 " \"silent\", the stop is not reported. Default: the newest breakpoint.",
             completes="breakpoint",
         ),
         Command(

@@ -158,66 +158,67 @@ def _info_globals(shell: Shell, text: str) -> Answer:
 
 
 _FORMATS: Final = (
-    "FMT is a letter: x hexadecimal, d signed, u unsigned, o octal, t binary, c character,"
-    " f floating, s string, a address."
+    "FMT is a letter: x hexadecimal, d signed, u unsigned, o octal, t binary, c character, f"
+    " floating-point, s string, a address."
 )
 _CHANGES: Final = (
-    "Assignments and calls of functions change the program: from here on the run is another one."
+    "Assignments and function calls change the program; the run continues differently from here."
 )
 
 DATA: Final = Group(
     "data",
-    "Values of expressions, variables and memory.",
+    "Examining expressions, variables and memory.",
     (
         Command(
-            "print", "[/FMT] EXPRESSION", "Show the value of a C expression.", _print,
+            "print", "[/FMT] EXPRESSION", "Print the value of a C expression.", _print,
             ("p", "inspect"),
-            text="All operators, casts, macros and calls of the program's own functions. Beyond C:"
-            " a[2..5] and *p@4 are elements in a row, turn::count and 'map.c'::size variables of"
-            " other functions and files, $3 a value that was printed, $ the last one, $name = 7 one"
-            f" to be kept. {_FORMATS} {_CHANGES}",
+            text="All operators, casts, macros and calls of the program's functions are supported."
+            " Extensions: a[2..5] and *p@4 are ranges of elements, turn::count and 'map.c'::size"
+            " variables of other functions and files, $3 is a printed value, $ the last one, and"
+            f" $name = 7 sets a convenience variable. {_FORMATS} {_CHANGES}",
             completes="expression",
         ),
         Command(
-            "call", "EXPRESSION", "Evaluate a C expression, and show its value if it has one.",
+            "call", "EXPRESSION", "Evaluate a C expression, and print its value unless it is void.",
             _call, text=_CHANGES, completes="expression",
         ),
         Command(
-            "set", "[var] VARIABLE = EXPRESSION", "Change a variable, or memory.", _set,
+            "set", "[var] VARIABLE = EXPRESSION", "Assign to a variable or memory.", _set,
             text=_CHANGES, completes="expression",
         ),
         Command(
-            "display", "[/FMT] [EXPRESSION]", "Show a value now and at every stop.", _display,
-            text=f"Where it means nothing it is left out. {_FORMATS}",
+            "display", "[/FMT] [EXPRESSION]", "Print an expression now and at every stop.",
+            _display,
+            text=f"Expressions that cannot be evaluated are omitted. {_FORMATS}",
             completes="expression",
         ),
         Command(
-            "undisplay", "[N...]", "Show these values no more; without a number, none.",
+            "undisplay", "[N...]", "Remove displays. Default: all.",
             _undisplay, completes="display",
         ),
-        Command("info display", "", "List what is shown at every stop.", _info_display),
+        Command("info display", "", "List the displays.", _info_display),
         Command(
-            "whatis", "EXPRESSION", "Tell the type of an expression.", _whatis,
+            "whatis", "EXPRESSION", "Print the type of an expression.", _whatis,
             completes="expression",
         ),
         Command(
-            "ptype", "EXPRESSION|TYPE", "Tell how a type is declared.", _ptype,
+            "ptype", "EXPRESSION|TYPE", "Print the definition of a type.", _ptype,
             completes="expression",
         ),
         Command(
-            "x", "[/NFU] [ADDRESS]", "Show memory.", _examine,
+            "x", "[/NFU] [ADDRESS]", "Examine memory.", _examine,
             text="N units, in format F, of U: b one byte, h two, w four, g eight. "
-            + _FORMATS + " ?? has no value yet, -- belongs to no object. Without an address, what"
-            " follows.",
+            + _FORMATS + " ?? marks uninitialised bytes, -- bytes that belong to no object."
+                         " Default: continue after the last address.",
             repeats="on", completes="expression",
         ),
         Command(
-            "info locals", "", "Show the variables of the function that is looked at.",
+            "info locals", "", "Print the local variables of the selected frame.",
             _info_locals, ("info lo",),
         ),
-        Command("info args", "", "Show its arguments.", _info_args),
+        Command("info args", "", "Print the arguments of the selected frame.", _info_args),
         Command(
-            "info globals", "[TEXT]", "Show the global variables with TEXT in their names.",
+            "info globals", "[TEXT]", "Print the global variables whose names contain TEXT.",
             _info_globals, ("info variables",), completes="expression",
         ),
     ),

@@ -18,7 +18,7 @@ def _change(shell: Shell, text: str, *, name: str) -> Answer:
 
 CHANGES: Final = Group(
     "changes",
-    "Changes of the world, which let the run go on as another one.",
+    "Changing the world; the run continues differently from there.",
     tuple(
         Command(
             name, each.syntax, each.summary, partial(_change, name=name),

@@ -104,88 +104,86 @@ def _when(shell: Shell, text: str) -> Answer:
     yield when_text(shell.debugger)
 
 
-_BACKWARD_TEXT: Final = (
-    "Programs and world go back together: what was there is there again, to the byte."
-)
+_BACKWARD_TEXT: Final = "Programs and world go back together, to exactly the same state."
 
 MOVING: Final = Group(
     "moving",
-    "Going forward and backward through the run.",
+    "Running forward and in reverse.",
     (
         Command(
             "start", "", "Go to the first statement of the first program.", _start,
-            text="Breakpoints stay. What was done after an earlier moment is forgotten only when"
-            " something is changed there.",
+            text="Breakpoints are kept. Later history is discarded only when you change something.",
         ),
-        Command("run", "", "Go to the beginning, then on to the first breakpoint.", _run, ("r",)),
+        Command("run", "", "Go to the start, then run to the first breakpoint.", _run, ("r",)),
         Command(
-            "continue", "[N]", "Go on to the next breakpoint, watchpoint or catchpoint.",
+            "continue", "[N]", "Run to the next breakpoint, watchpoint or catchpoint.",
             _continue, ("c", "fg"),
-            text="With N, pass the breakpoint at which the program stands N - 1 times. Ctrl-C"
-            " stops.",
+            text="With N, ignore the current breakpoint N - 1 times. Ctrl-C interrupts.",
             repeats="on",
         ),
         Command(
-            "step", "[N]", "Go to the next line, into functions that it calls.", _step, ("s",),
-            text="With N, N times. Functions of the C library count as one line.",
+            "step", "[N]", "Step to the next line, into called functions.", _step, ("s",),
+            text="With N, repeat N times. C library functions count as one line.",
             repeats="same",
         ),
         Command(
-            "next", "[N]", "Go to the next line of this function, over those that it calls.",
+            "next", "[N]", "Step to the next line of this function, over called functions.",
             _next, ("n",), repeats="same",
         ),
         Command(
-            "stepi", "[N]", "Go to the next statement, in the same line or another.",
+            "stepi", "[N]", "Step to the next statement, in the same line or another.",
             _stepi, ("si",), repeats="same",
         ),
         Command(
-            "finish", "", "Go on until this function has returned.", _finish, ("fin",),
+            "finish", "", "Run until this function returns.", _finish, ("fin",),
             repeats="same",
         ),
         Command(
-            "until", "[PLACE]", "Go to the next line, but out of loops instead of round again.",
+            "until", "[PLACE]", "Step to the next line, without going back to the start of a loop.",
             _until, ("u",),
-            text='With a place, the same as "advance".',
+            text="With PLACE, the same as \"advance\".",
             repeats="same", completes="place",
         ),
         Command(
-            "advance", "PLACE", "Go on to a line or a function, as if a breakpoint were there.",
+            "advance", "PLACE", "Run to a line or a function, as if it had a breakpoint.",
             _advance, completes="place",
         ),
         Command(
-            "tick", "[N]", "Go on to the beginning of the next timestep of the world.", _tick,
+            "tick", "[N]", "Run to the start of the next timestep of the world.", _tick,
             repeats="same",
         ),
         Command(
-            "reverse-continue", "", "Go back to the breakpoint, watchpoint or catchpoint before.",
+            "reverse-continue", "", "Run in reverse to the previous breakpoint, watchpoint or"
+                                    " catchpoint.",
             _reverse_continue, ("rc", "rewind"), text=_BACKWARD_TEXT, repeats="on",
         ),
         Command(
-            "reverse-step", "[N]", "Go back to the line before, into functions that were called.",
+            "reverse-step", "[N]", "Step back to the previous line, into called functions.",
             partial(_step, backward=True), ("rs",), text=_BACKWARD_TEXT, repeats="same",
         ),
         Command(
-            "reverse-next", "[N]", "Go back to the line before of this function.",
+            "reverse-next", "[N]", "Step back to the previous line of this function.",
             partial(_next, backward=True), ("rn",), repeats="same",
         ),
         Command(
-            "reverse-stepi", "[N]", "Go back by a statement.",
+            "reverse-stepi", "[N]", "Step back by one statement.",
             partial(_stepi, backward=True), ("rsi",), repeats="same",
         ),
         Command(
-            "reverse-finish", "", "Go back to where this function was called.",
+            "reverse-finish", "", "Run in reverse to the call of this function.",
             partial(_finish, backward=True), repeats="same",
         ),
         Command(
-            "reverse-tick", "[N]", "Go back to the beginning of the timestep before.",
+            "reverse-tick", "[N]", "Run in reverse to the start of the previous timestep.",
             partial(_tick, backward=True), ("rt",), repeats="same",
         ),
         Command(
-            "goto", "TIME|tick N|stmt N|start", "Go to an instant, forward or backward.", _goto,
-            text="TIME is in seconds, such as 12.3; tick N the beginning of timestep N; stmt N"
-            ' before statement N of the robot\'s program, as "when" tells. Breakpoints on the way'
-            " do not stop it.",
+            "goto", "TIME|tick N|stmt N|start", "Go to a position in the run, forward or in"
+                                                " reverse.", _goto,
+            text="TIME is in seconds, such as 12.3; tick N is the start of timestep N; stmt N is"
+                 " the position before statement N of the robot's program, as printed by \"when\"."
+                 " Breakpoints are ignored.",
         ),
-        Command("when", "", "Tell the instant: time, timestep, statement.", _when),
+        Command("when", "", "Print the position: time, timestep, statement.", _when),
     ),
 )  # fmt: skip

@@ -121,18 +121,20 @@ def _echo(_shell: Shell, text: str) -> Answer:
 
 SCRIPTS: Final = Group(
     "scripts",
-    "Commands from files.",
+    "Executing commands from files.",
     (
         Command(
-            "source", "FILE", "Do the commands in a file.", _source,
-            text="A command that fails does not keep the next ones from being done.",
+            "source", "FILE", "Execute the commands in a file.", _source,
+            text="A failed command does not end the script.",
             completes="file",
         ),
         Command(
-            "save breakpoints", "FILE.dbg", "Write the breakpoints to a file for source.",
-            _save_breakpoints, text="No file is overwritten but one with saved breakpoints.",
+            "save breakpoints", "FILE.dbg", "Save the breakpoints to a file that \"source\" can"
+                                            " read.",
+            _save_breakpoints, text="Existing files are overwritten only if they contain saved"
+                                    " breakpoints.",
             completes="file",
         ),
-        Command("echo", "TEXT", "Show a text."  , _echo),
+        Command("echo", "TEXT", "Print a text."  , _echo),
     ),
 )  # fmt: skip

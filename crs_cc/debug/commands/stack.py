@@ -223,41 +223,41 @@ def _info_source(shell: Shell, text: str) -> Answer:
 
 
 _LIST_TEXT: Final = (
-    "Ten lines around the place, or from FIRST to LAST. Without a place those around where the"
-    ' program stands, then those that follow; "list -" shows those before.'
+    "Ten lines around PLACE, or from FIRST to LAST. Default: around the current line, then the"
+    ' lines that follow; "list -" shows the lines before.'
 )
 
 STACK: Final = Group(
     "stack",
-    "Active functions, and lines of C.",
+    "Examining the call stack and the source.",
     (
         Command(
-            "backtrace", "[N]", "Show the active functions, the innermost first.", _backtrace,
-            ("bt", "where"), text="With N, the innermost N.",
+            "backtrace", "[N]", "Print the call stack, innermost frame first.", _backtrace,
+            ("bt", "where"), text="With N, only the innermost N frames.",
         ),
         Command(
-            "frame", "[N]", "Look at active function N, or say which one it is.", _frame, ("f",),
-            text="Expressions and lists are about the function that is looked at.",
+            "frame", "[N]", "Select a stack frame, or print the selected one.", _frame, ("f",),
+            text="Expressions and listings refer to the selected frame.",
         ),
-        Command("up", "[N]", "Look at the function that called this one.", _up, repeats="same"),
+        Command("up", "[N]", "Select the frame of the caller.", _up, repeats="same"),
         Command(
-            "down", "[N]", "Look at the function that this one has called.", _down,
+            "down", "[N]", "Select the frame of the called function.", _down,
             repeats="same",
         ),
-        Command("info frame", "", "Tell about the function that is looked at.", _info_frame,
+        Command("info frame", "", "Print details of the selected frame.", _info_frame,
                 ("info f",)),
         Command(
-            "list", "[PLACE|FIRST,LAST|-]", "Show lines of C.", _list, ("l",), text=_LIST_TEXT,
+            "list", "[PLACE|FIRST,LAST|-]", "List source lines.", _list, ("l",), text=_LIST_TEXT,
             repeats="on", completes="place",
         ),
         Command(
-            "info line", "PLACE", "Tell where a line or a function is.", _info_line,
+            "info line", "PLACE", "Print the location of a line or a function.", _info_line,
             completes="place",
         ),
         Command(
-            "info functions", "[TEXT]", "List the functions with TEXT in their names.",
+            "info functions", "[TEXT]", "List the functions whose names contain TEXT.",
             _info_functions, completes="place",
         ),
-        Command("info source", "", "List the files of the program.", _info_source),
+        Command("info source", "", "List the source files of the program.", _info_source),
     ),
 )  # fmt: skip

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 _WIDTH: Final = 79
 
 _INTRODUCTION: Final = """\
-Commands can be shortened as long as it is clear which one is meant; an empty line
-does the last one again if it moves the run or lists something. For more:
+Commands can be abbreviated to any unambiguous prefix. An empty line repeats the
+last command if it resumes the run or lists something. For details, type:
 help GROUP, help COMMAND, help all, apropos WORD.
 """
 
@@ -95,14 +95,16 @@ _SHELL: Final = (
 
 WORDS: Final = Group(
     "words",
-    "Help, and the end.",
+    "Getting help and quitting.",
     (
-        Command("help", "[GROUP|COMMAND|all]", "Tell what commands do.", _help, ("h",),
+        Command("help", "[GROUP|COMMAND|all]", "Describe commands.", _help, ("h",),
                 completes="command"),
-        Command("apropos", "WORD", "List the commands that say a word about themselves.", _apropos),
-        Command("quit", "", "End the debugger.", _quit, ("q", "exit")),
-        Command("jump", "PLACE", "Refused: says why, and what to do instead.",
+        Command("apropos", "WORD", "List the commands whose description contains a word.",
+                _apropos),
+        Command("quit", "", "Quit the debugger.", _quit, ("q", "exit")),
+        Command("jump", "PLACE", "Not supported; prints the reason and alternatives.",
                 partial(_refuse, reason=_JUMP), ("j",)),
-        Command("shell", "COMMAND", "Refused: says why.", partial(_refuse, reason=_SHELL), ("!",)),
+        Command("shell", "COMMAND", "Not supported; prints the reason.",
+                partial(_refuse, reason=_SHELL), ("!",)),
     ),
 )  # fmt: skip

@@ -100,37 +100,39 @@ def _output(shell: Shell, text: str) -> Answer:
 
 WORLD: Final = Group(
     "world",
-    "Robots, and the world around them.",
+    "Examining robots and the world.",
     (
         Command(
-            "robots", "", "List the robots: what they do, and where.", _robots,
+            "robots", "", "List the robots with their status and position.", _robots,
             ("info robots", "info threads"),
         ),
         Command(
-            "robot", "[NAME]", "Look at another robot's program, or say which one it is.", _robot,
+            "robot", "[NAME]", "Select a robot, or print the selected one.", _robot,
             ("thread", "t"),
-            text="A robot is named as in the world, or by its number.",
+            text="NAME is the robot's name in the world, or its number.",
             completes="robot",
         ),
         Command(
-            "info robot", "[NAME]", "Tell about a robot: its pose, its sensors, its command.",
+            "info robot", "[NAME]", "Print details of a robot: pose, sensors, current command.",
             _info_robot, completes="robot",
         ),
         Command(
             "info state", "[NAME]",
-            "Show what a robot's program has in State[], by names and in units.",
+            "Print State[] of a robot's program, with names and units.",
             _info_state, ("info State",), completes="robot",
         ),
-        Command("info world", "", "Tell about the world: its time, and what is in it.",
+        Command("info world", "", "Print details of the world: its time and contents.",
                 _info_world),
         Command(
-            "map", "[NAME [METRES]]", "Draw the world, or what is around a robot.", _map,
-            text="Around a robot, what its sonars heard last is drawn too; METRES is how much is"
-            " seen, from the top to the bottom.",
+            "map", "[NAME [METRES]]", "Draw a map of the world, or of a robot's surroundings.",
+            _map,
+            text="A map around a robot includes its latest sonar readings; METRES is the height of"
+            " the visible part.",
             completes="robot",
         ),
         Command(
-            "output", "[ROBOT] [LINES]", "Show what the programs have written up to here.",
+            "output", "[ROBOT] [LINES]", "Print the output of the programs up to the current"
+                                         " position.",
             _output, completes="robot",
         ),
     ),

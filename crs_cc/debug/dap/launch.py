@@ -45,13 +45,15 @@ ATTRIBUTES: Final = (
     Attribute(
         "program",
         "array",
-        "The C file, or several that make one program. It can be left out where the world names "
-        "a program for each robot.",
+        "The C file, or several files of one program. Optional if the world names a program for"
+        " each robot.",
     ),
-    Attribute("world", "string", "The world file; an empty world by default."),
-    Attribute("args", "array", "What the program's `main` finds behind `argv[0]`."),
+    Attribute("world", "string", "The world file. Default: an empty world."),
+    Attribute("args", "array", "Arguments of the program, after `argv[0]`."),
     Attribute(
-        "cwd", "string", "The folder in which files are looked for; by default where `crs` runs."
+        "cwd",
+        "string",
+        "The directory that file names are relative to. Default: the working directory of `crs`.",
     ),
     Attribute(
         "stopOnEntry", "boolean", "Stop before the first statement of the program.", default=False
@@ -59,24 +61,26 @@ ATTRIBUTES: Final = (
     Attribute(
         "stopAtEnd",
         "boolean",
-        "Stop when all programs have ended, so that one can step back; to continue then ends the "
-        "session.",
+        "Stop when all programs have ended, so that you can step back; continuing then ends the"
+        " session.",
         default=True,
     ),
-    Attribute("seed", "integer", "Start of all random numbers; by default the world's.", "--seed"),
-    Attribute("robot", "string", "The kind of robot where the world says none.", "--robot"),
+    Attribute("seed", "integer", "Random seed. Default: that of the world.", "--seed"),
+    Attribute(
+        "robot", "string", "The robot definition, where the world does not name one.", "--robot"
+    ),
     Attribute("setup", "string", "The setup of all robots, such as `noisy`.", "--setup"),
     Attribute(
         "link",
         "string",
-        "Let commands take their time on the line to the robot, or next to none.",
+        "Simulate the delay of the link to the robot (serial), or none (ideal).",
         "--link",
         choices=("serial", "ideal"),
     ),
     Attribute(
         "client",
         "string",
-        "Behave like the vendor's library for the simulator, or for the robot itself.",
+        "The vendor's library to imitate: for its simulator, or for the robot itself.",
         "--client",
         choices=("nclient", "ndirect"),
     ),
@@ -86,29 +90,29 @@ ATTRIBUTES: Final = (
         "Files that the programs can read, each as `FILE` or `NAME=FILE`.",
         "--file",
     ),
-    Attribute("input", "string", "The file that the programs read as standard input.", "--input"),
-    Attribute("include", "array", "Folders in which `#include` looks.", "--include"),
-    Attribute("define", "array", "Macros, each as `NAME` or `NAME=VALUE`.", "--define"),
-    Attribute("undefine", "array", "Macros that are not to be defined.", "--undefine"),
-    Attribute("standard", "string", "The C that the program is written in, as `gnu17`.", "-std"),
+    Attribute("input", "string", "The standard input of the programs.", "--input"),
+    Attribute("include", "array", "Directories searched by `#include`.", "--include"),
+    Attribute("define", "array", "Macro definitions, each as `NAME` or `NAME=VALUE`.", "--define"),
+    Attribute("undefine", "array", "Macros to undefine.", "--undefine"),
+    Attribute("standard", "string", "The C standard, such as `gnu17`.", "-std"),
     Attribute(
         "dialect",
         "string",
-        "Whose functions the program calls.",
+        "The dialect of the program.",
         "--dialect",
         choices=("nomad", "report"),
     ),
     Attribute(
         "unchecked",
         "boolean",
-        "Leave out the checks of memory accesses.",
+        "Disable the checks of memory accesses.",
         "--unchecked",
         default=False,
     ),
     Attribute(
         "trapOverflow",
         "boolean",
-        "Stop a program whose signed arithmetic overflows.",
+        "Stop a program on signed overflow.",
         "--trap-overflow",
         default=False,
     ),

@@ -303,48 +303,52 @@ def _way_text(way: dict[str, str]) -> str:
 EDITS: Final = {
     "move": Edit(
         "NAME to X Y [HEADING]",
-        "Carry a robot, or what can be pushed, to a free place.",
-        "It is done as by hand: a robot's odometry does not hear of it, its motors go on, and what"
-        " it holds stays behind. X and Y are in metres, HEADING in degrees, counter-clockwise from"
-        " x; all may have units.",
+        "Move a robot or a movable object to a free place.",
+        "Like moving it by hand: odometry does not register it, the motors continue, and a held"
+        " object stays behind. X and Y are in metres, HEADING in degrees, counter-clockwise from"
+        " x; all accept units.",
         _move,
     ),
     "turn": Edit(
-        "NAME to HEADING", "Turn a robot, or what can be pushed, on the spot.", "As by hand.", _turn
+        "NAME to HEADING",
+        "Turn a robot or a movable object in place.",
+        "Like turning it by hand.",
+        _turn,
     ),
     "remove": Edit(
         "NAME",
-        "Take a thing, or a robot, out of the world.",
-        "A thing is gone at once; a robot leaves at the end of the timestep, and its program ends.",
+        "Remove an object or a robot from the world.",
+        "An object is removed immediately; a robot leaves at the end of the timestep, and its"
+        " program ends.",
         _remove,
     ),
     "degrade": Edit(
         "ROBOT DEVICE[.ELEMENT] FAULT...",
-        "Let a device of a robot be wrong: degrade robot0 sonar.3 dead.",
+        "Degrade a device of a robot: degrade robot0 sonar.3 dead.",
         "Faults and units are those of world files: dead, stuck [VALUE], bias VALUE, gain VALUE,"
-        " noise VALUE, step VALUE, delay TIME, dropouts SHARE; when: onset TIME, for TIME, recovery"
-        " TIME.",
+        " noise VALUE, step VALUE, delay TIME, dropouts FRACTION; timing: onset TIME, for TIME,"
+        " recovery TIME.",
         _degrade,
     ),
     "heal": Edit(
         "ROBOT [DEVICE[.ELEMENT]]",
-        "Take away what is wrong with a robot, or with one of its devices.",
-        "Or one degradation, by its name.",
+        "Remove the degradations of a robot, or of one of its devices.",
+        "Or a single degradation, by its name.",
         _heal,
     ),
     "charge": Edit(
-        "ROBOT PERCENT", "Let so much be left in the battery of a robot's motors.", "", _charge
+        "ROBOT PERCENT", "Set the state of charge of a robot's motor battery.", "", _charge
     ),
-    "heat": Edit("NAME HEAT", "Let a robot or a thing be so hot.", "", _heat),
+    "heat": Edit("NAME HEAT", "Set the heat of a robot or an object.", "", _heat),
     "shut": Edit(
         "[CHANNEL] [from ROBOT] [to ROBOT]",
-        "Let no messages pass that begin there from now on.",
-        "shut all is every way.",
+        "Start an outage: no messages are transmitted there from now on.",
+        '"shut all" affects all channels and robots.',
         _shut,
     ),
     "open": Edit(
         "[CHANNEL] [from ROBOT] [to ROBOT]",
-        "Open a way of messages that was shut in the same words.",
+        "End an outage started with the same arguments.",
         "",
         _open,
     ),

@@ -34,16 +34,16 @@ if TYPE_CHECKING:
 
 KINDS: Final = {
     "tick": "a timestep ended",
-    "collision": "a robot began to touch something",
+    "collision": "a robot made contact with an object",
     "bumper": "a switch of a robot's bumper was pressed or released",
     "bumper-pressed": "a switch was pressed",
     "bumper-released": "a switch was released",
-    "message": "a message was sent, arrived or got lost; a way of messages was shut or opened",
+    "message": "a message was sent, arrived or was lost; an outage began or ended",
     "message-sent": "a program sent a message",
-    "message-arrived": "a message came into an inbox, as it was sent",
-    "message-corrupted": "a message came into an inbox with other bytes than were sent",
-    "message-lost": "a message never came into an inbox",
-    "message-way": "a way of messages was shut or opened",
+    "message-arrived": "a message arrived in an inbox, unchanged",
+    "message-corrupted": "a message arrived in an inbox, corrupted",
+    "message-lost": "a message did not arrive in an inbox",
+    "message-way": "an outage began or ended",
     **{kind: text for kind, text in events.KINDS.items() if kind != "message"},
 }
 """The kinds of happenings, and what each means; the names of catchpoints."""

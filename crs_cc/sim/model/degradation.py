@@ -177,79 +177,80 @@ _OTHERS: Final = {
     device.name: device
     for device in (
         Degradable(
-            "sonar", "a sonar's distance", LENGTH,
+            "sonar", "distance measured by a sonar", LENGTH,
             lambda model: _at([sonar.id for sonar in model.sonars]), MAX_SONARS, "no echo",
         ),
         Degradable(
-            "bumper", "a switch, by its bit: 1 when pressed, else 0; pressed from 0.5 on",
+            "bumper", "state of a switch, by its bit: 1 if pressed, else 0; pressed from 0.5 on",
             RATIO, lambda model: _at([switch.bit for switch in model.bumpers]), _SWITCHES,
             "not pressed",
         ),
         Degradable(
-            "infrared", "an infrared sensor's distance", LENGTH,
+            "infrared", "distance measured by an infrared sensor", LENGTH,
             lambda model: _numbered(MAX_INFRARED if model.infrared else 0), MAX_INFRARED,
-            "nothing seen, 15",
+            "nothing in range, 15",
         ),
         Degradable(
-            "compass", "the direction", ANGLE, _single(lambda model: model.compass), 1,
-            "the reading stays",
+            "compass", "direction", ANGLE, _single(lambda model: model.compass), 1,
+            "the reading does not change",
         ),
         Degradable(
-            "laser", "the distance of a point, from the right to the left", LENGTH,
+            "laser", "distance of a point, from right to left", LENGTH,
             lambda model: _numbered(model.laser.points if model.laser else 0), NUM_LASER,
             "no point",
         ),
         Degradable(
-            "camera", "how far away is what a column shows, from the left to the right", LENGTH,
+            "camera", "range of a column, from left to right", LENGTH,
             lambda model: _numbered(model.camera.columns if model.camera else 0), MAX_COLUMNS,
-            "nothing is seen",
+            "background colour",
         ),
         Degradable(
-            "heat", "the heat around", HEAT, _single(lambda model: model.heat.range_m), 1, "0",
+            "heat", "heat", HEAT, _single(lambda model: model.heat.range_m), 1, "0",
         ),
         Degradable(
-            "odometry", "how fast the encoder of an axis counts", SPEED, _axes, AXES,
-            "counts nothing",
+            "odometry", "speed of an axis as counted by its encoder", SPEED, _axes, AXES,
+            "does not count",
         ),
         Degradable(
-            "battery", "the voltage", VOLTAGE,
+            "battery", "voltage", VOLTAGE,
             _single(_always, "computers", "motors"), 2, "the lowest voltage",
         ),
         Degradable(
-            "drive", "how fast the motor of an axis turns it", SPEED, _axes, AXES, "stands",
+            "drive", "speed at which a motor turns its axis", SPEED, _axes, AXES, "stops",
             acts=True,
         ),
         Degradable(
-            "wheels", "how fast an axis moves the robot", SPEED, _axes, AXES, "slips on the spot",
-            acts=True,
+            "wheels", "speed at which an axis moves the robot", SPEED, _axes, AXES,
+            "slips in place", acts=True,
         ),
         Degradable(
-            "tag", "how far heat is taken away", LENGTH,
-            _single(lambda model: model.heat.tag_range_m), 1, "takes nothing", acts=True,
+            "tag", "range of tagging", LENGTH,
+            _single(lambda model: model.heat.tag_range_m), 1, "no effect", acts=True,
         ),
         Degradable(
-            "gripper", "what the gripper is told: 1 to close, from 0.5 on, else to open", RATIO,
-            _single(lambda model: model.gripper), 1, "not told", acts=True,
+            "gripper", "command of the gripper: 1 to close, from 0.5 on, otherwise to open", RATIO,
+            _single(lambda model: model.gripper), 1, "command not received", acts=True,
         ),
         Degradable(
-            "arm", "the angle to which a joint is told to turn", ANGLE,
-            _single(lambda model: model.arm, "shoulder", "elbow"), 2, "not told", acts=True,
+            "arm", "commanded angle of a joint", ANGLE,
+            _single(lambda model: model.arm, "shoulder", "elbow"), 2,
+            "command not received", acts=True,
         ),
         Degradable(
-            "light", "what a light sensor reads", BRIGHTNESS,
+            "light", "reading of a light sensor", BRIGHTNESS,
             lambda model: _numbered(model.light_sensors.number if model.light_sensors else 0),
             MAX_LIGHT_SENSORS, "0",
         ),
         Degradable(
-            "sound", "how loud a tone is heard", LOUDNESS,
+            "sound", "level of a tone", LOUDNESS,
             lambda model: _numbered(TONES if model.microphones else 0), TONES, "0",
         ),
         Degradable(
-            "lamp", "how bright it is told to shine", BRIGHTNESS,
+            "lamp", "commanded brightness", BRIGHTNESS,
             _single(lambda model: model.brightest), 1, "0", acts=True,
         ),
         Degradable(
-            "speaker", "how loud it is told to sound", LOUDNESS,
+            "speaker", "commanded level", LOUDNESS,
             _single(lambda model: model.loudest), 1, "0", acts=True,
         ),
     )
@@ -266,7 +267,7 @@ def degradables() -> Mapping[str, Degradable]:
 def _sensor(device: Device) -> Degradable:
     names = [value.name for value in device.values]
     elements = _single(lambda model: model.device(device.name) is not None, *names)
-    title = device.does.removeprefix("reads ")
+    title = ", ".join(names)
     return Degradable(device.name, title, device.kind, elements, len(names), device.nothing)
 
 

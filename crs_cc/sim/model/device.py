@@ -81,7 +81,7 @@ def attribute(
 
 def rate(default: str) -> Any:
     """Return the field `rate_hz` that every sensor has: how often it measures at most [Hz]."""
-    return attribute("rate", FREQUENCY, default, "How often it measures at most.", positive=True)
+    return attribute("rate", FREQUENCY, default, "Maximum measurement rate.", positive=True)
 
 
 def period() -> Any:
@@ -125,7 +125,7 @@ class Device:
         title: what the docs call it, such as `Inclinometer`.
         element: its element in robot definitions.
         summary: what it is, for the schema: one sentence, before what reads it.
-        does: what its C function does, for the docs of `crs.h`: `reads ...`.
+        does: what its C function does, for the docs of `crs.h`: `measures ...`.
         model: the dataclass of its constants, whose fields are made by `attribute`, `rate` and
             `period`; it has `rate_hz` and `period_s`, and may have a standard deviation `noise`.
         values: what it measures.
@@ -147,7 +147,7 @@ class Device:
     values: tuple[Value, ...]
     kind: Kind
     measure: Measure
-    nothing: str = "no reading: refused"
+    nothing: str = "no reading: the request fails"
     source: str = ""
     number: int = -1
     code: int = -1

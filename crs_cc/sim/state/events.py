@@ -15,14 +15,14 @@ from dataclasses import dataclass
 from typing import Final
 
 KINDS: Final = {
-    "message": "one was sent, arrived or got lost; a way of messages was shut or opened",
+    "message": "one was sent, arrived or was lost; an outage began or ended",
     "degradation": "one was added, changed or removed; it began, began to fade or ended",
-    "join": "a robot joined, or had to wait because its place was taken",
+    "join": "a robot joined, or had to wait because its place was occupied",
     "leave": "a robot left",
     "fall": "the ground under a robot dropped away",
-    "grip": "a gripper or a hand took hold of a thing",
-    "release": "a gripper or a hand let go of a thing",
-    "lost": "a thing was torn from a gripper",
+    "grip": "a gripper or a hand took hold of an object",
+    "release": "a gripper or a hand released an object",
+    "lost": "an object was torn from a gripper",
 }
 """The kinds of events, and what they tell."""
 

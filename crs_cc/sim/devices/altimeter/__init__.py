@@ -1,12 +1,12 @@
-"""The altimeter: how high the ground under the robot is.
+"""The altimeter: height of the ground under the robot.
 
-    height = height of the ground under the robot's middle + normal deviates
+    height = height of the ground under the robot's centre + normal deviates
 
-above the ground of the world where nothing lies on it, as a barometric altimeter reads that was set
-there; to the nearest 0.1 inch. It measures when the program asks, at most at its rate, or by its
-timer; between two measurements it replies with the last one. A robot does not tip, so at a ledge
-the height is that of the ground where its middle is. Degradation (`altitude`): without a value the
-request is refused. All of it was chosen by us.
+above level ground, to the nearest 0.1 inch, as a barometric altimeter reads that was set there. It
+measures when the program requests it, at most at its rate, or on its timer; requests in between
+return the previous measurement. Robots do not tip over: at a ledge the height is that of the ground
+under the centre. Degradation (`altitude`): without a value requests fail. The model was chosen by
+us.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class Altimeter:
     """
 
     rate_hz: float = rate("20Hz")
-    noise_m: float = attribute("noise", LENGTH, "0m", "Standard deviation of the height's error.")
+    noise_m: float = attribute("noise", LENGTH, "0m", "Standard deviation of the height.")
     period_s: float = period()
 
 
@@ -52,8 +52,8 @@ DEVICE = Device(
     name="altitude",
     title="Altimeter",
     element="altimeter",
-    summary="An altimeter: how high the ground under the robot is",
-    does="reads how high the ground under the robot is",
+    summary="Measures the height of the ground under the robot",
+    does="measures the height of the ground under the robot",
     model=Altimeter,
     values=(Value("height", "height above level ground"),),
     kind=LENGTH,

@@ -1,22 +1,22 @@
 """The camera: a row of colours and ranges.
 
-    column n  = the first thing along direction n, within the range
+    column n  = the first object along direction n, within the range
     direction n = direction of the camera + ((columns - 1) / 2 - n) * field of view / columns
 
-Columns count from the left to the right, as in a picture. A column shows the colour of the thing's
-surface (`Material.colour` of the world file) and how far away it is from the camera, which a real
-one would have from a second lens; where nothing is in range it shows the camera's background.
-Light and shade count for nothing. A camera turns with the mount of its robot. It looks when
-the program asks, at most at its rate, or by its timer (`timers`); in between it tells what it saw
-last.
+Columns are numbered from left to right, as in a picture. A column has the colour of the object's
+surface (`Material.colour` of the world file) and its distance from the camera, for which a real one
+would need a second lens; a column without an object in range has the camera's background colour.
+Light and shadow have no effect. A camera turns with the mount of its robot. It takes a picture when
+the program requests one, at most at its rate, or on its timer (`timers`); requests in between
+return the previous picture.
 
-Blobs are runs of neighbouring columns of one colour, as a colour tracker finds them: two things of
-the same colour that touch in the picture are one blob, as far away as the nearer one.
+Blobs are runs of adjacent columns of one colour, as found by a colour tracker: two objects of the
+same colour that touch in the picture are one blob, at the distance of the nearer one.
 
-Degradation: a normal deviate is added to each range, with a spread that is the definition's noise
-at 1 m and grows with the square of the distance, as it does for two lenses; then comes that of the
-world (`camera`), of ranges: a column without one shows the background. All of it was chosen by us:
-the CRS report (6.2) wishes for such a device, and has no law for it.
+Noise: a normal deviate is added to each range; its standard deviation is the definition's noise at
+1 m and grows with the square of the distance, as for two lenses. Then degradation (`camera`)
+applies to the ranges: a column whose range is dropped has the background colour. The model was
+chosen by us: the CRS report (6.2) suggests such a device without specifying it.
 """
 
 from __future__ import annotations

@@ -2,17 +2,18 @@
 
     reading = direction of the mount + offset + (deviation * sin(direction) until it is calibrated)
 
-in 0.1 degree, 0 to 3599 (vendor header `Nclient.h` 1.29). Direction is that of the turret, or of a
-robot without one, in the world frame: counter-clockwise from the world's x axis, like all angles of
-the robot; a definition's offset says where north is instead. `conf_cp` switches it: while it is off
-the reading stays as it was, 0 at first. `conf_cp(2)` calibrates: the turret turns once around, as
-slowly as the definition says (about three minutes, vendor header), while the program goes on, which
-should wait and not move the turret; from then on the deviation, which iron on the robot causes, is
-taken out. On a robot without a turret nothing turns. All numbers but the format are ours.
+in 0.1 degree, 0 to 3599 (vendor header `Nclient.h` 1.29). The direction is that of the turret, or
+of a robot without one, in the world frame: counter-clockwise from the world's x axis, like all
+angles of the robot; the offset of a definition sets another north. `conf_cp` switches it on and
+off: while it is off, the reading does not change, initially 0. `conf_cp(2)` calibrates it: the
+turret makes one turn, as slowly as the definition specifies (about three minutes, vendor header).
+Meanwhile the program continues; it should wait and not move the turret. Then the deviation, which
+is caused by iron on the robot, is removed. On a robot without a turret nothing turns. All numbers
+except the format were chosen by us.
 
-It measures when a reply tells its reading, at most ten times a second (vendor header), or by its
-timer (`timers`). A normal deviate with the definition's noise is added. Degradation (`compass`):
-where nothing comes the reading stays as it was.
+It measures when a reply contains its reading, at most ten times a second (vendor header), or on its
+timer (`timers`). A normal deviate with the definition's noise is added. Degradation (`compass`): if
+a value is dropped, the reading does not change.
 """
 
 from __future__ import annotations

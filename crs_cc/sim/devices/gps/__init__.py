@@ -1,12 +1,11 @@
 """The GPS receiver.
 
-    reading = position of the robot's middle + normal deviates with the definition's noise
+    reading = position of the robot's centre + normal deviates with the definition's noise
 
-along x and y of the world frame, to the nearest 0.1 inch. It measures when the program asks, at
-most at its rate, or by its timer; between two measurements it replies with the last one.
-Degradation (`gps`): without x or y there is no fix, and the request is refused until the next
-measurement. All of it was chosen by us: the CRS report (6.2) wishes for such a device, and has no
-law for it.
+in x and y of the world frame, to the nearest 0.1 inch. It measures when the program requests it, at
+most at its rate, or on its timer; requests in between return the previous measurement. Degradation
+(`gps`): if x or y is dropped there is no fix, and requests fail until the next measurement. The
+model was chosen by us: the CRS report (6.2) suggests such a device without specifying it.
 """
 
 from __future__ import annotations
@@ -34,9 +33,7 @@ class Gps:
     """
 
     rate_hz: float = rate("1Hz")
-    noise_m: float = attribute(
-        "noise", LENGTH, "0m", "Standard deviation of the error along x and along y."
-    )
+    noise_m: float = attribute("noise", LENGTH, "0m", "Standard deviation in x and in y.")
     period_s: float = period()
 
 
@@ -49,13 +46,13 @@ DEVICE = Device(
     name="gps",
     title="GPS receiver",
     element="gps",
-    summary="A GPS receiver: where the robot is in the world",
-    does="reads where the robot is in the world",
+    summary="Measures the position of the robot in the world",
+    does="measures the position of the robot in the world",
     model=Gps,
     values=(Value("x", "x in the world"), Value("y", "y in the world")),
     kind=LENGTH,
     measure=measure,
-    nothing="no fix: refused",
+    nothing="no fix: the request fails",
     source=__file__,
     number=0,
     stream=5,

@@ -1,15 +1,14 @@
-"""The heat sensor of the CRS report: how much heat there is around the robot.
+"""The heat sensor of the CRS report: the total heat around the robot.
 
-    reading = round(sum over all other things within the range of heat * share(distance))
-    share(distance) = 1, or where the thing has a spread, max(0, 1 - distance / spread)
+    reading = round(sum over all other objects within the range of heat * share(distance))
+    share(distance) = 1, or if the object has a spread, max(0, 1 - distance / spread)
 
-A thing is within the range when its nearest point is, seen from the robot's middle, and that is its
-distance. Direction, and what stands between, count for nothing: the sensor is there "to find the
-density of objects with heat in an area" (report, 4.3.3). So a thing of heat 1 without a spread
-reads 1 wherever in the range it is; one with a spread can be found by going where it is warmer. The
-law was chosen by us, the report has none. Things are where they were at the start of the cycle. It
-measures when it is asked, or by its timer. Degradation (`heat`): nothing, or less
-than nothing, reads 0.
+The distance of an object is that of its nearest point from the robot's centre. Direction and
+obstacles have no effect: the purpose of the sensor is "to find the density of objects with heat in
+an area" (report, 4.3.3). So an object of heat 1 without a spread reads 1 anywhere in the range; one
+with a spread can be found by following the gradient. The formula was chosen by us, the report has
+none. Objects are at their positions at the start of the timestep. It measures on request, or on its
+timer. Degradation (`heat`): a dropped or negative value reads 0.
 """
 
 from __future__ import annotations

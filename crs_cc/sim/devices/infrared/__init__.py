@@ -1,24 +1,24 @@
-"""The infrared ring: sixteen sensors that tell how much of their own light comes back.
+"""The infrared ring: sixteen sensors that measure the reflection of their own light.
 
     seen    = distance / sqrt(reflectance)
     new     = min(seen / step, 15)
-    level   = share * level before + (1 - share) * new
+    level   = share * previous level + (1 - share) * new
     reading = round(level)
 
-The light that comes back grows with the surface's reflectance and falls with the square of its
-distance, so a surface that reflects a quarter looks as if it were twice as far away. 15 is the
-largest value of the four bits on the line (vendor source `Ndirect.c` 2.7), and what nothing reads.
-Programs take readings for inches (MissionLab's driver of the Nomad 200): that is the step of the
-definitions. `conf_ir` sets the share that stays, in tenths (vendor header `Nclient.h` 1.29), and
-which sensors measure; the others read 15. Sensor n of the ring looks 22.5 n degrees from ahead,
-counter-clockwise like the sonars. A beam is a cone (`rays`), and the nearest thing in it counts.
-Reflectance is that of its surface, or of one that says nothing, what the definition takes surfaces
-for. All other numbers are ours.
+The reflected light is proportional to the surface's reflectance and to the inverse square of its
+distance, so a surface that reflects a quarter appears twice as far away. 15 is the largest value of
+the four bits on the line (vendor source `Ndirect.c` 2.7), and the reading if nothing is in range.
+Programs interpret readings as inches (MissionLab's driver of the Nomad 200): this is the step of
+the definitions. `conf_ir` sets the share of the previous level, in tenths (vendor header
+`Nclient.h` 1.29), and which sensors measure; the others read 15. Sensor n of the ring points 22.5 n
+degrees counter-clockwise from the front, like the sonars. A beam is a cone (`rays`), and the
+nearest object in it is measured. The reflectance is that of its surface, or the default of the
+definition. All other numbers were chosen by us.
 
-The ring is on the turret. All of it measures when a reply tells its readings, at most as often as
-the definition says, or by its timer (`timers`). A normal deviate with the definition's noise is
-added to each distance. Degradation (`infrared`) is that of the distances; where nothing comes
-nothing is seen.
+The ring is on the turret. All sensors measure when a reply contains their readings, at most at the
+rate of the definition, or on their timer (`timers`). A normal deviate with the definition's noise
+is added to each distance. Degradation (`infrared`) applies to the distances; a dropped distance
+reads as nothing in range.
 """
 
 from __future__ import annotations

@@ -1,27 +1,27 @@
-"""The laser: a plane of light that a camera on the turret looks at.
+"""The laser: a plane of light observed by a camera on the turret.
 
     point n = distance along direction n from the sensor, for n from 0 to points - 1
     direction n = (n - (points - 1) / 2) * field of view / points       (0 for a single point)
 
-Directions count counter-clockwise, so from the right to the left, ahead of the turret; a direction
-in which nothing is within range gives no point. Points are told as x and y in 0.1 inch, ahead and
-left of the middle of the turret (vendor header `Nclient.h` 1.29; that the frame is the turret's,
-which carries the sensor, is ours). `conf_ls` asks for fewer points than the 482 of the vendor's
-array. Modes are the vendor's: bit 0 on, bit 1 points or else segments, and what the rest of its
-client (`Nclient.c` 2.7) takes for points, 19 and 51, and for segments, 1 and 33; the others tell
-pixels, which the vendor's simulator did not have, and are refused. Brightness and width of the line
-(`threshold`, `width`) mean nothing here.
+Directions are counter-clockwise, from right to left, centred on the front of the turret; a
+direction without an object in range has no point. Points are x and y in 0.1 inch, forward and left
+of the centre of the turret (vendor header `Nclient.h` 1.29; that the frame is that of the turret,
+which carries the sensor, was chosen by us). `conf_ls` can request fewer points than the 482 of the
+vendor's array. Modes are the vendor's: bit 0 on, bit 1 points instead of segments; the rest of its
+client (`Nclient.c` 2.7) accepts 19 and 51 for points, and 1 and 33 for segments. The other modes
+return pixels, which the vendor's simulator did not support, and are rejected. Brightness and width
+of the line (`threshold`, `width`) are ignored.
 
-Segments come from the points by split and merge (`segments`), with what `conf_sg` sets. `get_ls`
-tells points and `get_sg` segments whatever the mode is; states tell what the mode says, unless the
-mask leaves the laser out. A laser that is off tells nothing. What was told is kept for the pages
-(LASER_PAGE) that the client asks for.
+Segments are computed from the points by split and merge (`segments`), with the parameters of
+`conf_sg`. `get_ls` returns points and `get_sg` segments in every mode; states contain what the mode
+selects, unless the mask excludes the laser. A laser that is off returns nothing. The returned
+readings are kept for the pages (LASER_PAGE) that the client requests.
 
-It looks when a reply tells of it, at most thirty times a second (vendor header), or by its timer
-(`timers`). Noise: a normal deviate with a spread that is the definition's noise at 1 m and grows
-with the square of the distance, as it does for triangulation, is added to each distance; averaging
-p pixels divides it by sqrt(p). Degradation (`laser`) is that of the distances; where nothing comes
-there is no point.
+It measures when a reply contains its readings, at most thirty times a second (vendor header), or on
+its timer (`timers`). Noise: a normal deviate is added to each distance; its standard deviation is
+the definition's noise at 1 m and grows with the square of the distance, as for triangulation;
+averaging p pixels divides it by sqrt(p). Degradation (`laser`) applies to the distances; a dropped
+distance has no point.
 """
 
 from __future__ import annotations

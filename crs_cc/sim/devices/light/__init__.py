@@ -1,15 +1,14 @@
-"""Light sensors: a ring of them, and how much light each gets from where it looks.
+"""Light sensors: a ring of sensors, each with a direction.
 
-    reading = round(sum over all lights in sight of brightness / d^2 * max(0, cos a))
+    reading = round(sum over all visible lights of brightness / d^2 * max(0, cos a))
 
-d is the distance of a light from the middle of the robot [m], a the angle between the direction of
-the light and that in which the sensor looks: the inverse square law, and Lambert's cosine for a
-flat sensor ("Photometria", 1760). Walls, things and robots cast shadows, and nothing reflects
-light. A light nearer than 10 cm shines as from there. Lights stand in the world file, or are lamps
-of other robots (`crs_light`).
+d is the distance of a light from the robot's centre [m], a the angle between the direction of the
+light and that of the sensor: the inverse square law, and Lambert's cosine law for a flat sensor
+("Photometria", 1760). Walls, objects and robots cast shadows, and nothing reflects light. d is at
+least 10 cm. Lights are declared in the world file, or are lamps of other robots (`crs_light`).
 
-Sensors measure whenever the program asks, or by their timer, with things as they are at the start
-of the cycle; a normal deviate with the definition's share of the reading is added.
+Sensors measure on request, or on their timer, with objects at their positions at the start of the
+timestep; a normal deviate proportional to the reading, with the definition's noise, is added.
 """
 
 from __future__ import annotations

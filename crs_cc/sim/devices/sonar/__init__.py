@@ -1,31 +1,31 @@
-"""The sonar ring: which sonar fires when, and when its echo is heard.
+"""The sonar ring: which sonar fires when, and when its echo is reported.
 
-Sonars fire one after the other in the firing order and round again, whether anybody asks or not:
-firing n at
+Sonars fire in the firing order, cyclically, whether or not a program reads them. Firing n occurs at
 
     start + n * max(rate * 4 ms, least interval)
 
-to the exact multiple, wherever that falls in a timestep (`conf_sn`, vendor header `Nclient.h`
-1.29). `start` is the instant of `conf_sn`; the robot was switched on long before a run starts, so
-that a whole round in the definition's order has just been heard where it stands. A reading is as
-old as its turn: it is told from the instant on at which the echo comes,
+exactly, at any time within a timestep (`conf_sn`, vendor header `Nclient.h` 1.29). `start` is the
+time of `conf_sn`; at the start of a run the robot has already been on for a while, so that a
+complete cycle of the definition's order has just been measured at its initial position. A reading
+changes when the echo arrives,
 
     2 * distance / (speed of sound)
 
-after the firing, or the robot gives up: after the time of an echo from the end of the range, or
-when the next sonar fires, because one board serves them all. Until then the sonar tells what it
-told before. Chosen by us, because nothing is known of it:
+after the firing, or when the sonar stops listening: after the time of an echo from the end of the
+range, or when the next sonar fires, because all sonars share one board. Until then, the previous
+reading is reported. Chosen by us, because it is undocumented:
 
-- rates that leave less than the least interval mean the least interval; so does rate 0;
-- `conf_sn` gives up the ping in the air, and its first sonar fires at once;
-- a sonar that is not in the order tells 255, no echo; an order without any switches them all off.
+- rates that result in less than the least interval mean the least interval; so does rate 0;
+- `conf_sn` discards the pending ping, and its first sonar fires immediately;
+- a sonar that is not in the order reads 255, no echo; an empty order switches all of them off.
 
-A reading counts from the sensor, which sits on the shell, to the nearest thing that answers into
-the beam (`echoes`), in whole inches; 255 stands for no echo, as the reading is a byte on the line
-(vendor source `Ndirect.c` 2.7). The robot is where its wheels have taken it when the sonar fires;
-everything else, and a robot that something holds back, where it was at the start of the cycle.
-Errors: see `sonar_errors`. Degradation (`sonar`): what becomes of that is told when such an echo
-would come; one that would come too late is none.
+A reading is the distance from the sensor, which is on the shell, to the nearest object that returns
+an echo into the beam (`echoes`), in whole inches; 255 means no echo, as the reading is one byte on
+the line (vendor source `Ndirect.c` 2.7). The firing robot is at the position that its wheels have
+reached at the time of the firing; all other objects, and a robot that is blocked, are at their
+positions at the start of the timestep. Errors: see `sonar_errors`. Degradation (`sonar`): the
+degraded distance is reported when an echo from that distance would arrive; an echo that would
+arrive too late is no echo.
 """
 
 from __future__ import annotations

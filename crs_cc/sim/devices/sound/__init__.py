@@ -1,18 +1,18 @@
-"""Microphones: how loud each of eight tones is, and where the loudest comes from.
+"""Microphones: the level of each of eight tones, and the direction of the loudest.
 
-    level of a tone = round(sqrt(sum over all its sounds of (level / d * w)^2))
-    w = 1 for a sound in sight, 1/4 for one that goes around something
+    level of a tone = round(sqrt(sum over all its sources of (level / d * w)^2))
+    w = 1 for a source in the line of sight, 1/4 for one behind an obstacle
 
-d is the distance of a sound from the middle of the robot [m]: its pressure falls with the distance,
-as that of a ball that breathes, and sounds that have nothing to do with each other add their power.
-A quarter of the pressure is 12 dB less: ISO 9613-2, 7.4, has about 5 to 20 dB for one edge in the
-way, and we take the middle for everything. The direction is that of the sum of all sounds of the
-loudest tone, each an arrow as long as its power; also of those that come around something, as if
-there were nothing. A sound nearer than 10 cm sounds as from there. Sounds stand in the world file,
-or are those of other robots (`crs_sound`).
+d is the distance of a source from the robot's centre [m]: the pressure is inversely proportional to
+the distance, as for a pulsating sphere, and the powers of incoherent sources add. A quarter of the
+pressure is 12 dB less: ISO 9613-2, 7.4, has about 5 to 20 dB for diffraction at one edge, and we
+use the middle for all obstacles. The direction is that of the vector sum over all sources of the
+loudest tone, each weighted by its power, including sources behind obstacles, as if there were none.
+d is at least 10 cm. Sources are declared in the world file, or are speakers of other robots
+(`crs_sound`).
 
-Microphones measure whenever the program asks, or by their timer, with things as they are at the
-start of the cycle; a normal deviate with the definition's share of a level is added to it.
+Microphones measure on request, or on their timer, with objects at their positions at the start of
+the timestep; a normal deviate proportional to the level, with the definition's noise, is added.
 """
 
 from __future__ import annotations

@@ -1,13 +1,13 @@
-"""The inclinometer: how the robot is tilted.
+"""The inclinometer: pitch and roll of the robot.
 
-    pitch = atan(rise of the ground ahead) + noise      above 0 with the nose up
-    roll  = atan(rise of the ground to the left) + noise      above 0 with the left side up
+    pitch = atan(slope of the ground in forward direction) + noise    positive with the nose up
+    roll  = atan(slope of the ground to the left) + noise      positive with the left side up
 
-per metre, under the robot's middle, where ahead is where the mount points; to the nearest 0.1
-degree, with normal deviates. It measures when the program asks, at most at its rate, or by its
-timer; between two measurements it replies with the last one. On level ground both are 0, also at a
-ledge: robots do not tip. Acceleration and bumps, which disturb real ones, have no effect. All of it
-was chosen by us.
+under the robot's centre, where forward is the direction of the mount; to the nearest 0.1 degree,
+with normal deviates. It measures when the program requests it, at most at its rate, or on its
+timer; requests in between return the previous measurement. On level ground both are 0, also at a
+ledge: robots do not tip over. Acceleration and bumps, which disturb real inclinometers, have no
+effect. The model was chosen by us.
 """
 
 from __future__ import annotations
@@ -37,9 +37,7 @@ class Inclinometer:
     """
 
     rate_hz: float = rate("20Hz")
-    noise_rad: float = attribute(
-        "noise", ANGLE, "0deg", "Standard deviation of the error of pitch and of roll."
-    )
+    noise_rad: float = attribute("noise", ANGLE, "0deg", "Standard deviation of pitch and of roll.")
     period_s: float = period()
 
 
@@ -59,10 +57,13 @@ DEVICE = Device(
     name="tilt",
     title="Inclinometer",
     element="inclinometer",
-    summary="An inclinometer: how the robot is tilted",
-    does="reads how the robot is tilted",
+    summary="Measures pitch and roll of the robot",
+    does="measures pitch and roll",
     model=Inclinometer,
-    values=(Value("pitch", "pitch, nose up"), Value("roll", "roll, left side up")),
+    values=(
+        Value("pitch", "pitch, positive with the nose up"),
+        Value("roll", "roll, positive with the left side up"),
+    ),
     kind=ANGLE,
     measure=measure,
     source=__file__,

@@ -1,4 +1,4 @@
-/* There is one thread. */
+/* Threads are not supported. */
 #include <threads.h> // error: header 'threads.h' is not found
 
 int main(void)

@@ -1,4 +1,4 @@
-/* What GNU C allows has its limits, and some of C is left out. */
+/* Invalid uses of GNU extensions, and unsupported parts of C. */
 struct flexible { int n; short v[]; };
 union number { int i; double d; };
 

@@ -1,4 +1,4 @@
-/* Where a length must be constant, and jumps past a declaration that computes one. */
+/* Lengths that must be constant, and jumps past the declaration of a variable length array. */
 static int n = 3;
 int global[n]; // error: array length is not constant, but outside of functions
 extern char text[2][n]; // error: array length is not constant

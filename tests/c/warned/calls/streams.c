@@ -1,4 +1,4 @@
-/* Streams and formats that are missing, or at the wrong end. */
+/* Missing or misplaced stream and format arguments. */
 #include <stdio.h>
 
 int main(void)

@@ -1,4 +1,4 @@
-/* Operators that do not do with these operands what they seem to. */
+/* Operators with surprising effects on their operands. */
 #include <stdio.h>
 
 static int size(int v[10]) { return sizeof v; }  // warning: 'v' is a pointer here

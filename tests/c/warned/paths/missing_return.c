@@ -1,4 +1,4 @@
-/* Ends of functions that should have given a value. */
+/* Functions that end without returning a value. */
 #include <stdlib.h>
 
 static int falls(int n)

@@ -1,4 +1,4 @@
-/* One character wrong, and it is still C. */
+/* Typing errors that are still valid C. */
 #include <stdio.h>
 
 int main(void)

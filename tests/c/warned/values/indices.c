@@ -1,4 +1,4 @@
-/* Constant indices outside their array. */
+/* Constant array indices out of bounds. */
 #include <stdio.h>
 
 struct tail { int count; char data[1]; };

@@ -1,4 +1,4 @@
-/* Characters and strings in each other's quotes. */
+/* Characters in double quotes, strings in single quotes. */
 int main(void)
 {
     char c = "x"; // warning: a single character stands in single quotes

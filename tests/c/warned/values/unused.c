@@ -1,4 +1,4 @@
-/* Values that nobody uses. */
+/* Unused values. */
 #include <stdlib.h>
 #include <string.h>
 
