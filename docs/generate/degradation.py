@@ -6,7 +6,7 @@ from functools import cache
 from unittest.mock import MagicMock
 
 from crs_cc.sim.files.world_xml import empty_world, known_robots
-from crs_cc.sim.model.degradation import DEVICES, Device, shown
+from crs_cc.sim.model.degradation import Degradable, degradables, shown
 from crs_cc.sim.model.robot import RobotModel
 from docs.generate import Fillers, table
 
@@ -17,16 +17,16 @@ def devices() -> str:
     """Return the table of all devices."""
     return table(
         ("device", "value", "unit", "elements", "if a value is dropped"),
-        [_row(device) for device in DEVICES.values()],
+        [_row(device) for device in degradables().values()],
     )
 
 
-def _row(device: Device) -> tuple[str, ...]:
+def _row(device: Degradable) -> tuple[str, ...]:
     title = f"{device.title} (actuator)" if device.acts else device.title
     return f"`{device.name}`", title, _unit(device), _elements(device), device.nothing
 
 
-def _unit(device: Device) -> str:
+def _unit(device: Degradable) -> str:
     names = [name for robot in _robots() for name in device.elements(robot)]
     kinds = dict.fromkeys(device.kind_of(name) for name in names if name)
     return ", ".join(kind.default or "-" for kind in kinds) or device.kind.default or "-"
@@ -38,7 +38,7 @@ def _robots() -> list[RobotModel]:
     return [empty_world(robot=name).robots[0].model for name in names]
 
 
-def _elements(device: Device) -> str:
+def _elements(device: Degradable) -> str:
     """Return the elements of the robots that have the device."""
     found: dict[str, str] = {}
     for robot in _robots():

@@ -26,7 +26,7 @@ from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files.world_xml import empty_world
 from docs.generate import Fillers, cell, table
 
-ROBOTS: Final = Path(crs_cc.sim.__file__).parent / "robots"
+ROBOTS: Final = Path(crs_cc.sim.__file__).parent / "files" / "robots"
 
 
 def functions() -> str:

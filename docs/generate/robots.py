@@ -17,7 +17,7 @@ def robots() -> str:
 
 
 def _row(name: str) -> tuple[str, ...]:
-    model = load_robot(SIM / "robots" / f"{name}.xml")
+    model = load_robot(SIM / "files" / "robots" / f"{name}.xml")
     return (
         f"`{name}`",
         f"{100 * model.radius_m:.1f} cm, {model.mass_kg:g} kg",

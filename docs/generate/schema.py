@@ -9,6 +9,7 @@ from typing import Final
 from lxml import etree
 
 import crs_cc.sim
+from crs_cc.sim.files.xml_document import schema_document
 from docs.generate import ROOT, table
 
 SIM: Final = Path(crs_cc.sim.__file__).parent
@@ -21,7 +22,7 @@ _EXAMPLES: Final = {  # the first file that contains an element provides its exa
     "world.xsd": [_TEMPLATES / "world.xml", *sorted((ROOT / "worlds").rglob("*.xml"))],
     "robot.xsd": [
         _TEMPLATES / "robot.xml",
-        *sorted((SIM / "robots").glob("*.xml"), reverse=True),
+        *sorted((SIM / "files" / "robots").glob("*.xml"), reverse=True),
     ],
 }
 
@@ -35,7 +36,7 @@ class Schema:
     """
 
     def __init__(self, name: str) -> None:
-        self.root = etree.parse(SIM / "files" / name).getroot()
+        self.root = schema_document(name).getroot()
         self.named = {(each.tag, each.get("name")): each for each in self.root}
         self._examples = [etree.parse(path) for path in _EXAMPLES[name]]
         self._done: set[tuple[str, str | None]] = set()

@@ -7,11 +7,19 @@ from pathlib import Path
 
 from crs_cc.requests import REQUESTS
 from crs_cc.robot_api.device import DEVICE_GROUPS
+from crs_cc.session.device_library import device_headers, registered_functions, source
 from crs_cc.session.library import HEADERS, SOURCES, library
+from crs_cc.sim.model.registry import devices
 
 ROOT = Path(__file__).parents[2]
-FUNCTIONS = [function for group in DEVICE_GROUPS for function in group.functions]
-HEADER = re.sub(r"/\*.*?\*/", "", (HEADERS / "crs.h").read_text(), flags=re.DOTALL)
+GROUPS = (registered_functions(), *DEVICE_GROUPS)
+FUNCTIONS = [function for group in GROUPS for function in group.functions]
+HEADER = re.sub(
+    r"/\*.*?\*/",
+    "",
+    device_headers()[0][1] + (HEADERS / "crs.h").read_text(),
+    flags=re.DOTALL,
+)
 
 
 def test_header_and_table_declare_the_same_functions() -> None:
@@ -23,6 +31,7 @@ def test_the_library_defines_them_and_posts_what_the_table_says() -> None:
     for function in FUNCTIONS:
         assert library().find(function.name) is not None, function.name
     text = "".join(path.read_text() for path in (SOURCES / "device").glob("*.c"))
+    text += "".join(map(source, devices()))
     names = {request.name for request in REQUESTS.values() if request.server == "device"}
     posted = set(re.findall(r"\bCRS_(\w+)", text)) & names
     assert posted == {name for function in FUNCTIONS for name in function.posts} == names

@@ -44,7 +44,7 @@ def measure(now: Measurement) -> FloatArray:
 
 DEVICE = Device(
     name="gps",
-    title="GPS receiver",
+    title="GPS",
     element="gps",
     summary="Measures the position of the robot in the world",
     does="measures the position of the robot in the world",
