@@ -115,6 +115,18 @@ def test_mv_commands_each_wheel_in_its_own_mode():
     assert driver.ask("GS")[MOTOR_STATUS] == 0
 
 
+@pytest.mark.parametrize(
+    ("modes", "remembered"),
+    [((1, 0, 0), "MV"), ((0, 2, 0), "MV"), ((2, 2, 0), "MV"), ((0, 3, 0), "MV"), ((4, 5, 0), "PR")],
+)
+def test_mv_is_the_last_command_when_it_moves_an_axis(modes, remembered):
+    driver = Driver.of(open_world())
+    driver.ask("PR", 10, 10)
+    driver.run_s(3)
+    driver.ask("MV", modes[0], 100, modes[1], 100, modes[2], 0)
+    assert driver.state.drive.command[0] == CODES[remembered]
+
+
 @pytest.mark.parametrize("modes", [(6, 0, 0), (0, -1, 0), (0, 0, 8), (1, 2**31 - 1, 0)])
 def test_mv_refuses_unknown_modes_and_changes_nothing(modes):
     driver = Driver.of(open_world())

@@ -91,6 +91,24 @@ def test_a_change_of_times_puts_it_where_it_would_be(changes, phase):
         assert driver.environment.degradations.phase("degradation0") == "acts"
 
 
+@pytest.mark.parametrize(
+    ("changes", "phase", "turn"),
+    [({"onset_s": 2.0}, "waits", "began"), ({"duration_s": 1.0, "recovery_s": 9.0}, "acts",
+     "began to fade"), ({"duration_s": 0.5, "recovery_s": 0.5}, "fades", "ended")],
+)  # fmt: skip
+def test_a_turn_at_the_very_instant_of_a_change_is_still_to_come(changes, phase, turn):
+    """The degradation is changed at 2 s so that it begins, or fades, or is over at 2 s."""
+    driver = driver_of(dataclasses.replace(SONAR, onset_s=1.0))
+    driver.run_s(2)
+    control = driver.environment.degradations
+    control.change("degradation0", **changes)
+    assert control.phase("degradation0") == phase
+    assert events(driver, 1) == [
+        (2.0, "degradation0 changed: sonar 0, stuck at 1m"),
+        (2.0, f"degradation0 {turn}: sonar 0, stuck at 1m"),
+    ]
+
+
 def test_a_change_and_a_removal_leave_what_the_others_remember():
     held = Degradation("robot0", "sonar", 0, stuck="hold")
     later = [dataclasses.replace(held, element=n, delay_s=1.0, stuck=None) for n in (1, 2)]

@@ -4,6 +4,7 @@ import math
 import pickle
 
 import numpy as np
+import pymunk
 import pytest
 
 from crs_cc.sim.geometry.placement import distance_from_m
@@ -82,6 +83,23 @@ def test_a_robot_driven_into_a_corner_stays_in_it():
             bench.push((DT * math.cos(angle), DT * math.sin(angle)))
             assert bench.depth_m() < 0.01
     assert bench.bodies.position_m[0] == pytest.approx([SCOUT_RADIUS_M] * 2, abs=0.01)
+
+
+@pytest.mark.parametrize("timestep", ["1ms", "50ms", "100ms"])
+def test_a_robot_at_full_speed_goes_at_most_8_mm_in_a_substep(timestep, monkeypatch):
+    """That is how deep it can get into a wall before it is stopped; and no time is left out."""
+    substeps_s, step = [], pymunk.Space.step
+    monkeypatch.setattr(
+        pymunk.Space, "step", lambda space, dt: substeps_s.append(dt) or step(space, dt)
+    )
+    world = world_of('<robot x="9m" y="5m"/>', timestep=timestep)
+    bench, speed_mps = Bench(world), world.robots[0].model.drive.wheels.speed_limit
+    while True:
+        substeps_s.clear()
+        if len(bench.push((speed_mps * world.timestep_s, 0.0)).other):
+            break
+    assert sum(substeps_s) == pytest.approx(world.timestep_s)
+    assert max(substeps_s) * speed_mps <= 0.008 + 1e-9
 
 
 def test_a_robot_slides_along_a_wall():
