@@ -47,6 +47,16 @@ def test_it_begins_fades_and_is_over_at_its_instants():
     assert events(driver, 20) == []
 
 
+def test_at_its_very_onset_it_waits_and_what_is_told_of_it_is_told_in_the_next_cycle():
+    before = dataclasses.replace(SONAR, element=1, onset_s=1.98)
+    driver = driver_of(dataclasses.replace(SONAR, onset_s=2.0), before)
+    assert events(driver, 40) == [(1.98, "degradation1 began: sonar 1, stuck at 1m")]
+    assert driver.environment.time_s == 2.0
+    assert driver.environment.degradations.phase("degradation0") == "waits"
+    assert events(driver, 1) == [(2.0, "degradation0 began: sonar 0, stuck at 1m")]
+    assert driver.environment.degradations.phase("degradation0") == "acts"
+
+
 def test_what_is_added_begins_now_and_what_is_removed_ends_now():
     driver = driver_of()
     driver.run_s(2)
