@@ -124,6 +124,7 @@ def stages(source: Path) -> dict[str, float]:
     """Gives the processor time of each stage of the compiler [s]."""
     from crs_cc.frontend.check import Unit
     from crs_cc.frontend.check_unit import check_unit
+    from crs_cc.frontend.lex import lex
     from crs_cc.frontend.lower_unit import lower_unit
     from crs_cc.frontend.options import Options
     from crs_cc.frontend.parse import parse
@@ -145,7 +146,8 @@ def stages(source: Path) -> dict[str, float]:
     diagnostics = Diagnostics()
     unit = Unit(str(source), diagnostics, Location(str(source)))
     text = timed("preprocess", lambda: preprocess(source, Options((), (HEADERS,)), diagnostics))
-    nodes = timed("parse", lambda: parse(text.text, text.location, diagnostics))  # type: ignore[attr-defined]
+    tokens = timed("lex", lambda: lex(text.text, text.location, diagnostics))  # type: ignore[attr-defined]
+    nodes = timed("parse", lambda: parse(tokens, diagnostics))  # type: ignore[arg-type]
     timed("check", lambda: check_unit(unit, nodes))  # type: ignore[arg-type]
     made = timed("lower", lambda: lower_unit(unit))
     timed("verify", lambda: verify(made))  # type: ignore[arg-type]
