@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import ast
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import cache
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
@@ -50,6 +51,11 @@ def modules() -> list[Path]:
     return sorted(PACKAGE.rglob("*.py"))
 
 
+@cache
+def parsed(path: Path) -> ast.AST:
+    return ast.parse(path.read_text())
+
+
 def name_of(path: Path) -> str:
     parts = path.relative_to(PACKAGE.parent).with_suffix("").parts
     return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
@@ -84,26 +90,39 @@ def wrong_layer(importer: str, imported: str) -> bool:
     return RANK[theirs] >= RANK[mine] and not (mine in MEET and theirs in MEET)
 
 
-@pytest.mark.parametrize("path", modules(), ids=name_of)
-def test_a_module_imports_only_what_stands_before_it(path: Path) -> None:
+def layer_faults(path: Path, tree: ast.AST) -> Iterator[str]:
     name = name_of(path)
-    assert part_of(name) in RANK or not part_of(name), f"{name} is in no row of the import order"
-    for line, imported in imports(ast.parse(path.read_text())):
-        if imported.split(".")[0] == "crs_cc":
-            assert not wrong_layer(name, imported), f"{path}:{line}: {name} imports {imported}"
+    if part_of(name) and part_of(name) not in RANK:
+        yield f"{path}: {name} is in no row of the import order"
+        return
+    for line, imported in imports(tree):
+        if imported.split(".")[0] == "crs_cc" and wrong_layer(name, imported):
+            yield f"{path}:{line}: {name} imports {imported}"
 
 
-@pytest.mark.parametrize("path", modules(), ids=name_of)
-def test_third_party_packages_stay_where_they_belong(path: Path) -> None:
+def third_party_faults(path: Path, tree: ast.AST) -> Iterator[str]:
     inside = path.relative_to(PACKAGE).as_posix()
-    for line, imported in imports(ast.parse(path.read_text())):
+    for line, imported in imports(tree):
         package = imported.split(".")[0]
         if package in {"crs_cc", *sys.stdlib_module_names, *ANYWHERE}:
             continue
-        assert package in CONFINED, f"{path}:{line}: {package} is no dependency"
-        assert inside.startswith(CONFINED[package]), (
-            f"{path}:{line}: {package} does not belong here"
-        )
+        if package not in CONFINED:
+            yield f"{path}:{line}: {package} is no dependency"
+        elif not inside.startswith(CONFINED[package]):
+            yield f"{path}:{line}: {package} does not belong here"
+
+
+def faults(find: Callable[[Path, ast.AST], Iterator[str]]) -> str:
+    """Return what is wrong with all modules, one line for each fault."""
+    return "\n".join(fault for path in modules() for fault in find(path, parsed(path)))
+
+
+def test_modules_import_only_what_stands_before_them() -> None:
+    assert faults(layer_faults) == ""
+
+
+def test_third_party_packages_stay_where_they_belong() -> None:
+    assert faults(third_party_faults) == ""
 
 
 def import_graph(paths: list[Path], *, only_at_import: bool) -> dict[str, set[str]]:
@@ -112,7 +131,7 @@ def import_graph(paths: list[Path], *, only_at_import: bool) -> dict[str, set[st
     return {
         name_of(path): {
             imported
-            for _, imported in imports(ast.parse(path.read_text()), only_at_import=only_at_import)
+            for _, imported in imports(parsed(path), only_at_import=only_at_import)
             if imported in names and imported != name_of(path)
         }
         for path in paths
@@ -137,9 +156,10 @@ def test_nothing_in_a_package_needs_itself_by_a_late_import_or_for_its_types(pac
     hold_no_circle(import_graph(paths, only_at_import=False))
 
 
-@pytest.mark.parametrize("path", modules(), ids=name_of)
-def test_a_file_is_short_enough_to_be_read(path: Path) -> None:
-    assert len(path.read_text().splitlines()) <= MAX_LINES
+def test_files_are_short_enough_to_be_read() -> None:
+    lengths = {path: len(path.read_text().splitlines()) for path in modules()}
+    long = [f"{path}: {count} lines" for path, count in lengths.items() if count > MAX_LINES]
+    assert not long, "\n".join(long)
 
 
 def test_the_rules_can_fail() -> None:
@@ -151,3 +171,13 @@ def test_the_rules_can_fail() -> None:
     assert wrong_layer("crs_cc.ir.text", "crs_cc.cli.main")
     assert not wrong_layer("crs_cc.cli.run", "crs_cc.session.session")
     assert not wrong_layer("crs_cc.errors", "crs_cc.source")
+    misplaced = ast.parse("import lxml\nimport requests\nfrom crs_cc.cli import main\n")
+    path = PACKAGE / "ir" / "text.py"
+    assert list(third_party_faults(path, misplaced)) == [
+        f"{path}:1: lxml does not belong here", f"{path}:2: requests is no dependency"
+    ]  # fmt: skip
+    assert [fault.rpartition(" ")[2] for fault in layer_faults(path, misplaced)] == [
+        "crs_cc.cli", "crs_cc.cli.main"
+    ]  # fmt: skip
+    lost = PACKAGE / "elsewhere" / "module.py"
+    assert "in no row" in next(layer_faults(lost, misplaced))
