@@ -21,7 +21,6 @@ import pytest
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "tutorial-debugging.md"
 _BLOCK = re.compile(r"(?<=^```)(console|diff)\n(.*?)(?=^```$)", re.DOTALL | re.MULTILINE)
-pytestmark = pytest.mark.slow
 _TYPED = ("$ ", "(crs) ", ">")
 
 

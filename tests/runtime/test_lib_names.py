@@ -64,7 +64,6 @@ def test_all_headers_compile_together() -> None:
     assert not diagnostics.messages
 
 
-@pytest.mark.slow
 def test_everything_declared_is_defined() -> None:
     for name in PUBLIC:
         text = re.sub(r"/\*.*?\*/", "", (HEADERS / name).read_text(), flags=re.DOTALL)
@@ -77,7 +76,6 @@ def test_everything_declared_is_defined() -> None:
                 assert library().find(declared) is not None, f"{declared} of {name}"
 
 
-@pytest.mark.slow
 def test_a_program_may_define_what_c89_leaves_free() -> None:
     """A program's own `round` or `index` must not become part of the library's inner workings."""
     allowed = re.compile(rf"__.*|.*:.*|{'|'.join([*C89.split(), *OBJECTS.split(), *ENTRIES])}")

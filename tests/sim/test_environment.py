@@ -182,7 +182,6 @@ def test_wheels_stop_when_no_command_came_for_the_timeout():
     assert describe_slice(steps[25], 0).command == "CONF_TM"
 
 
-@pytest.mark.slow
 def test_any_command_keeps_the_wheels_going():
     driver = Driver.of(open_world())
     driver.ask("CONF_TM", 1)
@@ -483,7 +482,6 @@ def connected() -> Environment:
 
 
 @pytest.mark.parametrize("at", [1, 63])
-@pytest.mark.slow
 def test_from_a_snapshot_everything_happens_again_to_the_bit(at):
     environment = connected()
     play(environment, range(at))
@@ -520,7 +518,6 @@ print(environment.hash())
 """
 
 
-@pytest.mark.slow
 def test_two_processes_get_the_same_state():
     hashes = {
         subprocess.run(
@@ -557,7 +554,6 @@ MESSAGES = st.tuples(
     content=MESSAGES,
     clock_s=st.floats(allow_nan=True),
 )
-@pytest.mark.slow
 def test_no_request_can_break_the_environment(robot, code, content, clock_s):
     driver = nonsense(robot)
     message = np.zeros(1, MESSAGE)

@@ -58,7 +58,6 @@ class Bench:
 
 
 @pytest.mark.parametrize(("timestep", "drive_s"), [("1ms", 6), ("50ms", 60), ("100ms", 60)])
-@pytest.mark.slow
 def test_a_robot_at_full_speed_never_gets_through_or_deep_into_a_wall(timestep, drive_s):
     world = world_of(MAZE + '<robot x="0.3m" y="0.3m"/>', THIN_ROOM, timestep)
     bench = Bench(world)
@@ -216,7 +215,6 @@ def test_a_box_between_a_robot_and_a_wall_holds_the_robot():
     assert bench.bodies.position_m[0, 0] == pytest.approx(1.6 - SCOUT_RADIUS_M, abs=0.02)
 
 
-@pytest.mark.slow
 def test_contacts_never_turn_a_robot():
     driver = Driver.of(world_of('<robot x="9m" y="5m" heading="70"/>'))
     driver.ask("VM", 300, 300)
@@ -254,7 +252,6 @@ def go_back(bench, snapshot):
     bench.bodies = bodies.copy()
 
 
-@pytest.mark.slow
 def test_a_snapshot_in_a_scrum_goes_on_to_the_same_bits(monkeypatch):
     monkeypatch.setattr("crs_cc.sim.physics.simulation.REBUILD", 30)
     bench = Bench(world_of(SCRUM, 'length="4m" width="5.5m"'))
