@@ -8,24 +8,15 @@ from __future__ import annotations
 
 import hashlib
 import re
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 
-from crs_cc.frontend.dialect import dialect_of
-from crs_cc.frontend.options import Options
-from crs_cc.frontend.unit import compile_file
-from crs_cc.garbage import without_collector
-from crs_cc.ir.program import Program
-from crs_cc.ir.verify import verify
 from crs_cc.requests import FAILED
 from crs_cc.runtime.diagnosis.failure import Failure
-from crs_cc.runtime.executable import Executable, make_executable
+from crs_cc.runtime.executable import Executable
 from crs_cc.runtime.fleet import Fleet
-from crs_cc.runtime.link import link
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Host, HostRequest
-from crs_cc.session.library import HEADERS, library
 from crs_cc.source import Diagnostic, Diagnostics
 
 HERE = Path(__file__).parent
@@ -136,33 +127,6 @@ def _moved(fleet: Fleet, executable: Executable) -> Fleet:
     fresh = Fleet([executable])
     fresh.restore(0, saved)
     return fresh
-
-
-class Linked:
-    """The program of a case, compiled and linked once for all its builds, each made once."""
-
-    def __init__(self, program: Program, lines: Mapping[str, Sequence[str]]) -> None:
-        self._program, self._lines = program, lines
-        self._builds: dict[tuple[bool, bool], Executable] = {}
-
-    @classmethod
-    def of(cls, path: Path) -> Linked:
-        diagnostics = Diagnostics()
-        with without_collector():
-            options = Options((), (HEADERS,))
-            options = replace(options, dialect=dialect_of(sources(path), options))
-            units = [compile_file(each, options, diagnostics) for each in sources(path)]
-            for unit in units:
-                verify(unit)
-            return cls(link(units, library(), diagnostics), diagnostics.lines)
-
-    def build(self, *, debug: bool = False, checked: bool = True) -> Executable:
-        if (debug, checked) not in self._builds:
-            with without_collector():
-                self._builds[debug, checked] = make_executable(
-                    self._program, "case", lines=self._lines, debug=debug, checked=checked
-                )
-        return self._builds[debug, checked]
 
 
 def build(path: Path, *, debug: bool = False, checked: bool = True) -> Executable:

@@ -26,12 +26,12 @@ from crs_cc.errors import CompileError
 from crs_cc.requests import ERROR_KINDS
 from crs_cc.runtime.diagnosis.failure import Failure
 from crs_cc.runtime.diagnosis.report import report
+from crs_cc.runtime.executable import Executable
 from crs_cc.session.build import build_executable
 from crs_cc.source import Diagnostics
 from tests.c.execution import (
     ENDLESS,
     HERE,
-    Linked,
     Outcome,
     Run,
     Stepping,
@@ -61,20 +61,20 @@ def same(left: Outcome, right: Outcome) -> bool:
 def test_a_valid_program_does_what_gcc_says_however_it_is_run(
     path: Path, subtests: pytest.Subtests
 ) -> None:
-    linked = Linked.of(path)
-    plain = does_what_gcc_says(path, linked)
-    for fact in (
-        running_out_of_fuel_everywhere_changes_nothing,
-        moving_to_a_fresh_instance_changes_nothing,
-        stopping_before_statements_changes_nothing,
-        leaving_out_the_checks_changes_nothing,
-    ):
-        with subtests.test(fact.__name__.replace("_", " ")):
-            fact(linked, plain)
+    executable = build(path)
+    plain = does_what_gcc_says(path, executable)
+    with subtests.test("running out of fuel everywhere changes nothing"):
+        running_out_of_fuel_everywhere_changes_nothing(executable, plain)
+    with subtests.test("moving to a fresh instance changes nothing"):
+        moving_to_a_fresh_instance_changes_nothing(executable, plain)
+    with subtests.test("stopping before statements changes nothing"):
+        stopping_before_statements_changes_nothing(build(path, debug=True), plain)
+    with subtests.test("leaving out the checks changes nothing"):
+        leaving_out_the_checks_changes_nothing(build(path, checked=False), plain)
 
 
-def does_what_gcc_says(path: Path, linked: Linked) -> Outcome:
-    outcome = Run(linked.build()).to_end()
+def does_what_gcc_says(path: Path, executable: Executable) -> Outcome:
+    outcome = Run(executable).to_end()
     assert outcome.failure is None
     wanted = path.with_suffix(".out").read_bytes()
     assert outcome.output.decode(errors="replace") == wanted.decode(errors="replace")
@@ -84,32 +84,31 @@ def does_what_gcc_says(path: Path, linked: Linked) -> Outcome:
     return outcome
 
 
-def running_out_of_fuel_everywhere_changes_nothing(linked: Linked, plain: Outcome) -> None:
+def running_out_of_fuel_everywhere_changes_nothing(executable: Executable, plain: Outcome) -> None:
     fuel = max(1, plain.fuel // FUEL_STEPS)
-    assert same(Run(linked.build(), Stepping(fuel=fuel)).to_end(), plain)
+    assert same(Run(executable, Stepping(fuel=fuel)).to_end(), plain)
 
 
-def moving_to_a_fresh_instance_changes_nothing(linked: Linked, plain: Outcome) -> None:
+def moving_to_a_fresh_instance_changes_nothing(executable: Executable, plain: Outcome) -> None:
     stepping = Stepping(fuel=plain.fuel // 20 + 1, restore_every=3)
-    outcome = Run(linked.build(), stepping).to_end()
+    outcome = Run(executable, stepping).to_end()
     assert outcome.rounds > 3
     assert same(outcome, plain)
 
 
-def stopping_before_statements_changes_nothing(linked: Linked, plain: Outcome) -> None:
-    whole, stepped, every = with_stops(linked)
+def stopping_before_statements_changes_nothing(executable: Executable, plain: Outcome) -> None:
+    whole, stepped, every = with_stops(executable)
     assert same(whole, plain)
     assert same(stepped, whole)
     assert stepped.rounds >= whole.statements // every
 
 
-def leaving_out_the_checks_changes_nothing(linked: Linked, plain: Outcome) -> None:
-    assert same(Run(linked.build(checked=False)).to_end(), plain)
+def leaving_out_the_checks_changes_nothing(executable: Executable, plain: Outcome) -> None:
+    assert same(Run(executable).to_end(), plain)
 
 
-def with_stops(linked: Linked) -> tuple[Outcome, Outcome, int]:
+def with_stops(executable: Executable) -> tuple[Outcome, Outcome, int]:
     """Run a debug build whole, and stopping before every so many statements; both must agree."""
-    executable = linked.build(debug=True)
     whole = Run(executable).to_end()
     every = whole.statements // STATEMENT_STEPS + 1
     stepped = Run(executable, Stepping(statements=every)).to_end()
@@ -128,14 +127,14 @@ def shown(failure: Failure, folder: Path) -> bytes:
 def test_a_run_time_error_is_named_at_its_line_and_leaves_no_trace_when_stopped_before(
     path: Path, check_golden: Callable[[Path, bytes], None], subtests: pytest.Subtests
 ) -> None:
-    linked = Linked.of(path)
+    executable = build(path)
     for fuel in (ENDLESS, 2000):
-        failure = Run(linked.build(), Stepping(fuel)).to_end().failure
+        failure = Run(executable, Stepping(fuel)).to_end().failure
         assert failure is not None
         is_named_at_its_line(path, failure)
         check_golden(path.with_suffix(".report"), shown(failure, path.parent))
     with subtests.test("stopping before statements leaves no trace"):
-        with_stops(linked)
+        with_stops(build(path, debug=True))
 
 
 def is_named_at_its_line(path: Path, failure: Failure) -> None:
