@@ -85,7 +85,7 @@ def does_what_gcc_says(path: Path, executable: Executable) -> Outcome:
 
 
 def running_out_of_fuel_everywhere_changes_nothing(executable: Executable, plain: Outcome) -> None:
-    fuel = max(1, plain.fuel // FUEL_STEPS)
+    fuel = -(-plain.fuel // FUEL_STEPS)
     assert same(Run(executable, Stepping(fuel=fuel)).to_end(), plain)
 
 

@@ -18,7 +18,7 @@ from crs_cc.session.session import Session
 from crs_cc.sim.files.world_xml import parse_world
 from tests.c.execution import HERE, Outcome, Run, Stepping, build, cases, name
 
-FUEL, ROUNDS = 200_000_000, 4000
+FUEL, ROUNDS = 50_000_000, 4000
 
 HALL = parse_world(
     b"""<world version="1">
