@@ -15,9 +15,9 @@ def test_what_the_table_does_not_list_runs() -> None:
     assert quick.chosen(["a.py::new", "a.py::slow"], {"a.py::slow": 9.0}, 1.0) == {"a.py::new"}
 
 
-def test_every_file_is_represented_by_its_cheapest_test() -> None:
-    table = {"a.py::x": 30.0, "a.py::y": 10.0, "b.py::z": 30.0, "b.py::z[1]": 3.0}
-    tests = ["a.py::x", "a.py::y", "b.py::z[0]", "b.py::z[1]"]
+def test_every_file_is_represented_by_its_cheapest_test_that_ends_soon() -> None:
+    table = {"a.py::x": 3.0, "a.py::y": 1.0, "b.py::z": 30.0, "b.py::z[1]": 1.5, "c.py::z": 10.0}
+    tests = ["a.py::x", "a.py::y", "b.py::z[0]", "b.py::z[1]", "c.py::z"]
     assert quick.chosen(tests, table, 0.0) == {"a.py::y", "b.py::z[1]"}
 
 
@@ -40,7 +40,7 @@ def test_classes_are_kept_while_they_fit() -> None:
 
 def test_a_renewed_table_has_what_ran_and_keeps_the_other_files() -> None:
     old = {"a.py::gone": 3.0, "b.py::other": 1.0}
-    measured = {"a.py::cheap": 0.1, "a.py::f[0]": 1.0, "a.py::f[1]": 1.1, "a.py::f[2]": 9.0}
+    measured = {"a.py::cheap": 0.04, "a.py::f[0]": 1.0, "a.py::f[1]": 1.1, "a.py::f[2]": 9.0}
     assert times.renewed(old, measured) == {"b.py::other": 1.0, "a.py::f": 1.0, "a.py::f[2]": 10.0}
 
 

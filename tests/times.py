@@ -22,8 +22,11 @@ TABLE: Final = Path(__file__).with_name("times.txt")
 
 CLASSES_S: Final = (0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0)
 
-LISTED_S: Final = 0.5
+LISTED_S: Final = 0.1
 """A function is listed when all its cases take at least so long together."""
+
+OTHER: Final = 5.0
+"""A case has a line of its own when its class is so many times that of its function, or less."""
 
 KEPT: Final = 1.6
 """A time that is out of its class by less than this factor keeps it, so that lines stay."""
@@ -76,7 +79,7 @@ def renewed(old: Mapping[str, float], measured_s: Mapping[str, float]) -> dict[s
         table[function] = class_of(usual, old.get(function))
         for test in tests:
             own = class_of(measured_s[test], old.get(test, table[function]))
-            if own != table[function] and max(own, table[function]) >= LISTED_S / 5:
+            if not 1 / OTHER < own / table[function] < OTHER:
                 table[test] = own
     return table
 
