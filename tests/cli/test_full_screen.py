@@ -57,7 +57,6 @@ def test_a_line_says_why_there_is_none(
     assert "textual is not installed" in capsys.readouterr().err
 
 
-@pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="needs a pseudo-terminal")
 def test_it_comes_up_on_a_terminal_and_leaves_it_as_it_was(tmp_path: Path) -> None:
     import pty

@@ -47,7 +47,6 @@ INSTANTS = 2000
 
 JUMPS = 2
 MOVES = 10
-QUICK = {"square.empty", "wander.room", "mixed.mixed"}
 
 
 @dataclass
@@ -158,10 +157,7 @@ def run_up_to(timestep: int, write: Output, *made_of: Any, **options: Any) -> Se
 
 @pytest.mark.parametrize(
     "sample",
-    [
-        pytest.param(each, id=each.name, marks=[] if each.name in QUICK else [pytest.mark.slow])
-        for each in RUNS
-    ],
+    [pytest.param(each, id=each.name) for each in RUNS],
 )
 def test_backward_and_forward_again_gives_the_same_bytes(sample: Sample) -> None:
     world = load_world(sample.world_file())

@@ -47,9 +47,9 @@ def state_at(program: Executable, world: str, statements: int, *, first_stop: in
     ("program", "world", "statements"),
     [
         ("behaviours.c", "cluttered.xml", 900),
-        pytest.param("grid_map.c", "studio.xml", 2500, marks=pytest.mark.slow),
-        pytest.param("wander.c", "pair.xml", 800, marks=pytest.mark.slow),
-        pytest.param("potential.c", "cluttered.xml", 2500, marks=pytest.mark.slow),
+        ("grid_map.c", "studio.xml", 2500),
+        ("wander.c", "pair.xml", 800),
+        ("potential.c", "cluttered.xml", 2500),
     ],
 )
 def test_stops_on_the_way_leave_no_trace(program: str, world: str, statements: int) -> None:

@@ -21,7 +21,6 @@ import pytest
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "tutorial-debugging.md"
 _BLOCK = re.compile(r"(?<=^```)(console|diff)\n(.*?)(?=^```$)", re.DOTALL | re.MULTILINE)
-pytestmark = pytest.mark.slow
 _TYPED = ("$ ", "(crs) ", ">")
 
 
@@ -113,19 +112,18 @@ def test_the_tutorial_shows_what_its_commands_do(
     check_golden(PAGE, Reader(folder).read(PAGE.read_text()).encode())
 
 
-def test_the_program_collides_until_it_is_mended(folder: Path) -> None:
-    program = folder / "aisle.c"
-
-    def collisions() -> int:
-        shown = crs("crs run --json -q aisle.c aisle.xml", folder)
-        result = json.loads(shown[shown.index("{") : shown.rindex("}") + 1])
-        return int(result["robots"][0]["collisions"])
-
-    assert collisions() == 1
-    mend(program, next(text for kind, text in _BLOCK.findall(PAGE.read_text()) if kind == "diff"))
-    assert collisions() == 0
+def collisions(folder: Path, *options: str) -> int:
+    """Return how often the tutorial's robot collides in a run."""
+    shown = crs(
+        shlex.join(["crs", "run", "--json", "-q", "aisle.c", "aisle.xml", *options]), folder
+    )
+    result = json.loads(shown[shown.index("{") : shown.rindex("}") + 1])
+    return int(result["robots"][0]["collisions"])
 
 
-def test_the_picture_is_that_of_the_run(folder: Path) -> None:
-    crs("crs run aisle.c aisle.xml --plot aisle.svg", folder)
+def test_the_program_collides_as_in_the_picture_until_it_is_mended(folder: Path) -> None:
+    assert collisions(folder, "--plot", "aisle.svg") == 1
     assert (folder / "aisle.svg").read_text() == (DOCS / "images" / "aisle.svg").read_text()
+    change = next(text for kind, text in _BLOCK.findall(PAGE.read_text()) if kind == "diff")
+    mend(folder / "aisle.c", change)
+    assert collisions(folder) == 0

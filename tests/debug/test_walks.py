@@ -89,9 +89,9 @@ class Walk:
     ("program", "world", "seed", "steps"),
     [
         ("square.c", "room.xml", 1, 12),
-        pytest.param("wander.c", "complex-3r.xml", 2, 60, marks=pytest.mark.slow),
-        pytest.param("clear_aisle.c", "warehouse.xml", 4, 60, marks=pytest.mark.slow),
-        pytest.param("platoon.c", "platoon.xml", 5, 60, marks=pytest.mark.slow),
+        ("wander.c", "complex-3r.xml", 2, 60),
+        ("clear_aisle.c", "warehouse.xml", 4, 60),
+        ("platoon.c", "platoon.xml", 5, 60),
     ],
 )
 def test_the_same_instant_is_the_same_to_the_byte_whatever_way_leads_to_it(

@@ -467,7 +467,6 @@ def test_hits_are_the_changes_of_memory(program: Executable) -> None:
     assert compare(program) >= 15
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("path", cases("valid")[::7], ids=case_name)
 def test_hits_are_the_changes_of_memory_in_every_kind_of_program(path: Path) -> None:
     compare(build_executable([path], Diagnostics(), debug=True))

@@ -92,7 +92,6 @@ def compare_variables(program: Executable, chance: random.Random) -> int:
     return count
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(6))
 def test_hits_are_the_changes_of_memory(seed: int, tmp_path: Path) -> None:
     path = tmp_path / "program.c"

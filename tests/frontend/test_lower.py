@@ -229,7 +229,6 @@ def test_statements_share_the_registers_of_what_they_compute() -> None:
     assert len(compiled(source).functions["f"].registers) < 20
 
 
-@pytest.mark.slow
 def test_variables_without_end_are_kept_in_memory() -> None:
     lines = "".join(f"int v{number} = {number};" for number in range(12_000))
     function = compiled(f"int f(void) {{ {lines} return v7 + v11999; }}").functions["f"]

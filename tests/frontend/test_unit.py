@@ -40,7 +40,6 @@ DEEP = {
 
 @pytest.mark.parametrize("depth", [500, 3000])
 @pytest.mark.parametrize("kind", DEEP)
-@pytest.mark.slow
 def test_deep_nesting_compiles_or_gives_a_clear_error(kind: str, depth: int) -> None:
     errors = [each for each in messages(DEEP[kind](depth)) if "error" in each]
     assert len(errors) <= 1
@@ -53,7 +52,6 @@ def test_nesting_of_hundreds_is_no_trouble(kind: str) -> None:
 
 
 @pytest.mark.parametrize("kind", ["parentheses", "sums", "blocks", "pointers"])
-@pytest.mark.slow
 def test_nesting_without_end_gives_an_error(kind: str) -> None:
     (found,) = messages(DEEP[kind](40_000))
     assert "nested too deeply" in found
@@ -76,7 +74,6 @@ def test_a_compilation_leaves_the_interpreter_as_it_was() -> None:
         "enum {{ A{n} = {n} }};",
     ],
 )
-@pytest.mark.slow
 def test_long_files_take_time_in_proportion(line: str, size: int) -> None:
     source = "\n".join(line.format(n=n) for n in range(size))
     assert all("warning" in each for each in messages(source))

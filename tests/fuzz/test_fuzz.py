@@ -41,7 +41,6 @@ def test_reducing_leaves_what_shows_the_difference() -> None:
     assert [line.strip() for line in shorter.split("\n")] == ["int main(void) {", "return 0;", "}"]
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_program_does_what_gcc_said(seed: int, tmp_path: Path) -> None:
     source = tmp_path / "program.c"
@@ -51,7 +50,6 @@ def test_a_program_does_what_gcc_said(seed: int, tmp_path: Path) -> None:
     assert difference(wanted, results) is None
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("seed", SEEDS)
 def test_what_is_stored_is_what_gcc_says(
     seed: int, tmp_path: Path, check_gcc_golden: Callable[[Path, bytes], None]

@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any
 
 import mpmath
-import pytest
 
 from tests.runtime.library_runner import run
 
@@ -185,7 +184,6 @@ def test_functions_for_float_are_rounded_correctly_or_nearly() -> None:
     check_floats(60)
 
 
-@pytest.mark.slow
 def test_functions_are_as_exact_as_promised_at_many_points(
     check_golden: Callable[[Path, bytes], None],
 ) -> None:
@@ -195,6 +193,5 @@ def test_functions_are_as_exact_as_promised_at_many_points(
     check_golden(MEASURED, "\n".join(["# function\tpromised\tmeasured [ulp]", *rows, ""]).encode())
 
 
-@pytest.mark.slow
 def test_functions_for_float_are_rounded_correctly_or_nearly_at_many_points() -> None:
     check_floats(2000)

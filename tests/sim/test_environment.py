@@ -115,6 +115,18 @@ def test_mv_commands_each_wheel_in_its_own_mode():
     assert driver.ask("GS")[MOTOR_STATUS] == 0
 
 
+@pytest.mark.parametrize(
+    ("modes", "remembered"),
+    [((1, 0, 0), "MV"), ((0, 2, 0), "MV"), ((2, 2, 0), "MV"), ((0, 3, 0), "MV"), ((4, 5, 0), "PR")],
+)
+def test_mv_is_the_last_command_when_it_moves_an_axis(modes, remembered):
+    driver = Driver.of(open_world())
+    driver.ask("PR", 10, 10)
+    driver.run_s(3)
+    driver.ask("MV", modes[0], 100, modes[1], 100, modes[2], 0)
+    assert driver.state.drive.command[0] == CODES[remembered]
+
+
 @pytest.mark.parametrize("modes", [(6, 0, 0), (0, -1, 0), (0, 0, 8), (1, 2**31 - 1, 0)])
 def test_mv_refuses_unknown_modes_and_changes_nothing(modes):
     driver = Driver.of(open_world())
@@ -170,7 +182,6 @@ def test_wheels_stop_when_no_command_came_for_the_timeout():
     assert describe_slice(steps[25], 0).command == "CONF_TM"
 
 
-@pytest.mark.slow
 def test_any_command_keeps_the_wheels_going():
     driver = Driver.of(open_world())
     driver.ask("CONF_TM", 1)
@@ -471,7 +482,6 @@ def connected() -> Environment:
 
 
 @pytest.mark.parametrize("at", [1, 63])
-@pytest.mark.slow
 def test_from_a_snapshot_everything_happens_again_to_the_bit(at):
     environment = connected()
     play(environment, range(at))
@@ -508,7 +518,6 @@ print(environment.hash())
 """
 
 
-@pytest.mark.slow
 def test_two_processes_get_the_same_state():
     hashes = {
         subprocess.run(
@@ -545,7 +554,6 @@ MESSAGES = st.tuples(
     content=MESSAGES,
     clock_s=st.floats(allow_nan=True),
 )
-@pytest.mark.slow
 def test_no_request_can_break_the_environment(robot, code, content, clock_s):
     driver = nonsense(robot)
     message = np.zeros(1, MESSAGE)

@@ -15,8 +15,6 @@ import pytest
 from crs_cc.sim.engine.environment import Environment
 from tests.sim.driver import Driver, world_of
 
-pytestmark = pytest.mark.slow
-
 SPACING_M = 0.6
 LAST = 130  # cycles
 SURFACE = (

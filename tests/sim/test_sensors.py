@@ -213,7 +213,6 @@ def test_a_circle_comes_back_to_its_start():
     assert min(told[CONF_STEER], 3600 - told[CONF_STEER]) <= 10
 
 
-@pytest.mark.slow
 def test_odometry_and_true_pose_agree_after_a_long_drive():
     rng = np.random.default_rng(3)
     driver = Driver.of(open_world('<robot x="1" y="2" heading="40"/>'))

@@ -324,7 +324,6 @@ def play(asks: list[bool], orders: list[tuple[int, list[int]]], speeds: list[int
 ORDERS = st.tuples(st.integers(0, 60), st.lists(st.integers(0, 15), max_size=16))
 
 
-@pytest.mark.slow
 @settings(max_examples=12, deadline=None)
 @given(st.lists(st.tuples(st.booleans(), ORDERS, st.integers(-300, 300)), min_size=2, max_size=5))
 def test_asking_changes_nothing_whatever_the_orders(plan):
@@ -518,7 +517,6 @@ def test_a_ping_in_the_air_survives_a_snapshot():
     assert driver.environment.hash() == other.hash()
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     "changes",
     [

@@ -68,7 +68,6 @@ def test_a_robot_that_turns_on_the_spot_at_a_wall_turns():
     assert driver.state.heading_rad[0] > 1
 
 
-@pytest.mark.slow
 def test_a_move_that_is_held_up_goes_on_when_the_way_is_free():
     driver = Driver.of(world_of('<robot x="2m" y="5m"/><robot x="3m" y="5m" heading="90"/>'))
     driver.ask("PR", 600, 600)
@@ -86,7 +85,6 @@ def test_a_move_that_is_held_up_goes_on_when_the_way_is_free():
     assert told[MOTOR_STATUS] == 0
 
 
-@pytest.mark.slow
 def test_a_wait_for_a_move_that_is_held_up_ends_by_its_timeout():
     driver = Driver.of(world_of(ONE))
     driver.ask("PR", 600, 600)

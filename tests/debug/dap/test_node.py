@@ -88,7 +88,6 @@ def port() -> Iterator[int]:
         assert server.wait(20) == INTERRUPTED
 
 
-@pytest.mark.slow
 def test_sessions_with_the_public_client(modules: Path, port: int, tmp_path: Path) -> None:
     (tmp_path / "loop.c").write_text(LOOP)
     (tmp_path / "two.c").write_text(TWO)

@@ -283,7 +283,6 @@ def test_a_mistake_of_ours_ends_the_screen_and_is_raised_without_a_picture_of_it
     assert "Traceback" not in shown.out + shown.err
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(2))
 def test_whatever_is_pressed_does_no_harm(seed: int) -> None:
     random = Random(seed)

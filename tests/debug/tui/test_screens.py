@@ -85,7 +85,6 @@ def test_the_smallest_screens_show_where_the_program_stands(check_golden: CheckG
     check_golden(SCREENS / "tiny.txt", texts[0].encode())
 
 
-@pytest.mark.slow
 def test_the_picture_in_the_readme_shows_a_session(check_golden: CheckGolden) -> None:
     inputs = ["display state", "break enter", *["continue"] * 4, *["reverse-continue"] * 2]
     texts, picture = show(desk(*WANDER), [(132, 42)], *inputs, "<f10>")

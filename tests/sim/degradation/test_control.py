@@ -47,6 +47,16 @@ def test_it_begins_fades_and_is_over_at_its_instants():
     assert events(driver, 20) == []
 
 
+def test_at_its_very_onset_it_waits_and_what_is_told_of_it_is_told_in_the_next_cycle():
+    before = dataclasses.replace(SONAR, element=1, onset_s=1.98)
+    driver = driver_of(dataclasses.replace(SONAR, onset_s=2.0), before)
+    assert events(driver, 40) == [(1.98, "degradation1 began: sonar 1, stuck at 1m")]
+    assert driver.environment.time_s == 2.0
+    assert driver.environment.degradations.phase("degradation0") == "waits"
+    assert events(driver, 1) == [(2.0, "degradation0 began: sonar 0, stuck at 1m")]
+    assert driver.environment.degradations.phase("degradation0") == "acts"
+
+
 def test_what_is_added_begins_now_and_what_is_removed_ends_now():
     driver = driver_of()
     driver.run_s(2)
@@ -89,6 +99,24 @@ def test_a_change_of_times_puts_it_where_it_would_be(changes, phase):
     driver.run_s(1)
     if changes.get("onset_s") == 0.0:
         assert driver.environment.degradations.phase("degradation0") == "acts"
+
+
+@pytest.mark.parametrize(
+    ("changes", "phase", "turn"),
+    [({"onset_s": 2.0}, "waits", "began"), ({"duration_s": 1.0, "recovery_s": 9.0}, "acts",
+     "began to fade"), ({"duration_s": 0.5, "recovery_s": 0.5}, "fades", "ended")],
+)  # fmt: skip
+def test_a_turn_at_the_very_instant_of_a_change_is_still_to_come(changes, phase, turn):
+    """The degradation is changed at 2 s so that it begins, or fades, or is over at 2 s."""
+    driver = driver_of(dataclasses.replace(SONAR, onset_s=1.0))
+    driver.run_s(2)
+    control = driver.environment.degradations
+    control.change("degradation0", **changes)
+    assert control.phase("degradation0") == phase
+    assert events(driver, 1) == [
+        (2.0, "degradation0 changed: sonar 0, stuck at 1m"),
+        (2.0, f"degradation0 {turn}: sonar 0, stuck at 1m"),
+    ]
 
 
 def test_a_change_and_a_removal_leave_what_the_others_remember():

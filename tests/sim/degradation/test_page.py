@@ -35,7 +35,6 @@ def test_the_world_of_the_page_is_the_world_that_comes_with_crs() -> None:
     assert len(load_world(ROOT / "worlds" / "faulty.xml").degradations) == 3
 
 
-@pytest.mark.slow
 def test_the_commands_of_the_page_run(
     monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:

@@ -451,7 +451,6 @@ def test_thousands_of_mistakes_are_cut_short():
     assert found[-1] == "w.xml: error: more mistakes than are shown here"
 
 
-@pytest.mark.slow
 def test_thousands_of_robots_on_one_spot_are_cut_short():
     found = messages_of(lines(AREA, *['<robot x="1" y="1"/>'] * 5000))
     assert len(found) == 101

@@ -114,7 +114,6 @@ def test_a_robot_driven_into_a_thing_reads_less_and_less_and_then_keeps_0(name):
     assert set(touching[LATE:]) == {0}
 
 
-@pytest.mark.slow
 def test_a_robot_that_pushes_a_box_reads_0_all_the_way():
     box = '<box x="2m" y="1.5m" length="30cm" width="60cm" mass="3kg"/>'
     told = drive_into(box, 14)
@@ -162,7 +161,6 @@ def inside(x: float, y: float, solid: Box | Wall | Polygon) -> bool:
     return abs(x * cos + y * sin) <= length / 2 and abs(y * cos - x * sin) <= width / 2
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("few", [0, 10**9])
 def test_many_robots_among_many_things_are_covered_as_each_pair_says(few, monkeypatch):
     monkeypatch.setattr("crs_cc.sim.geometry.cell_list._FEW_PAIRS", few)

@@ -43,7 +43,6 @@ def test_most_points_out_of_reach_are_not_looked_at():
     assert len(asked) < 3000 * 3000 / 50
 
 
-@pytest.mark.slow
 @settings(max_examples=60, deadline=None)
 @given(
     st.lists(st.tuples(*[st.floats(-30, 30)] * 4), min_size=1, max_size=30),

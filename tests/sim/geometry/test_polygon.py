@@ -27,7 +27,6 @@ def stars(draw):
     return np.stack([star, middles], axis=1).reshape(-1, 2)
 
 
-@pytest.mark.slow
 @given(stars())
 def test_triangles_fill_a_polygon_and_lie_counter_clockwise(star):
     parts = [area_m2(star[three]) for three in triangles(star)]

@@ -80,7 +80,6 @@ def test_a_limp_robot_rolls_down_a_hill(tmp_path):
     assert 4 - driver.state.x_m[0] == pytest.approx(expected_m, rel=0.03)
 
 
-@pytest.mark.slow
 def test_a_cliff_blocks_from_below_and_not_from_above(tmp_path):
     """The drop is as steep as 45 degrees, which a Scout does not climb, and begins at 7.5 m."""
     robot = 'x="7.75" y="2" heading="180"'
@@ -120,7 +119,6 @@ def test_what_is_no_picture_is_refused(tmp_path):
         load_world(path)
 
 
-@pytest.mark.slow
 def test_a_run_on_hills_goes_on_from_a_snapshot_to_the_same_bits(tmp_path):
     robots = "".join(f'<robot x="{1 + n}" y="1" heading="{60 + 20 * n}"/>' for n in range(6))
     boxes = "".join(

@@ -62,7 +62,6 @@ def test_what_fell_off_does_not_get_up_again():
     assert driver.state.x_m[0] == pytest.approx(4 + SCOUT_RADIUS_M, abs=0.005)
 
 
-@pytest.mark.slow
 def test_a_ramp_leads_onto_a_plateau_and_its_side_does_not():
     """A ramp from x = 0.5 to 2 m that ends at the plateau's edge, 1 m wide."""
     surface = PLATEAU.format("30cm").replace(

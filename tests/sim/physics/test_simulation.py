@@ -4,6 +4,7 @@ import math
 import pickle
 
 import numpy as np
+import pymunk
 import pytest
 
 from crs_cc.sim.geometry.placement import distance_from_m
@@ -57,7 +58,6 @@ class Bench:
 
 
 @pytest.mark.parametrize(("timestep", "drive_s"), [("1ms", 6), ("50ms", 60), ("100ms", 60)])
-@pytest.mark.slow
 def test_a_robot_at_full_speed_never_gets_through_or_deep_into_a_wall(timestep, drive_s):
     world = world_of(MAZE + '<robot x="0.3m" y="0.3m"/>', THIN_ROOM, timestep)
     bench = Bench(world)
@@ -82,6 +82,23 @@ def test_a_robot_driven_into_a_corner_stays_in_it():
             bench.push((DT * math.cos(angle), DT * math.sin(angle)))
             assert bench.depth_m() < 0.01
     assert bench.bodies.position_m[0] == pytest.approx([SCOUT_RADIUS_M] * 2, abs=0.01)
+
+
+@pytest.mark.parametrize("timestep", ["1ms", "50ms", "100ms"])
+def test_a_robot_at_full_speed_goes_at_most_8_mm_in_a_substep(timestep, monkeypatch):
+    """That is how deep it can get into a wall before it is stopped; and no time is left out."""
+    substeps_s, step = [], pymunk.Space.step
+    monkeypatch.setattr(
+        pymunk.Space, "step", lambda space, dt: substeps_s.append(dt) or step(space, dt)
+    )
+    world = world_of('<robot x="9m" y="5m"/>', timestep=timestep)
+    bench, speed_mps = Bench(world), world.robots[0].model.drive.wheels.speed_limit
+    while True:
+        substeps_s.clear()
+        if len(bench.push((speed_mps * world.timestep_s, 0.0)).other):
+            break
+    assert sum(substeps_s) == pytest.approx(world.timestep_s)
+    assert max(substeps_s) * speed_mps <= 0.008 + 1e-9
 
 
 def test_a_robot_slides_along_a_wall():
@@ -198,7 +215,6 @@ def test_a_box_between_a_robot_and_a_wall_holds_the_robot():
     assert bench.bodies.position_m[0, 0] == pytest.approx(1.6 - SCOUT_RADIUS_M, abs=0.02)
 
 
-@pytest.mark.slow
 def test_contacts_never_turn_a_robot():
     driver = Driver.of(world_of('<robot x="9m" y="5m" heading="70"/>'))
     driver.ask("VM", 300, 300)
@@ -236,7 +252,6 @@ def go_back(bench, snapshot):
     bench.bodies = bodies.copy()
 
 
-@pytest.mark.slow
 def test_a_snapshot_in_a_scrum_goes_on_to_the_same_bits(monkeypatch):
     monkeypatch.setattr("crs_cc.sim.physics.simulation.REBUILD", 30)
     bench = Bench(world_of(SCRUM, 'length="4m" width="5.5m"'))
