@@ -44,8 +44,8 @@ from crs_cc.runtime.codegen.indices import (
     WIDE_STATES,
 )
 from crs_cc.runtime.codegen.locations import Places, Proved
-from crs_cc.runtime.codegen.plain_memory import LOADS, STORES, PlainMemory
-from crs_cc.runtime.codegen.writer import Writer
+from crs_cc.runtime.codegen.plain_memory import PlainMemory
+from crs_cc.runtime.codegen.writer import LOADS, STORES, Writer
 from crs_cc.runtime.layout import NULL_SIZE
 from crs_cc.runtime.sites import Access, Site
 from crs_cc.runtime.wasm import UNLIKELY, Instr

@@ -1,12 +1,10 @@
 """Access to memory without tests: for unchecked builds, and for the allocator in all builds.
 
-`CheckedMemory` does the same with tests. Which of the two a `Writer` has decides how `Load`,
+`CheckedMemory` does the same with tests. Which of the two a `Selector` has decides how `Load`,
 `Store` and all that works on whole ranges are written.
 """
 
 from __future__ import annotations
-
-from typing import Final
 
 from crs_cc.core.source import Location
 from crs_cc.ir.program import (
@@ -20,7 +18,6 @@ from crs_cc.ir.program import (
     Lifetime,
     Load,
     Mark,
-    MemoryType,
     Operand,
     Slot,
     State,
@@ -28,19 +25,10 @@ from crs_cc.ir.program import (
 )
 from crs_cc.runtime.codegen import indices
 from crs_cc.runtime.codegen.indices import ADDRESS, FP, MEMORY, OUTSIDE, SHADOW, SP
-from crs_cc.runtime.codegen.writer import Writer
+from crs_cc.runtime.codegen.writer import LOADS, STORES, Writer
 from crs_cc.runtime.layout import NULL_SIZE
 from crs_cc.runtime.sites import Access, Site
 from crs_cc.runtime.wasm import Instr
-
-LOADS: Final[dict[MemoryType, str]] = {
-    "i8": "i32.load8_s", "u8": "i32.load8_u", "i16": "i32.load16_s", "u16": "i32.load16_u",
-    "i32": "i32.load", "i64": "i64.load", "f32": "f32.load", "f64": "f64.load",
-}  # fmt: skip
-STORES: Final[dict[MemoryType, str]] = {
-    "i8": "i32.store8", "u8": "i32.store8", "i16": "i32.store16", "u16": "i32.store16",
-    "i32": "i32.store", "i64": "i64.store", "f32": "f32.store", "f64": "f64.store",
-}  # fmt: skip
 
 
 class PlainMemory:

@@ -7,14 +7,31 @@ from __future__ import annotations
 
 from typing import Final
 
-from crs_cc.ir.program import VARARGS, Base, Constant, Operand, Register, Slot, ValueType
+from crs_cc.ir.program import (
+    VARARGS,
+    Base,
+    Constant,
+    MemoryType,
+    Operand,
+    Register,
+    Slot,
+    ValueType,
+)
 from crs_cc.runtime.codegen.flow import FAULTED
-from crs_cc.runtime.codegen.indices import ADDRESS, FIXED_LOCALS, FUEL, SITE, SP
+from crs_cc.runtime.codegen.indices import ADDRESS, FIXED_LOCALS, FUEL, MEMORY, SITE, SP
 from crs_cc.runtime.codegen.names import Names
 from crs_cc.runtime.layout import Frame
 from crs_cc.runtime.sites import Site
 from crs_cc.runtime.wasm import UNLIKELY, Instr
 
+LOADS: Final[dict[MemoryType, str]] = {
+    "i8": "i32.load8_s", "u8": "i32.load8_u", "i16": "i32.load16_s", "u16": "i32.load16_u",
+    "i32": "i32.load", "i64": "i64.load", "f32": "f32.load", "f64": "f64.load",
+}  # fmt: skip
+STORES: Final[dict[MemoryType, str]] = {
+    "i8": "i32.store8", "u8": "i32.store8", "i16": "i32.store16", "u16": "i32.store16",
+    "i32": "i32.store", "i64": "i64.store", "f32": "f32.store", "f64": "f64.store",
+}  # fmt: skip
 FREE_BYTES: Final = 256  # a copy costs one more unit of fuel for each so many bytes; 2**n
 
 
@@ -100,6 +117,16 @@ class Writer:
                 return
         if offset:
             self.code += [("i32.const", offset), ("i32.add",)]
+
+    def store_at(self, base: int, offset: int, value: Operand, memory: MemoryType) -> None:
+        """Store into the frame, relative to local `base`."""
+        self.code.append(("local.get", base))
+        self.push(value)
+        self.code.append((STORES[memory], MEMORY, offset))
+
+    def load_at(self, base: int, offset: int, memory: MemoryType) -> None:
+        """Push a value of the frame, relative to local `base`."""
+        self.code += [("local.get", base), (LOADS[memory], MEMORY, offset)]
 
     def charge(self, size: Operand) -> None:
         """Takes fuel for moving `size` bytes, so that large copies cost the time they take."""
