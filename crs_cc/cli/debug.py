@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
 import click
 
-from crs_cc.cli.program_options import ProgramOptions, WithProgramArguments, program_options
+from crs_cc.cli.debug_options import DebugOptions
+from crs_cc.cli.program_options import WithProgramArguments, program_options
 
 _EXAMPLES: Final = """
 \b
@@ -23,27 +23,6 @@ Examples:
 """
 
 _PORTS: Final = 65536
-
-
-@dataclass(frozen=True, slots=True)
-class DebugOptions(ProgramOptions):
-    """What to debug, and how.
-
-    Attributes:
-        scripts: files of commands that are done first.
-        commands: commands that are done behind them.
-        batch: end when these are done.
-        input: what the programs read from their standard input; None for what is typed.
-        tui: show the full screen; None for on a terminal.
-        dap: serve an editor instead: `stdio`, or the number of a port.
-    """
-
-    scripts: tuple[Path, ...] = ()
-    commands: tuple[str, ...] = ()
-    batch: bool = False
-    input: Path | None = None
-    tui: bool | None = None
-    dap: str | None = None
 
 
 def _dap(_ctx: click.Context, _option: click.Parameter, where: str | None) -> str | None:

@@ -28,7 +28,7 @@ from crs_cc.session.library import HEADERS
 
 if TYPE_CHECKING:
     from crs_cc.cli.compiler_options import CompilerOptions
-    from crs_cc.cli.debug import DebugOptions
+    from crs_cc.cli.debug_options import DebugOptions
     from crs_cc.cli.load import Loaded
     from crs_cc.frontend.preprocess.options import Dialect
     from crs_cc.session.host import Input, Output

@@ -16,7 +16,7 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.session.host import no_input
 
 if TYPE_CHECKING:
-    from crs_cc.cli.debug import DebugOptions
+    from crs_cc.cli.debug_options import DebugOptions
     from crs_cc.debug.engine import Debugger
     from crs_cc.session.host import Output
 

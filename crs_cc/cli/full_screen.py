@@ -18,7 +18,7 @@ from crs_cc.cli.messages import say
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from crs_cc.cli.debug import DebugOptions
+    from crs_cc.cli.debug_options import DebugOptions
     from crs_cc.debug.engine import Debugger
     from crs_cc.session.host import Input, Output
 

@@ -3,37 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
 import click
 
 from crs_cc.cli.inputs import demand_picture
-from crs_cc.cli.program_options import ProgramOptions, WithProgramArguments, program_options
-
-
-@dataclass(frozen=True, slots=True)
-class RunOptions(ProgramOptions):
-    """What to run, how, and what to show of it.
-
-    Attributes:
-        max_time_s: stop at the first timestep that ends at or after it [s]; None for the world's,
-            else no end.
-        plot: the picture to draw.
-        plot_sensors: whether it shows what sensors told last, too.
-        trace: what to show of each timestep: `requests`, the request queue, or `messages`.
-        as_json: give the results as JSON on stdout.
-        summary: show the summary; None to decide by whether stderr is a terminal.
-    """
-
-    max_time_s: float | None = None
-    plot: Path | None = None
-    plot_sensors: bool = False
-    trace: str | None = None
-    as_json: bool = False
-    summary: bool | None = None
-
+from crs_cc.cli.program_options import WithProgramArguments, program_options
+from crs_cc.cli.run_options import RunOptions
 
 _EXAMPLES: Final = """
 \b

@@ -34,7 +34,7 @@ from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model.world import Pose, Thing
 
 if TYPE_CHECKING:
-    from crs_cc.cli.run import RunOptions
+    from crs_cc.cli.run_options import RunOptions
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
     from crs_cc.session.session import Listener
     from crs_cc.sim.engine.step import Step
