@@ -17,7 +17,7 @@ _WAVES: Final = (0.5, 1.2, 1.9)
 
 
 def draw_beacons(page: Page, view: View, world: WorldModel) -> None:
-    """Draws the lights of a world as suns, and its sounds as waves."""
+    """Draw the lights of a world as suns, and its sounds as waves."""
     for light in world.lights:
         middle = view.point(light.x_m, light.y_m)
         with page.group(stroke=_LIGHT, stroke_width=1.5):
@@ -34,7 +34,7 @@ def draw_beacons(page: Page, view: View, world: WorldModel) -> None:
 def draw_fingers(
     page: Page, view: View, gripper: Gripper, robot: tuple[float, float, float], paint: str
 ) -> None:
-    """Draws the fingers of a gripper, as far apart as they get.
+    """Draw the fingers of a gripper, as far apart as they get.
 
     Args:
         page: where to draw.

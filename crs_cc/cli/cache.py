@@ -31,7 +31,7 @@ Examples:
 )
 @click.pass_context
 def cache(context: click.Context) -> int:
-    """Shows where compiled programs are kept, how many entries there are, and how large they are.
+    """Show where compiled programs are kept, how many entries there are, and how large they are.
 
     The folder is $CRS_CACHE, or crs_cc in the user's cache folder. When it grows over its limit,
     the least recently used entries are removed. The limit is 1 GiB, or what CRS_CACHE_SIZE in the
@@ -56,7 +56,7 @@ def cache(context: click.Context) -> int:
     epilog="\b\nExamples:\n  crs cache clear", short_help="Remove all that was compiled before."
 )
 def clear() -> int:
-    """Removes all that was compiled before; programs are compiled again when they are next run."""
+    """Remove all that was compiled before; programs are compiled again when they are next run."""
     from crs_cc.session.cache_size import remove
 
     folder = _folder()

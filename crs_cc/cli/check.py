@@ -40,7 +40,7 @@ Examples:
 )
 @compiler_options
 def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOptions) -> int:
-    """Says what is wrong with C, world and robot files, and what is in them; runs nothing.
+    """Say what is wrong with C, world and robot files, and what is in them; runs nothing.
 
     Of a world, a robot definition, or a file that worlds include, it tells what is there.
     Each C file is looked at on its own, so that a part of a program can be checked too. If one of
@@ -76,7 +76,7 @@ def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOp
 
 
 def _world_messages(path: Path, contents: list[str]) -> tuple[Sequence[Diagnostic], int]:
-    """Gives the messages about an XML file, and their exit status.
+    """Return the messages about an XML file, and their exit status.
 
     Args:
         path: the file.
@@ -100,7 +100,7 @@ def _messages(
     sources: Diagnostics,
     together: Sequence[Path],
 ) -> tuple[Sequence[Diagnostic], int]:
-    """Gives the messages about a C file, and the exit status of its errors.
+    """Return the messages about a C file, and the exit status of its errors.
 
     Args:
         path: the file.

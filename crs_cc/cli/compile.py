@@ -42,7 +42,7 @@ Examples:
 def compile_(
     files: Sequence[str], emit: str, quiet: bool, unchecked: bool, compiler: CompilerOptions
 ) -> int:
-    """Shows the code that a C program becomes, on stdout."""
+    """Show the code that a C program becomes, on stdout."""
     paths = [Path(name) for name in files]
     diagnostics = Diagnostics()
     with gathered(diagnostics, quiet=quiet):
@@ -61,7 +61,7 @@ def compile_(
 def compile_source(
     path: Path, compiler: CompilerOptions, diagnostics: Diagnostics, together: Sequence[Path]
 ) -> Program:
-    """Compiles a single C file.
+    """Compile a single C file.
 
     Args:
         path: the file.

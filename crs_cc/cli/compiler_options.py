@@ -40,7 +40,7 @@ class CompilerOptions:
 def _folders(
     _ctx: click.Context, _option: click.Parameter, paths: tuple[Path, ...]
 ) -> tuple[Path, ...]:
-    """Leaves out folders that do not exist, with a warning: makefiles name such."""
+    """Leave out folders that do not exist, with a warning: makefiles name such."""
     for path in paths:
         if not path.is_dir():
             say(f"warning: -I {path}: no such folder")
@@ -77,7 +77,7 @@ _OPTIONS = (
 
 
 def compiler_options(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Gives a command the options of the compiler, which it takes as `compiler`."""
+    """Return a command the options of the compiler, which it takes as `compiler`."""
 
     @functools.wraps(command)
     def with_options(
@@ -101,7 +101,7 @@ def compiler_options(command: Callable[..., Any]) -> Callable[..., Any]:
 
 @contextmanager
 def gathered(diagnostics: Diagnostics, *, quiet: bool = False) -> Iterator[None]:
-    """Completes an error that leaves the block by the warnings found before it, or has none."""
+    """Complete an error that leaves the block by the warnings found before it, or has none."""
     try:
         yield
     except CrsError as error:
@@ -112,5 +112,5 @@ def gathered(diagnostics: Diagnostics, *, quiet: bool = False) -> Iterator[None]
 
 
 def merged(first: Sequence[Diagnostic], second: Sequence[Diagnostic]) -> list[Diagnostic]:
-    """Gives the messages of both, each once, in order."""
+    """Return the messages of both, each once, in order."""
     return list(dict.fromkeys([*first, *second]))

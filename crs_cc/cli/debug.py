@@ -66,7 +66,7 @@ _OPTIONS: Final = (
 
 
 def _debug_options(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Gives a command all arguments and options of `crs debug`."""
+    """Return a command all arguments and options of `crs debug`."""
     command = program_options(command, needs_files=False)
     for option in reversed(_OPTIONS):
         command = option(command)
@@ -81,7 +81,7 @@ def _debug_options(command: Callable[..., Any]) -> Callable[..., Any]:
 )
 @_debug_options
 def debug(**options: Any) -> int:
-    """Compiles a C control program, and steps through its run in a simulated world.
+    """Compile a C control program, and steps through its run in a simulated world.
 
     Programs and world go together, forward and backward: reverse-step, reverse-continue, goto.
     Programs, worlds and options are those of crs run. Commands have gdb's names, help lists
@@ -100,7 +100,7 @@ def debug(**options: Any) -> int:
 
 
 def read_options(arguments: Sequence[str]) -> DebugOptions:
-    """Gives what a command line of `crs debug` says.
+    """Return what a command line of `crs debug` says.
 
     Raises:
         click.ClickException: it is wrong.
@@ -112,6 +112,6 @@ def read_options(arguments: Sequence[str]) -> DebugOptions:
 
 @functools.cache
 def _reader() -> click.Command:
-    """Gives a command that does nothing but to read its options."""
+    """Return a command that does nothing but to read its options."""
     command = click.command(cls=WithProgramArguments, add_help_option=False)
     return command(_debug_options(DebugOptions))

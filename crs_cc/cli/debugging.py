@@ -61,7 +61,7 @@ def debug_programs(options: DebugOptions) -> int:
 
 
 def _input(options: DebugOptions, keyboard: Keyboard) -> Input:
-    """Gives what the programs read: never a script of ours."""
+    """Return what the programs read: never a script of ours."""
     if options.input is not None:
         return file_input(options.input)
     if keyboard.is_typed or options.batch:
@@ -70,7 +70,7 @@ def _input(options: DebugOptions, keyboard: Keyboard) -> Input:
 
 
 def file_input(path: Path) -> Input:
-    """Gives the lines of a file in as large pieces as programs want them.
+    """Return the lines of a file in as large pieces as programs want them.
 
     Raises:
         OSError: it cannot be read.
@@ -100,7 +100,7 @@ def _load(options: DebugOptions) -> Loaded:
 
 
 def make_debugger(loaded: Loaded, options: DebugOptions, output: Output, read: Input) -> Debugger:
-    """Gives a debugger of what has been loaded.
+    """Return a debugger of what has been loaded.
 
     Args:
         loaded: the world and the programs, in their debug builds.
@@ -121,7 +121,7 @@ def make_debugger(loaded: Loaded, options: DebugOptions, output: Output, read: I
 
 
 def _programs(loaded: Loaded, options: DebugOptions) -> list[DebugProgram]:
-    """Gives each robot's program; robots with the same program share it."""
+    """Return each robot's program; robots with the same program share it."""
     made: dict[int, DebugProgram] = {}
     rows = zip(loaded.executables, loaded.sources, loaded.dialects, strict=True)
     for executable, sources, dialect in rows:
@@ -134,7 +134,7 @@ def _programs(loaded: Loaded, options: DebugOptions) -> list[DebugProgram]:
 def _front_end(
     compiler: CompilerOptions, sources: Sequence[Path], dialect: Dialect | None
 ) -> Options:
-    """Gives what the files were compiled with, so that expressions mean what they mean there."""
+    """Return what the files were compiled with, so that expressions mean what they mean there."""
     options = Options(
         compiler.include_paths,
         (HEADERS,),

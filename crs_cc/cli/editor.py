@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 def serve_editor(where: str, read: Callable[[Sequence[str]], DebugOptions]) -> int:
-    """Serves an editor, and gives the exit status.
+    """Serve an editor, and gives the exit status.
 
     Args:
         where: `stdio`, or the number of a port, on which one editor after the other is served.

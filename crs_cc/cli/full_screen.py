@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 def is_wanted(options: DebugOptions) -> bool:
-    """Tells whether to show it; where somebody would expect it and it cannot be, says why.
+    """Return whether to show it; where somebody would expect it and it cannot be, says why.
 
     Raises:
         click.UsageError: it was asked for, and cannot be shown.

@@ -56,12 +56,12 @@ def sort_files(names: Sequence[str]) -> Inputs:
 
 
 def is_world(name: str) -> bool:
-    """Tells whether a file's name is that of a world file."""
+    """Return whether a file's name is that of a world file."""
     return name.lower().endswith(".xml")
 
 
 def demand_readable(path: Path, hint: str = "") -> None:
-    """Makes sure that a file can be read at all.
+    """Make sure that a file can be read at all.
 
     Args:
         path: the file.
@@ -87,7 +87,7 @@ def demand_readable(path: Path, hint: str = "") -> None:
 
 
 def name_files(options: Sequence[str]) -> dict[str, Path]:
-    """Gives the files that programs may read, by name, from `FILE` or `NAME=FILE`.
+    """Return the files that programs may read, by name, from `FILE` or `NAME=FILE`.
 
     Raises:
         click.UsageError: there is no such file, or it cannot be read, or is too large; or a
@@ -114,7 +114,7 @@ def name_files(options: Sequence[str]) -> dict[str, Path]:
 
 
 def make_folder(path: Path) -> None:
-    """Makes the folder for results, unless it is there.
+    """Make the folder for results, unless it is there.
 
     Raises:
         click.UsageError: it cannot be made.
@@ -126,7 +126,7 @@ def make_folder(path: Path) -> None:
 
 
 def demand_picture(path: Path) -> None:
-    """Makes sure that a picture may be written to a file: it is no source, and can be written.
+    """Make sure that a picture may be written to a file: it is no source, and can be written.
 
     Raises:
         click.UsageError: it may not.
@@ -140,7 +140,7 @@ def demand_picture(path: Path) -> None:
 
 
 def _demand_writable(path: Path) -> None:
-    """Makes sure, as far as can be told without writing, that a file can be written."""
+    """Make sure, as far as can be told without writing, that a file can be written."""
     folder = path.absolute().parent
     try:
         if not stat.S_ISDIR(folder.stat().st_mode):
@@ -156,7 +156,7 @@ def _demand_writable(path: Path) -> None:
 
 
 def _similar(path: Path) -> str:
-    """Gives a hint to a file of almost the same name."""
+    """Return a hint to a file of almost the same name."""
     try:
         names = sorted(each.name for each in path.parent.iterdir() if each.suffix == path.suffix)
     except OSError:

@@ -41,7 +41,7 @@ class Interrupt:
 
     @contextmanager
     def waiting(self) -> Iterator[None]:
-        """Marks a block that waits for input, where nobody would look at `requested`."""
+        """Mark a block that waits for input, where nobody would look at `requested`."""
         self._is_waiting = True
         try:
             yield

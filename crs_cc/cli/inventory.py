@@ -17,7 +17,7 @@ _MOST: Final = 10
 
 
 def inventory(what: WorldModel | RobotModel | Definitions) -> list[str]:
-    """Gives the lines that tell what is there."""
+    """Return the lines that tell what is there."""
     if isinstance(what, WorldModel):
         return list(_world(what))
     if isinstance(what, RobotModel):
@@ -27,7 +27,7 @@ def inventory(what: WorldModel | RobotModel | Definitions) -> list[str]:
 
 
 def counted(number: int, noun: str, plural: str = "") -> str:
-    """Gives a number of things in words.
+    """Return a number of things in words.
 
     >>> counted(1, "wall"), counted(2, "box", "boxes")
     ('1 wall', '2 boxes')

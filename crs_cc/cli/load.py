@@ -46,7 +46,7 @@ class Loaded:
 
 
 def load(options: ProgramOptions, diagnostics: Diagnostics, *, debug: bool = False) -> Loaded:
-    """Reads the world and compiles every program that its robots run, each once.
+    """Read the world and compiles every program that its robots run, each once.
 
     Args:
         options: what to run.
@@ -105,7 +105,7 @@ def _program(robot: Robot, options: ProgramOptions) -> tuple[Path, ...]:
 
 
 def _arguments(robot: Robot, options: ProgramOptions) -> tuple[str, ...]:
-    """Gives the world's arguments if it has any; ours are for the program that we were given."""
+    """Return the world's arguments if it has any; ours are for the program that we were given."""
     return robot.arguments or (() if robot.program else options.arguments)
 
 

@@ -95,7 +95,7 @@ class _Crs(click.Group):
 )
 @click.version_option(__version__, "-V", "--version", message="crs %(version)s")
 def crs() -> None:
-    """Runs real C control programs of the Nomadic Scout in a simulated world."""
+    """Run real C control programs of the Nomadic Scout in a simulated world."""
 
 
 for command in (run, debug, check, compile_, new, cache):
@@ -103,7 +103,7 @@ for command in (run, debug, check, compile_, new, cache):
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Runs `crs` with these arguments, by default the process's own; gives the exit status."""
+    """Run `crs` with these arguments, by default the process's own; gives the exit status."""
     prepare_streams()
     try:
         return _main(arguments)
@@ -135,7 +135,7 @@ def _main(arguments: Sequence[str] | None) -> int:
 
 
 def _system_failure(error: OSError) -> int:
-    """Says what the system refused, as far as it lets us; what is still unwritten is lost."""
+    """Say what the system refused, as far as it lets us; what is still unwritten is lost."""
     mute(sys.stdout)
     if isinstance(error, BrokenPipeError):
         mute(sys.stderr)

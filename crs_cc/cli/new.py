@@ -24,7 +24,7 @@ Examples:
 @click.argument("kind", type=click.Choice(list(_ENDINGS)))
 @click.argument("name")
 def new(kind: str, name: str) -> int:
-    """Writes a file to start from, which can be checked and run as it is; never over another."""
+    """Write a file to start from, which can be checked and run as it is; never over another."""
     path = Path(name)
     if path.name and path.suffix.lower() != _ENDINGS[kind]:
         path = path.with_name(path.name + _ENDINGS[kind])

@@ -40,11 +40,11 @@ class ProgressLine:
         self._next_s = 0.0
 
     def is_due(self) -> bool:
-        """Tells whether it is time to draw again and nothing stands in the way."""
+        """Return whether it is time to draw again and nothing stands in the way."""
         return self.stream is not None and self._line_is_free and time.monotonic() >= self._next_s
 
     def draw(self, text: str) -> None:
-        """Writes the line over the one drawn before."""
+        """Write the line over the one drawn before."""
         if self.stream is not None:
             self.stream.write(_ERASE_LINE + text)
             self.stream.flush()
@@ -95,12 +95,12 @@ class ProgramOutput:
         self._put(fd, b"".join(self._prefixes[robot] + line + b"\n" for line in lines))
 
     def flush(self) -> None:
-        """Brings everything written so far to the reader."""
+        """Bring everything written so far to the reader."""
         for stream in self.streams.values():
             stream.flush()
 
     def close(self) -> None:
-        """Ends unfinished lines, in the robots' order, and flushes."""
+        """End unfinished lines, in the robots' order, and flushes."""
         for (robot, fd), rest in sorted(self._begun.items()):
             if rest:
                 self._put(fd, self._prefixes[robot] + rest + b"\n")
@@ -121,7 +121,7 @@ class ProgramOutput:
 
 
 def read_line(size: int) -> bytes:
-    """Reads from our stdin what a program wants: at most `size` bytes, at most one line.
+    """Read from our stdin what a program wants: at most `size` bytes, at most one line.
 
     So the pieces depend on what is written to us and never on when.
     """

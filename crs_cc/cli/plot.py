@@ -99,7 +99,7 @@ class Picture:
     sights: Sequence[Beam] = ()
 
     def render(self) -> bytes:
-        """Gives the picture as SVG."""
+        """Return the picture as SVG."""
         return _Drawing(self).render()
 
 
@@ -215,7 +215,7 @@ class _Drawing:
         )
 
     def _strokes(self) -> None:
-        """Draws what programs have drawn."""
+        """Draw what programs have drawn."""
         if not self.picture.drawings:
             return
         style: dict[str, str | float] = {"fill": "none", "stroke_width": 1.2}
@@ -252,7 +252,7 @@ class _Drawing:
                 draw_fingers(self.page, self.view, trip.robot.model.gripper, at, colour(number))
 
     def _there(self) -> list[tuple[int, Trip]]:
-        """Gives the robots that have been in the world, with their numbers."""
+        """Return the robots that have been in the world, with their numbers."""
         return [(n, trip) for n, trip in enumerate(self.picture.trips) if len(trip.path)]
 
     def _radius_px(self, trip: Trip) -> float:
@@ -311,14 +311,14 @@ class _Drawing:
 
 
 def _paint(solid: Solid, plain: str) -> str:
-    """Gives the colour of a thing's material, or another one for what has none of its own."""
+    """Return the colour of a thing's material, or another one for what has none of its own."""
     if solid.material.colour == PLAIN.colour:
         return plain
     return hexadecimal(solid.material.colour)
 
 
 def shortened(name: str, length: int = 20) -> str:
-    """Gives a name that fits into the legend."""
+    """Return a name that fits into the legend."""
     return name if len(name) <= length else name[: length - 3] + "..."
 
 
@@ -336,7 +336,7 @@ def _multiples(low: float, high: float, step: float) -> Iterator[float]:
 
 
 def _bounds(picture: Picture) -> tuple[FloatArray, FloatArray]:
-    """Gives the lower left and upper right corner [m] of all that is drawn, with a rim.
+    """Return the lower left and upper right corner [m] of all that is drawn, with a rim.
 
     An open world shows what happened in it; a closed one is shown whole.
     """
@@ -362,7 +362,7 @@ def _strokes_m(picture: Picture, drawing: Drawing) -> list[FloatArray]:
 
 
 def _drawn(picture: Picture, drawing: Drawing) -> FloatArray:
-    """Gives the points of a drawing, those beyond the world's area as near as they get in it."""
+    """Return the points of a drawing, those beyond the world's area as near as they get in it."""
     area = picture.world.area
     low, high = (area.x_min_m, area.y_min_m), (area.x_max_m, area.y_max_m)
     return np.clip(np.concatenate(_strokes_m(picture, drawing)), low, high)

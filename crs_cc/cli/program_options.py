@@ -58,7 +58,7 @@ class WithProgramArguments(click.Command):
     """A command whose arguments behind `--` belong to the control program."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Sets the program's arguments aside, and parses the others."""
+        """Set the program's arguments aside, and parses the others."""
         if "--" in args:
             own = args[: args.index("--")]
             ctx.meta[_ARGUMENTS] = tuple(args[len(own) + 1 :])
@@ -115,7 +115,7 @@ _OPTIONS: Final = (
 
 
 def program_options(command: Callable[..., Any], *, needs_files: bool = True) -> Callable[..., Any]:
-    """Gives a command these arguments and options, which it takes as fields of `ProgramOptions`.
+    """Return a command these arguments and options, which it takes as fields of `ProgramOptions`.
 
     Args:
         command: the function of a `WithProgramArguments`.

@@ -77,7 +77,7 @@ def _time(_ctx: click.Context, _option: click.Parameter, time_s: float | None) -
 )
 @program_options
 def run(**options: Any) -> int:
-    """Compiles a C control program, and runs it in a simulated world.
+    """Compile a C control program, and runs it in a simulated world.
 
     Several C files make one program. In a world with several robots each runs the program that
     the world file names for it, else the one given here. Without a world file there is one robot

@@ -80,7 +80,7 @@ def _write(top: int, parts: Sequence[bytes], content: bytes) -> None:
 
 
 def dropped(robot: RobotResult, files: Mapping[bytes, bytes]) -> Diagnostic:
-    """Gives the warning that a program's files are not kept."""
+    """Return the warning that a program's files are not kept."""
     names = [name.decode(errors="replace") for name in files]
     text = ", ".join(names[:_NAMED])
     if len(names) > _NAMED:
@@ -90,7 +90,7 @@ def dropped(robot: RobotResult, files: Mapping[bytes, bytes]) -> Diagnostic:
 
 
 def missed(robot: RobotResult, names: Sequence[bytes]) -> Diagnostic | None:
-    """Gives the warning that a program looked for files which are here, but which it cannot see."""
+    """Return the warning that a program looked for files which are here, but which it cannot see."""
     here = [name for name in map(os.fsdecode, names) if Path(name).is_file()]
     if not here:
         return None

@@ -12,7 +12,7 @@ _SOUND: Final = "#56b4e9"
 
 
 def draw_sights(page: Page, view: View, beams: Sequence[Beam]) -> None:
-    """Draws what sensors told."""
+    """Draw what sensors told."""
     for beam in beams:
         points = [view.point(*point) for point in beam.outline.tolist()]
         if beam.colour:

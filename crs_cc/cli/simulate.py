@@ -45,7 +45,7 @@ _MOVED_M: Final = 0.005
 
 
 def simulate(options: RunOptions) -> int:
-    """Runs the programs in the world, shows what was asked for, and gives the exit status.
+    """Run the programs in the world, shows what was asked for, and gives the exit status.
 
     Raises:
         CrsError: whatever kept the run from starting, or ended it.
@@ -117,7 +117,7 @@ class Runner:
         )
 
     def run(self) -> Run:
-        """Steps until all programs have ended, time is up, or Ctrl-C."""
+        """Step until all programs have ended, time is up, or Ctrl-C."""
         with self._interrupt:
             try:
                 self._step_to_end()
@@ -136,7 +136,7 @@ class Runner:
         )
 
     def _current_calls(self) -> Iterator[ActiveCall | None]:
-        """Gives where programs stand that have not ended, if anybody wants to know."""
+        """Return where programs stand that have not ended, if anybody wants to know."""
         wanted = self._options.as_json or shows_summary(self._options)
         for robot in range(len(self.session.fleet)):
             yield self.session.current_call(robot) if wanted else None
@@ -167,12 +167,12 @@ class Runner:
             self.tracks.collisions += int(once.sum())
 
     def _look(self) -> None:
-        """Keeps what the picture needs."""
+        """Keep what the picture needs."""
         if self._options.plot is not None:
             self.tracks.add(*self._places_m())
 
     def _places_m(self) -> tuple[FloatArray, FloatArray]:
-        """Gives x and y of all robots, NaN for those that are not in the world."""
+        """Return x and y of all robots, NaN for those that are not in the world."""
         state = self.session.environment.state
         present = state.presence.present
         return np.where(present, state.x_m, np.nan), np.where(present, state.y_m, np.nan)
@@ -192,7 +192,7 @@ class Runner:
         )
 
     def unconnected(self) -> Iterator[Diagnostic]:
-        """Gives warnings of calls of the robot without a connection, of each place one."""
+        """Return warnings of calls of the robot without a connection, of each place one."""
         places = set()
         for robot, call in enumerate(self.session.unconnected_calls):
             if call is None or call.location is None or call.location in places:
@@ -205,7 +205,7 @@ class Runner:
             yield Diagnostic("warning", call.location, text, line, hint)
 
     def picture(self, run: Run) -> Picture:
-        """Gives the picture of the finished run."""
+        """Return the picture of the finished run."""
         state = self.session.environment.state
         world = self.session.environment.world_now
         self.tracks.end(*self._places_m())
@@ -232,7 +232,7 @@ class Runner:
         )
 
     def _pushed(self, world: WorldModel) -> list[Thing]:
-        """Gives the things that were pushed away, where they are now."""
+        """Return the things that were pushed away, where they are now."""
         bodies = self.session.environment.state.bodies
         scene = Scene(world)
         pushed = []
@@ -244,7 +244,7 @@ class Runner:
 
 
 def shows_summary(options: RunOptions) -> bool:
-    """Tells whether the summary is shown: on a terminal, if nothing else was asked for."""
+    """Return whether the summary is shown: on a terminal, if nothing else was asked for."""
     if options.summary is None:
         return is_terminal(sys.stderr) and not options.quiet
     return options.summary
@@ -288,7 +288,7 @@ def _keep_files(session: Session, run: Run, options: RunOptions) -> bool:
 
 
 def _report(run: Run, options: RunOptions) -> None:
-    """Says what came of the run, as far as anybody wants to know."""
+    """Say what came of the run, as far as anybody wants to know."""
     show_reports(run.result.robots)
     if options.as_json:
         click.echo(as_json(run))

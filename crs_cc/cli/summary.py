@@ -38,12 +38,12 @@ class Run:
 
     @property
     def real_time_factor(self) -> float:
-        """Gives how many times faster than real time it went."""
+        """How many times faster than real time it went."""
         return self.result.simulated_s / max(self.wall_s, 1e-9)
 
 
 def exit_status(run: Run) -> int:
-    """Gives what `crs run` ends with."""
+    """Return what `crs run` ends with."""
     statuses = [_robot_status(robot) for robot in run.result.robots]
     if run.interrupted:
         return INTERRUPTED
@@ -57,7 +57,7 @@ def _robot_status(robot: RobotResult) -> int:
 
 
 def as_json(run: Run) -> str:
-    """Gives the results as JSON; all but `timing` is the same for the same seed."""
+    """Return the results as JSON; all but `timing` is the same for the same seed."""
     result = run.result
     data = {
         "crs": __version__,

@@ -64,13 +64,13 @@ class Tracks:
         self._samples.append(np.column_stack([x_m, y_m]))
 
     def path(self, robot: int) -> FloatArray:
-        """Gives a robot's places [m] while it was in the world, shape (samples, 2)."""
+        """Return a robot's places [m] while it was in the world, shape (samples, 2)."""
         path = np.array([sample[robot] for sample in self._samples]).reshape(-1, 2)
         return np.asarray(path[np.isfinite(path[:, 0])])
 
 
 def simplified(path: FloatArray, tolerance: float) -> FloatArray:
-    """Gives fewer points whose line keeps within `tolerance` of all points.
+    """Return fewer points whose line keeps within `tolerance` of all points.
 
     Source: Douglas and Peucker, "Algorithms for the reduction of the number of points required to
     represent a digitized line", 1973.
@@ -96,7 +96,7 @@ def simplified(path: FloatArray, tolerance: float) -> FloatArray:
 
 
 def _distances(points: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
-    """Gives the points' distances from the segment between two points."""
+    """Return the points' distances from the segment between two points."""
     along = end - start
     length_squared = float(along @ along)
     if length_squared == 0.0:

@@ -23,7 +23,7 @@ MOST_LINES: Final = 5
 
 
 def unfinished(run: Run) -> Iterator[str]:
-    """Gives a line for each place where programs stand, the first few."""
+    """Return a line for each place where programs stand, the first few."""
     alike: dict[tuple[str, str], list[RobotResult]] = {}
     for robot, call in zip(run.result.robots, run.calls, strict=True):
         if call is not None:
@@ -37,7 +37,7 @@ def unfinished(run: Run) -> Iterator[str]:
 
 
 def _place(call: ActiveCall, *, alone: bool) -> str:
-    """Says where a program stands; with the function's arguments, if it is the only one."""
+    """Say where a program stands; with the function's arguments, if it is the only one."""
     text = str(call) if alone else f"{call.function}()"
     return f"in {printable(text)} at {printable(str(call.location))}"
 

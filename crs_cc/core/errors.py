@@ -29,7 +29,7 @@ class CrsError(Exception):
 
     @classmethod
     def at(cls, location: Location, text: str, hint: str = "", stage: Stage = "") -> Self:
-        """Makes an error of one message."""
+        """Make an error of one message."""
         return cls([Diagnostic("error", location, text, hint=hint, stage=stage)])
 
 

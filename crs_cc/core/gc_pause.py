@@ -12,7 +12,7 @@ from collections.abc import Iterator
 
 @contextlib.contextmanager
 def without_collector() -> Iterator[None]:
-    """Looks for no garbage meanwhile; also to be written over a function."""
+    """Look for no garbage meanwhile; also to be written over a function."""
     was_enabled = gc.isenabled()
     gc.disable()
     try:

@@ -43,7 +43,7 @@ class Kind:
     limit: float
 
     def parse(self, text: str, default: str = "") -> float:
-        """Gives the value [SI unit] that a text means.
+        """Return the value [SI unit] that a text means.
 
         Args:
             text: a number, with or without a unit.
@@ -67,7 +67,7 @@ class Kind:
         return value
 
     def show(self, value: float) -> str:
-        """Gives a value [SI unit] in words, in the unit of a bare number.
+        """Return a value [SI unit] in words, in the unit of a bare number.
 
         >>> ANGLE.show(math.pi / 2), RATIO.show(0.5)
         ('90deg', '0.5')
@@ -123,7 +123,7 @@ LOUDNESS: Final = Kind("a level", (("", 1.0),), "", "100", 1e6)
 
 
 def round_length(length_m: float) -> float:
-    """Gives the nearest of 1, 2 and 5 times a power of ten that is not longer.
+    """Return the nearest of 1, 2 and 5 times a power of ten that is not longer.
 
     >>> [round_length(length) for length in (0.9, 3.0, 77.0)]
     [0.5, 2.0, 50.0]

@@ -54,7 +54,7 @@ class Location:
 
 
 def underline(line: str, place: Location) -> str:
-    """Gives what to write below an expression: `^~~~`, or `^` where its end is not known.
+    """Return what to write below an expression: `^~~~`, or `^` where its end is not known.
 
     A name at the end with a parenthesis behind it is a macro, whose arguments belong to it.
 
@@ -73,7 +73,7 @@ def underline(line: str, place: Location) -> str:
 
 
 def _closed(line: str, start: int) -> int:
-    """Gives the index behind the parenthesis that closes the one at `start`, or the line's end."""
+    """Return the index behind the parenthesis that closes the one at `start`, or the line's end."""
     depth = 0
     for token in _TOKEN.finditer(line, start):
         depth += {"(": 1, ")": -1}.get(token[0], 0)
@@ -103,7 +103,7 @@ class Diagnostic:
     stage: Stage = ""
 
     def render(self) -> str:
-        """Gives the message as `file:line:col: severity: text`, the line, a caret and the hint."""
+        """Return the message as `file:line:col: severity: text`, the line, a caret and the hint."""
         rows = [f"{self.location}: {self.severity}: {self.text}"]
         if self.source_line.strip():
             rows.append("    " + self.source_line.replace("\t", " ").rstrip())
@@ -134,22 +134,22 @@ class Diagnostics:
     _known: set[Diagnostic] = field(default_factory=set, repr=False)
 
     def add(self, severity: Severity, location: Location, text: str, hint: str = "") -> None:
-        """Records a message, unless the same one was recorded at the same place before."""
+        """Record a message, unless the same one was recorded at the same place before."""
         message = Diagnostic(severity, location, text, self._line(location), hint, self.stage)
         if message not in self._known:
             self._known.add(message)
             self.messages.append(message)
 
     def error(self, location: Location, text: str, hint: str = "") -> None:
-        """Records an error."""
+        """Record an error."""
         self.add("error", location, text, hint)
 
     def warning(self, location: Location, text: str, hint: str = "") -> None:
-        """Records a warning."""
+        """Record a warning."""
         self.add("warning", location, text, hint)
 
     def sort(self) -> None:
-        """Brings the messages into the order of the source: headers first, notes behind theirs."""
+        """Bring the messages into the order of the source: headers first, notes behind theirs."""
         files = {name: number for number, name in enumerate(self.lines)}
         groups: list[list[Diagnostic]] = []
         for message in self.messages:
@@ -166,7 +166,7 @@ class Diagnostics:
         self.messages[:] = [message for group in groups for message in group]
 
     def shorten(self, most: int) -> None:
-        """Leaves out all but the first errors, and says so."""
+        """Leave out all but the first errors, and says so."""
         errors = self.errors
         if len(errors) <= most:
             return
@@ -177,11 +177,11 @@ class Diagnostics:
 
     @property
     def errors(self) -> list[Diagnostic]:
-        """Gives the errors alone."""
+        """The errors alone."""
         return [message for message in self.messages if message.severity == "error"]
 
     def text_at(self, location: Location) -> str:
-        """Gives the rest of the line of source from a place on; "" when it is unknown."""
+        """Return the rest of the line of source from a place on; "" when it is unknown."""
         return self._line(location)[max(0, location.column - 1) :]
 
     def _line(self, location: Location) -> str:

@@ -48,7 +48,7 @@ def build_executable(
     trap_overflow: bool = False,
     dialect: Dialect | None = None,
 ) -> Executable:
-    """Gives the program made of some C files, from the cache if nothing has changed.
+    """Return the program made of some C files, from the cache if nothing has changed.
 
     Args:
         paths: the C files.
@@ -135,7 +135,7 @@ def _compile(
 
 
 def build_watching(executable: Executable) -> Executable:
-    """Gives the watching build of a program, from the cache if it was made before.
+    """Return the watching build of a program, from the cache if it was made before.
 
     What is known of the code is the same for both builds, see `codegen.watching`; so this has that
     of the other.
@@ -170,7 +170,7 @@ def _unchanged(entry: _Entry) -> bool:
 
 
 def _reload(entry: _Entry, flags: dict[str, bool]) -> Callable[[], Detail]:
-    """Gives a function that makes a cached program's detail when it is first asked for."""
+    """Return a function that makes a cached program's detail when it is first asked for."""
 
     @functools.cache
     def detail() -> Detail:

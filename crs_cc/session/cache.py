@@ -33,7 +33,7 @@ _room = Room()
 
 
 def folder() -> Path | None:
-    """Gives the cache folder: `$CRS_CACHE`, or `crs_cc` in the user's cache folder, if any."""
+    """Return the cache folder: `$CRS_CACHE`, or `crs_cc` in the user's cache folder, if any."""
     chosen = os.environ.get("CRS_CACHE")
     if chosen:
         return Path(chosen)
@@ -44,7 +44,7 @@ def folder() -> Path | None:
 
 
 def sources() -> list[Path]:
-    """Gives the files that decide what the compiler makes of a source, the C library's too."""
+    """Return the files that decide what the compiler makes of a source, the C library's too."""
     found = list(PACKAGE.glob("*.py"))
     for part in COMPILER:
         found += [path for path in (PACKAGE / part).rglob("*") if path.suffix in SUFFIXES]
@@ -53,7 +53,7 @@ def sources() -> list[Path]:
 
 @functools.cache
 def fingerprint() -> str:
-    """Gives a hash of everything that decides what the compiler makes of a source."""
+    """Return a hash of everything that decides what the compiler makes of a source."""
     digest = hashlib.sha256()
     digest.update(f"{sys.version_info[:2]} {sys.platform} {os.uname().machine}".encode())
     for package in ("pycparser", "wasmtime"):
@@ -64,7 +64,7 @@ def fingerprint() -> str:
 
 
 def key(*parts: str | bytes | Iterable[str]) -> str:
-    """Gives the name of the entry for these inputs to the compiler."""
+    """Return the name of the entry for these inputs to the compiler."""
     digest = hashlib.sha256(fingerprint().encode())
     for part in parts:
         rows = [part] if isinstance(part, str | bytes) else list(part)
@@ -76,7 +76,7 @@ def key(*parts: str | bytes | Iterable[str]) -> str:
 
 
 def load(name: str, kind: type[_Entry]) -> _Entry | None:
-    """Gives an entry of a kind, or None when there is none that is whole."""
+    """Return an entry of a kind, or None when there is none that is whole."""
     place = folder()
     try:
         if place is None or not is_private(place):
@@ -113,7 +113,7 @@ def store(name: str, entry: object) -> None:
 
 
 def is_private(place: Path) -> bool:
-    """Tells whether a folder is the user's own, and only the user can write there.
+    """Return whether a folder is the user's own, and only the user can write there.
 
     Raises:
         OSError: there is no such folder.
@@ -124,7 +124,7 @@ def is_private(place: Path) -> bool:
 
 
 def _write(path: Path, content: bytes) -> None:
-    """Writes a file that appears at once or not at all.
+    """Write a file that appears at once or not at all.
 
     Raises:
         OSError: it cannot be written; nothing is left behind.

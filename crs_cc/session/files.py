@@ -73,7 +73,7 @@ class Disk:
     """
 
     def __init__(self, inputs: Mapping[str, bytes]) -> None:
-        """Puts the user's files on the disk, by their names."""
+        """Put the user's files on the disk, by their names."""
         self.missed: list[bytes] = []
         self._names: dict[bytes, int] = {}
         self._files: dict[int, File] = {_NULL_DEVICE: File(b"")}
@@ -82,7 +82,7 @@ class Disk:
             self.put(name, content)
 
     def put(self, name: str, content: bytes) -> int:
-        """Puts a file of the user's on the disk; gives 0, or a negative error number."""
+        """Put a file of the user's on the disk; gives 0, or a negative error number."""
         asked = name.encode("utf-8", "surrogateescape")
         path, number = normal(asked), len(self._files)
         failed = -EEXIST if path in self._names else self._refusal(asked, path)
@@ -93,7 +93,7 @@ class Disk:
         return failed
 
     def open(self, name: bytes, flags: int) -> int:
-        """Gives a file's number; makes it, or empties it, when the flags say so."""
+        """Return a file's number; makes it, or empties it, when the flags say so."""
         if flags & NAMELESS:
             return self._make(None)
         path = normal(name)
@@ -125,14 +125,14 @@ class Disk:
         return 0
 
     def read(self, number: int, offset: int, wanted: int) -> bytes | int:
-        """Gives bytes from a place in a file; fewer than wanted at its end."""
+        """Return bytes from a place in a file; fewer than wanted at its end."""
         file = self._files.get(number)
         if file is None or offset < 0 or wanted < 0:
             return -EBADF if file is None else -EINVAL
         return bytes(file.content[offset : offset + wanted])
 
     def write(self, number: int, offset: int, content: bytes) -> int:
-        """Writes to a place in a file, -1 for its end; gives the place behind what was written."""
+        """Write to a place in a file, -1 for its end; gives the place behind what was written."""
         file = self._files.get(number)
         if file is None or offset < -1:
             return -EBADF if file is None else -EINVAL
@@ -148,7 +148,7 @@ class Disk:
         return end
 
     def resize(self, number: int, size: int) -> int:
-        """Cuts a file off or fills it up with zeros; -1 changes nothing. Gives its size."""
+        """Cut a file off or fills it up with zeros; -1 changes nothing. Gives its size."""
         file = self._files.get(number)
         if file is None or size < -1:
             return -EBADF if file is None else -EINVAL
@@ -175,7 +175,7 @@ class Disk:
         return 0
 
     def rename(self, old: bytes, new: bytes) -> int:
-        """Gives a file another name; a file that had it loses it."""
+        """Return a file another name; a file that had it loses it."""
         number, path = self._names.get(normal(old)), normal(new)
         if number is None:
             return self._refusal(old, normal(old)) or -ENOENT
@@ -191,7 +191,7 @@ class Disk:
         return failed
 
     def outputs(self) -> dict[bytes, bytes]:
-        """Gives the files that the program made or changed, by name, in the order of the names."""
+        """Return the files that the program made or changed, by name, in the order of the names."""
         return {
             name: bytes(self._files[number].content)
             for name, number in sorted(self._names.items())
@@ -199,18 +199,18 @@ class Disk:
         }
 
     def snapshot(self) -> DiskSnapshot:
-        """Gives the disk as it is; contents are shared until somebody changes them."""
+        """Return the disk as it is; contents are shared until somebody changes them."""
         for file in self._files.values():
             file.content = bytes(file.content)
         return DiskSnapshot(dict(self._names), _copies(self._files))
 
     def restore(self, snapshot: DiskSnapshot) -> None:
-        """Makes the disk what it was."""
+        """Make the disk what it was."""
         self._names = dict(snapshot.names)
         self._files = _copies(snapshot.files)
 
     def state(self) -> Iterator[bytes]:
-        """Gives everything that the program has done to the disk, for a hash."""
+        """Return everything that the program has done to the disk, for a hash."""
         for name, number in sorted(self._names.items()):
             yield b"%d:%s;" % (number, name)
         for number, file in sorted(self._files.items()):
@@ -232,7 +232,7 @@ class Disk:
             del self._files[number]
 
     def _refusal(self, name: bytes, path: bytes) -> int:
-        """Gives why there can be no file of a name, 0 when there can."""
+        """Return why there can be no file of a name, 0 when there can."""
         parts = path.split(b"/")
         if not name:
             return -ENOENT
@@ -251,7 +251,7 @@ class Disk:
 
 
 def normal(name: bytes) -> bytes:
-    """Gives the one form of a name: without a slash at its ends, `.`, or `..`.
+    """Return the one form of a name: without a slash at its ends, `.`, or `..`.
 
     >>> normal(b"/logs//./today/../run.txt"), normal(b"../../etc/passwd")
     (b'logs/run.txt', b'etc/passwd')
@@ -266,7 +266,7 @@ def normal(name: bytes) -> bytes:
 
 
 def _mutable(file: File) -> bytearray:
-    """Gives a file's content for changing; from now on it belongs to this file alone."""
+    """Return a file's content for changing; from now on it belongs to this file alone."""
     if isinstance(file.content, bytes):
         file.content = bytearray(file.content)
     file.changed = True

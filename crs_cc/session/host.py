@@ -37,7 +37,7 @@ def discard(_robot: int, _stream: int, _content: bytes) -> None:
 
 
 def no_input(_robot: int, _wanted: int) -> bytes:
-    """Gives the end of the standard input."""
+    """Return the end of the standard input."""
     return b""
 
 
@@ -77,7 +77,7 @@ class Host:
         files: Mapping[str, bytes] | None = None,
         client: Client = "nclient",
     ) -> None:
-        """Makes one host for each robot.
+        """Make one host for each robot.
 
         Args:
             arguments: for each robot `argv`.
@@ -109,7 +109,7 @@ class Host:
             self._serve[CODES[f"FILE_{name}"]] = functools.partial(self._file, serve)
 
     def add(self, arguments: Sequence[str]) -> None:
-        """Makes the host of a further robot."""
+        """Make the host of a further robot."""
         self.exit_status.append(None)
         self.disks.append(Disk(self._files))
         self._arguments.append([each.encode("utf-8", "surrogateescape") for each in arguments])
@@ -119,7 +119,7 @@ class Host:
         del self.exit_status[count:], self.disks[count:], self._arguments[count:]
 
     def serve(self, code: int, request: HostRequest) -> float:
-        """Answers a request; an unknown code gets the result -1. Gives when the program goes on."""
+        """Answer a request; an unknown code gets the result -1. Gives when the program goes on."""
         handler = self._serve.get(code)
         if handler is not None:
             return handler(request)
@@ -169,7 +169,7 @@ class Host:
         return request.clock_s
 
     def _file(self, serve: FileServer, request: HostRequest) -> float:
-        """Answers a request about files: the reply's result is what the disk gives."""
+        """Answer a request about files: the reply's result is what the disk gives."""
         message = request.message
         size = min(max(int(message["size"]), 0), DATA_SIZE)
         first, second, third = message["i"][:3].tolist()

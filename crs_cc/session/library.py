@@ -40,7 +40,7 @@ class CachedLibrary:
         self._known = frozenset(self._index.values())
 
     def find(self, name: str) -> Function | Data | None:
-        """Gives the library's definition of a name; a unit's own names begin with the unit."""
+        """Return the library's definition of a name; a unit's own names begin with the unit."""
         own, colon, _ = name.removeprefix(LIBRARY).partition(":")
         unit = own if colon and name.startswith(LIBRARY) else self._index.get(name)
         if unit is None or unit not in self._known:
@@ -51,18 +51,18 @@ class CachedLibrary:
         return found.functions.get(name) or found.data.get(name)
 
     def names(self) -> Sequence[str]:
-        """Gives the names that programs can use."""
+        """Return the names that programs can use."""
         return [name for name in self._index if not name.startswith("__")]
 
 
 @functools.cache
 def library() -> CachedLibrary:
-    """Gives the library of this process."""
+    """Return the library of this process."""
     return CachedLibrary()
 
 
 def index_of_sources() -> str:
-    """Gives what `index.txt` must say: a line for each unit, with the names that it defines.
+    """Return what `index.txt` must say: a line for each unit, with the names that it defines.
 
     Raises:
         InternalError: the library does not compile, or defines a name twice.
@@ -82,7 +82,7 @@ def index_of_sources() -> str:
 
 
 def _load(unit: str) -> Program:
-    """Gives a unit from the cache, or compiles and keeps it."""
+    """Return a unit from the cache, or compiles and keeps it."""
     entry = cache.key("library", unit)
     program = cache.load(entry, Program)
     if program is None:

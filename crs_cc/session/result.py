@@ -109,7 +109,7 @@ class SessionSnapshot:
 
 
 def robot_state(state: EnvState, robot: int) -> dict[str, Any]:
-    """Gives the part of a `RobotResult` that the environment knows."""
+    """Return the part of a `RobotResult` that the environment knows."""
     odometry = (state.odometry.x_m, state.odometry.y_m, state.odometry.heading_rad)
     pose = (state.x_m, state.y_m, state.heading_rad)
     return {

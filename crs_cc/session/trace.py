@@ -87,12 +87,12 @@ def _event_line(event: Event, names: Sequence[str], width: int) -> str:
 
 
 def _one_line(text: str) -> str:
-    """Gives a text without what would end the line, or do more to a terminal."""
+    """Return a text without what would end the line, or do more to a terminal."""
     return text if text.isprintable() else text.encode("unicode_escape").decode("ascii")
 
 
 def line(slice_: RobotSlice) -> str:
-    """Gives one robot's timestep as text.
+    """Return one robot's timestep as text.
 
     >>> wheels = (AxisSlice(name, 0.0127, 0.0381, 0.254) for name in ("right", "left"))
     >>> line(RobotSlice("PR", 3, 21, tuple(wheels), True, ()))

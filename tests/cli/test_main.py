@@ -19,7 +19,7 @@ from crs_cc.core.source import Location
 
 
 def run_crs(*arguments: str, **options: object) -> subprocess.CompletedProcess[str]:
-    """Runs crs in a process of its own."""
+    """Run crs in a process of its own."""
     command = [sys.executable, "-m", "crs_cc", *arguments]
     return subprocess.run(command, capture_output=True, text=True, check=False, **options)  # type: ignore[call-overload]
 

@@ -38,7 +38,7 @@ def robot(name: str = "robot0", **changes: Any) -> RobotResult:
 
 
 def run_of(*robots: RobotResult, interrupted: bool = False, call: ActiveCall | None = None) -> Run:
-    """Makes a run; a program that runs stands in `call`."""
+    """Make a run; a program that runs stands in `call`."""
     result = RunResult(tuple(robots), 250, 12.5, "0123456789abcdef" * 4)
     calls = tuple(call if robot.outcome == "running" else None for robot in robots)
     return Run(result, "room.xml", 7, wall_s=0.5, interrupted=interrupted, calls=calls)

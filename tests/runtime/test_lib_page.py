@@ -79,14 +79,14 @@ for `float` round these results once more: 0.5000001 at most. All others are exa
 
 
 def comment_of(text: str) -> str:
-    """Gives the first sentence of a header's opening comment."""
+    """Return the first sentence of a header's opening comment."""
     comment = re.match(r"/\*\s*(.*?)\*/", text, re.DOTALL)
     assert comment is not None
     return " ".join(comment[1].split()).split(". ")[0].removesuffix(".")
 
 
 def declared(text: str) -> Iterator[str]:
-    """Gives the functions that a header declares for programs."""
+    """Return the functions that a header declares for programs."""
     text = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
     text = re.sub(r"^#.*(\\\n.*)*", "", text, flags=re.MULTILINE)
     for name in re.findall(r"(\w+)\((?!\*)[^;{}]*\);", text):
@@ -95,7 +95,7 @@ def declared(text: str) -> Iterator[str]:
 
 
 def headers() -> Iterator[str]:
-    """Gives a section for each header."""
+    """Return a section for each header."""
     for path in sorted(HEADERS.rglob("*.h")):
         name = path.relative_to(HEADERS).as_posix()
         if name.startswith("crs"):
@@ -106,7 +106,7 @@ def headers() -> Iterator[str]:
 
 
 def unavailable() -> list[str]:
-    """Gives the functions that always fail, by the macro that defines them."""
+    """Return the functions that always fail, by the macro that defines them."""
     found = ["system", "gethostbyname", "gethostbyaddr"]
     for path in SOURCES.rglob("*.c"):
         found += re.findall(r"^UNAVAILABLE\(.*?, (\w+),", path.read_text(), re.MULTILINE)
@@ -114,7 +114,7 @@ def unavailable() -> list[str]:
 
 
 def page() -> str:
-    """Gives the text of the page."""
+    """Return the text of the page."""
     names = ", ".join(f"`{name}`" for name in unavailable())
     rows = [line.split("\t") for line in MEASURED.read_text().splitlines()[1:]]
     table = "".join(f"| `{name}` | {promised} | {found} |\n" for name, promised, found in rows)

@@ -106,7 +106,7 @@ class Build:
 
 
 def generate(function: Function, names: Names, build: Build) -> tuple[Code, FunctionInfo]:
-    """Gives the code of one verified function."""
+    """Return the code of one verified function."""
     return _FunctionCode(function, names, build).run()
 
 
@@ -153,7 +153,7 @@ class _FunctionCode:
         self.calls: dict[int, Landing] = {}
 
     def _arguments_size(self) -> int:
-        """Gives the size of the arguments of all calls, the most; -1 when there are no calls.
+        """Return the size of the arguments of all calls, the most; -1 when there are no calls.
 
         A callee may believe in more arguments than it is passed.
         """
@@ -169,7 +169,7 @@ class _FunctionCode:
     # -- the whole ----------------------------------------------------------------------------
 
     def limit_effort(self) -> None:
-        """Refuses a function that would take gigabytes to compile.
+        """Refuse a function that would take gigabytes to compile.
 
         Each landing is a way into the middle of the function, and each register that lasts has to
         be the same on all of them.
@@ -184,7 +184,7 @@ class _FunctionCode:
             )
 
     def run(self) -> tuple[Code, FunctionInfo]:
-        """Gives the code and what a debugger needs to read its frames."""
+        """Return the code and what a debugger needs to read its frames."""
         if self.frame.size > STACK_SIZE:  # its offsets might not even fit an instruction
             body = self.overflow()
             return Code(self.function.name, TYPE_CALL, [], body), self.info()
@@ -217,7 +217,7 @@ class _FunctionCode:
         return FunctionInfo(self.function, self.frame, places, callees, calls, self.flags, unset)
 
     def entry(self) -> Node:
-        """Sets up the frame."""
+        """Set up the frame."""
         node = Node()
         code = self.writer.code = node.code
         size = self.frame.size
@@ -228,13 +228,13 @@ class _FunctionCode:
         return node
 
     def overflow(self) -> list[Instr]:
-        """Leaves without the epilogue, which would write to the frame there is no room for."""
+        """Leave without the epilogue, which would write to the frame there is no room for."""
         number = self.names.number(Site("stack overflow", self.function.location))
         note = [("i32.const", number), ("local.get", FP), ("call", FAULT)]
         return [*note, ("local.get", FUEL), ("return",)]
 
     def again(self, start: Node) -> Node:
-        """Loads the registers back when the function was suspended, and goes to its landing."""
+        """Load the registers back when the function was suspended, and goes to its landing."""
         node, damaged = Node(), Node()
         self.writer.code = damaged.code
         site = Site("damaged stack", self.function.location)
@@ -246,7 +246,7 @@ class _FunctionCode:
         return node
 
     def start(self) -> Node:
-        """Begins a fresh call: stops if there is no fuel, loads the parameters."""
+        """Begin a fresh call: stops if there is no fuel, loads the parameters."""
         node = Node()
         code = self.writer.code = node.code
         code += [("local.get", FUEL), ("i64.const", 0), ("i64.lt_s",), UNLIKELY]
@@ -272,7 +272,7 @@ class _FunctionCode:
             self.writer.pop(place)
 
     def epilogue(self) -> list[Instr]:
-        """Saves what a suspended function must keep, and leaves with the status."""
+        """Save what a suspended function must keep, and leaves with the status."""
         code: list[Instr] = []
         self.writer.code = code
         ends = [block.terminator for block in self.function.blocks]
@@ -373,7 +373,7 @@ class _FunctionCode:
         return [] if self.watching is None else self.watching.returning()
 
     def left(self) -> list[Instr]:
-        """Makes the frame inaccessible."""
+        """Make the frame inaccessible."""
         return frame_states.leave(self.function, self.frame) if self.shadowed else []
 
     def call(self, node: Node, call: Call) -> None:
@@ -401,7 +401,7 @@ class _FunctionCode:
         self._enter(call, after)
 
     def _enter(self, call: Call, after: Node) -> None:
-        """Enters the callee, fresh or again: this is where a suspended caller goes on."""
+        """Enter the callee, fresh or again: this is where a suspended caller goes on."""
         selector, writer = self.selector, self.writer
         landing = self.land(after, call)
         self.calls[len(self.names.call_sites)] = landing
@@ -424,7 +424,7 @@ class _FunctionCode:
         after.jump(self.nodes[call.then])
 
     def _check_pointer(self, call: Call, pointer: Register) -> None:
-        """Stops the program unless a function pointer is one, and its function fits the call."""
+        """Stop the program unless a function pointer is one, and its function fits the call."""
         writer, code = self.writer, self.writer.code
         push = writer.value(pointer)
         code += [push, ("i32.const", 1), ("i32.sub",)]
@@ -436,7 +436,7 @@ class _FunctionCode:
             writer.fail_if(Site("mismatched call", call.location), [push])
 
     def _check_value(self, call: Call) -> None:
-        """Stops the program when the callee has ended without a value, see `leave`."""
+        """Stop the program when the callee has ended without a value, see `leave`."""
         callee, without = call.callee, self.names.without_value
         if callee in without or (isinstance(callee, Register) and without):
             self.writer.load_at(SP, FUNCTION, "i32")
@@ -445,7 +445,7 @@ class _FunctionCode:
             self.writer.fail_if(site, [("i32.const", 0)])
 
     def request(self, node: Node, request: Request) -> None:
-        """Copies the message to the slot and stops; copies the reply back when resumed."""
+        """Copy the message to the slot and stops; copies the reply back when resumed."""
         selector, writer = self.selector, self.writer
         after = Node()
         landing = self.land(after, request)
@@ -471,7 +471,7 @@ class _FunctionCode:
         after.jump(self.nodes[request.then])
 
     def set_jump(self, node: Node, jump: SetJump) -> None:
-        """Notes where to come back to; whoever does finds the value in this function's result."""
+        """Note where to come back to; whoever does finds the value in this function's result."""
         selector, writer = self.selector, self.writer
         landed, after = Node(), self.nodes[jump.then]
         landing = self.land(landed, jump)
@@ -490,7 +490,7 @@ class _FunctionCode:
         landed.jump(after)
 
     def long_jump(self, node: Node, jump: LongJump) -> None:
-        """Says where to go, and lets `leave` and `resume` do the rest."""
+        """Say where to go, and lets `leave` and `resume` do the rest."""
         writer = self.writer
         site = self.names.number(Site("longjmp to a function that has returned", jump.location))
         operands = [jump.activation, jump.place, jump.value, Constant("i32", site)]

@@ -43,16 +43,16 @@ class PlainMemory:
         self.shadowed = shadowed
 
     def forget(self) -> None:
-        """Drops what is known, where code from elsewhere joins."""
+        """Drop what is known, where code from elsewhere joins."""
 
     def before(self, it: Instruction) -> None:
-        """Tests what an instruction reads of registers."""
+        """Test what an instruction reads of registers."""
 
     def follow(self, it: Instruction) -> None:
         """Takes note of what an instruction has written."""
 
     def place(self, base: Base, offset: int) -> tuple[Instr, int]:
-        """Gives an instruction that pushes an address, and the offset to use with it.
+        """Return an instruction that pushes an address, and the offset to use with it.
 
         The code that comes before may change local `ADDRESS`.
         """
@@ -68,19 +68,19 @@ class PlainMemory:
         return ("local.get", ADDRESS), 0
 
     def load(self, it: Load) -> None:
-        """Writes `result = *(base + offset)`."""
+        """Write `result = *(base + offset)`."""
         push, offset = self.place(it.base, it.offset)
         self.writer.code += [push, (LOADS[it.memory], MEMORY, offset)]
         self.writer.pop(it.result)
 
     def store(self, it: Store) -> None:
-        """Writes `*(base + offset) = source`."""
+        """Write `*(base + offset) = source`."""
         push, offset = self.place(it.base, it.offset)
         self.writer.code += [push, self.writer.value(it.source)]
         self.writer.code.append((STORES[it.memory], MEMORY, offset))
 
     def copy(self, it: Copy) -> None:
-        """Writes a `memmove`."""
+        """Write a `memmove`."""
         writer = self.writer
         writer.charge(it.size)
         for memory in (MEMORY, SHADOW) if self.shadowed else (MEMORY,):
@@ -88,7 +88,7 @@ class PlainMemory:
             writer.code.append(("memory.copy", memory, memory))
 
     def fill(self, it: Fill) -> None:
-        """Writes a `memset`."""
+        """Write a `memset`."""
         writer = self.writer
         writer.charge(it.size)
         writer.code += [writer.value(each) for each in (it.target, it.value, it.size)]
@@ -96,7 +96,7 @@ class PlainMemory:
         self.set_states(it.target, it.size, ByteState.WITH_VALUE)
 
     def argument(self, value: Operand, offset: int, size: Operand, location: Location) -> None:
-        """Copies a struct to the arguments of a call, at SP + `offset`."""
+        """Copy a struct to the arguments of a call, at SP + `offset`."""
         writer = self.writer
         self.check_range(value, size, location, "read")
         writer.charge(size)
@@ -107,35 +107,35 @@ class PlainMemory:
     def check_range(
         self, address: Operand, size: Operand, location: Location, access: Access
     ) -> None:
-        """Stops the program unless `size` bytes at `address` are accessible."""
+        """Stop the program unless `size` bytes at `address` are accessible."""
 
     def check_message(self, address: Operand, size: Operand, location: Location) -> None:
-        """Stops the program unless a message to the world outside lies in memory."""
+        """Stop the program unless a message to the world outside lies in memory."""
         writer = self.writer
         writer.code += [writer.value(address), writer.value(size), ("call", OUTSIDE)]
         writer.fail_if(Site("memory", location, "read"), [writer.value(address)])
 
     def set_states(self, address: Operand, size: Operand, state: int) -> None:
-        """Sets the states of bytes, where there are any."""
+        """Set the states of bytes, where there are any."""
         if self.shadowed:
             writer = self.writer
             writer.code += [writer.value(address), ("i32.const", state), writer.value(size)]
             writer.code.append(("memory.fill", SHADOW))
 
     def mark(self, it: Mark) -> None:
-        """Says what C may do with a block of the heap."""
+        """Say what C may do with a block of the heap."""
         self.writer.charge(it.size)
         self.set_states(it.target, it.size, it.state)
 
     def callers(self, it: Callers) -> None:
-        """Writes down who called."""
+        """Write down who called."""
         if self.shadowed:
             writer = self.writer
             writer.code += [("local.get", FP), writer.value(it.target)]
             writer.code += [("i32.const", it.count), ("call", indices.CALLERS)]
 
     def state(self, it: State) -> None:
-        """Gives what C may do with a byte."""
+        """Return what C may do with a byte."""
         writer = self.writer
         if self.shadowed:
             writer.code += [writer.value(it.address), ("i32.load8_u", SHADOW, 0)]
@@ -144,4 +144,4 @@ class PlainMemory:
         writer.pop(it.result)
 
     def lifetime(self, it: Lifetime) -> None:
-        """Begins or ends an object in a slot."""
+        """Begin or ends an object in a slot."""

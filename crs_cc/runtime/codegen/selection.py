@@ -59,13 +59,13 @@ class Selector:
         self._watching = watching
 
     def forget(self) -> None:
-        """Drops what is known, where code from elsewhere joins."""
+        """Drop what is known, where code from elsewhere joins."""
         self._memory.forget()
         if self._arithmetic is not None:
             self._arithmetic.forget()
 
     def before(self, instruction: Instruction) -> None:
-        """Writes the tests that come before an instruction, terminators too."""
+        """Write the tests that come before an instruction, terminators too."""
         self._memory.before(instruction)
         if self._arithmetic is not None:
             self._arithmetic.before(instruction)
@@ -73,12 +73,12 @@ class Selector:
             self._watching.before(instruction)
 
     def follow(self, instruction: Instruction) -> None:
-        """Writes what comes behind an instruction that has a result, terminators too."""
+        """Write what comes behind an instruction that has a result, terminators too."""
         if self._watching is not None:
             self._watching.follow(instruction)
 
     def select(self, instruction: Instruction) -> None:
-        """Writes the code of one instruction that is not a terminator."""
+        """Write the code of one instruction that is not a terminator."""
         access = _ACCESS.get(type(instruction))
         if access is not None:
             getattr(self._memory, access)(instruction)
@@ -90,19 +90,19 @@ class Selector:
         self.follow(instruction)
 
     def move(self, it: Move) -> None:
-        """Writes `result = source`."""
+        """Write `result = source`."""
         writer = self._writer
         writer.push(it.source)
         writer.pop(it.result)
 
     def address_of(self, it: Address) -> None:
-        """Writes `result = base + offset`."""
+        """Write `result = base + offset`."""
         writer = self._writer
         writer.address(it.base, it.offset)
         writer.pop(it.result)
 
     def binary(self, it: Binary) -> None:
-        """Writes `result = left op right`."""
+        """Write `result = left op right`."""
         writer = self._writer
         kind, _, op = it.op.partition(".")
         if op in ("div_s", "rem_s", "div_u", "rem_u"):
@@ -113,7 +113,7 @@ class Selector:
         writer.pop(it.result)
 
     def _check_division(self, it: Binary, kind: str, *, signed: bool) -> None:
-        """Stops at a zero divisor, and at the quotient that does not fit (C17 6.5.5)."""
+        """Stop at a zero divisor, and at the quotient that does not fit (C17 6.5.5)."""
         writer = self._writer
         divisor, low = it.right, _LOWEST[kind]
         if isinstance(divisor, Constant) and divisor.value not in (0, -1):
@@ -132,7 +132,7 @@ class Selector:
             writer.code.append(("end",))
 
     def unary(self, it: Unary) -> None:
-        """Writes `result = op source`."""
+        """Write `result = op source`."""
         writer = self._writer
         kind, _, op = it.op.partition(".")
         if op.startswith("trunc_f"):
@@ -143,7 +143,7 @@ class Selector:
         writer.pop(it.result)
 
     def _truncate(self, it: Unary, kind: str, op: str) -> None:
-        """Converts to an integer as i386 with SSE2 does: what does not fit gives the lowest value.
+        """Convert to an integer as i386 with SSE2 does: what does not fit gives the lowest value.
 
         To a 32-bit unsigned type it goes by way of 64 bits, as gcc does.
         """

@@ -22,7 +22,7 @@ _SIZES: Final = {"i32": 4, "f32": 4, "i64": 8, "f64": 8}
 
 
 def save(writer: Writer, frame: Frame, saved: list[Register], function: int) -> None:
-    """Stores registers into their homes, and in the header which function goes on where."""
+    """Store registers into their homes, and in the header which function goes on where."""
     for register in saved:
         writer.store_at(SP, frame.offsets[register], register, register.type)
     writer.code += [("local.get", FP), ("local.get", LABEL), ("i32.store", MEMORY, RESUME)]
@@ -30,7 +30,7 @@ def save(writer: Writer, frame: Frame, saved: list[Register], function: int) -> 
 
 
 def load(writer: Writer, frame: Frame, saved: list[Register], *, debug: bool) -> None:
-    """Loads registers from their homes; in debug builds nothing stays there or in the header."""
+    """Load registers from their homes; in debug builds nothing stays there or in the header."""
     for register in saved:
         writer.load_at(SP, frame.offsets[register], register.type)
         writer.pop(register)
@@ -40,7 +40,7 @@ def load(writer: Writer, frame: Frame, saved: list[Register], *, debug: bool) ->
 
 
 def clear(frame: Frame, saved: list[Register]) -> list[Instr]:
-    """Gives the code that makes homes zero."""
+    """Return the code that makes homes zero."""
     if not saved:
         return []
     start = min(frame.offsets[register] for register in saved)

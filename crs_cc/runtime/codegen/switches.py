@@ -14,7 +14,7 @@ LARGEST_TABLE: Final = 4096
 
 
 def lower_switch(writer: Writer, node: Node, switch: Switch, nodes: dict[Block, Node]) -> None:
-    """Ends `node` with the choice, through nodes of comparisons where needed."""
+    """End `node` with the choice, through nodes of comparisons where needed."""
     cases = [
         (number, nodes[block]) for number, block in sorted(switch.cases, key=lambda case: case[0])
     ]

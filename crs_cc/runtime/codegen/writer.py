@@ -58,7 +58,7 @@ class Writer:
     # -- locals ------------------------------------------------------------------------------
 
     def take_local(self, register: Register) -> None:
-        """Gives a register a local of its own until it is released."""
+        """Return a register a local of its own until it is released."""
         free = self._free[register.type]
         if free:
             self.locals[register] = free.pop()
@@ -67,22 +67,22 @@ class Writer:
         self.locals[register] = len(self.local_types) + 1
 
     def release(self, register: Register) -> None:
-        """Makes the register's local free for another one; assigned again it takes a new one."""
+        """Make the register's local free for another one; assigned again it takes a new one."""
         self._free[register.type].append(self.locals[register])
         self._released.add(register)
 
     def value(self, operand: Operand) -> Instr:
-        """Gives the instruction that pushes an operand's value."""
+        """Return the instruction that pushes an operand's value."""
         if isinstance(operand, Constant):
             return (f"{operand.type}.const", operand.value)
         return ("local.get", self.locals[operand])
 
     def push(self, operand: Operand) -> None:
-        """Pushes an operand's value."""
+        """Push an operand's value."""
         self.code.append(self.value(operand))
 
     def pop(self, register: Register) -> None:
-        """Pops a value into a register."""
+        """Pop a value into a register."""
         if register not in self.locals or register in self._released:
             self._released.discard(register)
             self.take_local(register)
@@ -91,13 +91,13 @@ class Writer:
     # -- errors ------------------------------------------------------------------------------
 
     def fail(self, site: Site, value: list[Instr]) -> None:
-        """Stops the program; `value` pushes the address or number to blame."""
+        """Stop the program; `value` pushes the address or number to blame."""
         number = self.names.number(site)
         self.code += [*value, ("local.set", ADDRESS)]
         self.code += [("i32.const", number), ("local.set", SITE), (FAULTED,)]
 
     def fail_if(self, site: Site, value: list[Instr]) -> None:
-        """Stops the program if the i32 on the stack is not zero."""
+        """Stop the program if the i32 on the stack is not zero."""
         self.code.append(UNLIKELY)
         self.fail(site, value)
         self.code.append(("end",))
@@ -105,7 +105,7 @@ class Writer:
     # -- memory ------------------------------------------------------------------------------
 
     def address(self, base: Base, offset: int) -> None:
-        """Pushes an address."""
+        """Push an address."""
         match base:
             case Register():
                 self.push(base)
