@@ -13,12 +13,12 @@ class DebugOptions(ProgramOptions):
     """What to debug, and how.
 
     Attributes:
-        scripts: files of commands that are done first.
-        commands: commands that are done behind them.
-        batch: end when these are done.
-        input: what the programs read from their standard input; None for what is typed.
-        tui: show the full screen; None for on a terminal.
-        dap: serve an editor instead: `stdio`, or the number of a port.
+        scripts: files of commands to execute first.
+        commands: commands to execute after them.
+        batch: exit after these.
+        input: the programs' standard input; None for the terminal.
+        tui: show the full-screen interface; None to decide by whether there is a terminal.
+        dap: serve an editor instead: `stdio` or a port number.
     """
 
     scripts: tuple[Path, ...] = ()

@@ -1,4 +1,4 @@
-"""`crs debug --dap`: an editor says what to debug, and gets a debugger of it."""
+"""`crs debug --dap`: serve an editor over the Debug Adapter Protocol."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ if TYPE_CHECKING:
 
 
 def serve_editor(where: str, read: Callable[[Sequence[str]], DebugOptions]) -> int:
-    """Serve an editor, and gives the exit status.
+    """Serve an editor, and return the exit status.
 
     Args:
-        where: `stdio`, or the number of a port, on which one editor after the other is served.
-        read: reads a command line of `crs debug`.
+        where: `stdio`, or a port number, on which one editor after the other is served.
+        read: parses a command line of `crs debug`.
 
     Raises:
-        OSError: the port is taken.
+        OSError: the port is in use.
     """
 
     def open_run(line: Sequence[str], output: Output, tell: Callable[[str], None]) -> Debugger:

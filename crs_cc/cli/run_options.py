@@ -15,10 +15,10 @@ class RunOptions(ProgramOptions):
     Attributes:
         max_time_s: stop at the first timestep that ends at or after it [s]; None for the world's,
             else no end.
-        plot: the picture to draw.
-        plot_sensors: whether it shows what sensors told last, too.
+        plot: the SVG file of the plot.
+        plot_sensors: whether the plot shows the last sensor readings.
         trace: what to show of each timestep: `requests`, the request queue, or `messages`.
-        as_json: give the results as JSON on stdout.
+        as_json: write the results to stdout as JSON.
         summary: show the summary; None to decide by whether stderr is a terminal.
     """
 

@@ -1,4 +1,4 @@
-"""The state of a run: world, programs, hosts, and where each program is in time.
+"""The state of a run: world, programs, host computers and clocks.
 
 A robot has a place in the world (`environment`), a sandbox (`fleet`), a host computer (`host`) and
 a row in the arrays here. A robot that joins is given all of these; one that leaves keeps them.
@@ -62,7 +62,7 @@ class SessionState:
         fuel: IR instructions that each program has run.
         due_s: when the request of each program arrives over the link [s]; infinite for none.
         ended_s: each program's clock when it ended [s].
-        called_s: when each program last had an answer of its robot [s].
+        called_s: time of each program's last reply from its robot [s].
         pending: fuel that each program was given for the round in which a program with a debug
             build has stopped; 0 outside a round.
         speed_hz: the speed of each robot's host [instructions/s].
