@@ -1,8 +1,8 @@
-"""Runs real C control programs of the Nomadic Scout in a simulated, shared world.
+"""Run real C control programs of the Nomadic Scout in a simulated, shared world.
 
-The public names: `compile_c` makes a program, `load_world` a world, `Session` runs programs in a
-world, a `Degradation` says what goes wrong with a device, and the errors say who is to blame.
-README.md shows how they go together.
+The public names: `compile_c` returns a program, `load_world` a world, `Session` runs programs in a
+world, `Degradation` describes a device fault, and the error classes tell C, world and run-time
+errors apart. README.md has an example.
 """
 
 from __future__ import annotations
@@ -46,15 +46,15 @@ _HOMES: Final = {
 
 
 def compile_c(*paths: str | Path, dialect: Dialect | None = None) -> Executable:
-    """Gives the program made of some C files; warnings are what `crs check` shows.
+    """Compile C files to a program; `crs check` shows the warnings.
 
     Args:
         paths: the C files.
-        dialect: whose functions they call, the vendor's (`nomad`) or those of the CRS report
-            (`report`); by default what they look like.
+        dialect: the API that they call, the vendor's (`nomad`) or that of the CRS report
+            (`report`); by default it is detected.
 
     Raises:
-        CompileError: the files do not make a program.
+        CompileError: the files are not a valid program.
     """
     from pathlib import Path
 
@@ -65,7 +65,7 @@ def compile_c(*paths: str | Path, dialect: Dialect | None = None) -> Executable:
 
 
 def __getattr__(name: str) -> object:
-    """Imports a public name when it is first asked for: `import crs_cc` loads nothing heavy."""
+    """Import a public name on first access: `import crs_cc` loads nothing heavy."""
     if name not in _HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(importlib.import_module(_HOMES[name]), name)

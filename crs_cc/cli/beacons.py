@@ -1,4 +1,4 @@
-"""What shines and sounds in the picture of a run, and the fingers of grippers."""
+"""Light and sound sources in the plot of a run, and the fingers of grippers."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _WAVES: Final = (0.5, 1.2, 1.9)
 
 
 def draw_beacons(page: Page, view: View, world: WorldModel) -> None:
-    """Draws the lights of a world as suns, and its sounds as waves."""
+    """Draw the light sources of a world as suns, its sound sources as waves."""
     for light in world.lights:
         middle = view.point(light.x_m, light.y_m)
         with page.group(stroke=_LIGHT, stroke_width=1.5):
@@ -34,11 +34,11 @@ def draw_beacons(page: Page, view: View, world: WorldModel) -> None:
 def draw_fingers(
     page: Page, view: View, gripper: Gripper, robot: tuple[float, float, float], paint: str
 ) -> None:
-    """Draws the fingers of a gripper, as far apart as they get.
+    """Draw the fingers of a gripper, fully open.
 
     Args:
         page: where to draw.
-        view: from metres to the page.
+        view: maps metres to the page.
         gripper: the gripper.
         robot: x, y [m] and heading [rad] of its robot.
         paint: the colour.

@@ -1,4 +1,4 @@
-"""`crs cache`: shows and clears what was compiled before."""
+"""`crs cache`: show and clear the compile cache."""
 
 from __future__ import annotations
 
@@ -19,23 +19,23 @@ _UNITS: Final = ((2**30, "GiB"), (2**20, "MiB"), (2**10, "KiB"))
 _EXAMPLES: Final = """
 \b
 Examples:
-  crs cache             shows where it is, and how large
-  crs cache clear       removes all of it
+  crs cache             show its folder and size
+  crs cache clear       remove all entries
 """
 
 
 @click.group(
     epilog=_EXAMPLES,
-    short_help="Show and clear what was compiled before.",
+    short_help="Show or clear the compile cache.",
     invoke_without_command=True,
 )
 @click.pass_context
 def cache(context: click.Context) -> int:
-    """Shows where compiled programs are kept, how many entries there are, and how large they are.
+    """Show the folder, the number of entries and the size of the compile cache.
 
-    The folder is $CRS_CACHE, or crs_cc in the user's cache folder. When it grows over its limit,
-    the least recently used entries are removed. The limit is 1 GiB, or what CRS_CACHE_SIZE in the
-    environment says, such as 500M or 2G; 0 keeps nothing.
+    The folder is $CRS_CACHE, or crs_cc in the user's cache folder. When it exceeds its limit,
+    the least recently used entries are removed. The limit is 1 GiB, or the value of the
+    environment variable CRS_CACHE_SIZE, such as 500M or 2G; 0 disables the cache.
     """
     if context.invoked_subcommand is not None:
         return 0
@@ -52,11 +52,9 @@ def cache(context: click.Context) -> int:
     return 0
 
 
-@cache.command(
-    epilog="\b\nExamples:\n  crs cache clear", short_help="Remove all that was compiled before."
-)
+@cache.command(epilog="\b\nExamples:\n  crs cache clear", short_help="Remove all entries.")
 def clear() -> int:
-    """Removes all that was compiled before; programs are compiled again when they are next run."""
+    """Remove all entries; programs are compiled again when they are run next."""
     from crs_cc.session.cache_size import remove
 
     folder = _folder()
@@ -75,7 +73,7 @@ def clear() -> int:
 
 
 def _folder() -> Path:
-    """Return the folder of the cache, and warn if it is not used.
+    """Return the cache folder; warn if it is not used.
 
     Raises:
         click.UsageError: there is none.
@@ -84,17 +82,17 @@ def _folder() -> Path:
 
     place = folder()
     if place is None:
-        raise click.UsageError("there is no cache: the user has no home folder; set CRS_CACHE.")
+        raise click.UsageError("no cache folder: the user has no home folder; set CRS_CACHE.")
     if place.is_dir() and not is_private(place):
-        say(f"warning: {place} is not used: it has to be yours, and nobody else may write there")
+        say(f"warning: {place} is not used: it must belong to you and not be writable by others")
     return place
 
 
 def _entries(folder: Path) -> list[StoredEntry]:
-    """Return what is in the cache's folder: nothing if it is not there yet.
+    """Return the entries in the cache folder; none if it does not exist yet.
 
     Raises:
-        OSError: it cannot be read.
+        OSError: the folder cannot be read.
     """
     from crs_cc.session.cache_size import stored_entries
 
@@ -109,7 +107,7 @@ def _size(entries: Sequence[StoredEntry]) -> str:
 
 
 def _amount(size: int) -> str:
-    """Return a number of bytes for people.
+    """Return a number of bytes in human-readable form.
 
     >>> _amount(2**30), _amount(1_500_000), _amount(12)
     ('1 GiB', '1.4 MiB', '12 bytes')

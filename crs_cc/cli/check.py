@@ -1,4 +1,4 @@
-"""`crs check`: says what is wrong with C, world and robot files, and runs nothing."""
+"""`crs check`: check C, world and robot files without running anything."""
 
 from __future__ import annotations
 
@@ -29,24 +29,24 @@ Examples:
 """
 
 
-@click.command(epilog=_EXAMPLES, short_help="Say what is wrong with C, world and robot files.")
+@click.command(epilog=_EXAMPLES, short_help="Check C, world and robot files.")
 @click.argument("files", nargs=-1, required=True, metavar="FILE.c|FILE.xml...")
 @click.option("--json", "as_json", is_flag=True, help="Write the messages to stdout as JSON.")
 @click.option(
     "-q",
     "--quiet",
     is_flag=True,
-    help="Leave out warnings, the closing line, and what is in worlds.",
+    help="Suppress warnings, the closing line and the contents of worlds.",
 )
 @compiler_options
 def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOptions) -> int:
-    """Says what is wrong with C, world and robot files, and what is in them; runs nothing.
+    """Check C, world and robot files, and run nothing.
 
-    Of a world, a robot definition, or a file that worlds include, it tells what is there.
-    Each C file is looked at on its own, so that a part of a program can be checked too. If one of
-    them has a function main (or runcode), they are also linked, as crs run does. Ends with 0 when
-    there are no errors (warnings may be), else with the status of the first one: 121 for C, 122 for
-    a world.
+    For a world, a robot definition or a file that worlds include, list its contents.
+    Each C file is checked on its own, so that a part of a program can be checked too. If one of
+    them has a function main (or runcode), they are also linked, as by crs run. The exit status is
+    0 if there are no errors (warnings are allowed), else that of the first error: 121 for C, 122
+    for a world.
     """
     status = 0
     messages: list[Diagnostic] = []
@@ -76,11 +76,11 @@ def check(files: Sequence[str], as_json: bool, quiet: bool, compiler: CompilerOp
 
 
 def _world_messages(path: Path, contents: list[str]) -> tuple[Sequence[Diagnostic], int]:
-    """Gives the messages about an XML file, and their exit status.
+    """Return the messages about an XML file, and their exit status.
 
     Args:
         path: the file.
-        contents: gets lines that tell what is in it.
+        contents: receives lines that describe its contents.
     """
     from crs_cc.cli.inventory import inventory
     from crs_cc.sim.files.world_xml import load_any
@@ -100,13 +100,13 @@ def _messages(
     sources: Diagnostics,
     together: Sequence[Path],
 ) -> tuple[Sequence[Diagnostic], int]:
-    """Gives the messages about a C file, and the exit status of its errors.
+    """Return the messages about a C file, and the exit status of its errors.
 
     Args:
         path: the file.
         compiler: how to compile it.
-        programs: gets what it becomes.
-        sources: gets its lines.
+        programs: receives its IR.
+        sources: receives its lines.
         together: all C files.
     """
     diagnostics = Diagnostics()
@@ -124,10 +124,10 @@ def _messages(
 
 
 def _linked(programs: Sequence[Program], diagnostics: Diagnostics) -> tuple[list[Diagnostic], int]:
-    """Return all messages, those about the files as one program too, and its exit status.
+    """Return all messages, linking included, and the exit status.
 
-    The code is generated too, because only that shows whether a robot's memory has room for the
-    program, and whether its functions are simple enough.
+    Code is generated too, because only that shows whether the program fits into a robot's memory
+    and whether its functions are simple enough.
     """
     from crs_cc.runtime.codegen.module import compile_program
     from crs_cc.runtime.link import link

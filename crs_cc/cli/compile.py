@@ -1,4 +1,4 @@
-"""`crs compile`: shows what becomes of a C program on its way to the robot."""
+"""`crs compile`: show the intermediate forms of a C program."""
 
 from __future__ import annotations
 
@@ -26,23 +26,23 @@ Examples:
 """
 
 
-@click.command("compile", epilog=_EXAMPLES, short_help="Show the code that a C program becomes.")
+@click.command("compile", epilog=_EXAMPLES, short_help="Show the code generated for a program.")
 @click.argument("files", nargs=-1, required=True, metavar="PROGRAM.c...")
 @click.option(
     "--emit",
     type=click.Choice(["ir", "wat"]),
     default="ir",
     show_default=True,
-    help="ir: the typed intermediate code of the files alone. "
-    "wat: the WebAssembly of the whole program, library included.",
+    help="ir: the typed intermediate representation of the files. "
+    "wat: the WebAssembly of the whole program, including the library.",
 )
-@click.option("-q", "--quiet", is_flag=True, help="Leave out warnings.")
-@click.option("--unchecked", is_flag=True, help="wat: leave out the checks of memory accesses.")
+@click.option("-q", "--quiet", is_flag=True, help="Suppress warnings.")
+@click.option("--unchecked", is_flag=True, help="wat: omit the checks of memory accesses.")
 @compiler_options
 def compile_(
     files: Sequence[str], emit: str, quiet: bool, unchecked: bool, compiler: CompilerOptions
 ) -> int:
-    """Shows the code that a C program becomes, on stdout."""
+    """Write the code generated for a C program to stdout."""
     paths = [Path(name) for name in files]
     diagnostics = Diagnostics()
     with gathered(diagnostics, quiet=quiet):
@@ -61,16 +61,16 @@ def compile_(
 def compile_source(
     path: Path, compiler: CompilerOptions, diagnostics: Diagnostics, together: Sequence[Path]
 ) -> Program:
-    """Compiles a single C file.
+    """Compile a single C file.
 
     Args:
         path: the file.
         compiler: how to compile it.
-        diagnostics: takes the messages.
-        together: all files, which tell the dialect of those that do not tell it themselves.
+        diagnostics: receives the messages.
+        together: all files, which decide the dialect of those that do not show it.
 
     Raises:
-        CompileError: the C source is at fault.
+        CompileError: the C source is invalid.
     """
     from crs_cc.frontend.dialect import dialect_of, form
     from crs_cc.frontend.unit import compile_file

@@ -1,4 +1,4 @@
-"""The options of every command that compiles C, and how its messages are gathered."""
+"""The options of every command that compiles C, and the collection of its messages."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ class CompilerOptions:
     """How to compile.
 
     Attributes:
-        include_paths: folders in which `#include` looks, in this order.
+        include_paths: the folders searched by `#include`, in order.
         defines: macros, each `NAME` or `NAME=VALUE`.
-        undefines: macros that are not to be defined.
-        standard: the C that the program is written in.
-        dialect: whose functions it calls, `nomad` or `report`; None to judge by what it looks like.
+        undefines: predefined macros to remove.
+        standard: the C standard of the program.
+        dialect: the API that it calls, `nomad` or `report`; None to detect it.
     """
 
     include_paths: tuple[Path, ...] = ()
@@ -40,7 +40,7 @@ class CompilerOptions:
 def _folders(
     _ctx: click.Context, _option: click.Parameter, paths: tuple[Path, ...]
 ) -> tuple[Path, ...]:
-    """Leaves out folders that do not exist, with a warning: makefiles name such."""
+    """Drop folders that do not exist, with a warning: makefiles often name some."""
     for path in paths:
         if not path.is_dir():
             say(f"warning: -I {path}: no such folder")
@@ -51,33 +51,33 @@ _OPTIONS = (
     click.option(
         "-I", "--include", "include_paths", metavar="DIR", multiple=True,
         type=click.Path(path_type=Path), callback=_folders,
-        help="Look for #include files in DIR too; may be repeated.",
+        help="Add DIR to the search path of #include; may be repeated.",
     ),
     click.option(
         "-D", "--define", "defines", metavar="NAME[=VALUE]", multiple=True,
-        help="Define a macro, as 1 or as VALUE; may be repeated.",
+        help="Define a macro as VALUE, by default 1; may be repeated.",
     ),
     click.option(
         "-U", "--undefine", "undefines", metavar="NAME", multiple=True,
-        help="Do not define a macro; may be repeated.",
+        help="Undefine a predefined macro; may be repeated.",
     ),
     click.option(
         "-std", "standard", metavar="NAME", default="gnu17", show_default=True,
         type=click.Choice(list(STANDARDS)),
-        help="Predefine the macros of c89, gnu89, c99, gnu99, c11, gnu11, c17 or gnu17; "
-        "those without 'gnu' also have trigraphs. The language is the same.",
+        help="The C standard: c89, gnu89, c99, gnu99, c11, gnu11, c17 or gnu17. It selects the "
+        "predefined macros and, without 'gnu', trigraphs; the language accepted is the same.",
     ),
     click.option(
         "--dialect", type=click.Choice(DIALECTS),
-        help="Whose functions the program calls: nomad, the vendor's, or report, those of the CRS "
-        "report; then it may be just the statements of its body. If not given: report for "
+        help="The API that the program calls: nomad, the vendor's, or report, that of the CRS "
+        "report, where a program may consist of the statements of its body. By default report for "
         "a program with a function runcode that includes no Nomadic header and has no main.",
     ),
 )  # fmt: skip
 
 
 def compiler_options(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Gives a command the options of the compiler, which it takes as `compiler`."""
+    """Add the compiler options to a command, which receives them as `compiler`."""
 
     @functools.wraps(command)
     def with_options(
@@ -101,7 +101,7 @@ def compiler_options(command: Callable[..., Any]) -> Callable[..., Any]:
 
 @contextmanager
 def gathered(diagnostics: Diagnostics, *, quiet: bool = False) -> Iterator[None]:
-    """Completes an error that leaves the block by the warnings found before it, or has none."""
+    """Add the warnings found before it to an error that leaves the block."""
     try:
         yield
     except CrsError as error:
@@ -112,5 +112,5 @@ def gathered(diagnostics: Diagnostics, *, quiet: bool = False) -> Iterator[None]
 
 
 def merged(first: Sequence[Diagnostic], second: Sequence[Diagnostic]) -> list[Diagnostic]:
-    """Gives the messages of both, each once, in order."""
+    """Return the messages of both in order, without duplicates."""
     return list(dict.fromkeys([*first, *second]))

@@ -1,16 +1,16 @@
-"""`crs debug`: the options of a run that is stepped through; what it does stands in `debugging`."""
+"""`crs debug`: the command and its options; `debugging` does the work."""
 
 from __future__ import annotations
 
 import functools
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
 import click
 
-from crs_cc.cli.program_options import ProgramOptions, WithProgramArguments, program_options
+from crs_cc.cli.debug_options import DebugOptions
+from crs_cc.cli.program_options import WithProgramArguments, program_options
 
 _EXAMPLES: Final = """
 \b
@@ -19,75 +19,54 @@ Examples:
   crs debug wander.c room.xml -- 500
   crs debug --batch -x crash.dbg wander.c room.xml
   crs debug -ex "break turn if speed > 100" -ex continue wander.c room.xml
-  crs debug --dap stdio                          for an editor, see docs/editors.md
+  crs debug --dap stdio                          serve an editor, see docs/editors.md
 """
 
 _PORTS: Final = 65536
-
-
-@dataclass(frozen=True, slots=True)
-class DebugOptions(ProgramOptions):
-    """What to debug, and how.
-
-    Attributes:
-        scripts: files of commands that are done first.
-        commands: commands that are done behind them.
-        batch: end when these are done.
-        input: what the programs read from their standard input; None for what is typed.
-        tui: show the full screen; None for on a terminal.
-        dap: serve an editor instead: `stdio`, or the number of a port.
-    """
-
-    scripts: tuple[Path, ...] = ()
-    commands: tuple[str, ...] = ()
-    batch: bool = False
-    input: Path | None = None
-    tui: bool | None = None
-    dap: str | None = None
 
 
 def _dap(_ctx: click.Context, _option: click.Parameter, where: str | None) -> str | None:
     is_number = where is not None and where.isascii() and where.isdigit() and len(where) < 6
     if where is None or where == "stdio" or (is_number and int(where) < _PORTS):
         return where
-    raise click.BadParameter(f"'{where}' is neither stdio nor the number of a port.")
+    raise click.BadParameter(f"'{where}' is neither stdio nor a port number.")
 
 
 _OPTIONS: Final = (
     click.option(
         "-x", "scripts", multiple=True, metavar="FILE",
         type=click.Path(exists=True, dir_okay=False, path_type=Path),
-        help="Do the commands in a file first; may be given again.",
+        help="Execute the commands in FILE first; may be repeated.",
     ),
     click.option(
         "-ex", "commands", multiple=True, metavar="COMMAND",
-        help="Do a command first, behind those of -x; may be given again.",
+        help="Execute COMMAND first, after those of -x; may be repeated.",
     ),
     click.option(
         "--batch", is_flag=True,
-        help="End when the commands of -x and -ex are done: with 0 if all could be done, else 1.",
+        help="Exit after the commands of -x and -ex, with status 0 if all succeeded, else 1.",
     ),
     click.option(
         "--input", metavar="FILE",
         type=click.Path(exists=True, dir_okay=False, path_type=Path),
-        help="What the programs read from their standard input; by default what is typed, and "
-        "with --batch our own standard input.",
+        help="Standard input of the programs; by default the terminal, and with --batch our own "
+        "standard input.",
     ),
     click.option(
         "--tui/--repl", default=None,
-        help="Show the full screen, or a plain prompt; by default the screen on a terminal.",
+        help="Show the full-screen interface (default on a terminal) or a plain prompt.",
     ),
     click.option(
         "--dap", metavar="stdio|PORT", callback=_dap,
-        help="Serve an editor by the Debug Adapter Protocol, on our standard streams or on a port "
-        "of this computer; 0 is any free one.",
+        help="Serve an editor over the Debug Adapter Protocol, on stdin and stdout or on a local "
+        "port; 0 picks a free one.",
     ),
-    click.option("-q", "--quiet", is_flag=True, help="Leave out the compiler's warnings."),
+    click.option("-q", "--quiet", is_flag=True, help="Suppress compiler warnings."),
 )  # fmt: skip
 
 
 def _debug_options(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Gives a command all arguments and options of `crs debug`."""
+    """Add all arguments and options of `crs debug` to a command."""
     command = program_options(command, needs_files=False)
     for option in reversed(_OPTIONS):
         command = option(command)
@@ -102,11 +81,11 @@ def _debug_options(command: Callable[..., Any]) -> Callable[..., Any]:
 )
 @_debug_options
 def debug(**options: Any) -> int:
-    """Compiles a C control program, and steps through its run in a simulated world.
+    """Compile a C control program and debug it in a simulated world.
 
-    Programs and world go together, forward and backward: reverse-step, reverse-continue, goto.
-    Programs, worlds and options are those of crs run. Commands have gdb's names, help lists
-    them; on the full screen, F1 tells the keys.
+    Programs and world run together, forward and backward: reverse-step, reverse-continue, goto.
+    Programs, worlds and options are those of crs run. Commands are named as in gdb; help lists
+    them. In the full-screen interface, F1 shows the keys.
     """
     wanted = DebugOptions(**options)
     if wanted.dap is not None:
@@ -114,17 +93,17 @@ def debug(**options: Any) -> int:
 
         return serve_editor(wanted.dap, read_options)
     if not wanted.inputs.sources and wanted.inputs.world is None:
-        raise click.UsageError("name a C file to debug.")
+        raise click.UsageError("no C file to debug.")
     from crs_cc.cli.debugging import debug_programs
 
     return debug_programs(wanted)
 
 
 def read_options(arguments: Sequence[str]) -> DebugOptions:
-    """Gives what a command line of `crs debug` says.
+    """Return the options in a command line of `crs debug`.
 
     Raises:
-        click.ClickException: it is wrong.
+        click.ClickException: it is invalid.
     """
     options = _reader().main(list(arguments), prog_name="crs debug", standalone_mode=False)
     assert isinstance(options, DebugOptions)
@@ -133,6 +112,6 @@ def read_options(arguments: Sequence[str]) -> DebugOptions:
 
 @functools.cache
 def _reader() -> click.Command:
-    """Gives a command that does nothing but to read its options."""
+    """Return a command that only parses its options."""
     command = click.command(cls=WithProgramArguments, add_help_option=False)
     return command(_debug_options(DebugOptions))

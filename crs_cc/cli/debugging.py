@@ -1,4 +1,4 @@
-"""What `crs debug` does: makes a debugger of files, and hands it to a screen or to an editor."""
+"""Start the debugger: load the programs, and run the prompt or the full-screen interface."""
 
 from __future__ import annotations
 
@@ -28,19 +28,19 @@ from crs_cc.session.library import library_options
 
 if TYPE_CHECKING:
     from crs_cc.cli.compiler_options import CompilerOptions
-    from crs_cc.cli.debug import DebugOptions
+    from crs_cc.cli.debug_options import DebugOptions
     from crs_cc.cli.load import Loaded
     from crs_cc.frontend.preprocess.options import Dialect
     from crs_cc.session.host import Input, Output
 
 
 def debug_programs(options: DebugOptions) -> int:
-    """Lets a user debug programs, and gives the exit status.
+    """Debug programs interactively, and return the exit status.
 
     Raises:
-        CrsError: what keeps the programs from starting.
+        CrsError: the programs cannot be loaded.
         click.UsageError: a robot has no program, or there is no terminal for the full screen.
-        OSError: what the programs read cannot be read.
+        OSError: the programs' input cannot be read.
     """
     on_screen = full_screen.is_wanted(options)
     loaded = _load(options)
@@ -61,29 +61,29 @@ def debug_programs(options: DebugOptions) -> int:
 
 
 def _input(options: DebugOptions, keyboard: Keyboard) -> Input:
-    """Gives what the programs read: never a script of ours."""
+    """Return the programs' standard input, which is never a debugger script."""
     if options.input is not None:
         return file_input(options.input)
     if keyboard.is_typed or options.batch:
         return keyboard.read
-    return no_input  # commands come from there
+    return no_input  # stdin holds commands
 
 
 def file_input(path: Path) -> Input:
-    """Gives the lines of a file in as large pieces as programs want them.
+    """Return a reader of a file, line by line.
 
     Raises:
-        OSError: it cannot be read.
+        OSError: the file cannot be read.
     """
     stream = io.BytesIO(path.read_bytes())
     return lambda _robot, wanted: stream.readline(wanted)
 
 
 def _keep_files(debugger: Debugger, options: DebugOptions) -> bool:
-    """Write what the programs have written up to here to where the user wants it.
+    """Save the files that the programs have written so far, if requested.
 
     Returns:
-        Whether nothing of it is lost.
+        Whether all of them were saved.
     """
     if options.outputs is None:
         return True
@@ -100,13 +100,13 @@ def _load(options: DebugOptions) -> Loaded:
 
 
 def make_debugger(loaded: Loaded, options: DebugOptions, output: Output, read: Input) -> Debugger:
-    """Gives a debugger of what has been loaded.
+    """Return a debugger of loaded programs.
 
     Args:
         loaded: the world and the programs, in their debug builds.
         options: how to run them.
-        output: takes what they write.
-        read: gives what they read.
+        output: receives what they write.
+        read: returns what they read.
     """
     return Debugger(
         loaded.world,
@@ -121,7 +121,7 @@ def make_debugger(loaded: Loaded, options: DebugOptions, output: Output, read: I
 
 
 def _programs(loaded: Loaded, options: DebugOptions) -> list[DebugProgram]:
-    """Gives each robot's program; robots with the same program share it."""
+    """Return each robot's program; robots with the same program share it."""
     made: dict[int, DebugProgram] = {}
     rows = zip(loaded.executables, loaded.sources, loaded.dialects, strict=True)
     for executable, sources, dialect in rows:
@@ -134,7 +134,7 @@ def _programs(loaded: Loaded, options: DebugOptions) -> list[DebugProgram]:
 def _front_end(
     compiler: CompilerOptions, sources: Sequence[Path], dialect: Dialect | None
 ) -> Options:
-    """Gives what the files were compiled with, so that expressions mean what they mean there."""
+    """Return the options that the files were compiled with, for parsing expressions."""
     options = library_options(
         compiler.include_paths,
         compiler.defines,

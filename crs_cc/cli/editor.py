@@ -1,4 +1,4 @@
-"""`crs debug --dap`: an editor says what to debug, and gets a debugger of it."""
+"""`crs debug --dap`: serve an editor over the Debug Adapter Protocol."""
 
 from __future__ import annotations
 
@@ -16,20 +16,20 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.session.host import no_input
 
 if TYPE_CHECKING:
-    from crs_cc.cli.debug import DebugOptions
+    from crs_cc.cli.debug_options import DebugOptions
     from crs_cc.debug.engine import Debugger
     from crs_cc.session.host import Output
 
 
 def serve_editor(where: str, read: Callable[[Sequence[str]], DebugOptions]) -> int:
-    """Serves an editor, and gives the exit status.
+    """Serve an editor, and return the exit status.
 
     Args:
-        where: `stdio`, or the number of a port, on which one editor after the other is served.
-        read: reads a command line of `crs debug`.
+        where: `stdio`, or a port number, on which one editor after the other is served.
+        read: parses a command line of `crs debug`.
 
     Raises:
-        OSError: the port is taken.
+        OSError: the port is in use.
     """
 
     def open_run(line: Sequence[str], output: Output, tell: Callable[[str], None]) -> Debugger:

@@ -1,7 +1,7 @@
-"""The full screen of `crs debug`: when it is shown, and on what.
+"""The full-screen interface of `crs debug`: whether to show it, and how it starts.
 
-It is what a user sees who sits at a terminal and says nothing else. Its packages take half a second
-to import, so nothing of it is imported before.
+It is the default on a terminal. Its packages take half a second to import, so they are imported
+only when it is shown.
 """
 
 from __future__ import annotations
@@ -18,34 +18,34 @@ from crs_cc.cli.messages import say
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from crs_cc.cli.debug import DebugOptions
+    from crs_cc.cli.debug_options import DebugOptions
     from crs_cc.debug.engine import Debugger
     from crs_cc.session.host import Input, Output
 
 
 def is_wanted(options: DebugOptions) -> bool:
-    """Tells whether to show it; where somebody would expect it and it cannot be, says why.
+    """Return whether to show it; report why not where it would be the default.
 
     Raises:
-        click.UsageError: it was asked for, and cannot be shown.
+        click.UsageError: it was requested and cannot be shown.
     """
     if options.tui is False or options.batch:
         if options.tui:
-            raise click.UsageError("--tui and --batch exclude each other.")
+            raise click.UsageError("--tui and --batch are mutually exclusive.")
         return False
     reason = _reason_against()
     if reason and options.tui:
         raise click.UsageError(f"--tui: {reason}.")
     if reason and _is_terminal():
-        say(f"crs: no full screen: {reason}; going on line by line")
+        say(f"crs: no full-screen interface: {reason}; using the prompt")
     return not reason
 
 
 def _reason_against() -> str:
     if not _is_terminal():
-        return "standard input and output are no terminal"
+        return "standard input and output are not a terminal"
     if os.environ.get("TERM", "dumb") == "dumb" and sys.platform != "win32":
-        return "the terminal cannot show one"
+        return "the terminal does not support it"
     if find_spec("textual") is None:
         return "textual is not installed (pip install textual)"
     return ""
@@ -58,12 +58,12 @@ def _is_terminal() -> bool:
 def show(
     options: DebugOptions, make: Callable[[Output, Input], Debugger], file_input: Input | None
 ) -> Debugger:
-    """Lets a user debug on the full screen until he leaves.
+    """Run the full-screen interface until the user quits.
 
     Args:
-        options: the scripts that come first.
-        make: makes the debugger, given what takes the programs' output, and what they read from.
-        file_input: what they read when that is a file.
+        options: name the scripts to execute first.
+        make: creates the debugger, given the programs' output and input.
+        file_input: their input if it is a file.
 
     Raises:
         OSError: a script cannot be read.

@@ -20,7 +20,7 @@ from crs_cc.core.errors import CompileError, CrsError, WorldError
 from crs_cc.core.source import Location
 from crs_cc.session.files import EEXIST, Disk
 
-LARGEST_FILE: Final = 64 * 2**20  # that a program can be given to read [bytes]
+LARGEST_FILE: Final = 64 * 2**20  # of --file [bytes]
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,8 +28,8 @@ class Inputs:
     """What to run.
 
     Attributes:
-        sources: C files, parts of one program.
-        world: the world file, if one is named.
+        sources: the C files of one program.
+        world: the world file, if any.
     """
 
     sources: tuple[Path, ...]
@@ -37,7 +37,7 @@ class Inputs:
 
 
 def sort_files(names: Sequence[str]) -> Inputs:
-    """Tells C files and the world file apart, by the ending `.xml`.
+    """Separate C files and the world file by the extension `.xml`.
 
     Raises:
         click.UsageError: more than one world is named, or a C file twice.
@@ -50,22 +50,22 @@ def sort_files(names: Sequence[str]) -> Inputs:
     for source in sources:
         real = os.path.realpath(source)
         if real in seen:
-            raise click.UsageError(f"{source} is named twice")
+            raise click.UsageError(f"{source} is given twice")
         seen.add(real)
     return Inputs(sources, Path(worlds[0]) if worlds else None)
 
 
 def is_world(name: str) -> bool:
-    """Tells whether a file's name is that of a world file."""
+    """Return whether a file name is that of a world file."""
     return name.lower().endswith(".xml")
 
 
 def demand_readable(path: Path, hint: str = "") -> None:
-    """Makes sure that a file can be read at all.
+    """Check that a file can be read.
 
     Args:
         path: the file.
-        hint: what to say if it is not there, and none of a similar name.
+        hint: a hint for a missing file, if there is none of a similar name.
 
     Raises:
         CompileError: a C file cannot be read.
@@ -87,11 +87,11 @@ def demand_readable(path: Path, hint: str = "") -> None:
 
 
 def name_files(options: Sequence[str]) -> dict[str, Path]:
-    """Gives the files that programs may read, by name, from `FILE` or `NAME=FILE`.
+    """Return the files that programs may read, by name, from `FILE` or `NAME=FILE`.
 
     Raises:
-        click.UsageError: there is no such file, or it cannot be read, or is too large; or a
-            program's disk cannot have it by that name beside the others.
+        click.UsageError: a file does not exist, cannot be read or is too large, or its
+            name is invalid or a duplicate on a program's disk.
 
     >>> name_files(["pyproject.toml", "map=README.md"])
     {'pyproject.toml': PosixPath('pyproject.toml'), 'map': PosixPath('README.md')}
@@ -102,45 +102,45 @@ def name_files(options: Sequence[str]) -> dict[str, Path]:
         name, _, file = option.rpartition("=")
         path = Path(file)
         if not path.is_file() or not os.access(path, os.R_OK):
-            raise click.UsageError(f"--file '{file}': no such file, or it cannot be read.")
+            raise click.UsageError(f"--file '{file}': no such file, or not readable.")
         if path.stat().st_size > LARGEST_FILE:
             raise click.UsageError(f"--file '{file}' is larger than {LARGEST_FILE >> 20} MiB.")
         failed = disk.put(name or file, b"")
         if failed:
-            why = "is named twice" if failed == -EEXIST else "is no name for a program's file"
+            why = "is given twice" if failed == -EEXIST else "is not a valid file name for programs"
             raise click.UsageError(f"--file '{option}': '{name or file}' {why}.")
         named[name or file] = path
     return named
 
 
 def make_folder(path: Path) -> None:
-    """Makes the folder for results, unless it is there.
+    """Create the folder for results, unless it exists.
 
     Raises:
-        click.UsageError: it cannot be made.
+        click.UsageError: it cannot be created.
     """
     try:
         path.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise click.UsageError(f"cannot make the folder '{path}': {error.strerror}.") from None
+        raise click.UsageError(f"cannot create folder '{path}': {error.strerror}.") from None
 
 
 def demand_picture(path: Path) -> None:
-    """Makes sure that a picture may be written to a file: it is no source, and can be written.
+    """Check that a picture can be written to a file, and that the file is not a source.
 
     Raises:
-        click.UsageError: it may not.
+        click.UsageError: it cannot.
     """
     _demand_writable(path)
     device = path.exists() and not path.is_file()
     if path.suffix.lower() != ".svg" and not device:
         raise click.UsageError(
-            f"'{path}' is no name for a picture: it is written as SVG, name it {path.stem}.svg."
+            f"'{path}' is not an SVG file: the plot is written as SVG, name it {path.stem}.svg."
         )
 
 
 def _demand_writable(path: Path) -> None:
-    """Makes sure, as far as can be told without writing, that a file can be written."""
+    """Check, as far as possible without writing, that a file can be written."""
     folder = path.absolute().parent
     try:
         if not stat.S_ISDIR(folder.stat().st_mode):
@@ -156,7 +156,7 @@ def _demand_writable(path: Path) -> None:
 
 
 def _similar(path: Path) -> str:
-    """Gives a hint to a file of almost the same name."""
+    """Return a hint to a file of a similar name."""
     try:
         names = sorted(each.name for each in path.parent.iterdir() if each.suffix == path.suffix)
     except OSError:

@@ -1,4 +1,4 @@
-"""Ctrl-C: ends a run between two timesteps, so that its results are whole."""
+"""Ctrl-C: end a run between two timesteps, so that its results are complete."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from typing import Self
 
 
 class Interrupt:
-    """Listens to Ctrl-C inside a `with` block.
+    """Handle SIGINT inside a `with` block.
 
-    The first one only asks for the end of the run; the second, or the first while the run waits
+    The first one only requests the end of the run; the second, or the first while the run waits
     for input, raises `KeyboardInterrupt` at once.
 
     Attributes:
-        requested: the user wants the run to end.
+        requested: whether the end of the run is requested.
     """
 
     def __init__(self) -> None:
@@ -41,7 +41,7 @@ class Interrupt:
 
     @contextmanager
     def waiting(self) -> Iterator[None]:
-        """Marks a block that waits for input, where nobody would look at `requested`."""
+        """Mark a block that waits for input, where `requested` is not polled."""
         self._is_waiting = True
         try:
             yield

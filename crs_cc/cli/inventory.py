@@ -1,4 +1,4 @@
-"""What a world file, a robot definition or a file to be included has in it, in a few lines."""
+"""The contents of a world file, a robot definition or an included file, in a few lines."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _MOST: Final = 10
 
 
 def inventory(what: WorldModel | RobotModel | Definitions) -> list[str]:
-    """Gives the lines that tell what is there."""
+    """Return lines that describe the contents."""
     if isinstance(what, WorldModel):
         return list(_world(what))
     if isinstance(what, RobotModel):
@@ -27,7 +27,7 @@ def inventory(what: WorldModel | RobotModel | Definitions) -> list[str]:
 
 
 def counted(number: int, noun: str, plural: str = "") -> str:
-    """Gives a number of things in words.
+    """Return a count with its noun.
 
     >>> counted(1, "wall"), counted(2, "box", "boxes")
     ('1 wall', '2 boxes')

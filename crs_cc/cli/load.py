@@ -1,4 +1,4 @@
-"""From the files that a user names to what a session takes: a world, and a program per robot."""
+"""Load the files of the command line: a world, and a program for each robot."""
 
 from __future__ import annotations
 
@@ -21,20 +21,20 @@ if TYPE_CHECKING:
     from crs_cc.sim.model.world import Robot, WorldModel
 
 
-_ARGUMENT_HINT: Final = "arguments of the program itself stand behind --"
+_ARGUMENT_HINT: Final = "arguments of the program follow --"
 
 
 @dataclass(frozen=True, slots=True)
 class Loaded:
-    """What is to be run.
+    """What to run.
 
     Attributes:
         world: the world.
         executables: each robot's program.
         sources: each robot's C files.
-        dialects: whose functions each robot's program calls; None for what it looks like.
-        arguments: each robot's `argv`; it begins with the first C file, without its ending.
-        files: what every program finds on its disk, by name.
+        dialects: the API that each robot's program calls; None to detect it.
+        arguments: each robot's `argv`; it starts with the first C file, without extension.
+        files: the initial contents of every program's disk, by file name.
     """
 
     world: WorldModel
@@ -46,16 +46,16 @@ class Loaded:
 
 
 def load(options: ProgramOptions, diagnostics: Diagnostics, *, debug: bool = False) -> Loaded:
-    """Reads the world and compiles every program that its robots run, each once.
+    """Load the world, and compile every program that its robots run once.
 
     Args:
         options: what to run.
-        diagnostics: takes the warnings.
-        debug: make every statement a place to stop at.
+        diagnostics: receives the warnings.
+        debug: allow breakpoints on every statement.
 
     Raises:
-        CompileError: a C source is at fault.
-        WorldError: the world file is at fault.
+        CompileError: a C source is invalid.
+        WorldError: the world file is invalid.
         click.UsageError: a robot has no program.
     """
     with gathered(diagnostics, quiet=options.quiet):
@@ -65,7 +65,7 @@ def load(options: ProgramOptions, diagnostics: Diagnostics, *, debug: bool = Fal
         wanted = list(zip(programs, dialects, strict=True))
         if options.inputs.sources and options.inputs.sources not in programs:
             place = Location(str(options.inputs.sources[0]))
-            diagnostics.warning(place, "not used: every robot has a program in the world file")
+            diagnostics.warning(place, "unused: the world file names a program for every robot")
         built = {
             each: _build(*each, options, diagnostics, debug=debug) for each in dict.fromkeys(wanted)
         }
@@ -86,7 +86,7 @@ def _world(options: ProgramOptions) -> WorldModel:
     path, robot = options.inputs.world, options.robot
     if robot not in known_robots() and not robot.endswith(".xml"):
         names = ", ".join(known_robots())
-        raise click.UsageError(f"there is no robot '{robot}': there are {names}, and files (.xml).")
+        raise click.UsageError(f"unknown robot '{robot}' (known: {names}, or a file .xml).")
     if path is None:
         world = empty_world(options.setup, robot)
     else:
@@ -100,12 +100,12 @@ def _program(robot: Robot, options: ProgramOptions) -> tuple[Path, ...]:
         return (Path(robot.program),)
     if not options.inputs.sources:
         name = options.inputs.world
-        raise click.UsageError(f"{name} names no program for '{robot.id}': name a C file to run.")
+        raise click.UsageError(f"no program for '{robot.id}': give a C file, {name} names none.")
     return options.inputs.sources
 
 
 def _arguments(robot: Robot, options: ProgramOptions) -> tuple[str, ...]:
-    """Gives the world's arguments if it has any; ours are for the program that we were given."""
+    """Return the world's arguments if it names a program; ours are for the program given here."""
     return robot.arguments or (() if robot.program else options.arguments)
 
 

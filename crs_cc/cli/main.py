@@ -1,12 +1,12 @@
-"""The command `crs`: picks the subcommand, and turns whatever goes wrong into an exit status.
+"""The command `crs`: dispatch to the subcommands, and map errors to exit statuses.
 
 0 to 255  with one robot: the control program's own, 0 if it still runs at --max-time
 0 or 1    with several robots: 0 if all ended with 0, else 1
-1         the system failed, for example by a full disk
-2         the command line is wrong
-70        crs itself is at fault
-121 122   the C source, the world file is at fault
-123       the only robot's program was stopped by an error
+1         a system error, such as a full disk
+2         invalid command line
+70        internal error in crs
+121 122   invalid C source, invalid world file
+123       the only robot's program was stopped by a run-time error
 130       interrupted by Ctrl-C
 141       broken pipe: the reader closed the output
 """
@@ -38,29 +38,29 @@ _EPILOG = """
 \b
 Examples:
   crs run wander.c                               in an empty world, until Ctrl-C
-  crs run wander.c room.xml --max-time 60        a minute of simulated time
-  crs run wander.c room.xml --plot path.svg      draws where the robot went
-  crs debug wander.c room.xml                    steps through it, forward and backward
-  crs check wander.c room.xml                    only says what is wrong
-  crs new world room                             a commented start of a world
-  crs compile --emit wat wander.c                shows the WebAssembly
+  crs run wander.c room.xml --max-time 60        for a minute of simulated time
+  crs run wander.c room.xml --plot path.svg      plot the robot's path
+  crs debug wander.c room.xml                    debug, forward and backward
+  crs check wander.c room.xml                    report errors, run nothing
+  crs new world room                             write a commented template
+  crs compile --emit wat wander.c                show the WebAssembly
 
 \b
 Exit status:
   0 to 255  with one robot: its program's own, 0 if it still runs at --max-time
   0 or 1    with several robots: 0 if all ended with 0, else 1
-  1         the system failed, for example by a full disk
-  2         the command line is wrong
-  70        crs itself is at fault
-  121 122   the C source, the world file is at fault
-  123       the only robot's program was stopped by an error
+  1         a system error, such as a full disk
+  2         invalid command line
+  70        internal error in crs
+  121 122   invalid C source, invalid world file
+  123       the only robot's program was stopped by a run-time error
   130       interrupted by Ctrl-C
   141       broken pipe: the reader closed the output
 """
 
 
-class _SystemFailure(Exception):  # noqa: N818 - it carries an error, it is none of ours
-    """Carries an `OSError` past click, which would end with 1 without a word."""
+class _SystemFailure(Exception):  # noqa: N818 - wraps an error
+    """Wraps an `OSError` to get it past click, which would exit with 1 silently."""
 
     def __init__(self, error: OSError) -> None:
         super().__init__(str(error))
@@ -95,7 +95,7 @@ class _Crs(click.Group):
 )
 @click.version_option(__version__, "-V", "--version", message="crs %(version)s")
 def crs() -> None:
-    """Runs real C control programs of the Nomadic Scout in a simulated world."""
+    """Run real C control programs of the Nomadic Scout in a simulated world."""
 
 
 for command in (run, debug, check, compile_, new, cache):
@@ -103,11 +103,11 @@ for command in (run, debug, check, compile_, new, cache):
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Runs `crs` with these arguments, by default the process's own; gives the exit status."""
+    """Run `crs` with these arguments, by default `sys.argv`, and return the exit status."""
     prepare_streams()
     try:
         return _main(arguments)
-    except OSError as error:  # while saying what is wrong
+    except OSError as error:  # while reporting an error
         return _system_failure(error)
 
 
@@ -135,7 +135,7 @@ def _main(arguments: Sequence[str] | None) -> int:
 
 
 def _system_failure(error: OSError) -> int:
-    """Says what the system refused, as far as it lets us; what is still unwritten is lost."""
+    """Report a system error if possible; unwritten output is lost."""
     mute(sys.stdout)
     if isinstance(error, BrokenPipeError):
         mute(sys.stderr)
@@ -148,5 +148,5 @@ def _ask_for_report() -> None:
     if os.environ.get("CRS_DEBUG"):
         traceback.print_exc()
         return
-    say("This is a mistake in crs, not in your program. Please report it with the C program, the")
-    say("world file and the command line; CRS_DEBUG=1 in the environment shows where it happened.")
+    say("This is a bug in crs, not in your program. Please report it with the C program, the")
+    say("world file and the command line; set CRS_DEBUG=1 in the environment for a traceback.")

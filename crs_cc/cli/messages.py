@@ -1,8 +1,8 @@
-"""How crs shows its messages: on stderr, with the line of source and a caret.
+"""Diagnostics on stderr, with the source line and a caret.
 
-The form is `source.Diagnostic.render`'s; here it is made fit for a terminal: coloured where colours
-are wanted, without control characters that a hostile file could smuggle in, and with very long
-lines cut down to the part around the caret.
+The format is that of `source.Diagnostic.render`, adapted to a terminal: coloured if colours are
+enabled, without control characters that a hostile file could smuggle in, and with very long
+lines cut to the part around the caret.
 """
 
 from __future__ import annotations
@@ -27,23 +27,23 @@ _CONTROLS: Final = dict.fromkeys(
 
 
 def is_terminal(stream: TextIO | None) -> bool:
-    """Tells whether someone looks at what is written to a stream."""
+    """Return whether a stream is open and a terminal."""
     return stream is not None and not stream.closed and stream.isatty()
 
 
 def is_coloured(stream: TextIO | None) -> bool:
-    """Tells whether to write colours: on a terminal, unless NO_COLOR or TERM=dumb forbid it."""
+    """Return whether to write colours: on a terminal, unless NO_COLOR or TERM=dumb is set."""
     forbidden = os.environ.get("NO_COLOR") or os.environ.get("TERM") == "dumb"
     return is_terminal(stream) and not forbidden
 
 
 def say(text: str) -> None:
-    """Writes a line to stderr, in as far as stderr can show its characters."""
+    """Write a line to stderr."""
     click.echo(text, err=True, color=is_coloured(sys.stderr))
 
 
 def show(diagnostics: Sequence[Diagnostic]) -> None:
-    """Writes messages to stderr, the first `MAX_MESSAGES` of them."""
+    """Write messages to stderr, the first `MAX_MESSAGES` of them."""
     for diagnostic in diagnostics[:MAX_MESSAGES]:
         say(render(diagnostic, coloured=is_coloured(sys.stderr)))
     if len(diagnostics) > MAX_MESSAGES:
@@ -51,9 +51,9 @@ def show(diagnostics: Sequence[Diagnostic]) -> None:
 
 
 def show_before_run(diagnostics: Sequence[Diagnostic]) -> None:
-    """Writes messages to stderr as `show` does, but only the first few warnings.
+    """Write messages to stderr as `show` does, but only the first few warnings.
 
-    A program of 1989 has dozens of harmless ones, which must not bury what the program prints.
+    A program of 1989 has dozens of harmless ones, which must not bury the program's output.
     """
     warnings = [each for each in diagnostics if each.severity == "warning"]
     if len(warnings) <= WARNINGS_BEFORE_RUN:
@@ -65,7 +65,7 @@ def show_before_run(diagnostics: Sequence[Diagnostic]) -> None:
 
 
 def render(diagnostic: Diagnostic, *, coloured: bool) -> str:
-    """Gives a message as it is shown; without colours and oddities, `Diagnostic.render`'s form."""
+    """Return a message for the terminal, see `Diagnostic.render`."""
     place = str(diagnostic.location).translate(_CONTROLS | {10: "?"})
     kind, text = diagnostic.severity, diagnostic.text.translate(_CONTROLS)
     line, column = _excerpt(diagnostic)
@@ -87,12 +87,12 @@ def render(diagnostic: Diagnostic, *, coloured: bool) -> str:
 
 
 def printable(text: str) -> str:
-    """Gives a text for one line of a terminal, without characters that would do harm there."""
+    """Return a text as one line without control characters."""
     return text.translate(_CONTROLS | {9: " ", 10: "?"})
 
 
 def as_data(diagnostic: Diagnostic) -> dict[str, str | int]:
-    """Gives a message as plain data for JSON."""
+    """Return a message as plain data for JSON."""
     place = diagnostic.location
     return {
         "severity": diagnostic.severity,
@@ -106,12 +106,12 @@ def as_data(diagnostic: Diagnostic) -> dict[str, str | int]:
 
 
 def _caret(diagnostic: Diagnostic, room: int) -> str:
-    """Gives the caret and what it underlines, which must not stand out of the excerpt."""
+    """Return the caret and the underline, clipped to the excerpt."""
     return underline(diagnostic.source_line, diagnostic.location)[: max(0, room) + 1]
 
 
 def _excerpt(diagnostic: Diagnostic) -> tuple[str, int]:
-    """Gives as much of the line of source as fits on a screen, and the caret's column in it."""
+    """Return as much of the source line as fits on a screen, and the caret's column in it."""
     line = printable(diagnostic.source_line).rstrip()
     column = diagnostic.location.column
     if len(line) <= MAX_LINE_LENGTH:

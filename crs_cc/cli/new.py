@@ -1,4 +1,4 @@
-"""`crs new`: writes a commented start of a world, a kind of robot, or a program."""
+"""`crs new`: write a commented template of a world, a robot model or a program."""
 
 from __future__ import annotations
 
@@ -14,31 +14,31 @@ _ENDINGS: Final = {"world": ".xml", "robot": ".xml", "program": ".c"}
 _EXAMPLES: Final = """
 \b
 Examples:
-  crs new world room            writes room.xml
-  crs new robot rover           writes rover.xml, a kind of robot
-  crs new program wander        writes wander.c
+  crs new world room            write room.xml
+  crs new robot rover           write rover.xml, a robot model
+  crs new program wander        write wander.c
 """
 
 
-@click.command(epilog=_EXAMPLES, short_help="Write a commented start of a world, robot or program.")
+@click.command(epilog=_EXAMPLES, short_help="Write a world, robot or program template.")
 @click.argument("kind", type=click.Choice(list(_ENDINGS)))
 @click.argument("name")
 def new(kind: str, name: str) -> int:
-    """Writes a file to start from, which can be checked and run as it is; never over another."""
+    """Write a template that can be checked and run unchanged; never overwrite a file."""
     path = Path(name)
     if path.name and path.suffix.lower() != _ENDINGS[kind]:
         path = path.with_name(path.name + _ENDINGS[kind])
     if not _NAME.fullmatch(path.stem):
         raise click.UsageError(
-            f"'{path.stem}' is no name: letters, digits, _ . - only, no digit first, at most 64."
+            f"'{path.stem}' is not a valid name: up to 64 letters, digits, _ . - and no leading digit."
         )
     text = (_TEMPLATES / f"{kind}{_ENDINGS[kind]}").read_text(encoding="utf-8")
     try:
         with path.open("x", encoding="utf-8") as file:
             file.write(text.replace("NAME", path.stem))
     except FileExistsError:
-        raise click.UsageError(f"'{path}' is there already.") from None
+        raise click.UsageError(f"'{path}' already exists.") from None
     except OSError as error:
         raise click.UsageError(f"cannot write '{path}': {error.strerror}.") from None
-    click.echo(f"{path} written; see what is in it with: crs check {path}")
+    click.echo(f"wrote {path}; list its contents with: crs check {path}")
     return 0

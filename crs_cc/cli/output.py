@@ -1,6 +1,6 @@
-r"""Where the output of the control programs goes, and the progress line that keeps out of its way.
+r"""The output of the control programs, and the progress line below it.
 
-One robot's bytes go on as they are. With several robots each line is prefixed by its robot's name:
+One robot's bytes are passed through. With several robots each line is prefixed by the robot's name:
 
 >>> import io
 >>> out, err = io.BytesIO(), io.BytesIO()
@@ -27,7 +27,7 @@ _ERASE_LINE: Final = "\r\x1b[2K"
 
 
 class ProgressLine:
-    """A line at the bottom of the terminal that is drawn again and again.
+    """A status line at the bottom of the terminal.
 
     Attributes:
         stream: the terminal; None for no progress line.
@@ -40,11 +40,11 @@ class ProgressLine:
         self._next_s = 0.0
 
     def is_due(self) -> bool:
-        """Tells whether it is time to draw again and nothing stands in the way."""
+        """Return whether the line is due to be redrawn and the cursor is at the start of a line."""
         return self.stream is not None and self._line_is_free and time.monotonic() >= self._next_s
 
     def draw(self, text: str) -> None:
-        """Writes the line over the one drawn before."""
+        """Redraw the line."""
         if self.stream is not None:
             self.stream.write(_ERASE_LINE + text)
             self.stream.flush()
@@ -52,19 +52,19 @@ class ProgressLine:
             self._next_s = time.monotonic() + _REDRAW_S
 
     def clear(self) -> None:
-        """Takes the line away, so that something else can be written."""
+        """Erase the line, so that something else can be written."""
         if self._drawn and self.stream is not None:
             self.stream.write(_ERASE_LINE)
             self.stream.flush()
         self._drawn = False
 
     def wrote(self, data: bytes) -> None:
-        """Hears what others wrote to the terminal: an unfinished line must not be drawn over."""
+        """Note other output to the terminal: an unfinished line must not be overwritten."""
         self._line_is_free = data.endswith(b"\n")
 
 
 class ProgramOutput:
-    """Writes what the control programs print.
+    """Writes the output of the control programs.
 
     Attributes:
         robots: the robots' names.
@@ -83,7 +83,7 @@ class ProgramOutput:
         self._last_fd = 1
 
     def write(self, robot: int, fd: int, data: bytes) -> None:
-        """Takes what a robot's program wrote to a stream (1 or 2)."""
+        """Write the output of a robot's program to a stream (1 or 2)."""
         if len(self.robots) == 1:
             self._put(fd, data)
             return
@@ -95,12 +95,12 @@ class ProgramOutput:
         self._put(fd, b"".join(self._prefixes[robot] + line + b"\n" for line in lines))
 
     def flush(self) -> None:
-        """Brings everything written so far to the reader."""
+        """Flush both streams."""
         for stream in self.streams.values():
             stream.flush()
 
     def close(self) -> None:
-        """Ends unfinished lines, in the robots' order, and flushes."""
+        """End unfinished lines, in the robots' order, and flush."""
         for (robot, fd), rest in sorted(self._begun.items()):
             if rest:
                 self._put(fd, self._prefixes[robot] + rest + b"\n")
@@ -113,7 +113,7 @@ class ProgramOutput:
         if self._shared[fd]:
             self._progress.clear()
         if fd != self._last_fd:
-            self.flush()  # keeps the order of the two where both go to the same place
+            self.flush()  # keeps the order if both are the same file
             self._last_fd = fd
         self.streams[fd].write(data)
         if self._shared[fd]:
@@ -121,9 +121,9 @@ class ProgramOutput:
 
 
 def read_line(size: int) -> bytes:
-    """Reads from our stdin what a program wants: at most `size` bytes, at most one line.
+    """Read from our stdin at most `size` bytes and at most one line.
 
-    So the pieces depend on what is written to us and never on when.
+    So the pieces depend on the input and never on its timing.
     """
     if sys.stdin is None or sys.stdin.closed:
         return b""

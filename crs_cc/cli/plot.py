@@ -1,6 +1,6 @@
-"""The picture of a run: the world from above, each robot's path, and where it touched something.
+"""The plot of a run: the world from above, each robot's path and its contacts.
 
-x goes to the right and y goes up, as in the world file. A path runs from a hollow circle (start) to
+x points right and y up, as in the world file. A path runs from a hollow circle (start) to
 the robot's shape with its heading (end).
 """
 
@@ -58,14 +58,14 @@ _MOVABLE: Final = "#d9b88a"
 
 @dataclass(frozen=True, slots=True)
 class Trip:
-    """What one robot did.
+    """The path of one robot.
 
     Attributes:
         robot: the robot, with its pose at the start.
-        path: where its centre was [m], shape (samples, 2), from start to end; none of a robot that
+        path: positions of its centre [m], shape (samples, 2), from start to end; empty for one that
             never joined.
         heading_rad: its heading at the end.
-        left: whether it had left the world by then.
+        left: whether it has left the world.
     """
 
     robot: Robot
@@ -76,17 +76,17 @@ class Trip:
 
 @dataclass(frozen=True, slots=True)
 class Picture:
-    """All that is drawn.
+    """The contents of a plot.
 
     Attributes:
         title: the heading.
         subtitle: the line below it.
-        world: what stands where.
+        world: the world.
         trips: the robots.
-        contacts: robot number and place [m] of each contact.
-        pushed: what was pushed away, at the end.
-        drawings: what programs have drawn.
-        sights: what sensors told last.
+        contacts: robot number and position [m] of each contact.
+        pushed: objects that were moved, at their final poses.
+        drawings: what the programs drew.
+        sights: the last readings of sensors.
     """
 
     title: str
@@ -99,7 +99,7 @@ class Picture:
     sights: Sequence[Beam] = ()
 
     def render(self) -> bytes:
-        """Gives the picture as SVG."""
+        """Return the picture as SVG."""
         return _Drawing(self).render()
 
 
@@ -178,7 +178,7 @@ class _Drawing:
         pushed = {thing.id for thing in self.picture.pushed}
         solids = self.picture.world.solids()
         walls = [solid for solid in solids if isinstance(solid, Wall)]
-        for wall in walls:  # before all walls, so that there are no lines where two of them meet
+        for wall in walls:  # outlines first, so that there are none where two walls meet
             if wall.material != PLAIN:
                 self._wall(wall, _INK, 2 * _OUTLINE_PX)
         for wall in walls:
@@ -215,7 +215,7 @@ class _Drawing:
         )
 
     def _strokes(self) -> None:
-        """Draws what programs have drawn."""
+        """Draw what the programs drew."""
         if not self.picture.drawings:
             return
         style: dict[str, str | float] = {"fill": "none", "stroke_width": 1.2}
@@ -252,7 +252,7 @@ class _Drawing:
                 draw_fingers(self.page, self.view, trip.robot.model.gripper, at, colour(number))
 
     def _there(self) -> list[tuple[int, Trip]]:
-        """Gives the robots that have been in the world, with their numbers."""
+        """Return the robots that have been in the world, with their numbers."""
         return [(n, trip) for n, trip in enumerate(self.picture.trips) if len(trip.path)]
 
     def _radius_px(self, trip: Trip) -> float:
@@ -311,14 +311,14 @@ class _Drawing:
 
 
 def _paint(solid: Solid, plain: str) -> str:
-    """Gives the colour of a thing's material, or another one for what has none of its own."""
+    """Return the colour of a solid's material, or `plain` if it has none."""
     if solid.material.colour == PLAIN.colour:
         return plain
     return hexadecimal(solid.material.colour)
 
 
 def shortened(name: str, length: int = 20) -> str:
-    """Gives a name that fits into the legend."""
+    """Return a name shortened to fit the legend."""
     return name if len(name) <= length else name[: length - 3] + "..."
 
 
@@ -336,9 +336,9 @@ def _multiples(low: float, high: float, step: float) -> Iterator[float]:
 
 
 def _bounds(picture: Picture) -> tuple[FloatArray, FloatArray]:
-    """Gives the lower left and upper right corner [m] of all that is drawn, with a rim.
+    """Return the lower left and upper right corner [m] of the plot, with a margin.
 
-    An open world shows what happened in it; a closed one is shown whole.
+    An open world is cropped to what happened in it; a closed one is shown whole.
     """
     clouds = []
     for trip in (trip for trip in picture.trips if len(trip.path)):
@@ -362,7 +362,7 @@ def _strokes_m(picture: Picture, drawing: Drawing) -> list[FloatArray]:
 
 
 def _drawn(picture: Picture, drawing: Drawing) -> FloatArray:
-    """Gives the points of a drawing, those beyond the world's area as near as they get in it."""
+    """Return the points of a drawing, clamped to the world's area."""
     area = picture.world.area
     low, high = (area.x_min_m, area.y_min_m), (area.x_max_m, area.y_max_m)
     return np.clip(np.concatenate(_strokes_m(picture, drawing)), low, high)

@@ -1,4 +1,4 @@
-"""What is run, in which world, and how: the arguments and options of every command that runs."""
+"""The arguments and options of every command that runs programs."""
 
 from __future__ import annotations
 
@@ -25,18 +25,18 @@ class ProgramOptions:
 
     Attributes:
         inputs: the C files and the world.
-        arguments: what `main` finds behind `argv[0]`.
+        arguments: `argv` after `argv[0]`.
         compiler: how to compile.
-        checked: with checks of every memory access.
+        checked: check every memory access.
         trap_overflow: stop a program at signed overflow.
-        seed: start of all random numbers; None for the world's, else 0.
-        inputs_on_disk: files that the programs can read, by the names that they have for them.
-        outputs: the folder that takes the files that the programs write; None to drop them.
-        client: which of the vendor's client libraries the programs find.
-        link: `ideal` for commands that take no time on the line between host and robot.
-        robot: the kind of the robots of which the world says none: a name, or a definition file.
-        setup: the setup of all robots, such as `noisy`; empty for what the world says.
-        quiet: say nothing but errors.
+        seed: random seed; None for the world's, else 0.
+        inputs_on_disk: files that the programs can read, by the names that they use.
+        outputs: the folder for files that the programs write; None to discard them.
+        client: which of the vendor's client libraries to emulate.
+        link: `serial` to simulate the serial link's delay, `ideal` for none.
+        robot: the default robot model: a name or a definition file.
+        setup: the setup of all robots, such as `noisy`; empty for the world's.
+        quiet: report errors only.
     """
 
     inputs: Inputs
@@ -55,10 +55,10 @@ class ProgramOptions:
 
 
 class WithProgramArguments(click.Command):
-    """A command whose arguments behind `--` belong to the control program."""
+    """A command whose arguments after `--` belong to the control program."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Sets the program's arguments aside, and parses the others."""
+        """Set the program's arguments aside, and parse the others."""
         if "--" in args:
             own = args[: args.index("--")]
             ctx.meta[_ARGUMENTS] = tuple(args[len(own) + 1 :])
@@ -68,7 +68,7 @@ class WithProgramArguments(click.Command):
         except click.NoSuchOption as error:
             if not any(each.endswith(".c") for each in args):
                 raise
-            text = f"{error.format_message()} Options of the program itself stand behind --."
+            text = f"{error.format_message()} Options of the program itself follow --."
             raise click.UsageError(text, ctx) from None
 
 
@@ -77,49 +77,48 @@ _FILES: Final = "PROGRAM.c... [WORLD.xml] [-- ARGS...]"
 _OPTIONS: Final = (
     click.option(
         "--seed", type=click.IntRange(min=0), metavar="N",
-        help="Start of all random numbers: the same seed gives the same run; by default the world "
-        "file's, else 0.",
-    ),
+        help="Random seed: equal seeds give equal runs. Default: the world file's, else 0.",
+            ),
     click.option(
         "--file", "named_files", multiple=True, metavar="[NAME=]FILE",
-        help="Let the programs read a file, under its own path or as NAME; may be given again.",
+        help="Make a file readable for the programs, by its path or as NAME; may be repeated.",
     ),
     click.option(
         "--files", "outputs", type=click.Path(file_okay=False, path_type=Path), metavar="DIR",
-        help="Keep the files that the programs write; of several robots in DIR/ROBOT.",
+        help="Save the files that the programs write in DIR; with several robots in DIR/ROBOT.",
     ),
     click.option(
         "--robot", default="scout", show_default=True, metavar="NAME|FILE.xml",
-        help="The kind of robot where the world file says none, such as nomad200.",
+        help="Robot model, such as nomad200, for robots without one in the world file.",
     ),
     click.option(
         "--setup", default="", metavar="NAME",
-        help="Give all robots one of their definition's setups: ideal, or noisy with errors.",
+        help="Setup of all robots, from their definitions: ideal, or noisy with sensor errors.",
     ),
     click.option(
         "--link", type=click.Choice(["serial", "ideal"]), default="serial", show_default=True,
-        help="Let commands take their time on the line to the robot, or next to none.",
+        help="Simulate the serial link's delay (serial) or none (ideal).",
     ),
     click.option(
         "--client", type=click.Choice(["nclient", "ndirect"]), default="nclient",
         show_default=True,
-        help="Behave like the vendor's library for the simulator, or for the robot itself.",
+        help="Emulate the vendor's library for the simulator (nclient) or the robot (ndirect).",
     ),
     click.option(
-        "--unchecked", is_flag=True, help="Leave out the checks of memory accesses: faster."
+        "--unchecked", is_flag=True, help="Omit the checks of memory accesses: faster."
     ),
     click.option(
-        "--trap-overflow", is_flag=True, help="Stop a program whose signed arithmetic overflows."
+        "--trap-overflow", is_flag=True, help="Stop a program on signed integer overflow."
     ),
 )  # fmt: skip
 
 
 def program_options(command: Callable[..., Any], *, needs_files: bool = True) -> Callable[..., Any]:
-    """Gives a command these arguments and options, which it takes as fields of `ProgramOptions`.
+    """Add these arguments and options to a command, which receives fields of `ProgramOptions`.
 
     Args:
         command: the function of a `WithProgramArguments`.
-        needs_files: whether at least one file has to be named.
+        needs_files: whether at least one file is required.
     """
 
     @functools.wraps(command)

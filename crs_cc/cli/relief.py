@@ -1,4 +1,4 @@
-"""The ground in the picture of a run: the higher, the darker; arrows point up ramps."""
+"""The terrain in the plot of a run: the higher, the darker; arrows point up ramps."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from crs_cc.sim.geometry.terrain import Terrain
 from crs_cc.sim.model.ground import Ground, HeightMap, Patch
 
 PAPER = "#fbfaf7"
-"""What pictures are drawn on."""
+"""The background colour."""
 
 _EARTH = "#a67c52"
 _EDGE = "#8a6a48"
 _STRIPES = 12
 _LEVELS = 20
-_SEAM_PX = 0.3  # rows must not leave a gap between them
+_SEAM_PX = 0.3  # overlap, so that rows leave no gap
 _LIGHTEST, _DARKEST = 0.06, 0.5
 
 
 def draw_relief(page: Page, view: View, ground: Ground) -> None:
-    """Draws the ramps and plateaus of a ground, the lowest first."""
+    """Draw the ramps and plateaus of the terrain, the lowest first."""
     patches = sorted(ground.patches, key=lambda patch: max(patch.from_m, patch.to_m))
     tops_m = [max(patch.from_m, patch.to_m) for patch in patches]
     tops_m += ground.heightmap.heights_m if ground.heightmap else ()
@@ -46,7 +46,7 @@ def draw_relief(page: Page, view: View, ground: Ground) -> None:
 
 
 def ground_m(ground: Ground) -> list[FloatArray]:
-    """Gives the corners of all patches, and of the picture below them [m], (n, 2) each."""
+    """Return the corners of all patches and of the height map [m], (n, 2) each."""
     found = [_corners_m(patch) for patch in ground.patches]
     if (heightmap := ground.heightmap) is not None:
         rows = len(heightmap.heights_m) // heightmap.columns
@@ -57,7 +57,7 @@ def ground_m(ground: Ground) -> list[FloatArray]:
 
 
 def _draw_pixels(page: Page, view: View, heightmap: HeightMap, highest_m: float) -> None:
-    """Draws runs of pixels of a row that are about equally high as one."""
+    """Draw each run of pixels of similar height in a row as one rectangle."""
     pixel_m, heights = heightmap.pixel_m, np.array(heightmap.heights_m)
     levels = np.ceil(heights.reshape(-1, heightmap.columns) / highest_m * _LEVELS).astype(np.int64)
     for row, level in enumerate(levels.tolist()):
@@ -73,7 +73,7 @@ def _draw_pixels(page: Page, view: View, heightmap: HeightMap, highest_m: float)
 
 
 def _stripes(patch: Patch) -> list[tuple[FloatArray, float]]:
-    """Gives the parts of a patch across its heading, and how high their middles are."""
+    """Return the stripes of a patch across its heading, and the heights of their centres."""
     count = _STRIPES if patch.slope else 1
     length_m = patch.length_m / count
     stripes = []
@@ -88,7 +88,7 @@ def _stripes(patch: Patch) -> list[tuple[FloatArray, float]]:
 
 
 def _arrow(page: Page, view: View, patch: Patch) -> None:
-    """Draws an arrow up a ramp, and writes how steep it is."""
+    """Draw an arrow up a ramp, labelled with its slope."""
     up_rad = patch.heading_rad if patch.slope > 0.0 else patch.heading_rad + math.pi
     half_m = 0.3 * patch.length_m
     along = np.array([math.cos(up_rad), math.sin(up_rad)]) * half_m
@@ -116,7 +116,7 @@ def _points(view: View, corners_m: FloatArray) -> list[tuple[float, float]]:
 
 
 def _mixed(share: float) -> str:
-    """Gives the colour of earth, as much of it as said, on paper."""
+    """Return a blend of the earth colour, by its share, and the background."""
     pairs = zip(*(_parts(colour) for colour in (PAPER, _EARTH)), strict=True)
     return "#" + "".join(f"{round(paper + (earth - paper) * share):02x}" for paper, earth in pairs)
 

@@ -1,8 +1,8 @@
-"""How crs shows the report of a stopped program, and gives it as data for JSON.
+"""The report of a program stopped by a run-time error, as text and as data for JSON.
 
-The first lines are those of every message: the place, the sentence, the source with what failed
-underlined. Below stand the values of the variables there, what is known of the object, and the
-call stack, which begins with `in` and goes outwards with `from`.
+The first lines are those of every diagnostic: location, message, and the source line with what
+failed underlined. Below are the values of variables, what is known of the object, and the call
+stack, innermost first (`in`, then `from`).
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ _ALIKE: Final = 3
 
 
 def show_reports(robots: Sequence[RobotResult]) -> None:
-    """Writes to stderr why programs were stopped; of many that failed alike the first few."""
+    """Write reports to stderr; of many identical failures the first few."""
     alike: dict[tuple[str, Location], list[RobotResult]] = {}
     for robot in robots:
         if robot.error is not None:
@@ -45,7 +45,7 @@ def show_reports(robots: Sequence[RobotResult]) -> None:
 
 
 def render_report(report: ErrorReport, robot: str = "", *, coloured: bool = False) -> str:
-    """Gives a report as it is shown, under the name of a robot if one is given."""
+    """Return a report as text, with the name of a robot if given."""
     text = f"[{robot}] {report.text}" if robot else report.text
     head = Diagnostic("error", report.location, text, report.source_line)
     rows = []
@@ -64,7 +64,7 @@ def render_report(report: ErrorReport, robot: str = "", *, coloured: bool = Fals
 
 
 def report_data(report: ErrorReport) -> dict[str, Any]:
-    """Gives a report as plain data."""
+    """Return a report as plain data."""
     return {
         "kind": report.kind,
         "text": report.text,
@@ -89,7 +89,7 @@ def _place(place: Location | None) -> dict[str, Any]:
 
 
 def call_data(call: ActiveCall) -> dict[str, Any]:
-    """Gives an active function as plain data."""
+    """Return an active call as plain data."""
     return {
         "function": call.function,
         "arguments": dict(call.arguments),

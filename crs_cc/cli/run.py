@@ -1,39 +1,16 @@
-"""`crs run`: the options of a run. What it does stands in `cli.simulate`."""
+"""`crs run`: the command and its options; `cli.simulate` does the work."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
 import click
 
 from crs_cc.cli.inputs import demand_picture
-from crs_cc.cli.program_options import ProgramOptions, WithProgramArguments, program_options
-
-
-@dataclass(frozen=True, slots=True)
-class RunOptions(ProgramOptions):
-    """What to run, how, and what to show of it.
-
-    Attributes:
-        max_time_s: stop at the first timestep that ends at or after it [s]; None for the world's,
-            else no end.
-        plot: the picture to draw.
-        plot_sensors: whether it shows what sensors told last, too.
-        trace: what to show of each timestep: `requests`, the request queue, or `messages`.
-        as_json: give the results as JSON on stdout.
-        summary: show the summary; None to decide by whether stderr is a terminal.
-    """
-
-    max_time_s: float | None = None
-    plot: Path | None = None
-    plot_sensors: bool = False
-    trace: str | None = None
-    as_json: bool = False
-    summary: bool | None = None
-
+from crs_cc.cli.program_options import WithProgramArguments, program_options
+from crs_cc.cli.run_options import RunOptions
 
 _EXAMPLES: Final = """
 \b
@@ -48,7 +25,7 @@ Examples:
 
 def _time(_ctx: click.Context, _option: click.Parameter, time_s: float | None) -> float | None:
     if time_s is not None and math.isnan(time_s):
-        raise click.BadParameter("nan is not a time.")
+        raise click.BadParameter("nan is not a valid time.")
     return time_s
 
 
@@ -64,25 +41,25 @@ def _time(_ctx: click.Context, _option: click.Parameter, time_s: float | None) -
     type=click.FloatRange(min=0, min_open=True),
     callback=_time,
     metavar="S",
-    help="Stop at the first timestep that ends at or after S seconds of simulated time; "
-    "by default at the world file's duration.",
+    help="Stop at the first timestep that ends at or after S seconds of simulated time. "
+    "Default: the world file's duration.",
 )
 @click.option(
     "--plot",
     type=click.Path(dir_okay=False, path_type=Path),
     metavar="FILE.svg",
-    help="Draw the world from above with each robot's path.",
+    help="Plot the world from above with each robot's path.",
 )
 @click.option(
     "--plot-sensors",
     is_flag=True,
-    help="Draw also what sonars and cameras told last.",
+    help="Add the last readings of sonars and cameras to the plot.",
 )
 @click.option(
     "--trace",
     type=click.Choice(["requests", "messages"]),
-    help="Show the request queue on stderr, a line per robot and timestep; or what becomes of "
-    "messages between robots.",
+    help="Trace to stderr: the request queue, a line per robot and timestep, or the messages "
+    "between robots.",
 )
 @click.option(
     "--json",
@@ -93,18 +70,16 @@ def _time(_ctx: click.Context, _option: click.Parameter, time_s: float | None) -
 @click.option(
     "--summary/--no-summary",
     default=None,
-    help="Show the closing summary on stderr; by default only on a terminal.",
+    help="Show the closing summary on stderr. Default: only on a terminal.",
 )
-@click.option(
-    "-q", "--quiet", is_flag=True, help="Say nothing but errors; no warnings, no summary."
-)
+@click.option("-q", "--quiet", is_flag=True, help="Report errors only; no warnings, no summary.")
 @program_options
 def run(**options: Any) -> int:
-    """Compiles a C control program, and runs it in a simulated world.
+    """Compile a C control program and run it in a simulated world.
 
-    Several C files make one program. In a world with several robots each runs the program that
+    Several C files form one program. In a world with several robots each runs the program that
     the world file names for it, else the one given here. Without a world file there is one robot
-    in an empty world. What stands behind -- goes to the program's main.
+    in an empty world. Arguments after -- are passed to the program's main.
 
     The programs read our stdin and write to our stdout and stderr; with several robots each line
     starts with the robot's name. The exit status is the program's own with one robot; with

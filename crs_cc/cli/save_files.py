@@ -1,7 +1,7 @@
-"""The files that programs wrote: kept in the folder that the user names, and nowhere else.
+"""Save the files that programs wrote in the folder that the user names, and nowhere else.
 
-The names come from the programs. They are relative and without `..` (`session.files`); links that
-lie in the folder are not followed, so that nothing outside can be written.
+The names come from the programs. They are relative and without `..` (`session.files`); links in
+the folder are not followed, so that nothing outside it can be written.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ _FILE: Final = os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_NOFOLLOW | os.O_NONB
 
 
 def keep(folder: Path, files: Mapping[bytes, bytes]) -> list[Diagnostic]:
-    """Write files below a folder, whose last part is made when it is not there.
+    """Write files below a folder, which is created if only its last component is missing.
 
     Returns:
-        What could not be written, and why; all others are written.
+        Errors for the files that could not be written; all others are.
     """
     try:
         folder.mkdir(exist_ok=True)
@@ -47,14 +47,14 @@ def keep(folder: Path, files: Mapping[bytes, bytes]) -> list[Diagnostic]:
 
 
 def keep_all(folder: Path, robots: Sequence[tuple[str, Mapping[bytes, bytes]]]) -> bool:
-    """Write the files of robots below a folder, and report each one that cannot be written.
+    """Write the files of robots below a folder, and report each that cannot be written.
 
     Args:
-        folder: where to; of several robots each has a folder of its own there.
-        robots: the name of each robot, and the files that its program wrote.
+        folder: the target; several robots get a subfolder each.
+        robots: the name of each robot and the files that its program wrote.
 
     Returns:
-        Whether all of them are written.
+        Whether all of them were written.
     """
     failed = []
     for name, files in robots:
@@ -80,20 +80,20 @@ def _write(top: int, parts: Sequence[bytes], content: bytes) -> None:
 
 
 def dropped(robot: RobotResult, files: Mapping[bytes, bytes]) -> Diagnostic:
-    """Gives the warning that a program's files are not kept."""
+    """Return the warning that a program's files are not saved."""
     names = [name.decode(errors="replace") for name in files]
     text = ", ".join(names[:_NAMED])
     if len(names) > _NAMED:
         text += f" and {len(names) - _NAMED} more"
-    place, hint = Location(robot.program), "keep what programs write with --files DIR"
-    return Diagnostic("warning", place, f"'{robot.id}' wrote {text}, which is not kept", hint=hint)
+    place, hint = Location(robot.program), "save the files of programs with --files DIR"
+    return Diagnostic("warning", place, f"'{robot.id}' wrote {text}, which is not saved", hint=hint)
 
 
 def missed(robot: RobotResult, names: Sequence[bytes]) -> Diagnostic | None:
-    """Gives the warning that a program looked for files which are here, but which it cannot see."""
+    """Return the warning that a program did not find files which exist here, if any."""
     here = [name for name in map(os.fsdecode, names) if Path(name).is_file()]
     if not here:
         return None
-    hint = "let it read them with " + " ".join(f"--file {name}" for name in here[:_NAMED])
-    text = f"'{robot.id}' looked for {', '.join(here[:_NAMED])}, which programs do not see"
+    hint = "make them readable with " + " ".join(f"--file {name}" for name in here[:_NAMED])
+    text = f"'{robot.id}' looked for {', '.join(here[:_NAMED])}, which programs cannot read"
     return Diagnostic("warning", Location(robot.program), text, hint=hint)

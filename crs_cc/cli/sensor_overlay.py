@@ -1,4 +1,4 @@
-"""What sensors told last, in the picture of a run."""
+"""The last readings of sensors, in the plot of a run."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _SOUND: Final = "#56b4e9"
 
 
 def draw_sights(page: Page, view: View, beams: Sequence[Beam]) -> None:
-    """Draws what sensors told."""
+    """Draw the last readings of sensors."""
     for beam in beams:
         points = [view.point(*point) for point in beam.outline.tolist()]
         if beam.colour:

@@ -1,4 +1,4 @@
-"""What `crs run` does: load, make a session, step it to its end, and tell what came of it."""
+"""Run programs: load them, create a session, step it to its end, and report the results."""
 
 from __future__ import annotations
 
@@ -34,9 +34,9 @@ from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.model.world import Pose, Thing
 
 if TYPE_CHECKING:
-    from crs_cc.cli.run import RunOptions
+    from crs_cc.cli.run_options import RunOptions
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
-    from crs_cc.session.session_state import Listener
+    from crs_cc.session.session import Listener
     from crs_cc.sim.engine.step import Step
     from crs_cc.sim.model.world import WorldModel
 
@@ -45,10 +45,10 @@ _MOVED_M: Final = 0.005
 
 
 def simulate(options: RunOptions) -> int:
-    """Runs the programs in the world, shows what was asked for, and gives the exit status.
+    """Run the programs in the world, report the results, and return the exit status.
 
     Raises:
-        CrsError: whatever kept the run from starting, or ended it.
+        CrsError: the run cannot start, or has failed.
         click.UsageError: a robot has no program.
         OSError: the results or the picture cannot be written.
     """
@@ -79,11 +79,11 @@ def _simulate(options: RunOptions) -> int:
 
 
 class Runner:
-    """Steps a session to its end, and keeps what its picture needs.
+    """Steps a session to its end, and collects the data of the plot.
 
     Attributes:
         session: the session.
-        tracks: where the robots went.
+        tracks: the robots' paths.
     """
 
     def __init__(self, loaded: Loaded, options: RunOptions) -> None:
@@ -117,7 +117,7 @@ class Runner:
         )
 
     def run(self) -> Run:
-        """Steps until all programs have ended, time is up, or Ctrl-C."""
+        """Step until all programs have ended, time is up, or Ctrl-C."""
         with self._interrupt:
             try:
                 self._step_to_end()
@@ -136,7 +136,7 @@ class Runner:
         )
 
     def _current_calls(self) -> Iterator[ActiveCall | None]:
-        """Gives where programs stand that have not ended, if anybody wants to know."""
+        """Yield the active call of each program that has not ended, if it is reported."""
         wanted = self._options.as_json or shows_summary(self._options)
         for robot in range(len(self.session.fleet)):
             yield self.session.current_call(robot) if wanted else None
@@ -153,7 +153,7 @@ class Runner:
                 return
 
     def step(self, step: Step) -> None:
-        """Hears from the session what happened in a timestep."""
+        """Process a timestep: trace it, and collect contacts for the plot."""
         if self._trace is not None:
             self._output.flush()
             self._trace.step(step)
@@ -161,18 +161,18 @@ class Runner:
             contacts = step.contacts
             for robot, x_m, y_m in zip(contacts.robot, contacts.x_m, contacts.y_m, strict=True):
                 self.tracks.touch(int(robot), float(x_m), float(y_m))
-            # Where two robots touch, each of them is told of the other.
+            # A contact of two robots is listed for each of them.
             robots = len(self.session.environment.state.heading_rad)
             once = (contacts.other >= robots) | (contacts.robot < contacts.other)
             self.tracks.collisions += int(once.sum())
 
     def _look(self) -> None:
-        """Keeps what the picture needs."""
+        """Add the current positions to the plot."""
         if self._options.plot is not None:
             self.tracks.add(*self._places_m())
 
     def _places_m(self) -> tuple[FloatArray, FloatArray]:
-        """Gives x and y of all robots, NaN for those that are not in the world."""
+        """Return x and y of all robots [m], NaN for those that are not in the world."""
         state = self.session.environment.state
         present = state.presence.present
         return np.where(present, state.x_m, np.nan), np.where(present, state.y_m, np.nan)
@@ -192,7 +192,7 @@ class Runner:
         )
 
     def unconnected(self) -> Iterator[Diagnostic]:
-        """Gives warnings of calls of the robot without a connection, of each place one."""
+        """Yield a warning for each place that calls the robot without a connection."""
         places = set()
         for robot, call in enumerate(self.session.unconnected_calls):
             if call is None or call.location is None or call.location in places:
@@ -201,11 +201,11 @@ class Runner:
             lines = self._loaded.executables[robot].detail().lines.get(call.location.file, ())
             line = lines[call.location.line - 1] if call.location.line <= len(lines) else ""
             text = f"'{call.function}' is called without a connection to the robot"
-            hint = "connect_robot comes first"
+            hint = "call connect_robot first"
             yield Diagnostic("warning", call.location, text, line, hint)
 
     def picture(self, run: Run) -> Picture:
-        """Gives the picture of the finished run."""
+        """Return the plot of the finished run."""
         state = self.session.environment.state
         world = self.session.environment.world_now
         self.tracks.end(*self._places_m())
@@ -232,7 +232,7 @@ class Runner:
         )
 
     def _pushed(self, world: WorldModel) -> list[Thing]:
-        """Gives the things that were pushed away, where they are now."""
+        """Return the objects that were pushed, at their current poses."""
         bodies = self.session.environment.state.bodies
         scene = Scene(world)
         pushed = []
@@ -244,7 +244,7 @@ class Runner:
 
 
 def shows_summary(options: RunOptions) -> bool:
-    """Tells whether the summary is shown: on a terminal, if nothing else was asked for."""
+    """Return whether to show the summary: by default on a terminal."""
     if options.summary is None:
         return is_terminal(sys.stderr) and not options.quiet
     return options.summary
@@ -263,16 +263,18 @@ def _write(path: Path, picture: bytes) -> None:
     try:
         path.write_bytes(picture)
     except OSError as error:
-        raise OSError(error.errno, error.strerror, str(path)) from None  # a full disk has no name
+        raise OSError(
+            error.errno, error.strerror, str(path)
+        ) from None  # for a full disk, there is no file name
 
 
 def _keep_files(session: Session, run: Run, options: RunOptions) -> bool:
-    """Write what the programs wrote to where the user wants it, or warn that it is dropped.
+    """Save the files that the programs wrote, or warn that they are discarded.
 
-    Warn too of files that they did not find although they are there.
+    Warn also of files that they did not find although they exist here.
 
     Returns:
-        Whether nothing is lost that the user wants.
+        Whether all files to be saved were saved.
     """
     robots = run.result.robots
     if not options.quiet:
@@ -288,7 +290,7 @@ def _keep_files(session: Session, run: Run, options: RunOptions) -> bool:
 
 
 def _report(run: Run, options: RunOptions) -> None:
-    """Says what came of the run, as far as anybody wants to know."""
+    """Report the results of the run."""
     show_reports(run.result.robots)
     if options.as_json:
         click.echo(as_json(run))

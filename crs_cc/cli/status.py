@@ -3,8 +3,8 @@
 from typing import Final
 
 SYSTEM: Final = 1
-"""The operating system failed, for example by a full disk."""
+"""A system error, such as a full disk."""
 INTERRUPTED: Final = 130
-"""Ctrl-C: 128 and the number of SIGINT, as shells have it."""
+"""Ctrl-C: 128 + SIGINT, the shells' convention."""
 BROKEN_PIPE: Final = 141
-"""Broken pipe: the reader closed the output. 128 and the number of SIGPIPE."""
+"""Broken pipe: the reader closed the output. 128 + SIGPIPE."""

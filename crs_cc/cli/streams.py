@@ -1,4 +1,4 @@
-"""Our standard output and standard error: there at all, and able to show every name of a file."""
+"""Set up our standard output and error, so that they exist and can encode every file name."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ _ERRORS: Final = "crs.unencodable"
 
 
 def prepare_streams() -> None:
-    """Open streams that are closed, and let both write whatever a message may hold.
+    """Open streams that are closed, and make both encode any text.
 
-    Where the locale knows nothing but ASCII, text goes out as UTF-8, as the programs' own does.
+    In an ASCII locale, text is written as UTF-8, as the programs' own output is.
     """
     codecs.register_error(_ERRORS, _as_bytes)
     for name in ("stdout", "stderr"):
@@ -28,13 +28,13 @@ def prepare_streams() -> None:
 
 
 def mute(stream: TextIO) -> None:
-    """Let the interpreter's own last flush of a stream go nowhere instead of failing again."""
+    """Redirect a stream to /dev/null, so that the interpreter's final flush does not fail again."""
     with contextlib.suppress(OSError, ValueError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def _as_bytes(error: UnicodeError) -> tuple[str | bytes, int]:
-    """Write the bytes of a file's name as they are, and escape what the encoding lacks."""
+    """Write undecodable bytes of a file name unchanged, and escape unencodable characters."""
     try:
         return codecs.lookup_error("surrogateescape")(error)
     except UnicodeEncodeError:

@@ -1,4 +1,4 @@
-"""What came of a run: as an exit status, and as JSON. `cli.table` shows it to people."""
+"""The results of a run: as an exit status and as JSON; `cli.table` prints them for people."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ class Run:
     """A finished run.
 
     Attributes:
-        result: what the session says of it.
-        world: the world's file; empty for the built-in world.
-        seed: the start of its random numbers.
-        wall_s: how long it took [s].
-        interrupted: ended by Ctrl-C.
-        calls: by robot, the function in which its program stands that has not ended, else None.
+        result: the session's result.
+        world: the world file; empty for the built-in world.
+        seed: its random seed.
+        wall_s: elapsed real time [s].
+        interrupted: whether it was ended by Ctrl-C.
+        calls: by robot, the active call of its program if that has not ended.
     """
 
     result: RunResult
@@ -38,12 +38,12 @@ class Run:
 
     @property
     def real_time_factor(self) -> float:
-        """Gives how many times faster than real time it went."""
+        """Simulated time by real time."""
         return self.result.simulated_s / max(self.wall_s, 1e-9)
 
 
 def exit_status(run: Run) -> int:
-    """Gives what `crs run` ends with."""
+    """Return the exit status of `crs run`."""
     statuses = [_robot_status(robot) for robot in run.result.robots]
     if run.interrupted:
         return INTERRUPTED
@@ -53,11 +53,11 @@ def exit_status(run: Run) -> int:
 def _robot_status(robot: RobotResult) -> int:
     if robot.outcome == "failed":
         return ProgramError.exit_status
-    return (robot.exit_status or 0) & 0xFF  # all that a parent process sees (POSIX `waitpid`)
+    return (robot.exit_status or 0) & 0xFF  # what a parent process sees (POSIX `waitpid`)
 
 
 def as_json(run: Run) -> str:
-    """Gives the results as JSON; all but `timing` is the same for the same seed."""
+    """Return the results as JSON; all but `timing` is a function of the seed."""
     result = run.result
     data = {
         "crs": __version__,

@@ -31,14 +31,14 @@ _FORBIDDEN: Final = re.compile("[^\t\n\r\x20-\x7e\xa0-\ud7ff\ue000-\ufffd\U00010
 
 @dataclass(frozen=True, slots=True)
 class View:
-    """Where the world lies on the page.
+    """The mapping of the world to the page.
 
     Attributes:
         left_m: world x at the left edge of the drawing.
         top_m: world y at its top edge.
         scale: pixels per metre.
         margin_px: distance of the drawing from the page's left edge.
-        head_px: its distance from the page's top edge; as `margin_px` if not given.
+        head_px: its distance from the page's top edge; by default `margin_px`.
     """
 
     left_m: float
@@ -48,18 +48,18 @@ class View:
     head_px: float | None = None
 
     def point(self, x_m: float, y_m: float) -> Point:
-        """Gives the place on the page [px] of a place in the world."""
+        """Return the point on the page [px] of a point in the world."""
         head_px = self.margin_px if self.head_px is None else self.head_px
         x_px = self.margin_px + (x_m - self.left_m) * self.scale
         return x_px, head_px + (self.top_m - y_m) * self.scale
 
     def length(self, length_m: float) -> float:
-        """Gives a length on the page [px]."""
+        """Return a length on the page [px]."""
         return length_m * self.scale
 
 
 class Page:
-    """An SVG document that grows shape by shape; the later ones lie above.
+    """An SVG document; later shapes cover earlier ones.
 
     Keyword arguments of the shapes are SVG attributes, with `_` for `-`.
 
@@ -79,13 +79,13 @@ class Page:
 
     @contextmanager
     def group(self, **attributes: str | float) -> Iterator[None]:
-        """Puts the shapes drawn inside the `with` block into a group of their own."""
+        """Put the shapes drawn inside the `with` block into a group of their own."""
         self._parents.append(self._add("g", attributes))
         yield
         self._parents.pop()
 
     def clipped(self, corner: Point, size: Point) -> AbstractContextManager[None]:
-        """Puts the shapes drawn inside the `with` block into a group that ends at a rectangle."""
+        """Put the shapes drawn inside the `with` block into a group clipped to a rectangle."""
         name = f"clip{len(self.root)}"
         self._parents.append(self._add("clipPath", {"id": name}))
         self.rectangle(corner, size)
@@ -93,34 +93,34 @@ class Page:
         return self.group(clip_path=f"url(#{name})")
 
     def line(self, start: Point, end: Point, **attributes: str | float) -> None:
-        """Draws a straight line."""
+        """Draw a straight line."""
         place = {"x1": start[0], "y1": start[1], "x2": end[0], "y2": end[1]}
         self._add("line", place | attributes)
 
     def rectangle(self, corner: Point, size: Point, **attributes: str | float) -> None:
-        """Draws a rectangle from its upper left corner."""
+        """Draw a rectangle from its upper left corner."""
         place = {"x": corner[0], "y": corner[1], "width": size[0], "height": size[1]}
         self._add("rect", place | attributes)
 
     def circle(self, centre: Point, radius_px: float, **attributes: str | float) -> None:
-        """Draws a circle."""
+        """Draw a circle."""
         self._add("circle", {"cx": centre[0], "cy": centre[1], "r": radius_px} | attributes)
 
     def polygon(self, points: Points, **attributes: str | float) -> None:
-        """Draws a closed shape."""
+        """Draw a closed shape."""
         self._add("polygon", {"points": _points(points)} | attributes)
 
     def polyline(self, points: Points, **attributes: str | float) -> None:
-        """Draws an open line through points."""
+        """Draw an open line through points."""
         self._add("polyline", {"points": _points(points)} | attributes)
 
     def text(self, place: Point, text: str, **attributes: str | float) -> None:
-        """Writes a text whose base line begins at `place`, or as `text_anchor` says."""
+        """Write a text whose baseline starts at `place`, unless `text_anchor` is given."""
         if text:
             self._add("text", {"x": place[0], "y": place[1]} | attributes, text)
 
     def render(self) -> bytes:
-        """Gives the document as UTF-8."""
+        """Return the document as UTF-8."""
         etree.indent(self.root)
         done: bytes = etree.tostring(self.root, encoding="utf-8", xml_declaration=True)
         return done + b"\n"
@@ -138,7 +138,7 @@ def _value(value: str | float) -> str:
 
 
 def _number(value: float) -> str:
-    """Writes a number to a tenth of a pixel, as short as it goes."""
+    """Format a number to a tenth of a pixel."""
     return f"{value:.1f}".removesuffix(".0")
 
 
@@ -147,5 +147,5 @@ def _points(points: Points) -> str:
 
 
 def _legal(text: str) -> str:
-    """Replaces the characters that XML cannot hold, which a name may contain."""
+    """Replace the characters that are not allowed in XML."""
     return _FORBIDDEN.sub("\ufffd", displayed(text))

@@ -1,4 +1,4 @@
-"""What came of a run, as a table on stderr."""
+"""The results of a run, as a table on stderr."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ MAX_ROWS: Final = 20
 _WIDTH_ELSEWHERE: Final = 120
 _UNBOUNDED: Final = 1000
 _DISPENSABLE: Final = ("fuel", "commands", "odometry", "collisions")
-"""What a narrow terminal does without, in this order."""
+"""The columns dropped on a narrow terminal, in this order."""
 
 
 def print_summary(run: Run) -> None:
-    """Writes the results to stderr as a table."""
+    """Write the results to stderr as a table."""
     width = None if is_terminal(sys.stderr) else _WIDTH_ELSEWHERE
     console = Console(stderr=True, highlight=False, width=width)
     robots = run.result.robots
-    with console.capture() as captured:  # rich itself would end the process at a broken pipe
+    with console.capture() as captured:  # rich would exit the process at a broken pipe
         console.print(_card(robots[0]) if len(robots) == 1 else _fitting_table(robots, console))
         for line in unfinished(run):
             console.print(line, markup=False)
@@ -50,7 +50,7 @@ def _closing_line(run: Run) -> str:
 
 
 def _card(robot: RobotResult) -> Table:
-    """Gives the table for a single robot: a row for each figure."""
+    """Return the table for one robot: a row for each figure."""
     card = Table.grid(padding=(0, 2))
     card.add_row("[bold]robot[/]", f"[bold]{escape(robot.id)}[/]  {escape(robot.program)}")
     for name, value in _figures(robot):
@@ -59,7 +59,7 @@ def _card(robot: RobotResult) -> Table:
 
 
 def _fitting_table(robots: Sequence[RobotResult], console: Console) -> Table:
-    """Gives the table for several robots, with as many figures as fit beside each other."""
+    """Return the table for several robots, with as many columns as fit."""
     unbounded = console.options.update(width=_UNBOUNDED)
     for number in range(len(_DISPENSABLE)):
         table = _table(robots, _DISPENSABLE[:number])
@@ -69,7 +69,7 @@ def _fitting_table(robots: Sequence[RobotResult], console: Console) -> Table:
 
 
 def _table(robots: Sequence[RobotResult], without: Sequence[str]) -> Table:
-    """Gives the table for several robots: a row for each of the first `MAX_ROWS`."""
+    """Return the table for several robots: a row for each of the first `MAX_ROWS`."""
     table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0))
     table.add_column("robot", style="bold")
     for name, _ in _figures(robots[0]):

@@ -1,7 +1,7 @@
-"""Where the robots went and where they touched something, kept for the picture of a run.
+"""The robots' paths and contacts, for the plot of a run.
 
-A long run of many robots would fill the memory: when there are more samples than `MAX_SAMPLES`,
-every other one is forgotten, and from then on only every other timestep is kept.
+Memory is bounded: when there are more than `MAX_SAMPLES` samples, every other one is dropped, and
+from then on only every other timestep is sampled.
 
 >>> import numpy as np
 >>> tracks = Tracks(max_samples=6)
@@ -29,9 +29,9 @@ class Tracks:
     """The robots' paths, thinned evenly in time.
 
     Attributes:
-        max_samples: how many poses to keep of all robots together.
-        collisions: how often anything began to touch a robot; two robots that touch count once.
-        contacts: places of contact with the robot that touched, one for each `0.1 m` cell.
+        max_samples: maximum number of positions of all robots together.
+        collisions: number of contacts that began; two robots that touch count once.
+        contacts: robot and position of contacts, one for each `0.1 m` cell.
     """
 
     def __init__(self, max_samples: int = MAX_SAMPLES) -> None:
@@ -44,7 +44,7 @@ class Tracks:
         self._timesteps = 0
 
     def add(self, x_m: FloatArray, y_m: FloatArray) -> None:
-        """Takes all robots' places after a timestep, NaN for one that is not in the world."""
+        """Add all robots' positions after a timestep, NaN for one that is not in the world."""
         if self._timesteps % self._stride == 0:
             self._samples.append(np.column_stack([x_m, y_m]))
             if len(self._samples) > max(2, self.max_samples // max(1, len(x_m))):
@@ -53,24 +53,24 @@ class Tracks:
         self._timesteps += 1
 
     def touch(self, robot: int, x_m: float, y_m: float) -> None:
-        """Takes a place of contact."""
+        """Add a contact."""
         cell = (robot, round(x_m / _CONTACT_CELL_M), round(y_m / _CONTACT_CELL_M))
         if cell not in self._cells and len(self.contacts) < MAX_CONTACTS:
             self._cells.add(cell)
             self.contacts.append((robot, x_m, y_m))
 
     def end(self, x_m: FloatArray, y_m: FloatArray) -> None:
-        """Takes all robots' last places, whatever the thinning; NaN as for `add`."""
+        """Add all robots' final positions, regardless of the thinning; NaN as for `add`."""
         self._samples.append(np.column_stack([x_m, y_m]))
 
     def path(self, robot: int) -> FloatArray:
-        """Gives a robot's places [m] while it was in the world, shape (samples, 2)."""
+        """Return a robot's positions [m] while it was in the world, shape (samples, 2)."""
         path = np.array([sample[robot] for sample in self._samples]).reshape(-1, 2)
         return np.asarray(path[np.isfinite(path[:, 0])])
 
 
 def simplified(path: FloatArray, tolerance: float) -> FloatArray:
-    """Gives fewer points whose line keeps within `tolerance` of all points.
+    """Return a simplified line within `tolerance` of all points.
 
     Source: Douglas and Peucker, "Algorithms for the reduction of the number of points required to
     represent a digitized line", 1973.
@@ -96,7 +96,7 @@ def simplified(path: FloatArray, tolerance: float) -> FloatArray:
 
 
 def _distances(points: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
-    """Gives the points' distances from the segment between two points."""
+    """Return the points' distances from the segment between two points."""
     along = end - start
     length_squared = float(along @ along)
     if length_squared == 0.0:

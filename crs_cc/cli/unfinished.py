@@ -1,6 +1,6 @@
-"""Where the programs stand that have not ended: in which function, at which line.
+"""The current locations of programs that have not ended: function and line.
 
-A program that hangs in a loop shows where it does, and for how long its robot has heard nothing.
+For a program that hangs in a loop, they show where, and since when it has not called its robot.
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ if TYPE_CHECKING:
     from crs_cc.session.result import RobotResult
 
 LONG_S: Final = 5.0
-"""A program that has not called its robot for so long may have lost its way."""
+"""A program that has not called its robot for longer than this may hang."""
 
 MOST_NAMES: Final = 3
 MOST_LINES: Final = 5
 
 
 def unfinished(run: Run) -> Iterator[str]:
-    """Gives a line for each place where programs stand, the first few."""
+    """Yield a line for each of the first few locations."""
     alike: dict[tuple[str, str], list[RobotResult]] = {}
     for robot, call in zip(run.result.robots, run.calls, strict=True):
         if call is not None:
@@ -37,16 +37,16 @@ def unfinished(run: Run) -> Iterator[str]:
 
 
 def _place(call: ActiveCall, *, alone: bool) -> str:
-    """Says where a program stands; with the function's arguments, if it is the only one."""
+    """Return the location of a program, with the call's arguments if it is the only one."""
     text = str(call) if alone else f"{call.function}()"
     return f"in {printable(text)} at {printable(str(call.location))}"
 
 
 def _silence(robot: RobotResult) -> str:
     if robot.robot_call_s is None:
-        return ", without a call of its robot so far" if robot.time_s > LONG_S else ""
+        return ", no robot call so far" if robot.time_s > LONG_S else ""
     if robot.time_s - robot.robot_call_s > LONG_S:
-        return f", without a call of its robot since {robot.robot_call_s:.2f} s"
+        return f", no robot call since {robot.robot_call_s:.2f} s"
     return ""
 
 

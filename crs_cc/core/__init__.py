@@ -1,1 +1,1 @@
-"""What every part builds on: errors, source places, units, quantities, random streams, messages."""
+"""The basis of all packages: errors, source locations, units, quantities, random streams."""

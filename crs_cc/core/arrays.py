@@ -1,4 +1,4 @@
-"""The array types of the whole package, by what their elements are."""
+"""The array types of the whole package, by element type."""
 
 from __future__ import annotations
 
@@ -17,4 +17,4 @@ Int32Array = npt.NDArray[np.int32]
 Int64Array = npt.NDArray[np.int64]
 
 Records = npt.NDArray[np.void]
-"""Rows of a structured dtype, which whoever returns them names."""
+"""Rows of a structured dtype, documented where they are returned."""

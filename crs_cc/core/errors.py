@@ -1,4 +1,4 @@
-"""The errors that a user can meet, one class for each kind of blame.
+"""The errors reported to users, one class for each kind of cause.
 
 >>> from crs_cc.core.source import Location
 >>> str(WorldError.at(Location("room.xml", 4), "robot 'r1' stands inside a wall"))
@@ -14,11 +14,11 @@ from crs_cc.core.source import Diagnostic, Location, Stage
 
 
 class CrsError(Exception):
-    """What went wrong, as messages with their places.
+    """An error with its diagnostics.
 
     Attributes:
         diagnostics: the messages, in the order in which they were found.
-        exit_status: what `crs` ends with when this error ends it.
+        exit_status: the exit status of `crs` for this error.
     """
 
     exit_status: ClassVar[int] = 70
@@ -29,24 +29,24 @@ class CrsError(Exception):
 
     @classmethod
     def at(cls, location: Location, text: str, hint: str = "", stage: Stage = "") -> Self:
-        """Makes an error of one message."""
+        """Return an error with a single diagnostic."""
         return cls([Diagnostic("error", location, text, hint=hint, stage=stage)])
 
 
 class CompileError(CrsError):
-    """The C source is at fault: preprocessing, parsing, types or linking."""
+    """Invalid C source: preprocessing, parsing, types or linking."""
 
     exit_status = 121
 
 
 class WorldError(CrsError):
-    """The world or robot file is at fault."""
+    """Invalid world or robot file."""
 
     exit_status = 122
 
 
 class ProgramError(CrsError):
-    """A running C program did what C forbids; only its robot stops."""
+    """Undefined behaviour in a running C program; only its robot stops."""
 
     exit_status = 123
 
@@ -58,6 +58,6 @@ class DeviceError(CrsError):
 
 
 class InternalError(CrsError):
-    """We are at fault."""
+    """A bug in crs."""
 
     exit_status = 70

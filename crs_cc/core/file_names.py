@@ -1,8 +1,8 @@
-"""Names of files, which are bytes to the system: between its form, texts, and what people see.
+"""Conversion of file names, which are bytes to the system, from and to text.
 
-Python decodes the system's names by the locale, and keeps each byte that this cannot decode as a
-lone surrogate. So a name from a UTF-8 text is another string than the same name from the command
-line, unless the locale is one of UTF-8; and no encoding has a form for surrogates.
+Python decodes file names by the locale, and represents each undecodable byte by a lone surrogate
+(PEP 383). So a name from a UTF-8 text differs from the same name given on the command line,
+unless the locale is UTF-8; and surrogates cannot be encoded.
 """
 
 from __future__ import annotations
@@ -11,19 +11,19 @@ import os
 
 
 def from_text(name: str) -> str:
-    """Return a file name that stands in a UTF-8 text as the system's own names are decoded.
+    """Return a file name from a UTF-8 text as it would be decoded by the locale.
 
     >>> from_text("room.xml")
     'room.xml'
     """
     try:
         return os.fsdecode(name.encode("utf-8", "surrogateescape"))
-    except UnicodeEncodeError:  # a surrogate that stands for no byte: no file has this name
+    except UnicodeEncodeError:  # a surrogate that encodes no byte: no file has this name
         return name
 
 
 def displayed(name: str) -> str:
-    r"""Return a file name, or a text with one, as UTF-8 has it; a byte outside of UTF-8 is U+FFFD.
+    r"""Return a file name, or a text with one, as valid Unicode; invalid bytes become U+FFFD.
 
     >>> displayed("h\udcc3\udca4llo.c"), displayed("h\udcff.c")
     ('hällo.c', 'h\ufffd.c')

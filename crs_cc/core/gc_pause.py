@@ -1,6 +1,6 @@
-"""Python's search for garbage, put off while very many objects are made that live on.
+"""Pausing Python's garbage collector while many long-lived objects are created.
 
-It looks through all that is new again and again as objects are made, and finds nothing.
+It would scan the new objects repeatedly, and find nothing to collect.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from collections.abc import Iterator
 
 @contextlib.contextmanager
 def without_collector() -> Iterator[None]:
-    """Looks for no garbage meanwhile; also to be written over a function."""
+    """Pause garbage collection; usable as a context manager or a decorator."""
     was_enabled = gc.isenabled()
     gc.disable()
     try:

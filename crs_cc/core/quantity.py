@@ -4,9 +4,9 @@
 (1.5, 1.5, 1.524)
 >>> round(ANGLE.parse("90"), 6), ANGLE.parse("1.57rad")
 (1.570796, 1.57)
->>> LENGTH.parse("2 parsecs")
+>>> LENGTH.parse("2 lb")
 Traceback (most recent call last):
-ValueError: '2 parsecs' is not a length: write a number and one of m, cm, mm, in, ft, as in 1.5m
+ValueError: '2 lb' is not a length (expected a number and one of m, cm, mm, in, ft, such as 1.5m)
 """
 
 from __future__ import annotations
@@ -29,11 +29,11 @@ class Kind:
     """A kind of quantity.
 
     Attributes:
-        name: what to call it in messages, with its article.
-        units: each unit's size in the SI unit.
+        name: its name in messages, with an article.
+        units: the value of each unit in the SI unit.
         default: the unit of a bare number.
-        example: a value to show in messages.
-        limit: the largest magnitude that makes sense in a world [SI unit].
+        example: an example value for messages.
+        limit: the largest magnitude accepted [SI unit].
     """
 
     name: str
@@ -43,14 +43,14 @@ class Kind:
     limit: float
 
     def parse(self, text: str, default: str = "") -> float:
-        """Gives the value [SI unit] that a text means.
+        """Parse a text to a value [SI unit].
 
         Args:
             text: a number, with or without a unit.
-            default: the unit of a bare number, where it differs from the kind's own.
+            default: the unit of a bare number; by default the kind's.
 
         Raises:
-            ValueError: the text means no such quantity, or one too large to be meant.
+            ValueError: the text is not such a quantity, or is out of range.
         """
         match = _QUANTITY.fullmatch(text) if len(text) <= _LONGEST else None
         factor = dict(self.units).get(match[2] or default or self.default) if match else None
@@ -59,7 +59,7 @@ class Kind:
             names = ", ".join(name for name, _ in self.units)
             unit = f" and one of {names}" if names else ""
             raise ValueError(
-                f"{shown!r} is not {self.name}: write a number{unit}, as in {self.example}"
+                f"{shown!r} is not {self.name} (expected a number{unit}, such as {self.example})"
             )
         value = float(match[1]) * factor
         if abs(value) > self.limit:
@@ -67,7 +67,7 @@ class Kind:
         return value
 
     def show(self, value: float) -> str:
-        """Gives a value [SI unit] in words, in the unit of a bare number.
+        """Format a value [SI unit] in the unit of a bare number.
 
         >>> ANGLE.show(math.pi / 2), RATIO.show(0.5)
         ('90deg', '0.5')
@@ -92,10 +92,10 @@ ACCELERATION: Final = Kind(
     "m/s2", "0.5m/s2", 1e3,
 )  # fmt: skip
 TURN_RATE: Final = Kind(
-    "a speed of turning", (("deg/s", math.pi / 180), ("rad/s", 1.0)), "deg/s", "45deg/s", 1e3
+    "an angular speed", (("deg/s", math.pi / 180), ("rad/s", 1.0)), "deg/s", "45deg/s", 1e3
 )
 TURN_ACCELERATION: Final = Kind(
-    "an acceleration of turning",
+    "an angular acceleration",
     (("deg/s2", math.pi / 180), ("rad/s2", 1.0)),
     "deg/s2", "50deg/s2", 1e4,
 )  # fmt: skip
@@ -107,23 +107,23 @@ FREQUENCY: Final = Kind(
     "a frequency", (("Hz", 1.0), ("kHz", 1e3), ("MHz", 1e6), ("GHz", 1e9)), "Hz", "50MHz", 1e12
 )
 DATA_RATE: Final = Kind(
-    "a rate of data",
+    "a data rate",
     (("B/s", 1.0), ("kB/s", 1e3), ("MB/s", 1e6), ("bit/s", 0.125), ("kbit/s", 125.0),
      ("Mbit/s", 125e3)),
     "B/s", "1200B/s", 1e12,
 )  # fmt: skip
-"""In bytes by the second."""
+"""In bytes per second."""
 
 RATIO: Final = Kind("a ratio", (("", 1.0),), "", "1.002", 1e3)
 HEAT: Final = Kind("a heat", (("", 1.0),), "", "1", 1e6)
-"""How hot a thing is, without unit."""
+"""Heat of an object, dimensionless."""
 BRIGHTNESS: Final = Kind("a brightness", (("", 1.0),), "", "100", 1e6)
 LOUDNESS: Final = Kind("a level", (("", 1.0),), "", "100", 1e6)
-"""How bright and how loud sources are at a distance of 1 m, without unit."""
+"""Brightness and loudness of sources at a distance of 1 m, dimensionless."""
 
 
 def round_length(length_m: float) -> float:
-    """Gives the nearest of 1, 2 and 5 times a power of ten that is not longer.
+    """Return the largest of 1, 2 and 5 times a power of ten that is not longer.
 
     >>> [round_length(length) for length in (0.9, 3.0, 77.0)]
     [0.5, 2.0, 50.0]

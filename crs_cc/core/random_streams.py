@@ -1,9 +1,9 @@
-"""Random numbers that depend on the seed, the robot, the sensor and their number, and nothing else.
+"""Random streams with random access: each number is a function of seed, stream key and index.
 
-Each robot's sensor has a stream of its own, so that what one robot reads never changes the noise
-of another. A stream is made of blocks: block b of robot r and sensor s comes from a generator
-seeded with `SeedSequence(seed, spawn_key=(r, s, b))`. So there is no generator to save: a row can
-be made again from its number at any time.
+Each robot's sensor has a stream of its own, so that readings of one robot never change the noise of
+another. A stream consists of blocks: block b of the stream with key k comes from a generator seeded
+with `SeedSequence(seed, spawn_key=(*k, b))`. There is no generator state to save: any row can be
+generated again from its index.
 
 >>> noise = Noise(seed=1, sensor=SONAR, width=2, robots=3)
 >>> rows = noise.rows(np.array([0, 2]), np.array([0, 500]))
@@ -14,7 +14,7 @@ True
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Final
 
 import numpy as np
@@ -31,41 +31,65 @@ MESSAGES: Final = 20
 LIGHT: Final = 22
 SOUND: Final = 23
 DEGRADATION: Final = 100
-"""Numbers of the sensors."""
+"""Keys of the sensors."""
 
-_BLOCK: Final = 64  # rows in a block: few enough to make quickly, many enough to make rarely
-_LARGEST_BLOCK: Final = 4096  # numbers in a block: every robot has room for one
+_BLOCK_ROWS: Final = 64  # few enough to be generated quickly, many enough to be so rarely
+_MAX_BLOCK_SIZE: Final = 4096  # deviates; one block is held for each stream
+
+
+class _BlockCache:
+    """The rows of several streams, of each of which one block is held."""
+
+    def __init__(
+        self,
+        seed: int,
+        keys: Sequence[tuple[int, ...]],
+        row_shape: tuple[int, ...],
+        fill: Callable[[np.random.Generator, FloatArray], None],
+    ) -> None:
+        """Set up the streams; blocks are generated when they are asked for.
+
+        Args:
+            seed: the random seed.
+            keys: the key of each stream.
+            row_shape: shape of a row; its last dimension bounds the number of rows in a block.
+            fill: fills a block, of shape (rows, *row_shape), from a generator.
+        """
+        self._seed, self._keys, self._fill = seed, tuple(keys), fill
+        self._rows = min(_BLOCK_ROWS, max(1, _MAX_BLOCK_SIZE // row_shape[-1]))
+        self._blocks = np.zeros((len(self._keys), self._rows, *row_shape))
+        self._held = np.full(len(self._keys), -1, dtype=np.int64)  # the block of each stream
+
+    def rows(self, streams: Int64Array, numbers: Int64Array) -> FloatArray:
+        """Return row `numbers[i]` of stream `streams[i]`, shape (k, *row_shape)."""
+        blocks = numbers // self._rows
+        for miss in np.flatnonzero(self._held[streams] != blocks):
+            self._generate(int(streams[miss]), int(blocks[miss]))
+        return np.asarray(self._blocks[streams, numbers % self._rows])
+
+    def _generate(self, stream: int, block: int) -> None:
+        seeds = np.random.SeedSequence(self._seed, spawn_key=(*self._keys[stream], block))
+        self._fill(np.random.Generator(np.random.PCG64(seeds)), self._blocks[stream])
+        self._held[stream] = block
 
 
 class Noise:
     """Standard normal deviates for one sensor of all robots, in rows of `width`."""
 
     def __init__(self, seed: int, sensor: int, width: int, robots: int) -> None:
-        self._seed = seed
-        self._sensor = sensor
-        self._size = min(_BLOCK, max(1, _LARGEST_BLOCK // width))
-        self._blocks = np.zeros((robots, self._size, width))
-        self._numbers = np.full(robots, -1, dtype=np.int64)
+        keys = [(robot, sensor) for robot in range(robots)]
+        self._cache = _BlockCache(seed, keys, (width,), _fill_normal)
 
     def rows(self, robots: Int64Array, numbers: Int64Array) -> FloatArray:
-        """Gives row number `numbers[i]` of the stream of robot `robots[i]`, shape (k, width)."""
-        blocks = numbers // self._size
-        for place in np.flatnonzero(self._numbers[robots] != blocks):
-            self._make(int(robots[place]), int(blocks[place]))
-        return np.asarray(self._blocks[robots, numbers % self._size])
-
-    def _make(self, robot: int, block: int) -> None:
-        seeds = np.random.SeedSequence(self._seed, spawn_key=(robot, self._sensor, block))
-        generator = np.random.Generator(np.random.PCG64(seeds))
-        generator.standard_normal(out=self._blocks[robot])
-        self._numbers[robot] = block
+        """Return row `numbers[i]` of the stream of robot `robots[i]`, shape (k, width)."""
+        return self._cache.rows(robots, numbers)
 
 
-class Draws:
-    """Normal and uniform deviates for things of robots, each with a stream of its own.
+class NormalUniformStreams:
+    """Standard normal and uniform deviates, in rows of `width` of each.
 
-    >>> draws = Draws(seed=1, keys=[(0, DEGRADATION, 0)], width=2)
-    >>> normal, uniform = draws.rows(np.array([0]), np.array([7]))
+    >>> streams = NormalUniformStreams(seed=1, keys=[(0, DEGRADATION, 0)], width=2)
+    >>> normal, uniform = streams.rows(np.array([0]), np.array([7]))
     >>> normal.shape, bool(((uniform >= 0) & (uniform < 1)).all())
     ((1, 2), True)
     """
@@ -73,33 +97,30 @@ class Draws:
     def __init__(
         self, seed: int, keys: Sequence[tuple[int, ...]], width: int, *, draws: bool = True
     ) -> None:
-        """Makes the streams.
+        """Set up the streams.
 
         Args:
-            seed: the seed of the run.
-            keys: what tells each stream from all others.
-            width: how many deviates of each kind are in a row.
+            seed: the random seed.
+            keys: the key of each stream.
+            width: number of deviates of each kind in a row.
             draws: whether any are needed; otherwise all are 0 and 1.
         """
-        self._seed, self._keys, self._draws, self._width = seed, tuple(keys), draws, width
-        self._size = min(_BLOCK, max(1, _LARGEST_BLOCK // width))
-        rows = len(self._keys) if draws else 0
-        self._blocks = np.zeros((rows, self._size, 2, width))
-        self._numbers = np.full(rows, -1, dtype=np.int64)
+        self._width = width
+        self._cache = _BlockCache(seed, keys, (2, width), _fill_both) if draws else None
 
     def rows(self, streams: Int64Array, numbers: Int64Array) -> tuple[FloatArray, FloatArray]:
-        """Gives row number `numbers[i]` of stream `streams[i]`, normal and uniform, (k, width)."""
-        if not self._draws:
+        """Return row `numbers[i]` of stream `streams[i]`, normal and uniform, each (k, width)."""
+        if self._cache is None:
             return np.zeros((len(streams), self._width)), np.ones((len(streams), self._width))
-        blocks = numbers // self._size
-        for place in np.flatnonzero(self._numbers[streams] != blocks):
-            self._make(int(streams[place]), int(blocks[place]))
-        rows = self._blocks[streams, numbers % self._size]
+        rows = self._cache.rows(streams, numbers)
         return rows[:, 0], rows[:, 1]
 
-    def _make(self, stream: int, block: int) -> None:
-        seeds = np.random.SeedSequence(self._seed, spawn_key=(*self._keys[stream], block))
-        generator = np.random.Generator(np.random.PCG64(seeds))
-        self._blocks[stream, :, 0] = generator.standard_normal((self._size, self._width))
-        self._blocks[stream, :, 1] = generator.random((self._size, self._width))
-        self._numbers[stream] = block
+
+def _fill_normal(generator: np.random.Generator, block: FloatArray) -> None:
+    generator.standard_normal(out=block)
+
+
+def _fill_both(generator: np.random.Generator, block: FloatArray) -> None:
+    rows, _, width = block.shape
+    block[:, 0] = generator.standard_normal((rows, width))
+    block[:, 1] = generator.random((rows, width))

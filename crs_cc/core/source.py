@@ -1,8 +1,8 @@
-"""Places in source files, and messages about them.
+"""Source locations and diagnostics.
 
-A `Location` is carried by everything that can be blamed: tokens, IR instructions, world
-elements. A `Diagnostic` is one message at one place; `Diagnostics` collects them so that a
-user hears of many errors in one run.
+Everything that a message can be about has a `Location`: tokens, IR instructions, world
+elements. A `Diagnostic` is one message at one location; `Diagnostics` collects them so that
+several errors are reported in one run.
 
 >>> place = Location("wander.c", 3, 9)
 >>> print(Diagnostic("error", place, "unknown identifier 'sped'", "    vm(sped, 0, 0);").render())
@@ -20,7 +20,7 @@ from typing import Final, Literal
 Severity = Literal["error", "warning", "note"]
 
 Stage = Literal["", "preprocessing", "parsing", "types", "linking"]
-"""Who speaks: a part of the compiler, or none of them."""
+"""The part of the compiler that reports, if any."""
 
 _TOKEN: Final = re.compile(
     r""" \w+ | "(?:[^"\\]|\\.)*" | '(?:[^'\\]|\\.)*' | \+\+ | -- | . """, re.VERBOSE
@@ -29,14 +29,14 @@ _TOKEN: Final = re.compile(
 
 @dataclass(frozen=True, slots=True, order=True)
 class Location:
-    """A place in a source file.
+    """A location in a source file.
 
     Attributes:
         file: the path as the user gave it.
         line: line number, counted from 1; 0 when the message is about the whole file.
         column: column number in characters, counted from 1; 0 when only the line is known.
-        last: column where the last token of an expression begins, if that is in the same line;
-            0 when unknown. Two places are equal whatever ends there.
+        last: column where the last token of an expression starts, if that is on the same line;
+            0 when unknown. It is ignored when locations are compared.
     """
 
     file: str
@@ -45,7 +45,7 @@ class Location:
     last: int = field(default=0, compare=False)
 
     def __reduce__(self) -> tuple[type[Location], tuple[str, int, int, int]]:
-        # Programs are kept with thousands of places; what `dataclass` provides is slow.
+        # Cached programs hold thousands of locations; the default of `dataclass` is slow.
         return Location, (self.file, self.line, self.column, self.last)
 
     def __str__(self) -> str:
@@ -54,9 +54,9 @@ class Location:
 
 
 def underline(line: str, place: Location) -> str:
-    """Gives what to write below an expression: `^~~~`, or `^` where its end is not known.
+    """Return the underline of an expression: `^~~~`, or `^` if its end is unknown.
 
-    A name at the end with a parenthesis behind it is a macro, whose arguments belong to it.
+    A final name followed by a parenthesis is a macro, which is underlined with its arguments.
 
     >>> line = "x = a / HALF(b) + 1;"
     >>> print(line); print("    " + underline(line, Location("a.c", 1, 5, last=9)))
@@ -73,7 +73,7 @@ def underline(line: str, place: Location) -> str:
 
 
 def _closed(line: str, start: int) -> int:
-    """Gives the index behind the parenthesis that closes the one at `start`, or the line's end."""
+    """Return the index after the parenthesis matching the one at `start`, or the line's end."""
     depth = 0
     for token in _TOKEN.finditer(line, start):
         depth += {"(": 1, ")": -1}.get(token[0], 0)
@@ -84,15 +84,15 @@ def _closed(line: str, start: int) -> int:
 
 @dataclass(frozen=True, slots=True)
 class Diagnostic:
-    """One message about one place.
+    """One message about one location.
 
     Attributes:
-        severity: how bad it is.
-        location: what it is about.
-        text: the message, without place and severity.
-        source_line: the line of source at the place, empty when unknown.
-        hint: what the user can do about it, empty when there is nothing to add.
-        stage: which part of the compiler says so.
+        severity: error, warning or note.
+        location: its location.
+        text: the message, without location and severity.
+        source_line: the source line at the location, empty when unknown.
+        hint: what the user can do about it; may be empty.
+        stage: the part of the compiler that reports it.
     """
 
     severity: Severity
@@ -103,7 +103,7 @@ class Diagnostic:
     stage: Stage = ""
 
     def render(self) -> str:
-        """Gives the message as `file:line:col: severity: text`, the line, a caret and the hint."""
+        """Return the message as `file:line:col: severity: text`, the line, a caret and the hint."""
         rows = [f"{self.location}: {self.severity}: {self.text}"]
         if self.source_line.strip():
             rows.append("    " + self.source_line.replace("\t", " ").rstrip())
@@ -121,10 +121,10 @@ class Diagnostics:
 
     Attributes:
         messages: every message so far.
-        lines: the lines of each known file, to be shown with a message.
-        digests: of each file that was looked for, found or not, what stood in it at first; the
-            outcome is the same as long as these are.
-        stage: which part of the compiler is at work.
+        lines: the lines of each known file, for messages.
+        digests: a hash of each file that was looked for, found or not, when it was first read; the
+            result is valid as long as these are.
+        stage: the part of the compiler that is running.
     """
 
     messages: list[Diagnostic] = field(default_factory=list)
@@ -134,22 +134,22 @@ class Diagnostics:
     _known: set[Diagnostic] = field(default_factory=set, repr=False)
 
     def add(self, severity: Severity, location: Location, text: str, hint: str = "") -> None:
-        """Records a message, unless the same one was recorded at the same place before."""
+        """Record a message, unless it is a duplicate."""
         message = Diagnostic(severity, location, text, self._line(location), hint, self.stage)
         if message not in self._known:
             self._known.add(message)
             self.messages.append(message)
 
     def error(self, location: Location, text: str, hint: str = "") -> None:
-        """Records an error."""
+        """Record an error."""
         self.add("error", location, text, hint)
 
     def warning(self, location: Location, text: str, hint: str = "") -> None:
-        """Records a warning."""
+        """Record a warning."""
         self.add("warning", location, text, hint)
 
     def sort(self) -> None:
-        """Brings the messages into the order of the source: headers first, notes behind theirs."""
+        """Sort the messages by location: headers first, notes after their messages."""
         files = {name: number for number, name in enumerate(self.lines)}
         groups: list[list[Diagnostic]] = []
         for message in self.messages:
@@ -166,7 +166,7 @@ class Diagnostics:
         self.messages[:] = [message for group in groups for message in group]
 
     def shorten(self, most: int) -> None:
-        """Leaves out all but the first errors, and says so."""
+        """Drop all but the first errors, and report how many were dropped."""
         errors = self.errors
         if len(errors) <= most:
             return
@@ -177,11 +177,11 @@ class Diagnostics:
 
     @property
     def errors(self) -> list[Diagnostic]:
-        """Gives the errors alone."""
+        """The errors alone."""
         return [message for message in self.messages if message.severity == "error"]
 
     def text_at(self, location: Location) -> str:
-        """Gives the rest of the line of source from a place on; "" when it is unknown."""
+        """Return the source line from a location on; "" when it is unknown."""
         return self._line(location)[max(0, location.column - 1) :]
 
     def _line(self, location: Location) -> str:

@@ -18,7 +18,7 @@ _LONGEST: Final = 64
 
 
 def unknown(kind: str, name: str, known: Sequence[str]) -> str:
-    """Gives the words for it.
+    """Return the words for it.
 
     Args:
         kind: what it should name.

@@ -1,4 +1,4 @@
-"""Instants in the world's time: sums of timesteps, and so never exact to the last bit.
+"""Comparison of simulated times, which are sums of timesteps and so inexact.
 
 >>> is_due(np.array([0.0, 0.1]), np.array([0.3, 0.3]), np.array([0.1 + 0.2, 0.3])).tolist()
 [True, False]
@@ -13,15 +13,15 @@ import numpy as np
 from crs_cc.core.arrays import BoolArray, FloatArray
 
 ROUNDING_S: Final = 1e-9
-"""Instants that are no further apart are the same."""
+"""Times closer than this are equal."""
 
 
 def is_due(last_s: FloatArray, at_s: FloatArray, interval_s: FloatArray) -> BoolArray:
-    """Tells which sensors may measure again.
+    """Return which sensors are due to measure again.
 
     Args:
-        last_s: when each measured last; below 0 for never, (k,).
-        at_s: when each would measure, (k,).
-        interval_s: the least time between two measurements, (k,).
+        last_s: time of each last measurement; below 0 for never, (k,).
+        at_s: time of each next measurement, (k,).
+        interval_s: the minimum time between two measurements, (k,).
     """
     return np.asarray(at_s - last_s >= interval_s - ROUNDING_S)

@@ -23,30 +23,30 @@ SOUND_MPS = 343.2  # in dry air at 20 degrees Celsius (CRC Handbook of Chemistry
 
 
 def inch_to_m(value_inch: Number) -> Number:
-    """Converts inches to metres."""
+    """Convert inches to metres."""
     return value_inch * INCH_M
 
 
 def m_to_inch(value_m: Number) -> Number:
-    """Converts metres to inches."""
+    """Convert metres to inches."""
     return value_m / INCH_M
 
 
 def tenths_inch_to_m(value: Number) -> Number:
-    """Converts tenths of an inch (also per second, per second squared) to metres."""
+    """Convert tenths of an inch (also per second, per second squared) to metres."""
     return value * (INCH_M / 10)
 
 
 def m_to_tenths_inch(value_m: Number) -> Number:
-    """Converts metres (also per second, per second squared) to tenths of an inch."""
+    """Convert metres (also per second, per second squared) to tenths of an inch."""
     return value_m / (INCH_M / 10)
 
 
 def tenths_deg_to_rad(value: Number) -> Number:
-    """Converts tenths of a degree to radians."""
+    """Convert tenths of a degree to radians."""
     return value * (math.pi / 1800)
 
 
 def rad_to_tenths_deg(value_rad: Number) -> Number:
-    """Converts radians to tenths of a degree."""
+    """Convert radians to tenths of a degree."""
     return value_rad / (math.pi / 1800)

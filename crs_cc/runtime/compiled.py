@@ -72,5 +72,5 @@ class Compiled:
         return self._numbers
 
     def info(self, function: str) -> FunctionInfo:
-        """Gives what is known of a function."""
+        """Return what is known of a function."""
         return self.functions[self.numbers[function]]

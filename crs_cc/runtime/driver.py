@@ -21,7 +21,7 @@ SLOTS: Final = SLOT.itemsize  # address of the first slot; what lies below is th
 
 
 def driver(robots: int) -> Module:
-    """Gives the driver of a fleet of so many robots."""
+    """Return the driver of a fleet of so many robots."""
     return Module(
         functions=[Code("round", ((), ()), ["i32", "i32"], _round())],
         memory_imports=[("crs", "mailbox")],

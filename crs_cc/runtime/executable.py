@@ -29,14 +29,14 @@ and can run out before, see `fleet`.
 
 
 def _host_stack() -> int:
-    """Gives how much of the host's stack programs may use: three quarters at most [bytes]."""
+    """Return how much of the host's stack programs may use: three quarters at most [bytes]."""
     limit, _ = resource.getrlimit(resource.RLIMIT_STACK)
     return MAX_WASM_STACK if limit < 0 else min(MAX_WASM_STACK, limit * 3 // 4)
 
 
 @functools.cache
 def engine() -> wasmtime.Engine:
-    """Gives the engine that all fleets share."""
+    """Return the engine that all fleets share."""
     config = wasmtime.Config()
     # The C API refuses a stack above that of asynchronous calls, which Python has no name for.
     _bindings.wasmtime_config_async_stack_size_set(config.ptr(), _host_stack())
@@ -62,22 +62,22 @@ class Executable:
     _module: wasmtime.Module | None = field(default=None, repr=False)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickles with all that messages need, which nobody can ask for elsewhere."""
+        """Pickle with all that messages need, which nobody can ask for elsewhere."""
         return _executable, (self.name, self.machine_code, self.detail())
 
     def module(self) -> wasmtime.Module:
-        """Gives the module, loaded once."""
+        """Return the module, loaded once."""
         if self._module is None:
             self._module = wasmtime.Module.deserialize(engine(), self.machine_code)
         return self._module
 
     @property
     def program(self) -> Program:
-        """Gives the linked program."""
+        """The linked program."""
         return self.detail().program
 
     def wat(self) -> str:
-        """Gives the code in WebAssembly's text format."""
+        """Return the code in WebAssembly's text format."""
         return self.detail().compiled.module.to_text()
 
 
@@ -103,7 +103,7 @@ class Detail:
 def load_executable(
     name: str, machine_code: bytes, detail: Callable[[], Detail]
 ) -> Executable | None:
-    """Gives a program that was compiled before, or None when this computer cannot run it.
+    """Return a program that was compiled before, or None when this computer cannot run it.
 
     Machine code is made for the processor that it was compiled on; a user's files may have moved
     to another, which wasmtime finds out.
@@ -126,7 +126,7 @@ def make_executable(
     watching: bool = False,
     trap_overflow: bool = False,
 ) -> Executable:
-    """Compiles a linked, verified program.
+    """Compile a linked, verified program.
 
     Args:
         program: the program.

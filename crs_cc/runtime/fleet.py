@@ -95,7 +95,7 @@ class Fleet:
     """
 
     def __init__(self, executables: Sequence[Executable]) -> None:
-        """Makes a sandbox for each program.
+        """Make a sandbox for each program.
 
         Raises:
             OSError: the system does not give the memory, or the room for addresses.
@@ -122,7 +122,7 @@ class Fleet:
         return len(self.slots)
 
     def add(self, executable: Executable) -> int:
-        """Makes a sandbox for one more program; gives its number. `slots` is another array then.
+        """Make a sandbox for one more program; gives its number. `slots` is another array then.
 
         Raises:
             OSError: as for a new fleet.
@@ -160,7 +160,7 @@ class Fleet:
         self.slots[first:] = np.zeros((), SLOT)
 
     def _start_driver(self, robots: int) -> None:
-        """Makes a driver with room for so many programs, and hands over those that there are."""
+        """Make a driver with room for so many programs, and hands over those that there are."""
         self._allow_another()
         module = wasmtime.Module(engine(), driver(robots).to_binary())
         exports = wasmtime.Instance(self._store, module, [self._mailbox]).exports(self._store)
@@ -172,7 +172,7 @@ class Fleet:
             table.set(self._store, number, sandbox.resume)
 
     def _instantiate(self, executable: Executable) -> None:
-        """Gives a program that is new a place behind the others."""
+        """Return a program that is new a place behind the others."""
         sandbox = self._sandbox(executable)
         self.marks.append(_NO_MARKS)
         self.watched.append(_NO_MARKS.view(WATCHED))
@@ -206,7 +206,7 @@ class Fleet:
         return _Sandbox(executable, resume, memory, shadow[:MEMORY_BYTES], marks, initial, begun)
 
     def exchange(self, robot: int, executable: Executable) -> None:
-        """Moves a robot's program, as it stands, to another build of it with the same frames.
+        """Move a robot's program, as it stands, to another build of it with the same frames.
 
         Its marks come along; what is watched does not. Builds that were used once are kept, so that
         to change back and forth costs no more than a snapshot.
@@ -239,27 +239,27 @@ class Fleet:
         self._store.set_limits(instances=made, memories=3 * made + 1, tables=made)
 
     def executable(self, robot: int) -> Executable:
-        """Gives a robot's program."""
+        """Return a robot's program."""
         return self._sandboxes[robot].executable
 
     def memory(self, robot: int) -> ByteArray:
-        """Gives a robot's memory as an array of bytes that shows every change."""
+        """Return a robot's memory as an array of bytes that shows every change."""
         return self._sandboxes[robot].memory
 
     def shadow(self, robot: int) -> ByteArray:
-        """Gives what C may do with the bytes of a robot's memory; nothing in unchecked builds."""
+        """Return what C may do with the bytes of a robot's memory; nothing in unchecked builds."""
         return self._sandboxes[robot].shadow
 
     def messages(self, robots: IndexArray) -> Records:
-        """Gives copies of what robots posted, of dtype `MESSAGE`."""
+        """Return copies of what robots posted, of dtype `MESSAGE`."""
         return self.slots["message"].view(_BYTES)[robots].view(MESSAGE)
 
     def reply(self, robots: IndexArray, messages: Records) -> None:
-        """Writes replies over what robots posted."""
+        """Write replies over what robots posted."""
         self.slots["message"].view(_BYTES)[robots] = messages.view(_BYTES)
 
     def run_round(self) -> int | None:
-        """Resumes every robot whose slot says `run`.
+        """Resume every robot whose slot says `run`.
 
         Gives the first one that stops before a marked statement, which ends the round: those behind
         it have not run. None when all have.
@@ -278,7 +278,7 @@ class Fleet:
             return robot if is_one else None
 
     def _trapped(self, robot: int, trap: Exception) -> None:
-        """Notes a trap as the robot's own failure, so that the others go on."""
+        """Note a trap as the robot's own failure, so that the others go on."""
         slot = self.slots[robot]
         slot["status"] = FAILED
         slot["fuel"] = min(int(slot["fuel"]), 0)
@@ -302,7 +302,7 @@ class Fleet:
         slot["error_kind"] = ERROR_KINDS.index("stack overflow" if deep else "internal trap")
 
     def failure(self, robot: int) -> Failure:
-        """Gives why a robot with status FAILED was stopped."""
+        """Return why a robot with status FAILED was stopped."""
         slot = self.slots[robot]
         # Few runs need these.
         from crs_cc.runtime.diagnosis.diagnose import diagnose
@@ -329,7 +329,7 @@ class Fleet:
     def stopped(
         self, robot: int, failed_at: Location | None = None, *, saved: bool = True
     ) -> Stopped:
-        """Gives a program that has come back, and all that tells where it stands, see `Stopped`."""
+        """Return a program that has come back, and all that tells where it stands, see `Stopped`."""
         from crs_cc.runtime.diagnosis.inspect import Stopped, call_stack
 
         detail, memory = self.executable(robot).detail(), self.memory(robot)
@@ -338,7 +338,7 @@ class Fleet:
         return Stopped(memory, self.shadow(robot), *parts)
 
     def current_call(self, robot: int) -> ActiveCall | None:
-        """Gives the innermost active function of the user's own files, and where it stands.
+        """Return the innermost active function of the user's own files, and where it stands.
 
         There is none before a program has been resumed, and once it has ended.
         """
@@ -347,19 +347,19 @@ class Fleet:
         return current_call(self.stopped(robot))
 
     def library_call(self, robot: int) -> ActiveCall | None:
-        """Gives the library's function that the user's code has called, and where it did."""
+        """Return the library's function that the user's code has called, and where it did."""
         from crs_cc.runtime.diagnosis.report import library_call  # few runs need it
 
         return library_call(self.stopped(robot))
 
     def report(self, robot: int) -> ErrorReport:
-        """Gives the report on a robot with status FAILED: its failure in words."""
+        """Return the report on a robot with status FAILED: its failure in words."""
         from crs_cc.runtime.diagnosis.report import report  # few runs need it
 
         return report(self.failure(robot))
 
     def snapshot(self, robot: int) -> Snapshot:
-        """Gives the whole state of one robot's program; where it shall stop is no part of it."""
+        """Return the whole state of one robot's program; where it shall stop is no part of it."""
         slot = self.slots[robot : robot + 1].copy()
         for wish in _WISHES:
             slot[wish] = 0
@@ -368,7 +368,7 @@ class Fleet:
         return Snapshot(slot, *kept, *pages.save(sandbox.shadow, _NONE))
 
     def restore(self, robot: int, snapshot: Snapshot) -> None:
-        """Puts a state that `snapshot` gave into one robot's program."""
+        """Put a state that `snapshot` gave into one robot's program."""
         sandbox = self._sandboxes[robot]
         pages.load(sandbox.memory, sandbox.initial, snapshot.chunks, snapshot.content)
         pages.load(sandbox.shadow, _NONE, snapshot.shadow_chunks, snapshot.shadow_content)
@@ -381,7 +381,7 @@ class Fleet:
 
 @contextlib.contextmanager
 def _memory_demanded(programs: int) -> Iterator[None]:
-    """Says it so that a user understands when the system gives no memory."""
+    """Say it so that a user understands when the system gives no memory."""
     try:
         yield
     except wasmtime.WasmtimeError as error:
@@ -395,7 +395,7 @@ def _memory_demanded(programs: int) -> Iterator[None]:
 
 
 def _pages(programs: int) -> int:
-    """Gives how many pages the mailbox of so many programs has."""
+    """Return how many pages the mailbox of so many programs has."""
     return -(-(SLOTS + programs * SLOT.itemsize) // PAGE)
 
 
@@ -408,7 +408,7 @@ _WISHES: Final = ("stop_before_all", "stop_from")
 
 
 def _view(store: wasmtime.Store, memory: object) -> ByteArray:
-    """Gives a memory as an array, which keeps the store alive; our memories never move."""
+    """Return a memory as an array, which keeps the store alive; our memories never move."""
     assert isinstance(memory, wasmtime.Memory)
     address = ctypes.addressof(memory.data_ptr(store).contents)
     buffer = (ctypes.c_uint8 * memory.data_len(store)).from_address(address)

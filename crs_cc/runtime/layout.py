@@ -41,7 +41,7 @@ ours, within three times of ours."""
 
 
 def round_up(value: int, align: int) -> int:
-    """Gives the next multiple of `align`."""
+    """Return the next multiple of `align`."""
     return -(-value // align) * align
 
 
@@ -69,12 +69,12 @@ class Frame:
 
 
 def red_zone(size: int) -> int:
-    """Gives how many bytes to leave behind an object: more for larger ones, as indices go wider."""
+    """Return how many bytes to leave behind an object: more for larger ones, as indices go wider."""
     return min(256, max(16, round_up(size // 4, 16)))
 
 
 def argument_offsets(sizes: list[int]) -> list[int]:
-    """Gives the offset of each argument, and the offset behind the last one."""
+    """Return the offset of each argument, and the offset behind the last one."""
     offsets = [0]
     for size in sizes:
         offsets.append(offsets[-1] + round_up(size, 4))
@@ -90,7 +90,7 @@ def lay_out(
     checked: bool,
     stamped: bool = False,
 ) -> Frame:
-    """Lays out a frame.
+    """Lay out a frame.
 
     Args:
         function: the function.

@@ -57,14 +57,14 @@ class Library(Protocol):
     """Where definitions that the user's files lack are looked for."""
 
     def find(self, name: str) -> Function | Data | None:
-        """Gives the library's definition of a name."""
+        """Return the library's definition of a name."""
 
     def names(self) -> Sequence[str]:
-        """Gives all names that the library defines for programs to use."""
+        """Return all names that the library defines for programs to use."""
 
 
 def link(units: Sequence[Program], library: Library, diagnostics: Diagnostics) -> Program:
-    """Gives the whole program.
+    """Return the whole program.
 
     Args:
         units: the user's files.
@@ -102,7 +102,7 @@ def link(units: Sequence[Program], library: Library, diagnostics: Diagnostics) -
 
 
 def _check_client(whole: Program, diagnostics: Diagnostics) -> None:
-    """Warns of a program that brings the vendor's client, and so talks to no simulated robot."""
+    """Warn of a program that brings the vendor's client, and so talks to no simulated robot."""
     connects = whole.functions.get(CONNECTS)
     if connects is not None and not in_library(connects.location):
         text = f"'{CONNECTS}' is defined here: the program does not reach its simulated robot"
@@ -111,7 +111,7 @@ def _check_client(whole: Program, diagnostics: Diagnostics) -> None:
 
 
 def _check_uses(whole: Program, diagnostics: Diagnostics) -> None:
-    """Reports variables that are called, and functions that are read or written as variables."""
+    """Report variables that are called, and functions that are read or written as variables."""
     told = set()
     for function in whole.functions.values():
         for block in function.blocks:
@@ -135,7 +135,7 @@ def _check_uses(whole: Program, diagnostics: Diagnostics) -> None:
 
 
 def _check_arguments(whole: Program, diagnostics: Diagnostics) -> None:
-    """Warns of arguments that no prototype converted to what the called function takes."""
+    """Warn of arguments that no prototype converted to what the called function takes."""
     for function in whole.functions.values():
         if in_library(function.location):
             continue
@@ -159,7 +159,7 @@ def _compare_arguments(call: Call, callee: Function, diagnostics: Diagnostics) -
 
 
 def _passed_as(memory: MemoryType | None) -> str:
-    """Gives what a value is among arguments, where everything takes 4 bytes or more."""
+    """Return what a value is among arguments, where everything takes 4 bytes or more."""
     match memory:
         case None:
             return "a struct"
@@ -180,7 +180,7 @@ def _where_defined(callee: Function) -> str:
 
 
 def join(units: Sequence[Program], diagnostics: Diagnostics) -> Program:
-    """Gives one program with the definitions of all units; reports what is defined twice."""
+    """Return one program with the definitions of all units; reports what is defined twice."""
     whole = Program()
     for unit in units:
         _add_functions(unit, whole, diagnostics)
@@ -221,7 +221,7 @@ def _add_data(unit: Program, whole: Program, diagnostics: Diagnostics) -> None:
 def _compare(
     name: str, ctype: CType, location: Location, whole: Program, diagnostics: Diagnostics
 ) -> None:
-    """Warns of a declaration that does not agree with the definition in another file."""
+    """Warn of a declaration that does not agree with the definition in another file."""
     function, data = whole.functions.get(name), whole.data.get(name)
     defined, place = None, location
     if function is not None:
@@ -234,7 +234,7 @@ def _compare(
 
 
 def _gives_way(name: str, unit: Program, whole: Program) -> bool:
-    """Tells whether a definition is weak and not the first; takes away a weak one before it."""
+    """Return whether a definition is weak and not the first; takes away a weak one before it."""
     if name not in whole.functions and name not in whole.data:
         if name in unit.weak:
             whole.weak.add(name)
@@ -253,7 +253,7 @@ def _in_order(calls: list[tuple[int, str]]) -> list[str]:
 
 
 def _table(name: str, functions: list[str]) -> Data:
-    """Makes an array of pointers to functions with a null pointer at its end."""
+    """Make an array of pointers to functions with a null pointer at its end."""
     size = 4 * len(functions) + 4
     relocations = [Relocation(4 * i, function, 0) for i, function in enumerate(functions)]
     place = Location(LIBRARY)
@@ -261,7 +261,7 @@ def _table(name: str, functions: list[str]) -> Data:
 
 
 def references(definition: Function | Data) -> Iterator[str]:
-    """Gives the names that a definition uses, in the order of their use."""
+    """Return the names that a definition uses, in the order of their use."""
     if isinstance(definition, Data):
         for relocation in definition.relocations:
             yield relocation.symbol
@@ -283,7 +283,7 @@ def _referred(instruction: Instruction) -> str | None:
 
 
 def pointed_functions(program: Program) -> list[str]:
-    """Gives the functions whose address is taken, in a fixed order."""
+    """Return the functions whose address is taken, in a fixed order."""
     found: dict[str, None] = {}
     for function in program.functions.values():
         for block in function.blocks:
@@ -299,7 +299,7 @@ def pointed_functions(program: Program) -> list[str]:
 
 
 def _find(name: str, user: Program, library: Library) -> Function | Data | None:
-    """Gives the definition of a name; a tentative object of the user's joins the library's."""
+    """Return the definition of a name; a tentative object of the user's joins the library's."""
     mine = user.functions.get(name) or user.data.get(name)
     if mine is not None and not (isinstance(mine, Data) and mine.tentative):
         return mine
@@ -310,7 +310,7 @@ def _find(name: str, user: Program, library: Library) -> Function | Data | None:
 
 
 def _larger(first: Data, second: Data) -> Data:
-    """Joins two objects of one name, of which one at least is tentative (gcc -fcommon)."""
+    """Join two objects of one name, of which one at least is tentative (gcc -fcommon)."""
     chosen = first if second.tentative else second
     other = second if chosen is first else first
     size, align = max(chosen.size, other.size), max(chosen.align, other.align)
@@ -364,7 +364,7 @@ def _no_main(user: Program, diagnostics: Diagnostics) -> None:
 
 
 def _where_declared(name: str, used: Location, user: Program) -> str:
-    """Gives a hint to the header that promises a name, none when there is none."""
+    """Return a hint to the header that promises a name, none when there is none."""
     declared = user.declared.get(name)
     if declared is None or declared[1].file == used.file:
         return ""
@@ -373,7 +373,7 @@ def _where_declared(name: str, used: Location, user: Program) -> str:
 
 
 def _first_place(user: Program, diagnostics: Diagnostics) -> Location:
-    """Gives the user's first file; there may be nothing in it."""
+    """Return the user's first file; there may be nothing in it."""
     places = [function.location for function in user.functions.values()]
     places += [data.location for data in user.data.values()]
     files = [place.file for place in places if not in_library(place)]

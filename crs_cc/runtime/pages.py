@@ -33,7 +33,7 @@ _EXISTS: Final = 0b11 << 62
 
 
 def save(memory: ByteArray, initial: range) -> tuple[IndexArray, ByteArray]:
-    """Gives the numbers of the chunks that are not all zero, and their content.
+    """Return the numbers of the chunks that are not all zero, and their content.
 
     Args:
         memory: the memory, whole chunks of it.
@@ -46,7 +46,7 @@ def save(memory: ByteArray, initial: range) -> tuple[IndexArray, ByteArray]:
 
 
 def load(memory: ByteArray, initial: range, used: IndexArray, content: ByteArray) -> None:
-    """Puts back what `save` gave."""
+    """Put back what `save` gave."""
     chunks, candidates = memory.reshape(-1, CHUNK), _candidates(memory, initial)
     candidates[used] = False
     chunks[_not_zero(chunks, candidates)] = 0
@@ -61,7 +61,7 @@ def _candidates(memory: ByteArray, initial: range) -> BoolArray:
 
 
 def _not_zero(chunks: ByteArray, candidates: BoolArray) -> IndexArray:
-    """Gives the numbers of those of some chunks that are not all zero."""
+    """Return the numbers of those of some chunks that are not all zero."""
     numbers = np.flatnonzero(candidates)
     words = chunks[numbers].view(np.uint64)
     return np.asarray(numbers[words.any(axis=1)])
@@ -82,7 +82,7 @@ def _existing(memory: ByteArray) -> BoolArray:
 
 @functools.cache
 def _pagemap(_process: int) -> int | None:
-    """Opens the page map of this process, not of a child of it; None where there is none."""
+    """Open the page map of this process, not of a child of it; None where there is none."""
     with contextlib.suppress(OSError):
         return os.open(_PAGEMAP, os.O_RDONLY)
     return None

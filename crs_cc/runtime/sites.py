@@ -66,7 +66,7 @@ class StatementSite:
 
 
 def call_word(site: int, frame_size: int, arguments_size: int) -> int:
-    """Gives what a call notes in the header of the function that it calls.
+    """Return what a call notes in the header of the function that it calls.
 
     Args:
         site: number of the call site.
@@ -78,10 +78,10 @@ def call_word(site: int, frame_size: int, arguments_size: int) -> int:
 
 
 def call_site(word: int) -> int:
-    """Gives the number of the call site that a call word tells of."""
+    """Return the number of the call site that a call word tells of."""
     return word & ((1 << SITE_BITS) - 1)
 
 
 def arguments_size(word: int) -> int:
-    """Gives the size of the arguments that a call word tells of [bytes]."""
+    """Return the size of the arguments that a call word tells of [bytes]."""
     return (word >> SITE_BITS + FRAME_BITS) * ARGUMENT_UNIT

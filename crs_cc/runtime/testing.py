@@ -23,7 +23,7 @@ from crs_cc.runtime.executable import Executable, make_executable
 
 
 def counting_program(rounds: int = 10) -> Executable:
-    """Gives a program that counts to `rounds` and exits with that number, again and again."""
+    """Return a program that counts to `rounds` and exits with that number, again and again."""
     here = Location("counting.c", 1, 1)
     count, test, at = Register(0, "i32"), Register(1, "i32"), Register(2, "i32")
     result = Register(3, "i32")

@@ -54,7 +54,7 @@ _INDEX: Final = {
 
 
 def unsigned(value: int) -> bytes:
-    """Gives an unsigned LEB128 number."""
+    """Return an unsigned LEB128 number."""
     if value < 0x80:
         return bytes((value,))
     out = bytearray()
@@ -66,7 +66,7 @@ def unsigned(value: int) -> bytes:
 
 
 def signed(value: int) -> bytes:
-    """Gives a signed LEB128 number."""
+    """Return a signed LEB128 number."""
     out = bytearray()
     while not -0x40 <= value < 0x40:
         out.append(value & 0x7F | 0x80)
@@ -90,7 +90,7 @@ def _section(number: int, content: bytes) -> bytes:
 
 
 def encode(instr: Instr) -> bytes:
-    """Gives the bytes of one instruction."""
+    """Return the bytes of one instruction."""
     name = instr[0]
     if name in _PLAIN:
         return _PLAIN[name]
@@ -136,7 +136,7 @@ class Code:
     body: list[Instr]
 
     def to_binary(self) -> tuple[bytes, list[int]]:
-        """Gives the entry in the code section, and where in its content `UNLIKELY` tests stand."""
+        """Return the entry in the code section, and where in its content `UNLIKELY` tests stand."""
         content, hints = bytearray(self._head()), []
         for instr in self.body:
             if instr is UNLIKELY:
@@ -146,11 +146,11 @@ class Code:
         return unsigned(len(content)) + content, hints
 
     def start(self) -> int:
-        """Gives where in the entry's content the instructions begin [bytes]."""
+        """Return where in the entry's content the instructions begin [bytes]."""
         return len(self._head())
 
     def _head(self) -> bytes:
-        """Gives the part of the entry that tells of the locals."""
+        """Return the part of the entry that tells of the locals."""
         runs: list[tuple[int, str]] = []
         for kind in self.locals:
             if runs and runs[-1][1] == kind:
@@ -189,13 +189,13 @@ class Module:
     start: int | None = None
 
     def types(self) -> list[FuncType]:
-        """Gives the function types in the order of the type section."""
+        """Return the function types in the order of the type section."""
         return list(
             dict.fromkeys([TYPE_I32_I32, TYPE_CALL, *(code.type for code in self.functions)])
         )
 
     def to_binary(self) -> bytes:
-        """Gives the module in the binary format."""
+        """Return the module in the binary format."""
         kinds = {"func": 0, "table": 1, "memory": 2, "global": 3}
         types = self.types()
         code = [each.to_binary() for each in self.functions]
@@ -220,7 +220,7 @@ class Module:
         return b"\x00asm\x01\x00\x00\x00" + b"".join(parts.get(each, b"") for each in order)
 
     def to_text(self) -> str:
-        """Gives the functions in the text format, for people to read."""
+        """Return the functions in the text format, for people to read."""
         return "\n".join(_function_text(code) for code in self.functions)
 
 
@@ -244,7 +244,7 @@ def _element(table: int, first: int, functions: list[int]) -> bytes:
 
 
 def _branch_hints(hints: Sequence[list[int]]) -> bytes:
-    """Gives the custom section that calls the tests at these places of each function unlikely."""
+    """Return the custom section that calls the tests at these places of each function unlikely."""
     rows = []
     for function, places in enumerate(hints):
         if places:

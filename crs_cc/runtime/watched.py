@@ -59,7 +59,7 @@ WATCHED: Final = np.dtype(
 
 
 def grains(first: int, size: int) -> int:
-    """Gives the grains that an access touches if it touches some bytes, and is not a copy."""
+    """Return the grains that an access touches if it touches some bytes, and is not a copy."""
     start, last = first - LONGEST + 1 >> GRAIN, first + size - 1 >> GRAIN
     bits = 0
     for grain in range(start, min(last, start + 63) + 1):
@@ -68,10 +68,10 @@ def grains(first: int, size: int) -> int:
 
 
 def range_offset(field: str) -> int:
-    """Gives where a field lies in a range [bytes]."""
+    """Return where a field lies in a range [bytes]."""
     return int(RANGE.fields[field][1])  # type: ignore[index]
 
 
 def offset(field: str) -> int:
-    """Gives where a field lies in the memory `marks` [bytes]."""
+    """Return where a field lies in the memory `marks` [bytes]."""
     return int(WATCHED.fields[field][1])  # type: ignore[index]

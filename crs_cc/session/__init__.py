@@ -1,1 +1,1 @@
-"""The run: compiles programs, and lets programs and environment take turns."""
+"""Runs: compile programs, and run them with the environment, one timestep after the other."""

@@ -1,4 +1,4 @@
-"""From the user's C files to an executable: compile, link, generate code, remember."""
+"""From the user's C files to an executable: compile, link, generate code, cache."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from crs_cc.session.device_library import device_sources
 
 @dataclass(frozen=True, slots=True)
 class _Entry:
-    """A cached executable: what it was made of, and what came out.
+    """A cached executable, with the digests of its sources.
 
     Attributes:
         digests: of every file that the compiler looked for, see `Diagnostics`.
         machine_code: wasmtime's serialised module.
-        source: the pickled IR and lines of C, which only messages and debuggers need.
-        warnings: what the compiler had to say.
+        source: the pickled IR and source lines, which only messages and debuggers need.
+        warnings: the compiler's warnings.
     """
 
     digests: dict[str, str]
@@ -49,22 +49,22 @@ def build_executable(
     trap_overflow: bool = False,
     dialect: Dialect | None = None,
 ) -> Executable:
-    """Gives the program made of some C files, from the cache if nothing has changed.
+    """Compile and link C files, or load the program from the cache if nothing has changed.
 
     Args:
         paths: the C files.
-        diagnostics: takes the warnings.
+        diagnostics: receives the warnings.
         include_paths: folders for `#include`, in order.
         defines: macros as `NAME`, `NAME=value` or `NAME(x)=value`.
-        undefines: predefined macros to leave out.
-        standard: the C that it is written in, see `frontend.options.STANDARDS`.
-        checked: test every access through a pointer.
-        debug: make every statement a place to stop at.
-        trap_overflow: stop at signed overflow, where accesses are tested.
-        dialect: whose functions it calls; by default what the files look like.
+        undefines: predefined macros to remove.
+        standard: its C standard, see `frontend.preprocess.options.STANDARDS`.
+        checked: check every access through a pointer.
+        debug: allow breakpoints on every statement.
+        trap_overflow: stop at signed overflow, in checked builds.
+        dialect: the API that it calls; by default it is detected.
 
     Raises:
-        CompileError: the files do not make a program.
+        CompileError: the files are not a valid program.
     """
     name = " ".join(map(str, paths))
     flags = {"checked": checked, "debug": debug, "trap_overflow": trap_overflow}
@@ -93,7 +93,7 @@ def build_executable(
     options = library_options(tuple(include_paths), tuple(defines), tuple(undefines), standard)
     own = Diagnostics(digests={str(path): digest(path) for path in paths})
     try:
-        with without_collector():  # a fifth of the time
+        with without_collector():  # saves a fifth of the time
             options = replace(options, dialect=dialect or dialect_of(paths, options))
             executable = _compile(paths, options, own, name, flags)
             made = executable.detail()
@@ -120,7 +120,7 @@ def _compile(
 
     units = []
     for path in paths:
-        # Messages of its own: errors in one file do not stop the next.
+        # Separate diagnostics: errors in one file do not stop the next.
         found = Diagnostics(digests=diagnostics.digests)
         with contextlib.suppress(CompileError):
             units.append(compile_file(path, options, found))
@@ -137,10 +137,10 @@ def _compile(
 
 
 def build_watching(executable: Executable) -> Executable:
-    """Gives the watching build of a program, from the cache if it was made before.
+    """Return the watching build of a program, from the cache if possible.
 
-    What is known of the code is the same for both builds, see `codegen.watching`; so this has that
-    of the other.
+    Both builds have the same debug information, see `codegen.watching`; so this one shares that of
+    the other.
 
     Args:
         executable: its debug build.
@@ -172,7 +172,7 @@ def _unchanged(entry: _Entry) -> bool:
 
 
 def _reload(entry: _Entry, flags: dict[str, bool]) -> Callable[[], Detail]:
-    """Gives a function that makes a cached program's detail when it is first asked for."""
+    """Return a function that builds a cached program's detail on first use."""
 
     @functools.cache
     def detail() -> Detail:

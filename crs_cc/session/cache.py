@@ -1,9 +1,9 @@
-"""What was compiled before, on disk, so that a program starts at once the second time.
+"""The compile cache on disk.
 
-An entry is a pickle behind its SHA-256, so that a damaged one is known before it is loaded. A
-pickle can run any code: the folder must belong to the user, and nobody else may write there.
-Otherwise, and where there is no folder, nothing is kept. Every name contains the fingerprint of
-the compiler, so a changed compiler never meets an old entry. `cache_size` bounds the folder.
+An entry is a pickle preceded by its SHA-256, so that a corrupt one is detected before it is
+loaded. A pickle can run any code: the folder must belong to the user and not be writable by
+others; otherwise the cache is disabled. Every name contains the fingerprint of
+the compiler, so a changed compiler never loads an old entry. `cache_size` bounds the folder.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from typing import TypeVar
 from crs_cc.session.cache_size import TEMPORARY, Room
 
 PACKAGE = Path(__file__).parent.parent
-COMPILER = ("requests", "ir", "frontend", "runtime", "session")
+COMPILER = ("core", "requests", "ir", "frontend", "runtime", "session")
 SUFFIXES = {".py", ".c", ".h", ".txt"}
 
 _DIGEST_SIZE = hashlib.sha256().digest_size
@@ -33,18 +33,18 @@ _room = Room()
 
 
 def folder() -> Path | None:
-    """Gives the cache folder: `$CRS_CACHE`, or `crs_cc` in the user's cache folder, if any."""
+    """Return the cache folder: `$CRS_CACHE`, or `crs_cc` in the user's cache folder, if any."""
     chosen = os.environ.get("CRS_CACHE")
     if chosen:
         return Path(chosen)
     try:
         return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "crs_cc"
-    except RuntimeError:  # no $HOME, and a user whom the system does not know
+    except RuntimeError:  # no $HOME, and no passwd entry
         return None
 
 
 def sources() -> list[Path]:
-    """Gives the files that decide what the compiler makes of a source, the C library's too."""
+    """Return the files that determine the compiler's output, including the C library's."""
     found = list(PACKAGE.glob("*.py"))
     for part in COMPILER:
         found += [path for path in (PACKAGE / part).rglob("*") if path.suffix in SUFFIXES]
@@ -53,7 +53,7 @@ def sources() -> list[Path]:
 
 @functools.cache
 def fingerprint() -> str:
-    """Gives a hash of everything that decides what the compiler makes of a source."""
+    """Return a hash of everything that determines the compiler's output."""
     digest = hashlib.sha256()
     digest.update(f"{sys.version_info[:2]} {sys.platform} {os.uname().machine}".encode())
     for package in ("pycparser", "wasmtime"):
@@ -64,7 +64,7 @@ def fingerprint() -> str:
 
 
 def key(*parts: str | bytes | Iterable[str]) -> str:
-    """Gives the name of the entry for these inputs to the compiler."""
+    """Return the name of the entry for these inputs of the compiler."""
     digest = hashlib.sha256(fingerprint().encode())
     for part in parts:
         rows = [part] if isinstance(part, str | bytes) else list(part)
@@ -76,7 +76,7 @@ def key(*parts: str | bytes | Iterable[str]) -> str:
 
 
 def load(name: str, kind: type[_Entry]) -> _Entry | None:
-    """Gives an entry of a kind, or None when there is none that is whole."""
+    """Return an entry of a type, or None if it is missing or corrupt."""
     place = folder()
     try:
         if place is None or not is_private(place):
@@ -84,22 +84,22 @@ def load(name: str, kind: type[_Entry]) -> _Entry | None:
         content = (place / name).read_bytes()
     except OSError:
         return None
-    with contextlib.suppress(OSError):  # a folder that can only be read is good enough
-        os.utime(place / name)  # used now
+    with contextlib.suppress(OSError):  # a read-only folder is good enough
+        os.utime(place / name)  # last use
     digest, pickled = content[:_DIGEST_SIZE], content[_DIGEST_SIZE:]
     if hashlib.sha256(pickled).digest() != digest:
         return None
     try:
         entry = pickle.loads(pickled)  # noqa: S301 - see the module's docstring
-    except Exception:  # whatever a pickle of something else may raise
+    except Exception:  # unpickling may raise anything
         return None
     return entry if isinstance(entry, kind) else None
 
 
 def store(name: str, entry: object) -> None:
-    """Keep an entry; do nothing where the folder cannot be written, or is not private.
+    """Store an entry; do nothing if the folder is not writable or not private.
 
-    Entries that were used the longest time ago are removed if they have to make room for it.
+    The least recently used entries are evicted to make room for it.
     """
     place = folder()
     if place is None:
@@ -113,7 +113,7 @@ def store(name: str, entry: object) -> None:
 
 
 def is_private(place: Path) -> bool:
-    """Tells whether a folder is the user's own, and only the user can write there.
+    """Return whether a folder belongs to the user and is not writable by others.
 
     Raises:
         OSError: there is no such folder.
@@ -124,7 +124,7 @@ def is_private(place: Path) -> bool:
 
 
 def _write(path: Path, content: bytes) -> None:
-    """Writes a file that appears at once or not at all.
+    """Write a file atomically.
 
     Raises:
         OSError: it cannot be written; nothing is left behind.

@@ -1,9 +1,9 @@
-"""How large the cache may grow: the entries that were used the longest time ago give way.
+"""The size limit of the cache: the least recently used entries are evicted.
 
-The time of an entry's last use is its file's time of modification. The folder is looked through
+The time of an entry's last use is its file's modification time. The folder is scanned
 when a process first stores an entry, and again after it has stored a sixteenth of the limit, so
-that neither hits nor most stores depend on how much there is. Several processes may evict at once:
-an entry that another one has removed is gone, and each of them stays within its sixteenth.
+that neither hits nor most stores depend on its size. Several processes may evict at once:
+an entry that another one has removed is skipped, and each stays within its sixteenth.
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ from typing import Final
 
 LIMIT_VARIABLE: Final = "CRS_CACHE_SIZE"
 DEFAULT_LIMIT: Final = 2**30
-"""How large the cache may be where the user says nothing else [bytes]."""
+"""The default limit of the cache [bytes]."""
 
 TEMPORARY: Final = ("crs-", ".tmp")
-"""How the name of an entry that is being written begins and ends."""
+"""Prefix and suffix of the name of an entry that is being written."""
 
 _OURS: Final = re.compile(r"[0-9a-f]{32}|crs-\w{8}\.tmp")
 _SIZE: Final = re.compile(r"(\d{1,15}) *([KMG]?)(?:iB|B)?", re.IGNORECASE)
@@ -30,12 +30,12 @@ _UNITS: Final = {"": 1, "K": 2**10, "M": 2**20, "G": 2**30}
 
 @dataclass(frozen=True, slots=True, order=True)
 class StoredEntry:
-    """An entry as it lies on disk.
+    """An entry on disk.
 
     Attributes:
-        used_ns: when it was last used, in nanoseconds of the system's clock.
-        name: its name in the folder.
-        size: how large it is [bytes].
+        used_ns: time of its last use [ns since the epoch].
+        name: its file name.
+        size: its size [bytes].
     """
 
     used_ns: int
@@ -44,19 +44,19 @@ class StoredEntry:
 
 
 def limit_bytes() -> int:
-    """Return how large the cache may be: `$CRS_CACHE_SIZE`, or the default if that is no size."""
+    """Return the size limit of the cache: `$CRS_CACHE_SIZE`, or the default if that is invalid."""
     chosen = _size(os.environ.get(LIMIT_VARIABLE, ""))
     return DEFAULT_LIMIT if chosen is None else chosen
 
 
 def bad_limit() -> str:
-    """Return what stands in `$CRS_CACHE_SIZE` if it is not a size, else nothing."""
+    """Return the value of `$CRS_CACHE_SIZE` if it is invalid, else ""."""
     text = os.environ.get(LIMIT_VARIABLE, "")
     return text if text and _size(text) is None else ""
 
 
 def _size(text: str) -> int | None:
-    """Return a number of bytes.
+    """Parse a size to a number of bytes.
 
     >>> _size("500M"), _size("2 GiB"), _size("0"), _size("much")
     (524288000, 2147483648, 0, None)
@@ -66,7 +66,7 @@ def _size(text: str) -> int | None:
 
 
 def stored_entries(folder: Path) -> list[StoredEntry]:
-    """Return the entries in a folder, the least recently used first; other files are not ours.
+    """Return the entries in a folder, the least recently used first; ignore other files.
 
     Raises:
         OSError: the folder cannot be read.
@@ -84,7 +84,7 @@ def stored_entries(folder: Path) -> list[StoredEntry]:
 
 
 def remove(folder: Path, entry: StoredEntry) -> None:
-    """Remove an entry, unless somebody else was faster.
+    """Remove an entry, unless it is already gone.
 
     Raises:
         OSError: it cannot be removed.
@@ -93,7 +93,7 @@ def remove(folder: Path, entry: StoredEntry) -> None:
 
 
 class Room:
-    """How much may be stored in a folder before somebody has to look how much there is."""
+    """The amount that may be stored in a folder before it has to be scanned again."""
 
     def __init__(self) -> None:
         self._left: dict[tuple[Path, int], int] = {}
@@ -116,9 +116,9 @@ class Room:
 
 
 def _evict(folder: Path, most: int) -> int:
-    """Remove entries, if they are larger than so many bytes together; return what is left.
+    """Evict entries if they exceed a total size, and return the size of the rest.
 
-    Then an eighth is made free, so that the next ones are stored without another look.
+    An eighth is freed, so that the next entries are stored without another scan.
     """
     entries = stored_entries(folder)
     total = sum(entry.size for entry in entries)

@@ -1,8 +1,8 @@
-r"""A robot's files: what its program reads and writes, in memory, never on the host's disk.
+r"""A robot's file system, in memory, never on the host's disk.
 
-The program sees a disk of its own, with the user's inputs on it. Names are taken apart here: `..`
-ends at the disk's root, and folders exist because files are in them. Files have numbers, as inodes
-have, and live on without a name while they are open.
+The program sees a disk of its own, with the user's input files. Paths are resolved here: `..`
+stops at the disk's root, and folders exist if they contain files. Files have numbers like inodes,
+and continue to exist without a name while they are open.
 
 >>> disk = Disk({"maps/room.txt": b"4 4"})
 >>> number = disk.open(b"/maps/../maps/room.txt", 0)
@@ -22,10 +22,10 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 DISK_BYTES: Final = 16 * 2**20
-"""How much a robot's program can write; chosen by us: as much as it has memory."""
+"""The capacity for a program's own data [bytes]; chosen by us: the size of its memory."""
 
 DISK_FILES: Final = 1000
-"""How many files a robot can have, those of the user not counted."""
+"""The maximum number of a robot's files, not counting the user's."""
 
 LONGEST_PART: Final = 255  # of a name, between two slashes; Linux's NAME_MAX [bytes]
 
@@ -34,7 +34,7 @@ CREATE, EXCLUSIVE, TRUNCATE, NAMELESS = 0o100, 0o200, 0o1000, 0o20000000
 
 ENOENT, EBADF, EACCES, EEXIST, ENOTDIR, EISDIR = 2, 9, 13, 17, 20, 21
 EINVAL, ENFILE, ENOSPC, ENAMETOOLONG = 22, 23, 28, 36
-"""Linux's error numbers, which the C library has, whatever the host's are."""
+"""Linux's error numbers, which the C library uses, whatever the host's are."""
 
 _NULL_DEVICE: Final = 0
 _MISSED: Final = 100
@@ -45,10 +45,10 @@ class File:
     """One file.
 
     Attributes:
-        content: its bytes; immutable as long as a snapshot, or another robot, may share them.
+        content: its bytes; immutable while a snapshot or another robot may share them.
         named: whether it has a name.
-        uses: how many descriptors are open.
-        changed: whether the program made or changed it.
+        uses: number of open descriptors.
+        changed: whether the program created or changed it.
     """
 
     content: bytes | bytearray
@@ -59,21 +59,21 @@ class File:
 
 @dataclass(frozen=True, slots=True)
 class DiskSnapshot:
-    """A disk as it was; see `Disk.snapshot`."""
+    """The state of a disk; see `Disk.snapshot`."""
 
     names: dict[bytes, int]
     files: dict[int, File]
 
 
 class Disk:
-    """The files of one robot. What cannot be done gives a negative error number, as in Linux.
+    """The files of one robot. Failures return a negative error number, as in Linux.
 
     Attributes:
-        missed: names that were opened and did not exist, the first of them.
+        missed: the first names that were opened and did not exist.
     """
 
     def __init__(self, inputs: Mapping[str, bytes]) -> None:
-        """Puts the user's files on the disk, by their names."""
+        """Store the user's files, by name."""
         self.missed: list[bytes] = []
         self._names: dict[bytes, int] = {}
         self._files: dict[int, File] = {_NULL_DEVICE: File(b"")}
@@ -82,7 +82,7 @@ class Disk:
             self.put(name, content)
 
     def put(self, name: str, content: bytes) -> int:
-        """Puts a file of the user's on the disk; gives 0, or a negative error number."""
+        """Store a file of the user's; return 0 or a negative error number."""
         asked = name.encode("utf-8", "surrogateescape")
         path, number = normal(asked), len(self._files)
         failed = -EEXIST if path in self._names else self._refusal(asked, path)
@@ -93,7 +93,7 @@ class Disk:
         return failed
 
     def open(self, name: bytes, flags: int) -> int:
-        """Gives a file's number; makes it, or empties it, when the flags say so."""
+        """Open a file, create or truncate it if the flags say so, and return its number."""
         if flags & NAMELESS:
             return self._make(None)
         path = normal(name)
@@ -116,7 +116,7 @@ class Disk:
         return number
 
     def close(self, number: int) -> int:
-        """Hears that a file is open once less; forgets it when it has no name either."""
+        """Close a descriptor of a file; delete the file if it was the last and there is no name."""
         file = self._files.get(number)
         if file is None:
             return -EBADF
@@ -125,14 +125,14 @@ class Disk:
         return 0
 
     def read(self, number: int, offset: int, wanted: int) -> bytes | int:
-        """Gives bytes from a place in a file; fewer than wanted at its end."""
+        """Read bytes at an offset; fewer than wanted at the end of the file."""
         file = self._files.get(number)
         if file is None or offset < 0 or wanted < 0:
             return -EBADF if file is None else -EINVAL
         return bytes(file.content[offset : offset + wanted])
 
     def write(self, number: int, offset: int, content: bytes) -> int:
-        """Writes to a place in a file, -1 for its end; gives the place behind what was written."""
+        """Write at an offset, -1 for the end, and return the offset after the data."""
         file = self._files.get(number)
         if file is None or offset < -1:
             return -EBADF if file is None else -EINVAL
@@ -148,7 +148,7 @@ class Disk:
         return end
 
     def resize(self, number: int, size: int) -> int:
-        """Cuts a file off or fills it up with zeros; -1 changes nothing. Gives its size."""
+        """Truncate a file or extend it with zeros, unless size is -1, and return its size."""
         file = self._files.get(number)
         if file is None or size < -1:
             return -EBADF if file is None else -EINVAL
@@ -165,7 +165,7 @@ class Disk:
         return size
 
     def remove(self, name: bytes) -> int:
-        """Takes a file's name away."""
+        """Remove a file's name."""
         path = normal(name)
         number = self._names.pop(path, None)
         if number is None:
@@ -175,7 +175,7 @@ class Disk:
         return 0
 
     def rename(self, old: bytes, new: bytes) -> int:
-        """Gives a file another name; a file that had it loses it."""
+        """Rename a file, replacing a file of the new name."""
         number, path = self._names.get(normal(old)), normal(new)
         if number is None:
             return self._refusal(old, normal(old)) or -ENOENT
@@ -191,7 +191,7 @@ class Disk:
         return failed
 
     def outputs(self) -> dict[bytes, bytes]:
-        """Gives the files that the program made or changed, by name, in the order of the names."""
+        """Return the files that the program created or changed, sorted by name."""
         return {
             name: bytes(self._files[number].content)
             for name, number in sorted(self._names.items())
@@ -199,18 +199,18 @@ class Disk:
         }
 
     def snapshot(self) -> DiskSnapshot:
-        """Gives the disk as it is; contents are shared until somebody changes them."""
+        """Return the state of the disk; contents are shared until they are changed."""
         for file in self._files.values():
             file.content = bytes(file.content)
         return DiskSnapshot(dict(self._names), _copies(self._files))
 
     def restore(self, snapshot: DiskSnapshot) -> None:
-        """Makes the disk what it was."""
+        """Restore a snapshot."""
         self._names = dict(snapshot.names)
         self._files = _copies(snapshot.files)
 
     def state(self) -> Iterator[bytes]:
-        """Gives everything that the program has done to the disk, for a hash."""
+        """Yield the changes made by the program, to be hashed."""
         for name, number in sorted(self._names.items()):
             yield b"%d:%s;" % (number, name)
         for number, file in sorted(self._files.items()):
@@ -232,7 +232,7 @@ class Disk:
             del self._files[number]
 
     def _refusal(self, name: bytes, path: bytes) -> int:
-        """Gives why there can be no file of a name, 0 when there can."""
+        """Return the error number for creating a file of a name, 0 for none."""
         parts = path.split(b"/")
         if not name:
             return -ENOENT
@@ -251,7 +251,7 @@ class Disk:
 
 
 def normal(name: bytes) -> bytes:
-    """Gives the one form of a name: without a slash at its ends, `.`, or `..`.
+    """Return the canonical form of a path: without outer slashes, `.` or `..`.
 
     >>> normal(b"/logs//./today/../run.txt"), normal(b"../../etc/passwd")
     (b'logs/run.txt', b'etc/passwd')
@@ -266,7 +266,7 @@ def normal(name: bytes) -> bytes:
 
 
 def _mutable(file: File) -> bytearray:
-    """Gives a file's content for changing; from now on it belongs to this file alone."""
+    """Return a file's content as a mutable array that is not shared."""
     if isinstance(file.content, bytes):
         file.content = bytearray(file.content)
     file.changed = True

@@ -1,6 +1,6 @@
-"""The requests that a program's host computer answers: streams, files, time, arguments, the end.
+"""The requests answered by a program's host computer: streams, files, time, arguments, exit.
 
-A request costs processor time like a system call; apart from `SLEEP` it is answered at once.
+A request costs processor time like a system call; except for `SLEEP` it is answered at once.
 """
 
 from __future__ import annotations
@@ -26,18 +26,18 @@ Client = Literal["nclient", "ndirect"]
 CLIENTS: Final[tuple[Client, ...]] = ("nclient", "ndirect")
 
 Output = Callable[[int, int, bytes], None]
-"""Takes what a program writes: robot number, stream (1 or 2), bytes."""
+"""Receives a program's output: robot number, stream (1 or 2), bytes."""
 
 Input = Callable[[int, int], bytes]
-"""Gives what a program reads from its standard input: robot number, bytes wanted at most."""
+"""Returns a program's standard input: robot number, maximum number of bytes."""
 
 
 def discard(_robot: int, _stream: int, _content: bytes) -> None:
-    """Takes a program's output and drops it."""
+    """Discard a program's output."""
 
 
 def no_input(_robot: int, _wanted: int) -> bytes:
-    """Gives the end of the standard input."""
+    """Return the end of file."""
     return b""
 
 
@@ -49,7 +49,7 @@ class HostRequest:
     """One request to be answered in place.
 
     Attributes:
-        robot: whose it is.
+        robot: the robot's number.
         message: a view of its message, one element of dtype `MESSAGE`.
         clock_s: the program's clock [s].
         used_s: processor time that the program has used [s].
@@ -65,7 +65,7 @@ class Host:
     """The host computers of all robots.
 
     Attributes:
-        exit_status: by robot, the status that its program ended with; None while it runs.
+        exit_status: by robot, its program's exit status; None while it runs.
         disks: by robot, its files.
     """
 
@@ -77,14 +77,14 @@ class Host:
         files: Mapping[str, bytes] | None = None,
         client: Client = "nclient",
     ) -> None:
-        """Makes one host for each robot.
+        """Create a host for each robot.
 
         Args:
             arguments: for each robot `argv`.
-            output: takes what the programs write to their standard streams.
-            read: gives what they read from their standard input.
-            files: what every program finds on its disk, by name.
-            client: which of the vendor's client libraries ours behaves like.
+            output: receives what the programs write to their standard streams.
+            read: returns what they read from their standard input.
+            files: the initial contents of every program's disk, by file name.
+            client: which of the vendor's client libraries to emulate.
         """
         self._client = CLIENTS.index(client)
         self.exit_status: list[int | None] = []
@@ -109,17 +109,17 @@ class Host:
             self._serve[CODES[f"FILE_{name}"]] = functools.partial(self._file, serve)
 
     def add(self, arguments: Sequence[str]) -> None:
-        """Makes the host of a further robot."""
+        """Add the host of another robot."""
         self.exit_status.append(None)
         self.disks.append(Disk(self._files))
         self._arguments.append([each.encode("utf-8", "surrogateescape") for each in arguments])
 
     def keep(self, count: int) -> None:
-        """Takes out all hosts but the first ones."""
+        """Remove all hosts but the first `count`."""
         del self.exit_status[count:], self.disks[count:], self._arguments[count:]
 
     def serve(self, code: int, request: HostRequest) -> float:
-        """Answers a request; an unknown code gets the result -1. Gives when the program goes on."""
+        """Answer a request (-1 for an unknown code), and return when the program resumes [s]."""
         handler = self._serve.get(code)
         if handler is not None:
             return handler(request)
@@ -161,7 +161,7 @@ class Host:
         return request.clock_s
 
     def _unconnected(self, request: HostRequest) -> float:
-        request.message["result"] = 0  # the session knows where the program stands
+        request.message["result"] = 0  # the session notes the call site
         return request.clock_s
 
     def _which_client(self, request: HostRequest) -> float:
@@ -169,7 +169,7 @@ class Host:
         return request.clock_s
 
     def _file(self, serve: FileServer, request: HostRequest) -> float:
-        """Answers a request about files: the reply's result is what the disk gives."""
+        """Answer a file request with the result of the disk operation."""
         message = request.message
         size = min(max(int(message["size"]), 0), DATA_SIZE)
         first, second, third = message["i"][:3].tolist()
@@ -183,9 +183,9 @@ class Host:
 
 
 TimeServer = Callable[[Any, FloatArray, FloatArray], FloatArray]
-"""Answers requests in place; gives when programs go on, from their clocks and processor times.
+"""Answers requests in place; returns when programs resume, from clocks and processor times.
 
-All have the same shape: that of one request, or of many at once.
+All have the same shape: that of one request, or of many.
 """
 
 
@@ -205,7 +205,7 @@ def _serve_time(serve: TimeServer, request: HostRequest) -> float:
 
 
 TIME_SERVERS: Final[dict[int, TimeServer]] = {CODES["CLOCK"]: _clock, CODES["SLEEP"]: _sleep}
-"""Who answers the requests about time: the same for all hosts, so for many programs at once."""
+"""Handlers of the requests about time, which serve many programs at once."""
 
 FileServer = Callable[[Disk, int, int, int, bytes], int | bytes]
 
@@ -222,7 +222,7 @@ _FILES: Final[dict[str, FileServer]] = {
         names[: max(size, 0)], names[max(size, 0) :]
     ),
 }
-"""What each request about files asks of the disk, given `i[0]`, `i[1]`, `i[2]` and the data."""
+"""The disk operation of each file request, given `i[0]`, `i[1]`, `i[2]` and the data."""
 
 
 def _reply_bytes(message: Any, content: bytes) -> None:

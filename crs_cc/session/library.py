@@ -1,7 +1,7 @@
-"""The C library as the linker sees it: each unit is compiled when it is first needed, and kept.
+"""The C library for the linker: each unit is compiled on first use, and cached.
 
-`runtime/lib/index.txt` says which unit defines a name, so that a program costs the units that it
-uses and no others. A test holds it to the sources, and rewrites it with `--update-goldens`.
+`runtime/lib/index.txt` lists the unit that defines each name, so that only the units that a program
+uses are compiled. A test compares it to the sources, and updates it with `--update-goldens`.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ def library_options(
 
 
 class CachedLibrary:
-    """The library's units, each loaded when one of its names is looked for.
+    """The library's units, each loaded when one of its names is looked up.
 
     Raises:
         InternalError: the library itself does not compile.
@@ -52,7 +52,7 @@ class CachedLibrary:
 
     def __init__(self) -> None:
         self._units: dict[str, Program] = {}
-        self._index: dict[str, str] = {}  # which unit defines a name
+        self._index: dict[str, str] = {}  # name to unit
         for line in (SOURCES / "index.txt").read_text("utf-8").splitlines():
             unit, _, names = line.partition(":")
             self._index |= dict.fromkeys(names.split(), unit)
@@ -60,7 +60,7 @@ class CachedLibrary:
         self._known = frozenset(self._index.values())
 
     def find(self, name: str) -> Function | Data | None:
-        """Gives the library's definition of a name; a unit's own names begin with the unit."""
+        """Return the library's definition of a name; static names are prefixed by the unit's."""
         own, colon, _ = name.removeprefix(LIBRARY).partition(":")
         unit = own if colon and name.startswith(LIBRARY) else self._index.get(name)
         if unit is None or unit not in self._known:
@@ -71,18 +71,18 @@ class CachedLibrary:
         return found.functions.get(name) or found.data.get(name)
 
     def names(self) -> Sequence[str]:
-        """Gives the names that programs can use."""
+        """Return the public names."""
         return [name for name in self._index if not name.startswith("__")]
 
 
 @functools.cache
 def library() -> CachedLibrary:
-    """Gives the library of this process."""
+    """Return the library of this process."""
     return CachedLibrary()
 
 
 def index_of_sources() -> str:
-    """Gives what `index.txt` must say: a line for each unit, with the names that it defines.
+    """Return the contents of `index.txt`: a line for each unit, with the names that it defines.
 
     Raises:
         InternalError: the library does not compile, or defines a name twice.
@@ -102,7 +102,7 @@ def index_of_sources() -> str:
 
 
 def _load(unit: str) -> Program:
-    """Return a unit from the cache, or compile and keep it."""
+    """Load a unit from the cache, or compile and cache it."""
     entry = cache.key("library", unit, device_sources() if unit in units() else "")
     program = cache.load(entry, Program)
     if program is None:

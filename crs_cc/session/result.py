@@ -1,4 +1,4 @@
-"""What came out of a run, and its whole state, as plain data."""
+"""The results and the state of a run, as plain data."""
 
 from __future__ import annotations
 
@@ -20,31 +20,31 @@ Pose = tuple[float, float, float]
 """x [m], y [m], heading [rad, counter-clockwise from x]."""
 
 Outcome = Literal["exited", "running", "failed", "left", "absent"]
-"""How a robot's program ended, or that it runs, or that its robot has not joined."""
+"""How a robot's program ended, or its current state."""
 
 
 @dataclass(frozen=True, slots=True)
 class RobotResult:
-    """One robot at the end of a run.
+    """The result of one robot.
 
     Attributes:
         id: its name in the world.
         program: the program that it ran.
-        outcome: how its program ended: it `exited`, `failed`, or its robot `left`; else that it is
-            `running`, or its robot `absent`, as it has not joined.
-        exit_status: what the program returned; None unless it exited.
-        error: why the program was stopped; None unless it failed.
-        time_s: the program's clock when it ended, or now [s]; 0 if it has not begun.
-        odometry: where the robot believes to be, in the frame of its odometry.
-        pose: where it is, in the world's frame.
-        distance_m: how far it has driven [m].
-        collisions: how many contacts began.
-        commands: how many commands it was sent.
+        outcome: how its program ended: it `exited`, `failed`, or its robot `left`; otherwise it is
+            `running`, or its robot is `absent`, that is, it has not joined.
+        exit_status: the program's exit status; None unless it exited.
+        error: the run-time error; None unless it failed.
+        time_s: the program's clock when it ended, or now [s]; 0 if it has not started.
+        odometry: its pose by odometry.
+        pose: its pose in the world's frame.
+        distance_m: the distance driven [m].
+        collisions: number of contacts that began.
+        commands: number of commands sent to it.
         fuel: IR instructions that the program has run.
-        robot_call_s: when, by its clock, the program last called its robot, now if it waits for
-            the answer [s]; None if it never did.
-        joined_s: when it joined [s]: 0 for one that was there from the start; None if it has not.
-        left_s: when it left the world, or was kept from joining [s]; None if it has not.
+        robot_call_s: the program's clock at its last robot call, or now if it is waiting for
+            the reply [s]; None if it made none.
+        joined_s: when it joined [s]: 0 if present from the start; None if it has not.
+        left_s: when it left the world or failed to join [s]; None if it has not.
     """
 
     id: str
@@ -70,13 +70,13 @@ class RunResult:
 
     Attributes:
         robots: the robots, in the world's order.
-        timesteps: how many timesteps were run.
+        timesteps: number of timesteps run.
         simulated_s: simulated time [s].
         state_hash: SHA-256 over the arrays of the environment (`sim.state`), and of each robot
-            over its slot, its memory with the states of the bytes, the names of its files and
-            what it has written into them, its clock, its fuel, when its request is due,
-            when it last called its robot and what it returned.
-            What a program has printed is no part of it, nor is what it has been given to read.
+            over its slot, its memory and shadow memory, the names of its files and
+            what it wrote to them, its clock, its fuel, when its request arrives,
+            its last robot call and its exit status.
+            Standard output and standard input are not part of it.
     """
 
     robots: tuple[RobotResult, ...]
@@ -87,7 +87,7 @@ class RunResult:
 
 @dataclass(frozen=True, slots=True)
 class Added:
-    """What a robot runs that was added to a session."""
+    """The program and arguments of a robot that was added to a session."""
 
     executable: Executable
     arguments: tuple[str, ...]
@@ -109,7 +109,7 @@ class SessionSnapshot:
 
 
 def robot_state(state: EnvState, robot: int) -> dict[str, Any]:
-    """Gives the part of a `RobotResult` that the environment knows."""
+    """Return the fields of a `RobotResult` that come from the environment."""
     odometry = (state.odometry.x_m, state.odometry.y_m, state.odometry.heading_rad)
     pose = (state.x_m, state.y_m, state.heading_rad)
     return {

@@ -1,16 +1,16 @@
-"""A run: how programs and environment take turns, one timestep after the other.
+"""A run: programs and environment take turns, one timestep after the other.
 
 Time is cut into cycles `[t, t + dt)`. In each cycle
 
-1. every program that is not waiting runs on until its own clock has passed the end of the cycle.
-   Its clock moves by the processor time it uses (fuel) and by the time its commands take on the
-   link. When it posts a request it stops: the host's requests are answered at once, the robot's
-   when they have come through the link, in this cycle or in a later one;
-2. the environment executes the cycle: the hardware simulator has cut the running commands into
-   one slice for it. Waits that ended in it let their programs go on in the next cycle.
+1. every program that is not waiting runs until its own clock has passed the end of the cycle.
+   Its clock advances by the processor time it uses (fuel) and by the transmission time of its
+   commands on the link. When it posts a request it is suspended: requests to the host are answered
+   at once, those to the robot when they arrive over the link, in this cycle or a later one;
+2. the environment executes the cycle, for which the hardware simulator has cut one slice of each
+   running command. Programs whose waits ended in it resume in the next cycle.
 
-All robots that can go on are resumed in one call, and all requests with the same code are served
-in one call, in the order of their codes; so a run is a function of programs, world and seed alone.
+All runnable programs are resumed in one call, and all requests with the same code are served in one
+call, in the order of the codes; so a run is a function of programs, world and seed alone.
 
 >>> from crs_cc.runtime.testing import counting_program
 >>> from crs_cc.sim.files.world_xml import empty_world
@@ -23,41 +23,201 @@ False
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
-from crs_cc.core.arrays import IndexArray, Int32Array, Int64Array
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array
 from crs_cc.requests import CODES, REGISTERED, REQUESTS, SUSPENDED
 from crs_cc.session.host import (
     HOST_CODES,
     SYSTEM_CALL,
     TIME_SERVERS,
+    Host,
     HostRequest,
+    discard,
+    no_input,
 )
-from crs_cc.session.session_state import ENDLESS, Crew
+from crs_cc.session.session_state import NEVER_S, SessionState
 
 if TYPE_CHECKING:
-    from crs_cc.session.host import TimeServer
+    from crs_cc.runtime.diagnosis.active_call import ActiveCall
+    from crs_cc.runtime.executable import Executable
+    from crs_cc.session.host import Client, Input, Output, TimeServer
+    from crs_cc.session.result import RobotResult, RunResult, SessionSnapshot
+    from crs_cc.sim.engine.step import Step
+    from crs_cc.sim.model.world import Robot, WorldModel
 
-_GOES_OUT = np.isin(np.arange(REGISTERED.stop + 1), list(REQUESTS.keys() - HOST_CODES))
-"""By code, whether a request goes over the link; the last stands for all codes beyond."""
+_ON_LINK = np.isin(np.arange(REGISTERED.stop + 1), list(REQUESTS.keys() - HOST_CODES))
+"""By code, whether a request is sent over the link; the last stands for all codes beyond."""
 
 
-class Session(Crew):
-    """A run of one program in each robot of a world; made, and kept, by `Crew`."""
+class Listener(Protocol):
+    """Is notified of every timestep: a trace, a viewer, a recording."""
+
+    def step(self, step: Step) -> None:
+        """Process what happened in a timestep that has ended."""
+
+
+class Session:
+    """A run of one program in each robot of a world.
+
+    Attributes:
+        state: all that changes in the run.
+        environment: the world, a part of it.
+        fleet: the programs, a part of it.
+    """
+
+    def __init__(
+        self,
+        world: WorldModel,
+        executables: Sequence[Executable],
+        seed: int = 0,
+        *,
+        arguments: Sequence[Sequence[str]] = (),
+        output: Output = discard,
+        read: Input = no_input,
+        files: Mapping[str, bytes] | None = None,
+        client: Client = "nclient",
+        trace: Listener | None = None,
+    ) -> None:
+        """Load the programs into the robots, in the world's order of robots.
+
+        Args:
+            world: the world.
+            executables: one program for each robot.
+            seed: the random seed.
+            arguments: for each robot `argv`; by default just the program's name.
+            output: receives what the programs write.
+            read: returns what they read.
+            files: the initial contents of every program's disk, by file name.
+            client: which of the vendor's client libraries to emulate.
+            trace: is notified of every timestep.
+
+        Raises:
+            ValueError: there is not one program for each robot.
+        """
+        if len(executables) != len(world.robots):
+            raise ValueError(
+                f"{len(executables)} programs for {len(world.robots)} robots (expected one each)"
+            )
+        rows = arguments or [[executable.name] for executable in executables]
+        self._host = Host(rows, output, read, files, client)
+        self.state = SessionState(world, executables, seed, self._host)
+        self.environment = self.state.environment
+        self.fleet = self.state.fleet
+        self._trace = trace
+
+    # -- the state -----------------------------------------------------------------------------
+
+    @property
+    def time_s(self) -> float:
+        """Start of the current cycle [s]."""
+        return self.environment.time_s
+
+    @property
+    def timesteps(self) -> int:
+        """Number of timesteps run."""
+        return self.state.timesteps
+
+    @property
+    def rounds(self) -> int:
+        """Number of rounds of programs run in the current timestep."""
+        return self.state.rounds
+
+    @property
+    def halted(self) -> int | None:
+        """The program that stopped in the middle of a round, if any."""
+        return self.state.halted
+
+    @property
+    def pending(self) -> Int64Array:
+        """Fuel given to each program for the current round; 0 outside a round."""
+        return self.state.pending
+
+    @property
+    def alive(self) -> BoolArray:
+        """Which programs are running."""
+        return self.state.alive
+
+    @property
+    def running(self) -> int:
+        """Number of programs that are running."""
+        return self.state.running
+
+    @property
+    def clock_s(self) -> FloatArray:
+        """Each program's clock [s]; infinite while it waits for an event."""
+        return self.state.clock_s
+
+    @property
+    def fuel(self) -> Int64Array:
+        """IR instructions that each program has run."""
+        return self.state.fuel
+
+    @property
+    def unconnected_calls(self) -> list[ActiveCall | None]:
+        """By robot, the first robot call that its program made without a connection, if any."""
+        return self.state.unconnected_calls
+
+    def add_robot(self, robot: Robot, executable: Executable, arguments: Sequence[str] = ()) -> int:
+        """Add a robot, see `SessionState.add_robot`."""
+        return self.state.add_robot(robot, executable, arguments)
+
+    def remove_robot(self, robot: int | str) -> None:
+        """Remove a robot, see `SessionState.remove_robot`."""
+        self.state.remove_robot(robot)
+
+    def result(self) -> RunResult:
+        """Return the result of the run so far."""
+        return self.state.result()
+
+    def robot_result(self, robot: int) -> RobotResult:
+        """Return the result of one robot so far."""
+        return self.state.robot_result(robot)
+
+    def request_on_link(self, robot: int) -> tuple[int, float] | None:
+        """Return a program's request on the link, see `SessionState.request_on_link`."""
+        return self.state.request_on_link(robot)
+
+    def current_call(self, robot: int) -> ActiveCall | None:
+        """Return the innermost active call in the user's files of a running program, if any."""
+        return self.state.current_call(robot)
+
+    def files(self, robot: int) -> dict[bytes, bytes]:
+        """Return the files that a robot's program created or changed, by name."""
+        return self._host.disks[robot].outputs()
+
+    def missed_files(self, robot: int) -> list[bytes]:
+        """Return the names of files that a robot's program tried to open and did not find."""
+        return self._host.disks[robot].missed
+
+    def snapshot(self) -> SessionSnapshot:
+        """Return the whole state, see `SessionState.snapshot`."""
+        return self.state.snapshot()
+
+    def restore(self, snapshot: SessionSnapshot) -> None:
+        """Restore a snapshot of a session of the same programs, world and seed."""
+        self.state.restore(snapshot)
+
+    def state_hash(self) -> str:
+        """Return the SHA-256 of all state, see `RunResult`."""
+        return self.state.state_hash()
+
+    # -- one timestep --------------------------------------------------------------------------
 
     def step(self) -> bool:
-        """Runs one timestep; gives False when all programs have ended, and no robot is to come."""
+        """Run one timestep; return False when all programs have ended and no robot is to join."""
         while self.run_round():
             pass
         return self.end_cycle()
 
     def run_round(self) -> bool:
-        """Lets programs go on for one round; gives False when all have used up the cycle.
+        """Run programs for one round; return False when all have used up the cycle.
 
-        A debug build that stops before a marked statement ends the call in the middle of the round:
-        `halted` tells whose it is. The next call goes on from there.
+        A debug build that stops at a breakpoint ends the call in the middle of the round; `halted`
+        is its robot. The next call continues from there.
         """
         if not self.begin_round():
             return False
@@ -67,88 +227,96 @@ class Session(Crew):
         return True
 
     def begin_round(self) -> bool:
-        """Finds out which programs go on, and for how long; gives False when none does.
+        """Select the programs to run and their fuel; return False when there is none.
 
-        In the middle of a round it is known already.
+        In the middle of a round, they are selected already.
         """
-        if self.pending.any():
+        state = self.state
+        if state.pending.any():
             return True
         end_s = self.environment.end_s
         self._answer_robots(end_s)
-        ready = np.flatnonzero(self.alive & (self.clock_s < end_s) & (self._due_s == ENDLESS))
+        ready = np.flatnonzero(state.alive & (state.clock_s < end_s) & (state.due_s == NEVER_S))
         if not ready.size:
             return False
-        self.pending[ready] = budgets = self._budgets(ready, end_s)
+        state.pending[ready] = budgets = self._budgets(ready, end_s)
         self.fleet.slots["run"][ready] = 1
         self.fleet.slots["fuel"][ready] = budgets
         return True
 
     def run_programs(self) -> None:
-        """Lets the programs of this round run on, all of them or up to the first that is halted."""
-        if self.halted is not None:
-            self.fleet.slots["run"][self.halted] = 1
-        self.halted = self.fleet.run_round()
+        """Resume the programs of this round, all or up to the first that halts."""
+        state = self.state
+        if state.halted is not None:
+            self.fleet.slots["run"][state.halted] = 1
+        state.halted = self.fleet.run_round()
 
     def end_round(self) -> None:
-        """Takes up what the programs that ran have used, and what they ask for."""
-        slots, ready = self.fleet.slots, np.flatnonzero(self.pending)
-        burnt = self.pending[ready] - slots["fuel"][ready]
-        self.pending[ready] = 0
-        self.rounds += 1
-        self.fuel[ready] += burnt
-        self.clock_s[ready] += burnt / self._speed_hz[ready]
-        self._end(ready[slots["status"][ready] != SUSPENDED])
+        """Advance the clocks of the programs that ran, and handle their requests."""
+        state = self.state
+        slots, ready = self.fleet.slots, np.flatnonzero(state.pending)
+        burnt = state.pending[ready] - slots["fuel"][ready]
+        state.pending[ready] = 0
+        state.rounds += 1
+        state.fuel[ready] += burnt
+        state.clock_s[ready] += burnt / state.speed_hz[ready]
+        state.end(ready[slots["status"][ready] != SUSPENDED])
         codes = slots["code"][ready]
         posted = (slots["status"][ready] == SUSPENDED) & (codes != 0)
         asked, codes = ready[posted], codes[posted]
-        goes_out = _GOES_OUT.take(codes, mode="clip")
-        if goes_out.any():
-            self._send(asked[goes_out], codes[goes_out])
-        if not goes_out.all():
-            self._answer_hosts(asked[~goes_out], codes[~goes_out])
+        on_link = _ON_LINK.take(codes, mode="clip")
+        if on_link.any():
+            self._send(asked[on_link], codes[on_link])
+        if not on_link.all():
+            self._answer_hosts(asked[~on_link], codes[~on_link])
 
     def end_cycle(self) -> bool:
-        """Lets the environment execute the cycle that all programs have used up.
+        """Execute the cycle in the environment when all programs have used it up.
 
-        Gives False when all programs have ended, and no robot is to come.
+        Return False when all programs have ended and no robot is to join.
         """
+        state = self.state
         step = self.environment.step()
-        self.clock_s[step.robots] = self._called_s[step.robots] = step.at_s
+        state.clock_s[step.robots] = state.called_s[step.robots] = step.at_s
         self.fleet.reply(step.robots, step.messages)
-        self.timesteps += 1
-        self.rounds = 0
-        self._meet()
+        state.timesteps += 1
+        state.rounds = 0
+        state.update_presence()
         if self._trace is not None:
             self._trace.step(step)
         return self.running > 0 or self.environment.awaits
 
     def now_s(self, robot: int) -> float:
-        """Gives a program's clock [s], also in the middle of a round."""
+        """Return a program's clock [s], also in the middle of a round."""
+        state = self.state
         burnt = 0
-        if self.pending[robot]:
-            burnt = int(self.pending[robot] - self.fleet.slots["fuel"][robot])
-        return float(self.clock_s[robot] + burnt / self._speed_hz[robot])
+        if state.pending[robot]:
+            burnt = int(state.pending[robot] - self.fleet.slots["fuel"][robot])
+        return float(state.clock_s[robot] + burnt / state.speed_hz[robot])
 
     def _budgets(self, ready: IndexArray, end_s: float) -> Int64Array:
-        """Gives the fuel that takes programs to the end of the cycle."""
-        fuel = np.ceil((end_s - self.clock_s[ready]) * self._speed_hz[ready])
+        """Return the fuel that programs need to reach the end of the cycle."""
+        state = self.state
+        fuel = np.ceil((end_s - state.clock_s[ready]) * state.speed_hz[ready])
         return np.asarray(fuel.astype(np.int64))
 
     def _send(self, robots: IndexArray, codes: Int32Array) -> None:
-        """Puts requests on the link."""
+        """Send requests over the link."""
+        state = self.state
         sizes = self.fleet.slots["message"]["size"][robots]
         link_s = self.environment.link_s(codes, robots, sizes)
-        if not link_s.all():  # else a program that asks without end would keep the simulator busy
+        if not link_s.all():  # else endless requests would never reach the end of the cycle
             self._call_system(robots[link_s == 0.0])
-        self._due_s[robots] = self.clock_s[robots] + link_s
+        state.due_s[robots] = state.clock_s[robots] + link_s
 
     def _call_system(self, robots: IndexArray) -> None:
-        """Lets programs pay for a request with their hosts' processor time."""
-        self.fuel[robots] += SYSTEM_CALL
-        self.clock_s[robots] += SYSTEM_CALL / self._speed_hz[robots]
+        """Charge programs the processor time of a request to the host."""
+        state = self.state
+        state.fuel[robots] += SYSTEM_CALL
+        state.clock_s[robots] += SYSTEM_CALL / state.speed_hz[robots]
 
     def _answer_hosts(self, robots: IndexArray, codes: Int32Array) -> None:
-        """Answers what programs ask of their hosts, at once."""
+        """Answer requests to the host computers, immediately."""
         self._call_system(robots)
         served = np.zeros(len(robots), dtype=np.bool_)
         for code, serve in TIME_SERVERS.items():
@@ -161,32 +329,35 @@ class Session(Crew):
             self._answer_host(robot, code)
 
     def _answer_time(self, serve: TimeServer, robots: IndexArray) -> None:
+        state = self.state
         messages = self.fleet.messages(robots)
-        used_s = self.fuel[robots] / self._speed_hz[robots]
-        self.clock_s[robots] = serve(messages, self.clock_s[robots], used_s)
+        used_s = state.fuel[robots] / state.speed_hz[robots]
+        state.clock_s[robots] = serve(messages, state.clock_s[robots], used_s)
         self.fleet.reply(robots, messages)
 
     def _answer_host(self, robot: int, code: int) -> None:
+        state = self.state
         if code == CODES["UNCONNECTED"]:
-            self.unconnected_calls[robot] = self.fleet.library_call(robot)
+            state.unconnected_calls[robot] = self.fleet.library_call(robot)
         message = self.fleet.slots["message"][robot : robot + 1][0]
-        clock_s = float(self.clock_s[robot])
-        used_s = float(self.fuel[robot] / self._speed_hz[robot])
+        clock_s = float(state.clock_s[robot])
+        used_s = float(state.fuel[robot] / state.speed_hz[robot])
         request = HostRequest(robot, message, clock_s, used_s)
-        self.clock_s[robot] = self._host.serve(code, request)
+        state.clock_s[robot] = self._host.serve(code, request)
         if self._host.exit_status[robot] is not None:
-            self._end(np.array([robot]))
+            state.end(np.array([robot]))
 
     def _answer_robots(self, end_s: float) -> None:
-        """Serves the requests that come through the link before the end of the cycle."""
-        due = np.flatnonzero(self._due_s < end_s)
+        """Serve the requests that arrive over the link before the end of the cycle."""
+        state = self.state
+        due = np.flatnonzero(state.due_s < end_s)
         codes = self.fleet.slots["code"][due]
         for code in sorted(set(codes.tolist())):
             robots = due[codes == code]
             messages = self.fleet.messages(robots)
-            self.clock_s[robots] = self.environment.serve(
-                code, robots, messages, self._due_s[robots]
+            state.clock_s[robots] = self.environment.serve(
+                code, robots, messages, state.due_s[robots]
             )
             self.fleet.reply(robots, messages)
-            self._called_s[robots] = self._due_s[robots]
-            self._due_s[robots] = ENDLESS
+            state.called_s[robots] = state.due_s[robots]
+            state.due_s[robots] = NEVER_S

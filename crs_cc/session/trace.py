@@ -1,14 +1,14 @@
-"""What happens in each timestep, as text.
+"""Traces of each timestep, as text.
 
 `Trace` shows the request queue: one line for each timestep and robot that is in the world.
 
-A line says which command the hardware simulator was running, which slice of it went into the
-timestep, and which requests were answered, each with the instant at which the program went on:
+A line shows the command that the hardware simulator was running, the slice executed in the
+timestep, and the requests answered, each with the time at which the program resumed:
 
     0.200 robot0  VM 5/-  right 0.0049 m  left 0.0049 m  GET_RC() @0.237 pose=4,0,0
 
-Behind the robots' lines of a timestep come its events, each with its instant, what tells it, and
-the robot that it happened to, - for none:
+The robots' lines of a timestep are followed by its events, each with its time, the robot that it
+concerns (- for none) and its kind:
 
     10.000 robot0  degradation: degradation0 began: sonar 3, bias 0.5m
 """
@@ -28,10 +28,10 @@ _TURNING: Final = frozenset({"steering", "turret"})
 
 
 class Trace:
-    """Writes what each robot did in each timestep.
+    """Writes a line for each robot in each timestep.
 
     Args:
-        write: takes one line, without the end of line.
+        write: receives one line, without the end of line.
         names: the robots' names, in the world's order.
     """
 
@@ -41,7 +41,7 @@ class Trace:
         self._width = max(map(len, self._names), default=0)
 
     def step(self, step: Step) -> None:
-        """Hears from the session that a timestep has ended."""
+        """Write the lines of a timestep."""
         for robot, name in enumerate(self._names):
             if not step.slices.present[robot]:
                 continue
@@ -52,15 +52,15 @@ class Trace:
 
 
 class MessageTrace:
-    """Writes what becomes of messages, a line for each thing that happens to one, by time.
+    """Writes the life of messages between robots, a line for each event, by time.
 
-    In the same lines as the events behind a `Trace`; the ways that are shut and opened are there
+    The format is that of the events in a `Trace`; outages and restorations of links are included,
     too:
 
         0.350 robot1  message: radio message 0 of robot0 to all, type 3, 1 bytes: delivered
 
     Args:
-        write: takes one line, without the end of line.
+        write: receives one line, without the end of line.
         names: the robots' names, in the world's order.
         channels: the channels' names.
     """
@@ -74,7 +74,7 @@ class MessageTrace:
         self._width = max(map(len, self._names), default=0)
 
     def step(self, step: Step) -> None:
-        """Hears from the session that a timestep has ended."""
+        """Write the lines of a timestep."""
         said = [event for event in step.events if event.kind == "message"]
         said += events(step.traffic, self._channels, self._names)
         for event in sorted(said, key=lambda event: event.time_s):
@@ -87,12 +87,12 @@ def _event_line(event: Event, names: Sequence[str], width: int) -> str:
 
 
 def _one_line(text: str) -> str:
-    """Gives a text without what would end the line, or do more to a terminal."""
+    """Return a text with control characters escaped."""
     return text if text.isprintable() else text.encode("unicode_escape").decode("ascii")
 
 
 def line(slice_: RobotSlice) -> str:
-    """Gives one robot's timestep as text.
+    """Return one robot's timestep as text.
 
     >>> wheels = (AxisSlice(name, 0.0127, 0.0381, 0.254) for name in ("right", "left"))
     >>> line(RobotSlice("PR", 3, 21, tuple(wheels), True, ()))

@@ -31,14 +31,14 @@ def test_it_is_what_a_terminal_shows_unless_told_otherwise(terminal: pytest.Monk
     assert full_screen.is_wanted(read_options(["--tui", PROGRAM]))
     assert not full_screen.is_wanted(read_options(["--repl", PROGRAM]))
     assert not full_screen.is_wanted(read_options(["--batch", PROGRAM]))
-    with pytest.raises(click.UsageError, match="exclude each other"):
+    with pytest.raises(click.UsageError, match="mutually exclusive"):
         full_screen.is_wanted(read_options(["--batch", "--tui", PROGRAM]))
 
 
 def test_without_a_terminal_nothing_is_said(capsys: pytest.CaptureFixture[str]) -> None:
     assert not full_screen.is_wanted(read_options([PROGRAM]))
     assert capsys.readouterr().err == ""
-    with pytest.raises(click.UsageError, match="no terminal"):
+    with pytest.raises(click.UsageError, match="not a terminal"):
         full_screen.is_wanted(read_options(["--tui", PROGRAM]))
     assert main(["debug", "--tui", PROGRAM]) == 2
     assert "Traceback" not in capsys.readouterr().err
@@ -49,7 +49,7 @@ def test_a_line_says_why_there_is_none(
 ) -> None:
     terminal.setenv("TERM", "dumb")
     assert not full_screen.is_wanted(read_options([PROGRAM]))
-    expected = "crs: no full screen: the terminal cannot show one; going on line by line\n"
+    expected = "crs: no full-screen interface: the terminal does not support it; using the prompt\n"
     assert capsys.readouterr().err == expected
     terminal.setenv("TERM", "xterm")
     terminal.setattr(full_screen, "find_spec", lambda _name: None)

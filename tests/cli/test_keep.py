@@ -52,7 +52,7 @@ def test_several_robots_have_folders_of_their_own() -> None:
 
 def test_without_a_folder_a_warning_says_what_is_lost(capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "copy.c", "--file", "map=map.txt"]) == 0
-    assert "'robot0' wrote logs/copy.txt, which is not kept" in capfd.readouterr().err
+    assert "'robot0' wrote logs/copy.txt, which is not saved" in capfd.readouterr().err
     assert main(["run", "copy.c", "--file", "map=map.txt", "--quiet"]) == 0
     assert capfd.readouterr().err == ""
     assert sorted(path.name for path in Path().iterdir()) == ["copy.c", "map.txt"]
@@ -77,7 +77,7 @@ def test_a_file_that_is_here_but_was_not_named_is_told(capfd: pytest.CaptureFixt
     Path("map").write_text("a map\n")
     assert main(["run", "copy.c"]) == 9
     err = capfd.readouterr().err
-    assert "'robot0' looked for map, which programs do not see" in err
+    assert "'robot0' looked for map, which programs cannot read" in err
     assert "--file map" in err
 
 

@@ -19,7 +19,7 @@ from crs_cc.core.source import Location
 
 
 def run_crs(*arguments: str, **options: object) -> subprocess.CompletedProcess[str]:
-    """Runs crs in a process of its own."""
+    """Run crs in a process of its own."""
     command = [sys.executable, "-m", "crs_cc", *arguments]
     return subprocess.run(command, capture_output=True, text=True, check=False, **options)  # type: ignore[call-overload]
 
@@ -55,11 +55,11 @@ def test_help_imports_nothing_heavy() -> None:
         (["run"], "Missing argument"),
         (["run", "a.c", "--max-time", "soon"], "'soon' is not a valid float"),
         (["run", "a.c", "--max-time", "0"], "0.0 is not in the range"),
-        (["run", "a.c", "--max-time", "nan"], "nan is not a time"),
+        (["run", "a.c", "--max-time", "nan"], "nan is not a valid time"),
         (["run", "a.c", "--seed", "-1"], "-1 is not in the range"),
         (["run", "a.c", "--trace", "all"], "'all' is not one of 'requests', 'messages'"),
         (["run", "a.c", "a.xml", "b.xml"], "more than one world file: a.xml b.xml"),
-        (["run", "a.c", "b.c", "./a.c"], "a.c is named twice"),
+        (["run", "a.c", "b.c", "./a.c"], "a.c is given twice"),
         (["run", "a.c", "--plot", "nowhere/a.svg"], "cannot write 'nowhere/a.svg': no such folder"),
         (["compile", "--emit", "exe", "a.c"], "'exe' is not one of"),
     ],
@@ -96,9 +96,9 @@ def test_a_missing_file_is_named_with_a_proposal(
     ("forgotten", "status", "message"),
     [
         (["fast", "3"], 121, "fast: error: no such file\n    hint: arguments of the program"),
-        (["3"], 121, "3: error: no such file\n    hint: arguments of the program itself"),
-        (["--speed", "3"], 2, "Did you mean '--seed'? Options of the program itself stand behind"),
-        (["-v"], 2, "No such option '-v'. Options of the program itself stand behind --."),
+        (["3"], 121, "3: error: no such file\n    hint: arguments of the program follow --"),
+        (["--speed", "3"], 2, "Did you mean '--seed'? Options of the program itself follow"),
+        (["-v"], 2, "No such option '-v'. Options of the program itself follow --."),
     ],
 )
 def test_arguments_without_the_dashes_in_front_of_them_are_told_about(

@@ -23,7 +23,7 @@ def test_what_new_writes_can_be_checked_and_run(capfd: pytest.CaptureFixture[str
     for kind, name in (("world", "room"), ("robot", "rover.xml"), ("program", "go")):
         assert main(["new", kind, name]) == 0
     assert capfd.readouterr().out.splitlines()[0] == (
-        "room.xml written; see what is in it with: crs check room.xml"
+        "wrote room.xml; list its contents with: crs check room.xml"
     )
     assert main(["check", "room.xml", "rover.xml", "go.c"]) == 0
     shown = capfd.readouterr()
@@ -95,11 +95,11 @@ def test_the_robots_that_come_with_crs_are_told(capfd: pytest.CaptureFixture[str
 @pytest.mark.parametrize(
     ("arguments", "expected"),
     [
-        (["world", "room"], "'room.xml' is there already."),
-        (["world", "1st"], "'1st' is no name"),
-        (["robot", ""], "'' is no name"),
-        (["program", "/"], "'' is no name"),
-        (["program", ".."], "is no name"),
+        (["world", "room"], "'room.xml' already exists."),
+        (["world", "1st"], "'1st' is not a valid name"),
+        (["robot", ""], "'' is not a valid name"),
+        (["program", "/"], "'' is not a valid name"),
+        (["program", ".."], "is not a valid name"),
         (["world", "nowhere/room"], "cannot write 'nowhere/room.xml': No such file or directory."),
         (["planet", "room"], "'planet' is not one of 'world', 'robot', 'program'."),
     ],

@@ -223,13 +223,13 @@ def test_robots_run_the_program_that_the_world_names_or_else_ours(
     out = capfd.readouterr().out
     assert out == "[right] hello\n[left] drive there at 50\n"
     assert main(["run", "pair.xml"]) == 2
-    assert "names no program for 'right'" in capfd.readouterr().err
+    assert "no program for 'right'" in capfd.readouterr().err
 
 
 def test_a_program_that_no_robot_runs_is_mentioned(capfd: pytest.CaptureFixture[str]) -> None:
     Path("pair.xml").write_text(PAIR.replace('y="2m"', 'y="2m" program="drive.c"'))
     assert main(["run", "hello.c", "pair.xml"]) == 0
-    assert "hello.c: warning: not used" in capfd.readouterr().err
+    assert "hello.c: warning: unused" in capfd.readouterr().err
 
 
 # -- what is shown of a run ------------------------------------------------------------------------
@@ -260,7 +260,7 @@ def test_a_call_of_the_robot_before_it_is_connected_is_shown_once(
     assert shown.out.count("Not connected to any robot") == 4  # as the vendor's client says
     assert shown.err.endswith(
         "lost.c:4:5: warning: 'get_sn' is called without a connection to the robot\n"
-        "        get_sn();\n        ^~~~~~~~\n    hint: connect_robot comes first\n"
+        "        get_sn();\n        ^~~~~~~~\n    hint: call connect_robot first\n"
     )
     assert shown.err.count("without a connection") == 1
     assert main(["run", "lost.c", "--quiet"]) == 0
@@ -503,7 +503,7 @@ def test_a_picture_never_overwrites_a_source(
 ) -> None:
     before = {path.name: path.read_bytes() for path in tmp_path.iterdir() if path.is_file()}
     assert main(["run", "hello.c", "--plot", target]) == 2
-    assert "is no name for a picture" in capfd.readouterr().err
+    assert "is not an SVG file" in capfd.readouterr().err
     assert {path.name: path.read_bytes() for path in tmp_path.iterdir() if path.is_file()} == before
 
 

@@ -38,7 +38,7 @@ def robot(name: str = "robot0", **changes: Any) -> RobotResult:
 
 
 def run_of(*robots: RobotResult, interrupted: bool = False, call: ActiveCall | None = None) -> Run:
-    """Makes a run; a program that runs stands in `call`."""
+    """Make a run; a program that runs stands in `call`."""
     result = RunResult(tuple(robots), 250, 12.5, "0123456789abcdef" * 4)
     calls = tuple(call if robot.outcome == "running" else None for robot in robots)
     return Run(result, "room.xml", 7, wall_s=0.5, interrupted=interrupted, calls=calls)
@@ -129,12 +129,12 @@ def test_robots_that_are_at_the_same_place_are_told_of_in_one_line(
     robots = [robot(f"r{n}", outcome="running", robot_call_s=None) for n in range(7)]
     print_summary(run_of(*robots, call=TURN))
     shown = capsys.readouterr().err
-    assert "\nr0, r1, r2 and 4 more are in turn() at wander.c:31:5, without a call of" in shown
+    assert "\nr0, r1, r2 and 4 more are in turn() at wander.c:31:5, no robot call so far" in shown
 
 
 @pytest.mark.parametrize(
     ("called_s", "told"),
-    [(12.5, ""), (8.0, ""), (3.25, "a call of its robot since 3.25 s"), (None, "so far")],
+    [(12.5, ""), (8.0, ""), (3.25, "no robot call since 3.25 s"), (None, "so far")],
 )
 def test_a_robot_that_has_heard_nothing_for_long_is_told_of(
     called_s: float | None, told: str, capsys: pytest.CaptureFixture[str]
@@ -143,7 +143,7 @@ def test_a_robot_that_has_heard_nothing_for_long_is_told_of(
     print_summary(run_of(quiet, call=TURN))
     shown = capsys.readouterr().err
     assert told in shown
-    assert ("without" in shown) == bool(told)
+    assert ("no robot call" in shown) == bool(told)
 
 
 @pytest.mark.parametrize("columns", [40, 80, 200])

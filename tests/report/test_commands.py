@@ -13,14 +13,14 @@ STANDING = "ws(1, 1, 0, 255);"
 
 
 def run(body: str, things: str = '<robot x="0" y="0"/>', **options) -> Drive:
-    """Runs the statements of a body."""
+    """Run the statements of a body."""
     done = drive(body, things=things, dialect="report", **options)
     assert done.session.result().robots[0].error is None
     return done
 
 
 def cylinder(x_in: float, y_in: float = 0.0, heat: float = 0.0) -> str:
-    """Gives a round thing of 10 inches and a Scout at the origin."""
+    """Return a round thing of 10 inches and a Scout at the origin."""
     place = f'x="{x_in}in" y="{y_in}in" radius="10in" heat="{heat}"'
     return f'<robot x="0" y="0"/><cylinder {place}/>'
 

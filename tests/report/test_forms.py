@@ -23,7 +23,7 @@ PART = "int helper(int n) { return vm(n); }\n"
 
 
 def errors_in(source: str, tmp_path: Path, dialect: Dialect | None = "report") -> list[str]:
-    """Gives `line:column: text` of the errors, and their hints."""
+    """Return `line:column: text` of the errors, and their hints."""
     path = tmp_path / "body.c"
     path.write_text(source)
     with pytest.raises(CompileError) as caught:
@@ -129,7 +129,7 @@ def test_a_program_without_a_beginning_is_told_so(tmp_path: Path):
 
 
 def body(source: str, *, status: int | None = 0) -> str:
-    """Gives what a body prints."""
+    """Return what a body prints."""
     done = drive(source, dialect="report")
     assert done.session.result().robots[0].error is None
     assert done.status == status

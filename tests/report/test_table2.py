@@ -45,7 +45,7 @@ CHANGES = (
 
 
 def changed(changes: tuple[Change, ...]) -> list[str]:
-    """Gives the excerpt with changes; lines of which nothing is left are left out in the sample."""
+    """Return the excerpt with changes; lines of which nothing is left are left out in the sample."""
     lines = list(EXCERPT)
     for change in changes:
         assert lines[change.line - 1].count(change.written) == 1

@@ -88,7 +88,7 @@ def same(one: Fleet, other: Fleet) -> bool:
 
 
 def compare(builds: list[Executable], statements: int, most: int = 200) -> Moving:
-    """Runs a program twice, once from build to build; all bytes are the same at every stop."""
+    """Run a program twice, once from build to build; all bytes are the same at every stop."""
     staying, moving = Moving(builds), Moving(builds)
     turn = 0
     while not staying.ended and turn < most:

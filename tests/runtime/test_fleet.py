@@ -30,7 +30,7 @@ HERE = Location("wild.c", 7, 3)
 
 
 def wild_program(address: int, *, checked: bool) -> Executable:
-    """Gives a program that reads from an address and then loops for ever."""
+    """Return a program that reads from an address and then loops for ever."""
     pointer, value = Register(0, "i32"), Register(1, "i32")
     entry, loop = Block("entry"), Block("loop")
     entry.instructions = [

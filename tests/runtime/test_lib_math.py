@@ -24,7 +24,7 @@ def between(low: float, high: float) -> Points:
 
 
 def any_of(least: int, most: int, *, positive: bool = False) -> Points:
-    """Gives numbers of all magnitudes from 2^least to 2^most."""
+    """Return numbers of all magnitudes from 2^least to 2^most."""
 
     def point(choose: random.Random) -> tuple[float, float]:
         value = math.ldexp(choose.uniform(1, 2), choose.randrange(least, most))
@@ -118,7 +118,7 @@ def exact(name: str, x: float, y: float) -> Any:
 
 
 def error_in_ulp(result: float, wanted: Any, *, single: bool) -> float:
-    """Gives how far a result is off, in units of the last place of the exact value."""
+    """Return how far a result is off, in units of the last place of the exact value."""
     digits, least, largest = (24, -149, 128) if single else (53, -1074, 1024)
     exponent = max(mpmath.frexp(wanted)[1] - digits, least)
     limit = mpmath.ldexp(1, largest) - mpmath.ldexp(1, largest - digits - 1)
@@ -128,14 +128,14 @@ def error_in_ulp(result: float, wanted: Any, *, single: bool) -> float:
 
 
 def as_float(x: float) -> float:
-    """Gives the nearest number that a float can hold and that is neither infinite nor zero."""
+    """Return the nearest number that a float can hold and that is neither infinite nor zero."""
     limit = math.ldexp(2 - 2.0**-23, 127)
     nearest = struct.unpack("<f", struct.pack("<f", max(-limit, min(limit, x))))[0]
     return float(nearest or math.copysign(2.0**-149, x))
 
 
 def worst_errors(count: int, *, single: bool = False) -> dict[str, tuple[float, float, float]]:
-    """Gives for each function its largest error [ulp] over `count` points, and where it is."""
+    """Return for each function its largest error [ulp] over `count` points, and where it is."""
     choose = random.Random(4)
     known = FLOATS if single else list(FUNCTIONS)
     names = [name for name in known if name not in TWO] + list(TWO)

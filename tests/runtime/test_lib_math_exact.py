@@ -150,7 +150,7 @@ def test_special_values_and_errno() -> None:
 
 
 def families(suffix: str, kind: str) -> list[str]:
-    """Gives the functions of one argument that `math.h` declares for a type, without suffix."""
+    """Return the functions of one argument that `math.h` declares for a type, without suffix."""
     text = (HEADERS / "math.h").read_text()
     found = re.findall(rf"^{kind} (\w+){suffix}\({kind} x\);", text, re.MULTILINE)
     return [name for name in found if name != "significand"]

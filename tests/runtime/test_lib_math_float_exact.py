@@ -81,7 +81,7 @@ int main(void)
 
 
 def single(choose: random.Random) -> float:
-    """Gives a finite float other than zero, of any size or with few digits."""
+    """Return a finite float other than zero, of any size or with few digits."""
     while True:
         x = struct.unpack("<f", choose.randbytes(4))[0]
         if choose.random() < 0.5:
@@ -91,7 +91,7 @@ def single(choose: random.Random) -> float:
 
 
 def to_float(exact: Fraction, sign: float) -> float:
-    """Rounds to float, a tie to even; zero takes the sign."""
+    """Round to float, a tie to even; zero takes the sign."""
     if exact == 0:
         return math.copysign(0.0, sign)
     size = abs(exact)
@@ -105,7 +105,7 @@ def to_float(exact: Fraction, sign: float) -> float:
 
 
 def quotient(x: float, y: float) -> int:
-    """Gives the whole number next to x/y, the even one when there are two."""
+    """Return the whole number next to x/y, the even one when there are two."""
     return round(Fraction(x) / Fraction(y))
 
 

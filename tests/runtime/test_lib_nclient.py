@@ -33,7 +33,7 @@ class Robot:
 
 
 def command(calls: str, *, headers: str = "#include <Nclient.h>\n") -> tuple[Robot, Outcome]:
-    """Gives what happens when a connected program makes these calls."""
+    """Return what happens when a connected program makes these calls."""
     robot = Robot()
     text = headers + "#include <stdio.h>\nint main() {\n    connect_robot(1);\n" + calls + "\n}\n"
     return robot, run(text, robot=robot)

@@ -42,7 +42,7 @@ TRICKY = [
 
 
 def nearest_float(text: str) -> float:
-    """Gives a decimal number rounded once to 24 bits."""
+    """Return a decimal number rounded once to 24 bits."""
     exact = Fraction(text)
     sign = -1.0 if text.startswith("-") else 1.0
     if abs(exact) >= 2**128 - 2**103:
@@ -61,7 +61,7 @@ def nearest_float(text: str) -> float:
 
 
 def middle(choose: random.Random) -> str:
-    """Gives the exact decimal digits of a middle between two doubles, or just beside it."""
+    """Return the exact decimal digits of a middle between two doubles, or just beside it."""
     bits = choose.randrange(0x3C0, 0x440) << 52 | choose.getrandbits(52)
     low, high = struct.unpack("<dd", struct.pack("<qq", bits, bits + 1))
     half = (Fraction(low) + Fraction(high)) / 2

@@ -51,7 +51,7 @@ def test_output_is_that_of_glibc() -> None:
 
 
 def some_doubles(count: int) -> list[float]:
-    """Gives doubles of all kinds: any bits, short decimals, halves, powers of ten, subnormals."""
+    """Return doubles of all kinds: any bits, short decimals, halves, powers of ten, subnormals."""
     choose = random.Random(1)
     values: list[float] = []
     while len(values) < count:

@@ -14,7 +14,7 @@ SIZES = {"int": 4, "double": 8, "unsigned char": 1}
 
 
 def message_members() -> dict[str, tuple[int, int]]:
-    """Gives (offset, size) of each member, as the C compiler lays `struct __crs_message` out."""
+    """Return (offset, size) of each member, as the C compiler lays `struct __crs_message` out."""
     body = re.search(r"struct __crs_message \{(.*?)\n\};", HEADER, re.DOTALL)
     assert body is not None
     members, offset = {}, 0

@@ -10,7 +10,7 @@ HEADERS = "#include <assert.h>\n#include <errno.h>\n#include <stdio.h>\n#include
 
 
 def body(text: str) -> str:
-    """Gives a program whose main has this body."""
+    """Return a program whose main has this body."""
     return HEADERS + "int main(int argc, char **argv)\n{\n" + text + "\n}\n"
 
 

@@ -22,7 +22,7 @@ HEADERS = """
 
 
 def lines(source: str) -> list[str]:
-    """Gives what a program with these functions prints, when it ends well."""
+    """Return what a program with these functions prints, when it ends well."""
     outcome = run(HEADERS + source)
     assert (outcome.err, outcome.error, outcome.status) == (b"", "", 0)
     return outcome.out.decode().splitlines()

@@ -55,7 +55,7 @@ def build(folder: Path, source: str, name: str = "program.c", *, debug: bool = F
 
 
 def run(world: WorldModel, programs: list[Executable], steps: int, seed: int = 0) -> Recorded:
-    """Runs some timesteps; keeps what the robots wrote."""
+    """Run some timesteps; keeps what the robots wrote."""
     recorded = Recorded(world, programs, seed)
     for _ in range(steps):
         if not recorded.session.step():

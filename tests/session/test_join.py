@@ -28,7 +28,7 @@ GATE = 'id="guest" x="19m" y="2m" heading="180deg"'
 
 
 def yard(guest: str = "", robots: str = ""):
-    """Gives the yard, with a guest if it has attributes."""
+    """Return the yard, with a guest if it has attributes."""
     text = f"""<world version="1"><area length="20m" width="4m"/>
     <robot id="home" x="1m" y="2m"/>{robots}
     {f"<robot {GATE} {guest}/>" if guest else ""}</world>"""

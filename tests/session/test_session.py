@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from crs_cc.session.session import Session
 from crs_cc.sim.files.world_xml import empty_world
 from tests.session.programs import HALL, LOOP, ROAM, build, run
 
@@ -209,3 +210,8 @@ def test_a_program_that_runs_says_where_it_is(tmp_path: Path) -> None:
     called_s = stands[2][2]
     assert called_s is not None
     assert 2 < called_s < 2.5
+
+
+def test_a_session_needs_one_program_for_each_robot() -> None:
+    with pytest.raises(ValueError, match="0 programs for 1 robots"):
+        Session(empty_world(), [])

@@ -43,7 +43,7 @@ int main(void)
 
 
 def printed(world: WorldModel, folder: Path, source: str) -> int:
-    """Gives the number that a program prints [microseconds]."""
+    """Return the number that a program prints [microseconds]."""
     return int(run(world, [build(folder, source)], 1000).written[0].split()[-1])
 
 
@@ -125,7 +125,7 @@ def test_programs_that_ask_for_time_together_get_what_each_gets_alone(tmp_path: 
 
 
 def written(arguments: list[list[str]], program: Executable) -> list[bytes]:
-    """Gives what the programs of as many robots write."""
+    """Return what the programs of as many robots write."""
     output = [b""] * len(arguments)
 
     def write(robot: int, _stream: int, content: bytes) -> None:
@@ -149,5 +149,5 @@ class Requests:
         self.served = 0
 
     def step(self, step: Step) -> None:
-        """Counts those of a timestep."""
+        """Count those of a timestep."""
         self.served += len(step.served)

@@ -266,7 +266,8 @@ class Run:
         kept = self.history.at(begin).session
         for robot, program in enumerate(kept.programs):
             session.fleet.restore(robot, program)
-        session.timesteps, session.rounds, session.halted = begin.timestep, begin.round, kept.halted
+        state = session.state
+        state.timesteps, state.rounds, state.halted = begin.timestep, begin.round, kept.halted
         self._set_slots()
         self._look_anew()
 
@@ -277,7 +278,7 @@ class Run:
         round_ = self.tape.round_at(place)
         if place.robot < 0:
             if place.round == self.tape.rounds_in(place.timestep):
-                session.timesteps, session.rounds = place.timestep + 1, 0
+                session.state.timesteps, session.state.rounds = place.timestep + 1, 0
                 return Instant("timestep", ended=self.tape.ended_in(place.timestep))
             assert round_ is not None
             round_.give(session.fleet)
@@ -287,7 +288,7 @@ class Run:
             return None
         if session.halted is not None:
             return self._with_accesses(_STATEMENT)
-        session.rounds += 1
+        session.state.rounds += 1
         assert round_ is not None
         return self._with_accesses(self._answered(round_.robots))
 

@@ -14,7 +14,7 @@ from crs_cc.runtime.watched import WATCHED
 
 
 def add_marks(module: Module, statements: int) -> None:
-    """Adds the memory `marks` to a module with so many statements, and exports their count."""
+    """Add the memory `marks` to a module with so many statements, and exports their count."""
     first = WATCHED.itemsize + statements
     module.exports.append(("marks", "memory", len(module.memories) + 1))
     module.exports.append(("begun", "global", BEGUN_GLOBAL))
@@ -23,7 +23,7 @@ def add_marks(module: Module, statements: int) -> None:
 
 
 def stop_if_marked(marks: int, number: int, suspend: list[Instr], *, watching: bool) -> list[Instr]:
-    """Stops before a marked statement, when enough others have begun.
+    """Stop before a marked statement, when enough others have begun.
 
     Args:
         marks: index of the memory of the marks.
@@ -43,7 +43,7 @@ def stop_if_marked(marks: int, number: int, suspend: list[Instr], *, watching: b
 
 
 def begin() -> list[Instr]:
-    """Counts a statement that begins."""
+    """Count a statement that begins."""
     return [
         ("global.get", BEGUN_GLOBAL), ("i64.const", 1), ("i64.add",),
         ("global.set", BEGUN_GLOBAL),

@@ -32,11 +32,11 @@ class CheckedArithmetic:
         self._most: dict[Register, int] = {}
 
     def forget(self) -> None:
-        """Drops what is known, where code from elsewhere joins."""
+        """Drop what is known, where code from elsewhere joins."""
         self._most.clear()
 
     def before(self, it: Instruction) -> None:
-        """Tests the operands of an operation."""
+        """Test the operands of an operation."""
         if not isinstance(it, Binary) or not it.checked:
             return
         kind, _, op = it.op.partition(".")
@@ -78,7 +78,7 @@ class CheckedArithmetic:
             self._fail_if("shift out of range", it, value)
 
     def _sum(self, it: Binary, kind: str, op: str) -> None:
-        """Tests whether a sum has another sign than both operands (Warren, Hacker's Delight 2-13).
+        """Test whether a sum has another sign than both operands (Warren, Hacker's Delight 2-13).
 
         For a difference the second operand counts with the opposite sign.
         """

@@ -44,8 +44,8 @@ from crs_cc.runtime.codegen.indices import (
     WIDE_STATES,
 )
 from crs_cc.runtime.codegen.locations import Places, Proved
-from crs_cc.runtime.codegen.plain_memory import LOADS, STORES, PlainMemory
-from crs_cc.runtime.codegen.writer import Writer
+from crs_cc.runtime.codegen.plain_memory import PlainMemory
+from crs_cc.runtime.codegen.writer import LOADS, STORES, Writer
 from crs_cc.runtime.layout import NULL_SIZE
 from crs_cc.runtime.sites import Access, Site
 from crs_cc.runtime.wasm import UNLIKELY, Instr
@@ -70,7 +70,7 @@ class _Given:
 
     @property
     def is_sure(self) -> bool:
-        """Tells whether what is stored surely has a value."""
+        """Return whether what is stored surely has a value."""
         return len(self.states) == 1 and not self.joined
 
 
@@ -91,7 +91,7 @@ class CheckedMemory(PlainMemory):
         self._taken: set[Register] = set()
 
     def forget(self) -> None:
-        """Drops what is known, where code from elsewhere joins."""
+        """Drop what is known, where code from elsewhere joins."""
         self.places.forget()
         self.proved.forget()
 
@@ -100,7 +100,7 @@ class CheckedMemory(PlainMemory):
         self.places.follow(it)
 
     def before(self, it: Instruction) -> None:
-        """Tests whether the registers that an instruction reads have values, and notes changes."""
+        """Test whether the registers that an instruction reads have values, and notes changes."""
         writer, found = self.writer, self.assignments
         for register, variable in found.tests.get(it, ()):
             writer.code += [writer.value(found.flags[register]), ("i32.eqz",)]
@@ -115,7 +115,7 @@ class CheckedMemory(PlainMemory):
     # -- what is known -----------------------------------------------------------------------
 
     def _inside(self, base: Base, offset: int, size: int) -> bool:
-        """Tells whether an access surely lies in an object that is known by name."""
+        """Return whether an access surely lies in an object that is known by name."""
         match base:
             case Slot() if base is not VARARGS:
                 return offset >= 0 and offset + size <= base.size
@@ -139,7 +139,7 @@ class CheckedMemory(PlainMemory):
     # -- tests -------------------------------------------------------------------------------
 
     def place(self, base: Base, offset: int) -> tuple[Instr, int]:
-        """Gives an instruction that pushes an address, and the offset to use with it.
+        """Return an instruction that pushes an address, and the offset to use with it.
 
         A pointer that was never tested may wrap around when the offset is added.
         """
@@ -153,14 +153,14 @@ class CheckedMemory(PlainMemory):
         return ("local.get", ADDRESS), 0
 
     def _test(self, states: list[Instr], test: list[Instr], site: Site, at: _At) -> None:
-        """Stops the program if `test` finds fault with the states that are pushed."""
+        """Stop the program if `test` finds fault with the states that are pushed."""
         push, offset = at
         blamed = [push, ("i32.const", offset), ("i32.add",)] if offset else [push]
         self.writer.code += [*states, *test]
         self.writer.fail_if(site, blamed)
 
     def load(self, it: Load) -> None:
-        """Writes `result = *(base + offset)`."""
+        """Write `result = *(base + offset)`."""
         if not self._valued(it.base, it.offset, MEMORY_SIZE[it.memory]):
             self._test_load(it)
         else:
@@ -195,7 +195,7 @@ class CheckedMemory(PlainMemory):
         self._load(it, at)
 
     def _raise(self, flag: Register, found: list[Instr], site: Site, at: _At | None) -> None:
-        """Raises a flag if the states that are found tell of a missing value.
+        """Raise a flag if the states that are found tell of a missing value.
 
         Args:
             flag: the flag.
@@ -217,7 +217,7 @@ class CheckedMemory(PlainMemory):
         writer.code.append(("end",))
 
     def store(self, it: Store) -> None:
-        """Writes `*(base + offset) = source`."""
+        """Write `*(base + offset) = source`."""
         size, code = MEMORY_SIZE[it.memory], self.writer.code
         where = self.places.of(it.base, it.offset)
         accessible = self._accessible(it.base, it.offset, size)
@@ -234,7 +234,7 @@ class CheckedMemory(PlainMemory):
         code += [push, self.writer.value(it.source), (STORES[it.memory], MEMORY, offset)]
 
     def _given(self, it: Store, size: int) -> _Given:
-        """Gives the states of what is stored."""
+        """Return the states of what is stored."""
         value = shadow.repeated(ByteState.WITH_VALUE, size)
         none = shadow.repeated(ByteState.WITHOUT_VALUE, size)
         copied, flag = self.carried.copied_by(it), self.carried.computed_for(it)
@@ -252,7 +252,7 @@ class CheckedMemory(PlainMemory):
         return _Given([value])
 
     def _last_use(self, register: Register | None, it: Store) -> Register:
-        """Gives a register with states, or a flag, and lets it go when it is not used again."""
+        """Return a register with states, or a flag, and lets it go when it is not used again."""
         assert register is not None
         if self.carried.is_last(it, register):
             self._taken.discard(register)
@@ -260,7 +260,7 @@ class CheckedMemory(PlainMemory):
         return register
 
     def _test_store(self, it: Store, at: _At, given: _Given) -> None:
-        """Tests an address and sets the states of what is stored there.
+        """Test an address and sets the states of what is stored there.
 
         Where bytes had values and get values, as nearly always, there is but one test.
         """
@@ -276,7 +276,7 @@ class CheckedMemory(PlainMemory):
     def check_range(
         self, address: Operand, size: Operand, location: Location, access: Access
     ) -> None:
-        """Stops the program unless `size` bytes at `address` are accessible."""
+        """Stop the program unless `size` bytes at `address` are accessible."""
         if isinstance(size, Constant) and isinstance(address, Register):
             where, length = self.places.of(address, 0), int(size.value)
             if length == 0 or self._accessible(address, 0, length):
@@ -293,14 +293,14 @@ class CheckedMemory(PlainMemory):
         writer.code.append(("end",))
 
     def copy(self, it: Copy) -> None:
-        """Writes a `memmove`; values and their absence go along."""
+        """Write a `memmove`; values and their absence go along."""
         self.check_range(it.target, it.size, it.location, "write")
         self.check_range(it.source, it.size, it.location, "read")
         super().copy(it)
         self.proved.forget_values()
 
     def fill(self, it: Fill) -> None:
-        """Writes a `memset`."""
+        """Write a `memset`."""
         self.check_range(it.target, it.size, it.location, "write")
         super().fill(it)
         if isinstance(it.size, Constant) and isinstance(it.target, Register):
@@ -308,11 +308,11 @@ class CheckedMemory(PlainMemory):
             self.proved.add(where, int(it.size.value), valued=True)
 
     def check_message(self, address: Operand, size: Operand, location: Location) -> None:
-        """Stops the program unless a message to the world outside is accessible."""
+        """Stop the program unless a message to the world outside is accessible."""
         self.check_range(address, size, location, "read")
 
     def lifetime(self, it: Lifetime) -> None:
-        """Begins or ends an object in a slot."""
+        """Begin or ends an object in a slot."""
         state = ByteState.WITHOUT_VALUE if it.begins else ByteState.INACCESSIBLE
         offset = self.writer.frame.offsets[it.slot]
         self.writer.code += shadow.fill(("local.get", SP), offset, it.slot.size, state)

@@ -55,7 +55,7 @@ class _Flow:
     judged: set[Load] = field(default_factory=set)
 
     def follow(self, it: Instruction) -> None:
-        """Follows values through an instruction."""
+        """Follow values through an instruction."""
         used, made, whole = reads(it), dict[Load, None](), False
         if _passes_on(it):
             counts = [it.right] if isinstance(it, Binary) and _is_shift(it) else []
@@ -87,7 +87,7 @@ class _Flow:
                 self.changed.add(load)
 
     def end(self, alive: int) -> None:
-        """Judges what lives on behind the block."""
+        """Judge what lives on behind the block."""
         for register, (loads, _) in self.values.items():
             if alive >> register.index & 1:
                 self.judged.update(loads)
@@ -102,7 +102,7 @@ class Carried:
     """
 
     def __init__(self, function: Function, liveness: Liveness, *, keep: bool) -> None:
-        """Looks through all blocks; `keep` when the program may stop within one."""
+        """Look through all blocks; `keep` when the program may stop within one."""
         self.registers: list[Register] = []
         self._keep = keep
         self._states: dict[Load, Register] = {}
@@ -118,28 +118,28 @@ class Carried:
         self.charge = max(map(self._most, function.blocks), default=0)
 
     def states_of(self, load: Load) -> Register | None:
-        """Gives the register that takes the states of what is loaded, if it is copied."""
+        """Return the register that takes the states of what is loaded, if it is copied."""
         return self._states.get(load)
 
     def flag_of(self, load: Load) -> Register | None:
-        """Gives the flag that tells of a missing value, if the value is computed with."""
+        """Return the flag that tells of a missing value, if the value is computed with."""
         return self._flags.get(load)
 
     def copied_by(self, store: Store) -> Register | None:
-        """Gives the register with the states of what is stored, if that is a copy."""
+        """Return the register with the states of what is stored, if that is a copy."""
         load = self._copies.get(store)
         return None if load is None else self._states[load]
 
     def computed_for(self, store: Store) -> Register | None:
-        """Gives the flag that tells whether what is stored was made of a missing value."""
+        """Return the flag that tells whether what is stored was made of a missing value."""
         return self._computed.get(store)
 
     def is_last(self, store: Store, register: Register) -> bool:
-        """Tells whether states or a flag are not needed behind a store."""
+        """Return whether states or a flag are not needed behind a store."""
         return not self._keep and self._last[register] is store
 
     def is_unused(self, load: Load) -> bool:
-        """Tells whether nobody looks at the loaded value."""
+        """Return whether nobody looks at the loaded value."""
         return load in self._unused
 
     def _find(self, block: Block, alive: int) -> None:
@@ -165,7 +165,7 @@ class Carried:
         self._last[states] = stores[-1]
 
     def _compute(self, load: Load, stores: list[Store]) -> None:
-        """Gives the load a flag, together with the other loads that go into the same stores."""
+        """Return the load a flag, together with the other loads that go into the same stores."""
         computed = [self._computed[each] for each in stores if each in self._computed]
         shared = list(dict.fromkeys(map(self._representative, computed)))
         if shared:
@@ -178,7 +178,7 @@ class Carried:
         self._computed.update(dict.fromkeys(stores, flag))
 
     def _representative(self, flag: Register) -> Register:
-        """Gives the flag that a flag was joined into, and shortens the way to it (union-find)."""
+        """Return the flag that a flag was joined into, and shortens the way to it (union-find)."""
         end = flag
         while end in self._joined:
             end = self._joined[end]
@@ -187,7 +187,7 @@ class Carried:
         return end
 
     def _resolve(self, function: Function) -> None:
-        """Puts the flags that are left everywhere, and notes the last store of each."""
+        """Put the flags that are left everywhere, and notes the last store of each."""
         self.registers = [each for each in self.registers if each not in self._joined]
         self._flags = {load: self._representative(flag) for load, flag in self._flags.items()}
         for block in function.blocks:
@@ -197,7 +197,7 @@ class Carried:
                     self._last[flag] = it
 
     def _most(self, block: Block) -> int:
-        """Gives the charge for the states and flags of a block that live at once [bytes]."""
+        """Return the charge for the states and flags of a block that live at once [bytes]."""
         size = most = 0
         alive: set[Register] = set()
         for it in block.instructions:
@@ -216,12 +216,12 @@ class Carried:
 
 
 def _is_shift(it: Binary) -> bool:
-    """Tells whether an operation tests its right operand, see `checked_arithmetic`."""
+    """Return whether an operation tests its right operand, see `checked_arithmetic`."""
     return it.checked and it.op.partition(".")[2] in {"shl", "shr_s", "shr_u"}
 
 
 def _passes_on(it: Instruction) -> bool:
-    """Tells whether an instruction makes a value of others without deciding anything by them."""
+    """Return whether an instruction makes a value of others without deciding anything by them."""
     if isinstance(it, Binary):
         kind, _, op = it.op.partition(".")
         return op in _ARITHMETIC or (kind in {"f32", "f64"} and op in {"div", "copysign"})

@@ -34,7 +34,7 @@ class _Dispatcher:
 def add_dispatchers(
     again: Node, start: Node, landings: list[Landing], label: int, damaged: Node
 ) -> None:
-    """Makes `again` lead to the landings, and every loop enterable at one node only.
+    """Make `again` lead to the landings, and every loop enterable at one node only.
 
     Args:
         again: a node without an exit, where a function that was suspended begins.
@@ -67,7 +67,7 @@ class _Loops:
                 self.predecessors[target].append(node)
 
     def run(self) -> None:
-        """Works through the regions of the graph, each a list of nodes without its loop header."""
+        """Work through the regions of the graph, each a list of nodes without its loop header."""
         regions = [(self.nodes, 0)]
         while regions:
             region, depth = regions.pop()
@@ -76,7 +76,7 @@ class _Loops:
                 regions.append(([node for node in component if node is not header], depth + 1))
 
     def loop(self, component: list[Node], depth: int) -> Node:
-        """Gives the one node at which the loop may be entered; makes one when there are several."""
+        """Return the one node at which the loop may be entered; makes one when there are several."""
         inside = set(component)
         heads = [node for node in component if self._entered(node, inside)] or component[:1]
         if depth >= MOST_NESTED_LOOPS:
@@ -99,7 +99,7 @@ class _Loops:
         return any(source not in inside for source in self.predecessors[node])
 
     def _adopt(self, dispatcher: _Dispatcher, landings: list[Landing]) -> None:
-        """Moves landings from their owner, the loop around, to `dispatcher` in their place."""
+        """Move landings from their owner, the loop around, to `dispatcher` in their place."""
         owner = self.owner[landings[0]]
         moved = set(landings)
         place = owner.children.index(landings[0])
@@ -109,7 +109,7 @@ class _Loops:
         self.owner.update(dict.fromkeys(landings, dispatcher))
 
     def _detour(self, head: Node, dispatcher: _Dispatcher, inside: set[Node]) -> None:
-        """Sends all jumps to `head` through the dispatcher, setting the label on the way."""
+        """Send all jumps to `head` through the dispatcher, setting the label on the way."""
         landing = self.landing_of.get(head)
         if landing is None:
             landing = Landing(head)
@@ -150,7 +150,7 @@ def _number(root: _Dispatcher) -> None:
 
 
 def _finish(root: _Dispatcher, label: int) -> None:
-    """Writes the tables."""
+    """Write the tables."""
     order: list[_Dispatcher] = [root]
     for dispatcher in order:
         order.extend(each for each in dispatcher.children if isinstance(each, _Dispatcher))
@@ -188,7 +188,7 @@ def _reachable(roots: list[Node]) -> list[Node]:
 
 
 def _components(region: list[Node]) -> list[list[Node]]:
-    """Gives the strongly connected parts that are loops (Tarjan 1972, without recursion)."""
+    """Return the strongly connected parts that are loops (Tarjan 1972, without recursion)."""
     index: dict[Node, int] = dict.fromkeys(region, -1)
     low: dict[Node, int] = {}
     stack: list[Node] = []

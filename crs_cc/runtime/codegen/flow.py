@@ -38,7 +38,7 @@ class Node:
     targets: list[Node] = field(default_factory=list)
 
     def jump(self, target: Node) -> None:
-        """Ends the node with a jump."""
+        """End the node with a jump."""
         self.exit, self.targets = "jump", [target]
 
 

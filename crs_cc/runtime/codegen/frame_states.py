@@ -23,7 +23,7 @@ _SP: Final[Instr] = ("local.get", SP)
 
 
 def enter(function: Function, frame: Frame) -> list[Instr]:
-    """Gives the code that makes a function's frame accessible."""
+    """Return the code that makes a function's frame accessible."""
     code: list[Instr] = []
     scoped = {
         it.slot
@@ -41,7 +41,7 @@ def enter(function: Function, frame: Frame) -> list[Instr]:
 
 
 def leave(function: Function, frame: Frame) -> list[Instr]:
-    """Gives the code that makes a function's frame inaccessible again."""
+    """Return the code that makes a function's frame inaccessible again."""
     gone = ByteState.INACCESSIBLE
     code: list[Instr] = []
     for slot in function.slots:
@@ -60,7 +60,7 @@ def _parameters(function: Function) -> list[Slot]:
 
 
 def _rest(function: Function, frame: Frame, state: int) -> list[Instr]:
-    """Sets the states of the arguments behind the parameters; the call word tells their size."""
+    """Set the states of the arguments behind the parameters; the call word tells their size."""
     if not function.variadic:
         return []
     named = frame.varargs - frame.size - HEADER_SIZE

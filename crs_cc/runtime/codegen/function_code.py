@@ -36,7 +36,6 @@ from crs_cc.ir.program import (
     Stop,
     Store,
     Switch,
-    ValueType,
 )
 from crs_cc.requests import MESSAGE, SUSPENDED, slot_offset
 from crs_cc.runtime.codegen import frame_states, jumps, spill_slots
@@ -70,6 +69,7 @@ from crs_cc.runtime.codegen.selection import Selector
 from crs_cc.runtime.codegen.signatures import call_shape
 from crs_cc.runtime.codegen.switches import lower_switch
 from crs_cc.runtime.codegen.watching import Watching
+from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.compiled import FunctionInfo
 from crs_cc.runtime.layout import (
     FUNCTION,
@@ -106,7 +106,7 @@ class Build:
 
 
 def generate(function: Function, names: Names, build: Build) -> tuple[Code, FunctionInfo]:
-    """Gives the code of one verified function."""
+    """Return the code of one verified function."""
     return _FunctionCode(function, names, build).run()
 
 
@@ -136,24 +136,24 @@ class _FunctionCode:
         charge += self.registers.charge
         sizes = self._arguments_size(), charge
         self.stamped = debug and not function.trusted
-        parts = function, self.saved
-        self.frame = lay_out(*parts, *sizes, checked=checked, stamped=self.stamped)
-        self.selector = selector = Selector(names, self.frame)
-        if checked:
-            selector.memory = PlainMemory(selector, shadowed=True)
+        self.frame = lay_out(function, self.saved, *sizes, checked=checked, stamped=self.stamped)
+        self.writer = writer = Writer(names, self.frame)
+        self.memory = PlainMemory(writer, shadowed=checked)
+        arithmetic = None
         if self.shadowed:
-            selector.memory = CheckedMemory(selector, carried, assigned)
-            traps = build.trap_overflow
-            selector.arithmetic = CheckedArithmetic(selector, traps_overflow=traps)
+            self.memory = CheckedMemory(writer, carried, assigned)
+            arithmetic = CheckedArithmetic(writer, traps_overflow=build.trap_overflow)
+        self.watching: Watching | None = None
         if build.watch and not function.trusted:
             library = in_library(function.location)
-            selector.watching = Watching(selector, build.watch, self.marks, library=library)
+            self.watching = Watching(writer, build.watch, self.marks, library=library)
+        self.selector = Selector(writer, self.memory, arithmetic, self.watching)
         self.nodes = {block: Node() for block in function.blocks}
         self.landings: list[tuple[Landing, Instruction]] = []
         self.calls: dict[int, Landing] = {}
 
     def _arguments_size(self) -> int:
-        """Gives the size of the arguments of all calls, the most; -1 when there are no calls.
+        """Return the size of the arguments of all calls, the most; -1 when there are no calls.
 
         A callee may believe in more arguments than it is passed.
         """
@@ -169,7 +169,7 @@ class _FunctionCode:
     # -- the whole ----------------------------------------------------------------------------
 
     def limit_effort(self) -> None:
-        """Refuses a function that would take gigabytes to compile.
+        """Refuse a function that would take gigabytes to compile.
 
         Each landing is a way into the middle of the function, and each register that lasts has to
         be the same on all of them.
@@ -184,20 +184,20 @@ class _FunctionCode:
             )
 
     def run(self) -> tuple[Code, FunctionInfo]:
-        """Gives the code and what a debugger needs to read its frames."""
+        """Return the code and what a debugger needs to read its frames."""
         if self.frame.size > STACK_SIZE:  # its offsets might not even fit an instruction
             body = self.overflow()
             return Code(self.function.name, TYPE_CALL, [], body), self.info()
         for register in self.registers.lasting:
-            self.selector.take_local(register)
+            self.writer.take_local(register)
         for block in self.function.blocks:
             self.block(block)
         self.limit_effort()
         entry, start = self.entry(), self.start()
         if self.landings:
             again = self.again(start)
-            self.selector.code = entry.code
-            self.selector.load_at(FP, RESUME, "i32")
+            self.writer.code = entry.code
+            self.writer.load_at(FP, RESUME, "i32")
             entry.code.append(("local.tee", LABEL))
             entry.exit, entry.targets = "branch", [again, start]
         else:
@@ -205,7 +205,7 @@ class _FunctionCode:
         fault: list[Instr] = [("local.get", SITE), ("local.get", ADDRESS), ("call", FAULT)]
         fault += [("local.set", STATUS), ("i32.const", 0), ("local.set", LABEL)]
         body = emit(entry, fault) + self.epilogue()
-        code = Code(self.function.name, TYPE_CALL, self.selector.local_types, body)
+        code = Code(self.function.name, TYPE_CALL, self.writer.local_types, body)
         return code, self.info()
 
     def info(self) -> FunctionInfo:
@@ -217,40 +217,40 @@ class _FunctionCode:
         return FunctionInfo(self.function, self.frame, places, callees, calls, self.flags, unset)
 
     def entry(self) -> Node:
-        """Sets up the frame."""
+        """Set up the frame."""
         node = Node()
-        code = self.selector.code = node.code
+        code = self.writer.code = node.code
         size = self.frame.size
         code += [("local.get", FP), ("i32.const", NULL_SIZE + size), ("i32.lt_u",), UNLIKELY]
         code += [*self.overflow(), ("end",)]
         code += [("local.get", FP), ("i32.const", size), ("i32.sub",), ("local.set", SP)]
-        code += self.selector.watching.find_out() if self.selector.watching else []
+        code += self.watching.find_out() if self.watching else []
         return node
 
     def overflow(self) -> list[Instr]:
-        """Leaves without the epilogue, which would write to the frame there is no room for."""
+        """Leave without the epilogue, which would write to the frame there is no room for."""
         number = self.names.number(Site("stack overflow", self.function.location))
         note = [("i32.const", number), ("local.get", FP), ("call", FAULT)]
         return [*note, ("local.get", FUEL), ("return",)]
 
     def again(self, start: Node) -> Node:
-        """Loads the registers back when the function was suspended, and goes to its landing."""
+        """Load the registers back when the function was suspended, and goes to its landing."""
         node, damaged = Node(), Node()
-        self.selector.code = damaged.code
+        self.writer.code = damaged.code
         site = Site("damaged stack", self.function.location)
-        self.selector.fail(site, [("local.get", LABEL)])
-        self.selector.code = node.code
-        spill_slots.load(self.selector, self.frame, self.saved, debug=self.debug)
+        self.writer.fail(site, [("local.get", LABEL)])
+        self.writer.code = node.code
+        spill_slots.load(self.writer, self.frame, self.saved, debug=self.debug)
         landings = [landing for landing, _ in self.landings]
         add_dispatchers(node, start, landings, LABEL, damaged)
         return node
 
     def start(self) -> Node:
-        """Begins a fresh call: stops if there is no fuel, loads the parameters."""
+        """Begin a fresh call: stops if there is no fuel, loads the parameters."""
         node = Node()
-        code = self.selector.code = node.code
+        code = self.writer.code = node.code
         code += [("local.get", FUEL), ("i64.const", 0), ("i64.lt_s",), UNLIKELY]
-        self.selector.store_at(FP, FUNCTION, Constant("i32", self.number), "i32")
+        self.writer.store_at(FP, FUNCTION, Constant("i32", self.number), "i32")
         code += [("i32.const", SUSPENDED), ("local.get", FUEL), ("return",), ("end",)]
         if self.stamped:
             code += [("local.get", SP), ("global.get", BEGUN_GLOBAL)]
@@ -261,27 +261,27 @@ class _FunctionCode:
             code += spill_slots.clear(self.frame, self.saved)
         if self.shadowed:
             code += frame_states.enter(self.function, self.frame)
-        code += self.selector.watching.entering() if self.selector.watching else []
+        code += self.watching.entering() if self.watching else []
         node.jump(self.nodes[self.function.blocks[0]])
         return node
 
     def _load_parameter(self, parameter: Parameter, offset: int) -> None:
         place = parameter.place
         if isinstance(place, Register) and place in self.registers.lasting and parameter.memory:
-            self.selector.load_at(SP, offset, parameter.memory)
-            self.selector.pop(place)
+            self.writer.load_at(SP, offset, parameter.memory)
+            self.writer.pop(place)
 
     def epilogue(self) -> list[Instr]:
-        """Saves what a suspended function must keep, and leaves with the status."""
+        """Save what a suspended function must keep, and leaves with the status."""
         code: list[Instr] = []
-        self.selector.code = code
+        self.writer.code = code
         ends = [block.terminator for block in self.function.blocks]
         if any(isinstance(end, Call | LongJump) for end in ends):
             activations = [end.activation for end in ends if isinstance(end, SetJump)]
-            activation = [self.selector.value(each) for each in activations[:1]]
+            activation = [self.writer.value(each) for each in activations[:1]]
             left = [*self.returning(), *self.left()]
             code += jumps.leave(activation, self.frame.jump_value, left)
-        spill_slots.save(self.selector, self.frame, self.saved, self.number)
+        spill_slots.save(self.writer, self.frame, self.saved, self.number)
         return [*code, ("local.get", STATUS), ("local.get", FUEL)]
 
     # -- suspending ---------------------------------------------------------------------------
@@ -301,9 +301,9 @@ class _FunctionCode:
 
     def block(self, block: Block) -> None:
         node = self.nodes[block]
-        selector = self.selector
+        selector, writer = self.selector, self.writer
         selector.forget()
-        code = selector.code = node.code
+        code = writer.code = node.code
         if block in self.registers.headers:
             landing = self.land(node, all_instructions(block)[0])
             code += [("local.get", FUEL), ("i64.const", 0), ("i64.lt_s",), UNLIKELY]
@@ -317,24 +317,24 @@ class _FunctionCode:
             elif self.steps:
                 node = self.statement(node, instruction)
             for register in last[number]:
-                selector.release(register)
+                writer.release(register)
         if block.terminator is not None:
             selector.before(block.terminator)
         self.terminator(node, block)
         for register in last[-1]:
-            selector.release(register)
+            writer.release(register)
 
     def statement(self, node: Node, statement: Statement) -> Node:
         """Debug density: stops before a marked statement, when enough others have begun."""
         following = Node()
         landing = self.land(following, statement)
         number = self.names.statement_number(StatementSite(self.function.name, statement.location))
-        watching, suspend = self.selector.watching is not None, self.suspend(landing)
+        watching, suspend = self.watching is not None, self.suspend(landing)
         node.code += stop_if_marked(self.marks, number, suspend, watching=watching)
         node.jump(following)
         following.code += begin()
         self.selector.forget()
-        self.selector.code = following.code
+        self.writer.code = following.code
         return following
 
     def terminator(self, node: Node, block: Block) -> None:
@@ -342,11 +342,11 @@ class _FunctionCode:
             case Jump(target=target):
                 node.jump(self.nodes[target])
             case Branch() as branch:
-                self.selector.push(branch.condition)
+                self.writer.push(branch.condition)
                 node.exit = "branch"
                 node.targets = [self.nodes[branch.then], self.nodes[branch.otherwise]]
             case Switch() as switch:
-                lower_switch(self.selector, node, switch, self.nodes)
+                lower_switch(self.writer, node, switch, self.nodes)
             case Return(value=value):
                 self.leave(node, value)
             case Call() as call:
@@ -354,7 +354,7 @@ class _FunctionCode:
             case Request() as request:
                 self.request(node, request)
             case Stop(kind=kind, location=location, value=value):
-                self.selector.fail(Site(kind, location), [self.selector.value(value)])
+                self.writer.fail(Site(kind, location), [self.writer.value(value)])
             case SetJump() as jump:
                 self.set_jump(node, jump)
             case LongJump() as jump:
@@ -363,54 +363,53 @@ class _FunctionCode:
     def leave(self, node: Node, value: Operand | None) -> None:
         node.code += [*self.returning(), *self.left()]
         if value is not None:
-            kind: ValueType = value.type
-            self.selector.store_at(FP, RESULT, value, kind)
+            self.writer.store_at(FP, RESULT, value, value.type)
         elif self.function.name in self.names.without_value:
-            self.selector.store_at(FP, FUNCTION, Constant("i32", NO_VALUE), "i32")
+            self.writer.store_at(FP, FUNCTION, Constant("i32", NO_VALUE), "i32")
         node.code += [("i32.const", 0), ("local.get", FUEL), ("return",)]
 
     def returning(self) -> list[Instr]:
         """Watching builds: tells that the frame ends."""
-        return [] if self.selector.watching is None else self.selector.watching.returning()
+        return [] if self.watching is None else self.watching.returning()
 
     def left(self) -> list[Instr]:
-        """Makes the frame inaccessible."""
+        """Make the frame inaccessible."""
         return frame_states.leave(self.function, self.frame) if self.shadowed else []
 
     def call(self, node: Node, call: Call) -> None:
-        selector = self.selector
+        selector, writer = self.selector, self.writer
         offsets = argument_offsets([argument.size for argument in call.arguments])
         for argument, offset in zip(call.arguments, offsets, strict=False):
             at = HEADER_SIZE + offset
             if argument.memory:
-                selector.store_at(SP, at, argument.value, argument.memory)
+                writer.store_at(SP, at, argument.value, argument.memory)
                 continue
             size = Constant("i32", argument.size)
-            selector.memory.argument(argument.value, at, size, call.location)
+            self.memory.argument(argument.value, at, size, call.location)
         if self.checked:
             number = self.names.call_number(CallSite(self.function.name, call.location))
             word = call_word(number, self.frame.size, offsets[-1])
-            selector.store_at(SP, RESULT, Constant("i64", word), "i64")
+            writer.store_at(SP, RESULT, Constant("i64", word), "i64")
         if self.checked or self.debug:
-            selector.store_at(SP, FUNCTION, Constant("i64", 0), "i64")
+            writer.store_at(SP, FUNCTION, Constant("i64", 0), "i64")
         else:
-            selector.store_at(SP, RESUME, Constant("i32", 0), "i32")
+            writer.store_at(SP, RESUME, Constant("i32", 0), "i32")
         after = Node()
         node.jump(after)
         selector.forget()
-        selector.code = after.code
+        writer.code = after.code
         self._enter(call, after)
 
     def _enter(self, call: Call, after: Node) -> None:
-        """Enters the callee, fresh or again: this is where a suspended caller goes on."""
-        selector = self.selector
+        """Enter the callee, fresh or again: this is where a suspended caller goes on."""
+        selector, writer = self.selector, self.writer
         landing = self.land(after, call)
         self.calls[len(self.names.call_sites)] = landing
         if isinstance(call.callee, Register):
             self._check_pointer(call, call.callee)
         after.code += [("local.get", SP), ("local.get", FUEL)]
         if isinstance(call.callee, Register):
-            selector.push(call.callee)
+            writer.push(call.callee)
             after.code.append(("call_indirect", CALL_TYPE, 0))
         else:
             after.code.append(("call", self.names.functions[call.callee]))
@@ -419,81 +418,81 @@ class _FunctionCode:
         if call.result is not None:
             if self.shadowed:
                 self._check_value(call)
-            selector.load_at(SP, RESULT, call.result.type)
-            selector.pop(call.result)
+            writer.load_at(SP, RESULT, call.result.type)
+            writer.pop(call.result)
             selector.follow(call)
         after.jump(self.nodes[call.then])
 
     def _check_pointer(self, call: Call, pointer: Register) -> None:
-        """Stops the program unless a function pointer is one, and its function fits the call."""
-        selector, code = self.selector, self.selector.code
-        push = selector.value(pointer)
+        """Stop the program unless a function pointer is one, and its function fits the call."""
+        writer, code = self.writer, self.writer.code
+        push = writer.value(pointer)
         code += [push, ("i32.const", 1), ("i32.sub",)]
         code += [("i32.const", self.names.pointers), ("i32.ge_u",)]
-        selector.fail_if(Site("bad function pointer", call.location), [push])
+        writer.fail_if(Site("bad function pointer", call.location), [push])
         table = self.names.tables.get(call_shape(call))
         if table is not None and self.shadowed:
             code += [push, ("i32.load8_u", MEMORY, table), ("i32.eqz",)]
-            selector.fail_if(Site("mismatched call", call.location), [push])
+            writer.fail_if(Site("mismatched call", call.location), [push])
 
     def _check_value(self, call: Call) -> None:
-        """Stops the program when the callee has ended without a value, see `leave`."""
+        """Stop the program when the callee has ended without a value, see `leave`."""
         callee, without = call.callee, self.names.without_value
         if callee in without or (isinstance(callee, Register) and without):
-            self.selector.load_at(SP, FUNCTION, "i32")
-            self.selector.code += [("i32.const", NO_VALUE), ("i32.eq",)]
+            self.writer.load_at(SP, FUNCTION, "i32")
+            self.writer.code += [("i32.const", NO_VALUE), ("i32.eq",)]
             site = Site("no value returned", call.location)
-            self.selector.fail_if(site, [("i32.const", 0)])
+            self.writer.fail_if(site, [("i32.const", 0)])
 
     def request(self, node: Node, request: Request) -> None:
-        """Copies the message to the slot and stops; copies the reply back when resumed."""
-        selector = self.selector
+        """Copy the message to the slot and stops; copies the reply back when resumed."""
+        selector, writer = self.selector, self.writer
         after = Node()
         landing = self.land(after, request)
-        selector.memory.check_message(request.message, MESSAGE_SIZE, request.location)
+        self.memory.check_message(request.message, MESSAGE_SIZE, request.location)
         to_slot = [("global.get", SLOT_GLOBAL), ("i32.const", MESSAGE_OFFSET), ("i32.add",)]
         node.code += to_slot
-        selector.push(request.message)
+        writer.push(request.message)
         node.code += [("i32.const", MESSAGE.itemsize), ("memory.copy", MAILBOX, MEMORY)]
         node.code.append(("global.get", SLOT_GLOBAL))
-        selector.push(request.code)
+        writer.push(request.code)
         node.code.append(("i32.store", MAILBOX, slot_offset("code")))
         node.code += self.suspend(landing)
         selector.forget()
-        selector.code = after.code
+        writer.code = after.code
         if not self.checked:  # the program may have damaged the register that it saved
-            selector.memory.check_message(request.message, MESSAGE_SIZE, request.location)
-        selector.push(request.message)
+            self.memory.check_message(request.message, MESSAGE_SIZE, request.location)
+        writer.push(request.message)
         after.code += [*to_slot, ("i32.const", MESSAGE.itemsize)]
         after.code += [("memory.copy", MEMORY, MAILBOX)]
-        selector.memory.set_states(request.message, MESSAGE_SIZE, ByteState.WITH_VALUE)
+        self.memory.set_states(request.message, MESSAGE_SIZE, ByteState.WITH_VALUE)
         after.code += [("global.get", SLOT_GLOBAL), ("i32.load", MAILBOX, RESULT_OFFSET)]
-        selector.pop(request.result)
+        writer.pop(request.result)
         after.jump(self.nodes[request.then])
 
     def set_jump(self, node: Node, jump: SetJump) -> None:
-        """Notes where to come back to; whoever does finds the value in this function's result."""
-        selector = self.selector
+        """Note where to come back to; whoever does finds the value in this function's result."""
+        selector, writer = self.selector, self.writer
         landed, after = Node(), self.nodes[jump.then]
         landing = self.land(landed, jump)
         zero = Constant("i32", 0)
-        selector.memory.store(Store(jump.location, jump.buffer, 0, zero, "i32"))
-        node.code += [selector.value(jump.buffer), (LANDING, landing), ("i32.store", MEMORY, 0)]
-        selector.push(zero)
-        selector.pop(jump.result)
+        self.memory.store(Store(jump.location, jump.buffer, 0, zero, "i32"))
+        node.code += [writer.value(jump.buffer), (LANDING, landing), ("i32.store", MEMORY, 0)]
+        writer.push(zero)
+        writer.pop(jump.result)
         selector.follow(jump)
         node.jump(after)
         selector.forget()
-        selector.code = landed.code
-        selector.load_at(SP, self.frame.jump_value, "i32")
-        selector.pop(jump.result)
+        writer.code = landed.code
+        writer.load_at(SP, self.frame.jump_value, "i32")
+        writer.pop(jump.result)
         selector.follow(jump)
         landed.jump(after)
 
     def long_jump(self, node: Node, jump: LongJump) -> None:
-        """Says where to go, and lets `leave` and `resume` do the rest."""
-        selector = self.selector
+        """Say where to go, and lets `leave` and `resume` do the rest."""
+        writer = self.writer
         site = self.names.number(Site("longjmp to a function that has returned", jump.location))
         operands = [jump.activation, jump.place, jump.value, Constant("i32", site)]
-        node.code += jumps.start([selector.value(each) for each in operands])
+        node.code += jumps.start([writer.value(each) for each in operands])
         node.code.append((UNWIND,))

@@ -28,7 +28,7 @@ UNWINDING: Final = 4
 
 
 def start(operands: list[Instr]) -> list[Instr]:
-    """Begins a jump; `operands` push the values of the globals."""
+    """Begin a jump; `operands` push the values of the globals."""
     code: list[Instr] = []
     for operand, number in zip(operands, (ACTIVATION, PLACE, VALUE, JUMP_SITE), strict=True):
         code += [operand, ("global.set", number)]
@@ -36,7 +36,7 @@ def start(operands: list[Instr]) -> list[Instr]:
 
 
 def leave(activation: list[Instr], jump_value: int, left: list[Instr]) -> list[Instr]:
-    """Gives what a function does on the way out when a jump leaves it, or leads to it.
+    """Return what a function does on the way out when a jump leaves it, or leads to it.
 
     Args:
         activation: pushes the function's activation; empty when it has no `setjmp`.
@@ -62,7 +62,7 @@ def leave(activation: list[Instr], jump_value: int, left: list[Instr]) -> list[I
 
 
 def call_root(root: int, fp: int, *, fuel: int, status: int) -> list[Instr]:
-    """Calls the outermost function until it comes back for another reason than a jump.
+    """Call the outermost function until it comes back for another reason than a jump.
 
     Args:
         root: index of the function.

@@ -46,12 +46,12 @@ class Places:
         self._count = 0
 
     def forget(self) -> None:
-        """Drops all, where code from elsewhere joins."""
+        """Drop all, where code from elsewhere joins."""
         self._origins.clear()
         self._computed.clear()
 
     def of(self, base: Base, offset: int) -> tuple[Root | None, int]:
-        """Gives the root and offset of an address; a constant has no root."""
+        """Return the root and offset of an address; a constant has no root."""
         if not isinstance(base, Register):
             return base, offset
         root, distance = self._origin(base)
@@ -107,19 +107,19 @@ class Proved:
         self._ranges: dict[tuple[Root | None, bool], list[tuple[int, int]]] = {}
 
     def forget(self) -> None:
-        """Drops all that is known."""
+        """Drop all that is known."""
         self._ranges.clear()
 
     def forget_values(self) -> None:
-        """Keeps only what is accessible, where bytes may have lost their values."""
+        """Keep only what is accessible, where bytes may have lost their values."""
         self._ranges = {key: rows for key, rows in self._ranges.items() if not key[1]}
 
     def forget_value(self, place: tuple[Root | None, int]) -> None:
-        """Keeps only what is accessible of the object at a place."""
+        """Keep only what is accessible of the object at a place."""
         self._ranges.pop((place[0], True), None)
 
     def add(self, place: tuple[Root | None, int], size: int, *, valued: bool) -> None:
-        """Notes that `size` bytes at a place are accessible; also valued, when they have values."""
+        """Note that `size` bytes at a place are accessible; also valued, when they have values."""
         root, start = place
         self._add(root, start, start + size, valued=False)
         if valued:
@@ -136,7 +136,7 @@ class Proved:
         rows[:] = [*kept, (start, end)]
 
     def has(self, place: tuple[Root | None, int], size: int, *, valued: bool) -> bool:
-        """Tells whether `size` bytes at a place are known to be accessible, or valued."""
+        """Return whether `size` bytes at a place are known to be accessible, or valued."""
         root, start = place
         rows = self._ranges.get((root, valued), ())
         return any(low <= start and start + size <= high for low, high in rows)

@@ -55,7 +55,7 @@ def compile_program(
     watching: bool = False,
     trap_overflow: bool = False,
 ) -> Compiled:
-    """Generates the code of a linked and verified program.
+    """Generate the code of a linked and verified program.
 
     Args:
         program: the program; it must define `__crs_start`.
@@ -152,7 +152,7 @@ def compile_program(
 
 
 def _place(program: Program) -> dict[str, int]:
-    """Gives every object its address, behind the stack; the heap takes the rest.
+    """Return every object its address, behind the stack; the heap takes the rest.
 
     With checks or without, they are the same: what a program does must not depend on it.
     """
@@ -175,7 +175,7 @@ def _place(program: Program) -> dict[str, int]:
 
 
 def _content(data: Data, addresses: dict[str, int]) -> bytes:
-    """Gives an object's initial bytes with the addresses filled in."""
+    """Return an object's initial bytes with the addresses filled in."""
     content = bytearray(data.content or bytes(data.size))
     for relocation in data.relocations:
         value = addresses[relocation.symbol] + relocation.addend
@@ -185,7 +185,7 @@ def _content(data: Data, addresses: dict[str, int]) -> bytes:
 
 
 def _add_start(module: Module, program: Program, addresses: dict[str, int]) -> None:
-    """Makes a function that marks all objects in the shadow memory when a robot is made."""
+    """Make a function that marks all objects in the shadow memory when a robot is made."""
     body: list[Instr] = []
     run: list[Data] = []
     for data in [*program.data.values(), None]:
@@ -203,7 +203,7 @@ def _add_start(module: Module, program: Program, addresses: dict[str, int]) -> N
 
 
 def _marks(module: Module, run: list[Data], addresses: dict[str, int]) -> list[Instr]:
-    """Adds the states of some objects, and what lies between them, to the module's data."""
+    """Add the states of some objects, and what lies between them, to the module's data."""
     start = addresses[run[0].name]
     states = bytearray()
     for data in run:

@@ -39,16 +39,16 @@ class Names:
     accesses: int = 0
 
     def number(self, site: Site) -> int:
-        """Enters a place that can fail; gives its number."""
+        """Enter a place that can fail; gives its number."""
         self.sites.append(site)
         return len(self.sites) - 1
 
     def call_number(self, site: CallSite) -> int:
-        """Enters a place that calls; gives its number."""
+        """Enter a place that calls; gives its number."""
         self.call_sites.append(site)
         return len(self.call_sites)
 
     def statement_number(self, site: StatementSite) -> int:
-        """Enters a statement; gives its number."""
+        """Enter a statement; gives its number."""
         self.statements.append(site)
         return len(self.statements) - 1

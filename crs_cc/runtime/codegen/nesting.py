@@ -41,7 +41,7 @@ def _postorder(entry: Node) -> list[Node]:
 
 
 def _analyse(entry: Node) -> _Order:
-    """Finds dominators (Cooper, Harvey, Kennedy 2001), merge nodes and loop headers."""
+    """Find dominators (Cooper, Harvey, Kennedy 2001), merge nodes and loop headers."""
     order = list(reversed(_postorder(entry)))
     rank = {node: number for number, node in enumerate(order)}
     forward: dict[Node, list[Node]] = {node: [] for node in order}
@@ -73,7 +73,7 @@ def _analyse(entry: Node) -> _Order:
 
 
 def emit(entry: Node, fault: list[Instr]) -> list[Instr]:
-    """Gives the code of a graph whose loops are entered at one node each.
+    """Return the code of a graph whose loops are entered at one node each.
 
     Args:
         entry: where it begins.
@@ -113,7 +113,7 @@ class _Emitter:
         return self.depth
 
     def tree(self, node: Node) -> None:
-        """Writes a node and all that it dominates."""
+        """Write a node and all that it dominates."""
         if node in self.order.headers:
             self.loop_depth[node] = self.open("loop")
             self.work.append(("end",))
@@ -133,7 +133,7 @@ class _Emitter:
                 self._table(node)
 
     def instruction(self, instr: Instr) -> None:
-        """Writes an instruction; a pseudo-instruction as what it stands for."""
+        """Write an instruction; a pseudo-instruction as what it stands for."""
         if instr[0] is UNWIND:
             self.out.append(("br", self.depth - 1))
         elif instr[0] is FAULTED:
@@ -145,7 +145,7 @@ class _Emitter:
             self.depth += (instr[0] == "if") - (instr[0] == "end")
 
     def label(self, source: Node, target: Node) -> int | None:
-        """Gives the relative depth of a jump; None when the target is written in place."""
+        """Return the relative depth of a jump; None when the target is written in place."""
         if self.order.rank[target] <= self.order.rank[source]:
             return self.depth - self.loop_depth[target]
         if target in self.order.merges:

@@ -1,12 +1,10 @@
 """Access to memory without tests: for unchecked builds, and for the allocator in all builds.
 
-`CheckedMemory` does the same with tests. Which of the two a `Writer` has decides how `Load`,
+`CheckedMemory` does the same with tests. Which of the two a `Selector` has decides how `Load`,
 `Store` and all that works on whole ranges are written.
 """
 
 from __future__ import annotations
-
-from typing import Final
 
 from crs_cc.core.source import Location
 from crs_cc.ir.program import (
@@ -20,7 +18,6 @@ from crs_cc.ir.program import (
     Lifetime,
     Load,
     Mark,
-    MemoryType,
     Operand,
     Slot,
     State,
@@ -28,19 +25,10 @@ from crs_cc.ir.program import (
 )
 from crs_cc.runtime.codegen import indices
 from crs_cc.runtime.codegen.indices import ADDRESS, FP, MEMORY, OUTSIDE, SHADOW, SP
-from crs_cc.runtime.codegen.writer import Writer
+from crs_cc.runtime.codegen.writer import LOADS, STORES, Writer
 from crs_cc.runtime.layout import NULL_SIZE
 from crs_cc.runtime.sites import Access, Site
 from crs_cc.runtime.wasm import Instr
-
-LOADS: Final[dict[MemoryType, str]] = {
-    "i8": "i32.load8_s", "u8": "i32.load8_u", "i16": "i32.load16_s", "u16": "i32.load16_u",
-    "i32": "i32.load", "i64": "i64.load", "f32": "f32.load", "f64": "f64.load",
-}  # fmt: skip
-STORES: Final[dict[MemoryType, str]] = {
-    "i8": "i32.store8", "u8": "i32.store8", "i16": "i32.store16", "u16": "i32.store16",
-    "i32": "i32.store", "i64": "i64.store", "f32": "f32.store", "f64": "f64.store",
-}  # fmt: skip
 
 
 class PlainMemory:
@@ -55,16 +43,16 @@ class PlainMemory:
         self.shadowed = shadowed
 
     def forget(self) -> None:
-        """Drops what is known, where code from elsewhere joins."""
+        """Drop what is known, where code from elsewhere joins."""
 
     def before(self, it: Instruction) -> None:
-        """Tests what an instruction reads of registers."""
+        """Test what an instruction reads of registers."""
 
     def follow(self, it: Instruction) -> None:
         """Takes note of what an instruction has written."""
 
     def place(self, base: Base, offset: int) -> tuple[Instr, int]:
-        """Gives an instruction that pushes an address, and the offset to use with it.
+        """Return an instruction that pushes an address, and the offset to use with it.
 
         The code that comes before may change local `ADDRESS`.
         """
@@ -80,19 +68,19 @@ class PlainMemory:
         return ("local.get", ADDRESS), 0
 
     def load(self, it: Load) -> None:
-        """Writes `result = *(base + offset)`."""
+        """Write `result = *(base + offset)`."""
         push, offset = self.place(it.base, it.offset)
         self.writer.code += [push, (LOADS[it.memory], MEMORY, offset)]
         self.writer.pop(it.result)
 
     def store(self, it: Store) -> None:
-        """Writes `*(base + offset) = source`."""
+        """Write `*(base + offset) = source`."""
         push, offset = self.place(it.base, it.offset)
         self.writer.code += [push, self.writer.value(it.source)]
         self.writer.code.append((STORES[it.memory], MEMORY, offset))
 
     def copy(self, it: Copy) -> None:
-        """Writes a `memmove`."""
+        """Write a `memmove`."""
         writer = self.writer
         writer.charge(it.size)
         for memory in (MEMORY, SHADOW) if self.shadowed else (MEMORY,):
@@ -100,7 +88,7 @@ class PlainMemory:
             writer.code.append(("memory.copy", memory, memory))
 
     def fill(self, it: Fill) -> None:
-        """Writes a `memset`."""
+        """Write a `memset`."""
         writer = self.writer
         writer.charge(it.size)
         writer.code += [writer.value(each) for each in (it.target, it.value, it.size)]
@@ -108,7 +96,7 @@ class PlainMemory:
         self.set_states(it.target, it.size, ByteState.WITH_VALUE)
 
     def argument(self, value: Operand, offset: int, size: Operand, location: Location) -> None:
-        """Copies a struct to the arguments of a call, at SP + `offset`."""
+        """Copy a struct to the arguments of a call, at SP + `offset`."""
         writer = self.writer
         self.check_range(value, size, location, "read")
         writer.charge(size)
@@ -119,35 +107,35 @@ class PlainMemory:
     def check_range(
         self, address: Operand, size: Operand, location: Location, access: Access
     ) -> None:
-        """Stops the program unless `size` bytes at `address` are accessible."""
+        """Stop the program unless `size` bytes at `address` are accessible."""
 
     def check_message(self, address: Operand, size: Operand, location: Location) -> None:
-        """Stops the program unless a message to the world outside lies in memory."""
+        """Stop the program unless a message to the world outside lies in memory."""
         writer = self.writer
         writer.code += [writer.value(address), writer.value(size), ("call", OUTSIDE)]
         writer.fail_if(Site("memory", location, "read"), [writer.value(address)])
 
     def set_states(self, address: Operand, size: Operand, state: int) -> None:
-        """Sets the states of bytes, where there are any."""
+        """Set the states of bytes, where there are any."""
         if self.shadowed:
             writer = self.writer
             writer.code += [writer.value(address), ("i32.const", state), writer.value(size)]
             writer.code.append(("memory.fill", SHADOW))
 
     def mark(self, it: Mark) -> None:
-        """Says what C may do with a block of the heap."""
+        """Say what C may do with a block of the heap."""
         self.writer.charge(it.size)
         self.set_states(it.target, it.size, it.state)
 
     def callers(self, it: Callers) -> None:
-        """Writes down who called."""
+        """Write down who called."""
         if self.shadowed:
             writer = self.writer
             writer.code += [("local.get", FP), writer.value(it.target)]
             writer.code += [("i32.const", it.count), ("call", indices.CALLERS)]
 
     def state(self, it: State) -> None:
-        """Gives what C may do with a byte."""
+        """Return what C may do with a byte."""
         writer = self.writer
         if self.shadowed:
             writer.code += [writer.value(it.address), ("i32.load8_u", SHADOW, 0)]
@@ -156,4 +144,4 @@ class PlainMemory:
         writer.pop(it.result)
 
     def lifetime(self, it: Lifetime) -> None:
-        """Begins or ends an object in a slot."""
+        """Begin or ends an object in a slot."""

@@ -56,7 +56,7 @@ class Registers:
         self.charge += max(map(self._most, function.blocks), default=0)
 
     def _most(self, block: Block) -> int:
-        """Gives the charge for the registers of a block that live at once, the most [bytes]."""
+        """Return the charge for the registers of a block that live at once, the most [bytes]."""
         size = most = 0
         alive: set[Register] = set()
         for instruction, last in zip(all_instructions(block), self.last_uses(block), strict=True):
@@ -71,7 +71,7 @@ class Registers:
         return most
 
     def last_uses(self, block: Block) -> list[list[Register]]:
-        """Gives for each instruction the short-lived registers that are not needed behind it."""
+        """Return for each instruction the short-lived registers that are not needed behind it."""
         instructions = all_instructions(block)
         last: list[list[Register]] = [[] for _ in instructions]
         seen: set[Register] = set()

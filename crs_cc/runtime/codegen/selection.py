@@ -20,149 +20,148 @@ from crs_cc.ir.program import (
     Lifetime,
     Load,
     Mark,
-    MemoryType,
     Move,
-    Operand,
     State,
     Store,
     Unary,
 )
 from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
-from crs_cc.runtime.codegen.indices import MEMORY
-from crs_cc.runtime.codegen.names import Names
-from crs_cc.runtime.codegen.plain_memory import LOADS, STORES, PlainMemory
+from crs_cc.runtime.codegen.plain_memory import PlainMemory
 from crs_cc.runtime.codegen.watching import Watching
 from crs_cc.runtime.codegen.writer import Writer
-from crs_cc.runtime.layout import Frame
 from crs_cc.runtime.sites import Site
 
 _LOWEST: Final = {"i32": -(2**31), "i64": -(2**63)}
 _POWER: Final = {"i32": 2.0**31, "i64": 2.0**63}
 
 
-class Selector(Writer):
-    """Writes the instructions of one function.
+class Selector:
+    """Selects the instructions of one function."""
 
-    Attributes:
-        memory: how it writes accesses to memory.
-        arithmetic: what tests the operands of arithmetic; None where nothing does.
-        watching: what tells of accesses; None where nobody is told.
-    """
+    def __init__(
+        self,
+        writer: Writer,
+        memory: PlainMemory,
+        arithmetic: CheckedArithmetic | None,
+        watching: Watching | None,
+    ) -> None:
+        """Set the parts that write code.
 
-    def __init__(self, names: Names, frame: Frame) -> None:
-        super().__init__(names, frame)
-        self.memory: PlainMemory = PlainMemory(self, shadowed=False)
-        self.arithmetic: CheckedArithmetic | None = None
-        self.watching: Watching | None = None
+        Args:
+            writer: appends the instructions.
+            memory: writes accesses to memory, with checks or without.
+            arithmetic: checks the operands of arithmetic; None in unchecked code.
+            watching: reports accesses to watchpoints; None in builds without watchpoints.
+        """
+        self._writer = writer
+        self._memory = memory
+        self._arithmetic = arithmetic
+        self._watching = watching
 
     def forget(self) -> None:
-        """Drops what is known, where code from elsewhere joins."""
-        self.memory.forget()
-        if self.arithmetic is not None:
-            self.arithmetic.forget()
+        """Drop what is known, where code from elsewhere joins."""
+        self._memory.forget()
+        if self._arithmetic is not None:
+            self._arithmetic.forget()
 
     def before(self, instruction: Instruction) -> None:
-        """Writes the tests that come before an instruction, terminators too."""
-        self.memory.before(instruction)
-        if self.arithmetic is not None:
-            self.arithmetic.before(instruction)
-        if self.watching is not None:
-            self.watching.before(instruction)
+        """Write the tests that come before an instruction, terminators too."""
+        self._memory.before(instruction)
+        if self._arithmetic is not None:
+            self._arithmetic.before(instruction)
+        if self._watching is not None:
+            self._watching.before(instruction)
 
     def follow(self, instruction: Instruction) -> None:
-        """Writes what comes behind an instruction that has a result, terminators too."""
-        if self.watching is not None:
-            self.watching.follow(instruction)
+        """Write what comes behind an instruction that has a result, terminators too."""
+        if self._watching is not None:
+            self._watching.follow(instruction)
 
     def select(self, instruction: Instruction) -> None:
-        """Writes the code of one instruction that is not a terminator."""
+        """Write the code of one instruction that is not a terminator."""
         access = _ACCESS.get(type(instruction))
         if access is not None:
-            getattr(self.memory, access)(instruction)
+            getattr(self._memory, access)(instruction)
         else:
             _SELECT[type(instruction)](self, instruction)
-        self.memory.follow(instruction)
-        if self.arithmetic is not None:
-            self.arithmetic.follow(instruction)
+        self._memory.follow(instruction)
+        if self._arithmetic is not None:
+            self._arithmetic.follow(instruction)
         self.follow(instruction)
 
     def move(self, it: Move) -> None:
-        """Writes `result = source`."""
-        self.push(it.source)
-        self.pop(it.result)
-
-    def store_at(self, base: int, offset: int, value: Operand, memory: MemoryType) -> None:
-        """Stores into the frame, relative to local `base`."""
-        self.code.append(("local.get", base))
-        self.push(value)
-        self.code.append((STORES[memory], MEMORY, offset))
-
-    def load_at(self, base: int, offset: int, memory: MemoryType) -> None:
-        """Pushes a value of the frame, relative to local `base`."""
-        self.code += [("local.get", base), (LOADS[memory], MEMORY, offset)]
+        """Write `result = source`."""
+        writer = self._writer
+        writer.push(it.source)
+        writer.pop(it.result)
 
     def address_of(self, it: Address) -> None:
-        """Writes `result = base + offset`."""
-        self.address(it.base, it.offset)
-        self.pop(it.result)
+        """Write `result = base + offset`."""
+        writer = self._writer
+        writer.address(it.base, it.offset)
+        writer.pop(it.result)
 
     def binary(self, it: Binary) -> None:
-        """Writes `result = left op right`."""
+        """Write `result = left op right`."""
+        writer = self._writer
         kind, _, op = it.op.partition(".")
         if op in ("div_s", "rem_s", "div_u", "rem_u"):
             self._check_division(it, kind, signed=op.endswith("s"))
-        self.push(it.left)
-        self.push(it.right)
-        self.code.append((it.op,))
-        self.pop(it.result)
+        writer.push(it.left)
+        writer.push(it.right)
+        writer.code.append((it.op,))
+        writer.pop(it.result)
 
     def _check_division(self, it: Binary, kind: str, *, signed: bool) -> None:
-        """Stops at a zero divisor, and at the quotient that does not fit (C17 6.5.5)."""
+        """Stop at a zero divisor, and at the quotient that does not fit (C17 6.5.5)."""
+        writer = self._writer
         divisor, low = it.right, _LOWEST[kind]
         if isinstance(divisor, Constant) and divisor.value not in (0, -1):
             return
-        self.push(divisor)
+        writer.push(divisor)
         if signed:  # 0 and -1 are the only divisors that can fail: one test for both
-            self.code += [(f"{kind}.const", 1), (f"{kind}.add",), (f"{kind}.const", 2)]
-            self.code += [(f"{kind}.lt_u",), ("if",)]
-            self.push(divisor)
-        self.code.append((f"{kind}.eqz",))
-        self.fail_if(Site("division by zero", it.location), [("i32.const", 0)])
+            writer.code += [(f"{kind}.const", 1), (f"{kind}.add",), (f"{kind}.const", 2)]
+            writer.code += [(f"{kind}.lt_u",), ("if",)]
+            writer.push(divisor)
+        writer.code.append((f"{kind}.eqz",))
+        writer.fail_if(Site("division by zero", it.location), [("i32.const", 0)])
         if signed:
-            self.push(it.left)
-            self.code += [(f"{kind}.const", low), (f"{kind}.eq",)]
-            self.fail_if(Site("division overflow", it.location), [("i32.const", 0)])
-            self.code.append(("end",))
+            writer.push(it.left)
+            writer.code += [(f"{kind}.const", low), (f"{kind}.eq",)]
+            writer.fail_if(Site("division overflow", it.location), [("i32.const", 0)])
+            writer.code.append(("end",))
 
     def unary(self, it: Unary) -> None:
-        """Writes `result = op source`."""
+        """Write `result = op source`."""
+        writer = self._writer
         kind, _, op = it.op.partition(".")
         if op.startswith("trunc_f"):
             self._truncate(it, kind, op)
         else:
-            self.push(it.source)
-            self.code.append((it.op,))
-        self.pop(it.result)
+            writer.push(it.source)
+            writer.code.append((it.op,))
+        writer.pop(it.result)
 
     def _truncate(self, it: Unary, kind: str, op: str) -> None:
-        """Converts to an integer as i386 with SSE2 does: what does not fit gives the lowest value.
+        """Convert to an integer as i386 with SSE2 does: what does not fit gives the lowest value.
 
         To a 32-bit unsigned type it goes by way of 64 bits, as gcc does.
         """
+        writer = self._writer
         source = "f32" if "f32" in op else "f64"
         power = (f"{source}.const", _POWER[kind])
-        self.push(it.source)
+        writer.push(it.source)
         if op.endswith("_s"):
-            self.code += [(f"{kind}.trunc_sat_{source}_s",), (f"{kind}.const", _LOWEST[kind])]
+            writer.code += [(f"{kind}.trunc_sat_{source}_s",), (f"{kind}.const", _LOWEST[kind])]
         elif kind == "i32":
-            self.code += [(f"i64.trunc_sat_{source}_s",), ("i32.wrap_i64",)]
+            writer.code += [(f"i64.trunc_sat_{source}_s",), ("i32.wrap_i64",)]
             return
         else:  # below 2**63 as signed, which keeps small negative numbers wrapping
-            self.code.append((f"i64.trunc_sat_{source}_s",))
-            self.push(it.source)
-            self.code.append((f"i64.trunc_sat_{source}_u",))
-        self.push(it.source)
-        self.code += [power, (f"{source}.lt",), ("select",)]
+            writer.code.append((f"i64.trunc_sat_{source}_s",))
+            writer.push(it.source)
+            writer.code.append((f"i64.trunc_sat_{source}_u",))
+        writer.push(it.source)
+        writer.code += [power, (f"{source}.lt",), ("select",)]
 
 
 _SELECT: Final[dict[type[Instruction], Callable[..., None]]] = {

@@ -33,38 +33,38 @@ _STORES: Final = {1: "i32.store8", 2: "i32.store16", 4: "i32.store", 8: "i64.sto
 
 
 def kind(size: int) -> ValueType:
-    """Gives the type of the number that holds the states of so many bytes."""
+    """Return the type of the number that holds the states of so many bytes."""
     return "i64" if size == 8 else "i32"
 
 
 def load(size: int, offset: int) -> Instr:
-    """Replaces an address by the states of the bytes there, extended by their sign."""
+    """Replace an address by the states of the bytes there, extended by their sign."""
     return (_LOADS[size], SHADOW, offset)
 
 
 def store(size: int, offset: int) -> Instr:
-    """Sets the states of the bytes at an address; address and states are on the stack."""
+    """Set the states of the bytes at an address; address and states are on the stack."""
     return (_STORES[size], SHADOW, offset)
 
 
 def repeated(state: int, size: int) -> Instr:
-    """Pushes the states of so many bytes that have all the same state."""
+    """Push the states of so many bytes that have all the same state."""
     return (f"{kind(size)}.const", int.from_bytes([state] * size, "little", signed=True))
 
 
 def not_readable(size: int) -> list[Instr]:
-    """Replaces states on the stack by whether some byte may not be read, or has no value."""
+    """Replace states on the stack by whether some byte may not be read, or has no value."""
     return [repeated(ByteState.WITH_VALUE, size), (f"{kind(size)}.ne",)]
 
 
 def not_accessible(size: int) -> list[Instr]:
-    """Replaces states on the stack by whether some byte is inaccessible."""
+    """Replace states on the stack by whether some byte is inaccessible."""
     lowest = repeated(ByteState.WITHOUT_VALUE, size)
     return [lowest, (f"{kind(size)}.and",), lowest, (f"{kind(size)}.ne",)]
 
 
 def fill(base: Instr, offset: int, size: int, state: int) -> list[Instr]:
-    """Sets the states of `size` bytes at `base + offset`; `base` is an instruction that pushes."""
+    """Set the states of `size` bytes at `base + offset`; `base` is an instruction that pushes."""
     if size > MOST_INLINE:
         at = [base, ("i32.const", offset), ("i32.add",)]
         return [*at, ("i32.const", state), ("i32.const", size), ("memory.fill", SHADOW)]

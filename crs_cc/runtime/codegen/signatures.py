@@ -16,25 +16,25 @@ Shape: TypeAlias = tuple[str, ...]
 
 
 def _kind(memory: MemoryType | None, size: int) -> str:
-    """Gives the kind of an argument or parameter; integers and pointers of up to 4 bytes alike."""
+    """Return the kind of an argument or parameter; integers and pointers of up to 4 bytes alike."""
     if memory is None:
         return f"bytes {size}"
     return memory if memory in {"i64", "f32", "f64"} else "word"
 
 
 def call_shape(call: Call) -> Shape:
-    """Gives what a call passes."""
+    """Return what a call passes."""
     return tuple(_kind(each.memory, each.size) for each in call.arguments)
 
 
 def is_understood(shape: Shape, callee: Function) -> bool:
-    """Tells whether a function reads its arguments as they were passed."""
+    """Return whether a function reads its arguments as they were passed."""
     wanted = tuple(_kind(each.memory, each.size) for each in callee.parameters)
     return shape[: len(wanted)] == wanted
 
 
 def pointer_tables(program: Program, pointers: list[str]) -> dict[Shape, bytes]:
-    """Gives for each shape of calls through pointers which of these functions understand it.
+    """Return for each shape of calls through pointers which of these functions understand it.
 
     Args:
         program: the program.
@@ -56,7 +56,7 @@ def pointer_tables(program: Program, pointers: list[str]) -> dict[Shape, bytes]:
 
 
 def ends_without_value(function: Function) -> bool:
-    """Tells whether a function may end without giving a value."""
+    """Return whether a function may end without giving a value."""
     return any(
         isinstance(block.terminator, Return) and block.terminator.value is None
         for block in function.blocks
@@ -64,7 +64,7 @@ def ends_without_value(function: Function) -> bool:
 
 
 def asked_for_values(program: Program, pointers: list[str]) -> set[str]:
-    """Gives the functions that may end without a value which somebody uses."""
+    """Return the functions that may end without a value which somebody uses."""
     asked = set(pointers)
     for function in program.functions.values():
         for block in function.blocks:

@@ -11,7 +11,7 @@ from typing import Final
 
 from crs_cc.ir.program import Constant, Register
 from crs_cc.runtime.codegen.indices import FP, LABEL, MEMORY, SP
-from crs_cc.runtime.codegen.selection import Selector
+from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.layout import FUNCTION, RESUME, Frame
 from crs_cc.runtime.wasm import Instr
 
@@ -21,26 +21,26 @@ MOST_INLINE: Final = 64
 _SIZES: Final = {"i32": 4, "f32": 4, "i64": 8, "f64": 8}
 
 
-def save(selector: Selector, frame: Frame, saved: list[Register], function: int) -> None:
-    """Stores registers into their homes, and in the header which function goes on where."""
+def save(writer: Writer, frame: Frame, saved: list[Register], function: int) -> None:
+    """Store registers into their homes, and in the header which function goes on where."""
     for register in saved:
-        selector.store_at(SP, frame.offsets[register], register, register.type)
-    selector.code += [("local.get", FP), ("local.get", LABEL), ("i32.store", MEMORY, RESUME)]
-    selector.store_at(FP, FUNCTION, Constant("i32", function), "i32")
+        writer.store_at(SP, frame.offsets[register], register, register.type)
+    writer.code += [("local.get", FP), ("local.get", LABEL), ("i32.store", MEMORY, RESUME)]
+    writer.store_at(FP, FUNCTION, Constant("i32", function), "i32")
 
 
-def load(selector: Selector, frame: Frame, saved: list[Register], *, debug: bool) -> None:
-    """Loads registers from their homes; in debug builds nothing stays there or in the header."""
+def load(writer: Writer, frame: Frame, saved: list[Register], *, debug: bool) -> None:
+    """Load registers from their homes; in debug builds nothing stays there or in the header."""
     for register in saved:
-        selector.load_at(SP, frame.offsets[register], register.type)
-        selector.pop(register)
+        writer.load_at(SP, frame.offsets[register], register.type)
+        writer.pop(register)
     if debug:
-        selector.code += clear(frame, saved)
-        selector.code += [("local.get", FP), ("i64.const", 0), ("i64.store", MEMORY, FUNCTION)]
+        writer.code += clear(frame, saved)
+        writer.code += [("local.get", FP), ("i64.const", 0), ("i64.store", MEMORY, FUNCTION)]
 
 
 def clear(frame: Frame, saved: list[Register]) -> list[Instr]:
-    """Gives the code that makes homes zero."""
+    """Return the code that makes homes zero."""
     if not saved:
         return []
     start = min(frame.offsets[register] for register in saved)

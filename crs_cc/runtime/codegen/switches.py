@@ -6,15 +6,15 @@ from typing import Final
 
 from crs_cc.ir.program import Block, Constant, Operand, Switch
 from crs_cc.runtime.codegen.flow import Node
-from crs_cc.runtime.codegen.selection import Selector
+from crs_cc.runtime.codegen.writer import Writer
 
 FEW: Final = 3  # cases worth comparing one by one
 WASTE: Final = 4  # a jump table may have so many times more entries than cases
 LARGEST_TABLE: Final = 4096
 
 
-def lower_switch(selector: Selector, node: Node, switch: Switch, nodes: dict[Block, Node]) -> None:
-    """Ends `node` with the choice, through nodes of comparisons where needed."""
+def lower_switch(writer: Writer, node: Node, switch: Switch, nodes: dict[Block, Node]) -> None:
+    """End `node` with the choice, through nodes of comparisons where needed."""
     cases = [
         (number, nodes[block]) for number, block in sorted(switch.cases, key=lambda case: case[0])
     ]
@@ -22,15 +22,15 @@ def lower_switch(selector: Selector, node: Node, switch: Switch, nodes: dict[Blo
     work = [(node, cases)]
     while work:
         place, part = work.pop()
-        selector.code = place.code
+        writer.code = place.code
         if _dense(part):
-            _table(selector, place, switch.value, part, default)
+            _table(writer, place, switch.value, part, default)
         elif len(part) <= FEW:
-            _chain(selector, place, switch.value, part, default)
+            _chain(writer, place, switch.value, part, default)
         else:
             middle = len(part) // 2
             low, high = Node(), Node()
-            _compare(selector, switch.value, "lt_s", part[middle][0])
+            _compare(writer, switch.value, "lt_s", part[middle][0])
             place.exit, place.targets = "branch", [low, high]
             work += [(low, part[:middle]), (high, part[middle:])]
 
@@ -42,26 +42,26 @@ def _dense(cases: list[tuple[int, Node]]) -> bool:
     return span <= min(LARGEST_TABLE, WASTE * len(cases))
 
 
-def _compare(selector: Selector, value: Operand, test: str, number: int) -> None:
-    selector.push(value)
-    selector.push(Constant(value.type, number))
-    selector.code.append((f"{value.type}.{test}",))
+def _compare(writer: Writer, value: Operand, test: str, number: int) -> None:
+    writer.push(value)
+    writer.push(Constant(value.type, number))
+    writer.code.append((f"{value.type}.{test}",))
 
 
 def _chain(
-    selector: Selector, node: Node, value: Operand, cases: list[tuple[int, Node]], default: Node
+    writer: Writer, node: Node, value: Operand, cases: list[tuple[int, Node]], default: Node
 ) -> None:
     for number, target in cases:
-        _compare(selector, value, "eq", number)
+        _compare(writer, value, "eq", number)
         following = Node()
         node.exit, node.targets = "branch", [target, following]
         node = following
-        selector.code = node.code
+        writer.code = node.code
     node.jump(default)
 
 
 def _table(
-    selector: Selector, node: Node, value: Operand, cases: list[tuple[int, Node]], default: Node
+    writer: Writer, node: Node, value: Operand, cases: list[tuple[int, Node]], default: Node
 ) -> None:
     first = cases[0][0]
     targets = [default] * (cases[-1][0] - first + 1)
@@ -69,17 +69,17 @@ def _table(
         targets[number - first] = target
     if value.type == "i64":  # a distance of 2**32 and more must not wrap into the table
         inside = Node()
-        _distance(selector, value, first)
-        selector.code += [("i64.const", len(targets)), ("i64.lt_u",)]
+        _distance(writer, value, first)
+        writer.code += [("i64.const", len(targets)), ("i64.lt_u",)]
         node.exit, node.targets = "branch", [inside, default]
-        node, selector.code = inside, inside.code
-    _distance(selector, value, first)
+        node, writer.code = inside, inside.code
+    _distance(writer, value, first)
     if value.type == "i64":
-        selector.code.append(("i32.wrap_i64",))
+        writer.code.append(("i32.wrap_i64",))
     node.exit, node.targets = "table", [*targets, default]
 
 
-def _distance(selector: Selector, value: Operand, first: int) -> None:
-    selector.push(value)
-    selector.push(Constant(value.type, first))
-    selector.code.append((f"{value.type}.sub",))
+def _distance(writer: Writer, value: Operand, first: int) -> None:
+    writer.push(value)
+    writer.push(Constant(value.type, first))
+    writer.code.append((f"{value.type}.sub",))

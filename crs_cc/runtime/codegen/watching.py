@@ -76,7 +76,7 @@ _SIZES: Final = {"i32": 4, "i64": 8, "f32": 4, "f64": 8}
 
 
 def accesses(program: Program) -> list[StatementSite]:
-    """Gives the place of every access that has a number, the first one that of number 1."""
+    """Return the place of every access that has a number, the first one that of number 1."""
     return [
         StatementSite(function.name, instruction.location)
         for function in program.functions.values()
@@ -101,7 +101,7 @@ class Watching:
         self._concerned = len(writer.local_types) + 1
 
     def find_out(self) -> list[Instr]:
-        """Finds out whether anything is watched in the frame, or in the arguments."""
+        """Find out whether anything is watched in the frame, or in the arguments."""
         zero = ("i32.const", 0)
         return [
             ("local.get", SP), zero, ("i32.load", self._marks, offset("highest")), ("i32.lt_u",),
@@ -187,7 +187,7 @@ class Watching:
 
 
 def watch(marks: int, statements: int, *, checked: bool) -> Code:
-    """Gives `watch(address, size, access, place, fp)`, which compares an access with all ranges.
+    """Return `watch(address, size, access, place, fp)`, which compares an access with all ranges.
 
     Args:
         marks: index of the memory of the marks.
@@ -235,7 +235,7 @@ def watch(marks: int, statements: int, *, checked: bool) -> Code:
 
 
 def _callers(marks: int, place: int, fp: int, at: int) -> list[Instr]:
-    """Notes which calls led to an access in the library; the outermost header tells of none."""
+    """Note which calls led to an access in the library; the outermost header tells of none."""
     target, word, header = at + 1, at + 2, at + 3
     return [
         ("local.get", place), ("i32.eqz",), ("if",),
@@ -256,7 +256,7 @@ def _callers(marks: int, place: int, fp: int, at: int) -> list[Instr]:
 
 
 def watching_begins(marks: int, statements: int) -> list[Instr]:
-    """Gives what `resume` does so that most accesses need not be told of, and none is forgotten."""
+    """Return what `resume` does so that most accesses need not be told of, and none is forgotten."""
     at = ("i32.const", 0)
     return [
         at, ("i32.load", marks, offset("first")), ("global.set", WATCHED_GLOBAL),
@@ -267,10 +267,10 @@ def watching_begins(marks: int, statements: int) -> list[Instr]:
 
 
 def is_pending(marks: int) -> list[Instr]:
-    """Joins to the test whether to stop before a statement what was watched."""
+    """Join to the test whether to stop before a statement what was watched."""
     return [("i32.const", 0), ("i32.load", marks, offset("pending")), ("i32.or",)]
 
 
 def stops(marks: int) -> list[Instr]:
-    """Gives what a stop before a statement does."""
+    """Return what a stop before a statement does."""
     return [("i32.const", 0), ("i32.const", 0), ("i32.store", marks, offset("pending"))]

@@ -7,14 +7,31 @@ from __future__ import annotations
 
 from typing import Final
 
-from crs_cc.ir.program import VARARGS, Base, Constant, Operand, Register, Slot, ValueType
+from crs_cc.ir.program import (
+    VARARGS,
+    Base,
+    Constant,
+    MemoryType,
+    Operand,
+    Register,
+    Slot,
+    ValueType,
+)
 from crs_cc.runtime.codegen.flow import FAULTED
-from crs_cc.runtime.codegen.indices import ADDRESS, FIXED_LOCALS, FUEL, SITE, SP
+from crs_cc.runtime.codegen.indices import ADDRESS, FIXED_LOCALS, FUEL, MEMORY, SITE, SP
 from crs_cc.runtime.codegen.names import Names
 from crs_cc.runtime.layout import Frame
 from crs_cc.runtime.sites import Site
 from crs_cc.runtime.wasm import UNLIKELY, Instr
 
+LOADS: Final[dict[MemoryType, str]] = {
+    "i8": "i32.load8_s", "u8": "i32.load8_u", "i16": "i32.load16_s", "u16": "i32.load16_u",
+    "i32": "i32.load", "i64": "i64.load", "f32": "f32.load", "f64": "f64.load",
+}  # fmt: skip
+STORES: Final[dict[MemoryType, str]] = {
+    "i8": "i32.store8", "u8": "i32.store8", "i16": "i32.store16", "u16": "i32.store16",
+    "i32": "i32.store", "i64": "i64.store", "f32": "f32.store", "f64": "f64.store",
+}  # fmt: skip
 FREE_BYTES: Final = 256  # a copy costs one more unit of fuel for each so many bytes; 2**n
 
 
@@ -41,7 +58,7 @@ class Writer:
     # -- locals ------------------------------------------------------------------------------
 
     def take_local(self, register: Register) -> None:
-        """Gives a register a local of its own until it is released."""
+        """Return a register a local of its own until it is released."""
         free = self._free[register.type]
         if free:
             self.locals[register] = free.pop()
@@ -50,22 +67,22 @@ class Writer:
         self.locals[register] = len(self.local_types) + 1
 
     def release(self, register: Register) -> None:
-        """Makes the register's local free for another one; assigned again it takes a new one."""
+        """Make the register's local free for another one; assigned again it takes a new one."""
         self._free[register.type].append(self.locals[register])
         self._released.add(register)
 
     def value(self, operand: Operand) -> Instr:
-        """Gives the instruction that pushes an operand's value."""
+        """Return the instruction that pushes an operand's value."""
         if isinstance(operand, Constant):
             return (f"{operand.type}.const", operand.value)
         return ("local.get", self.locals[operand])
 
     def push(self, operand: Operand) -> None:
-        """Pushes an operand's value."""
+        """Push an operand's value."""
         self.code.append(self.value(operand))
 
     def pop(self, register: Register) -> None:
-        """Pops a value into a register."""
+        """Pop a value into a register."""
         if register not in self.locals or register in self._released:
             self._released.discard(register)
             self.take_local(register)
@@ -74,13 +91,13 @@ class Writer:
     # -- errors ------------------------------------------------------------------------------
 
     def fail(self, site: Site, value: list[Instr]) -> None:
-        """Stops the program; `value` pushes the address or number to blame."""
+        """Stop the program; `value` pushes the address or number to blame."""
         number = self.names.number(site)
         self.code += [*value, ("local.set", ADDRESS)]
         self.code += [("i32.const", number), ("local.set", SITE), (FAULTED,)]
 
     def fail_if(self, site: Site, value: list[Instr]) -> None:
-        """Stops the program if the i32 on the stack is not zero."""
+        """Stop the program if the i32 on the stack is not zero."""
         self.code.append(UNLIKELY)
         self.fail(site, value)
         self.code.append(("end",))
@@ -88,7 +105,7 @@ class Writer:
     # -- memory ------------------------------------------------------------------------------
 
     def address(self, base: Base, offset: int) -> None:
-        """Pushes an address."""
+        """Push an address."""
         match base:
             case Register():
                 self.push(base)
@@ -100,6 +117,16 @@ class Writer:
                 return
         if offset:
             self.code += [("i32.const", offset), ("i32.add",)]
+
+    def store_at(self, base: int, offset: int, value: Operand, memory: MemoryType) -> None:
+        """Store into the frame, relative to local `base`."""
+        self.code.append(("local.get", base))
+        self.push(value)
+        self.code.append((STORES[memory], MEMORY, offset))
+
+    def load_at(self, base: int, offset: int, memory: MemoryType) -> None:
+        """Push a value of the frame, relative to local `base`."""
+        self.code += [("local.get", base), (LOADS[memory], MEMORY, offset)]
 
     def charge(self, size: Operand) -> None:
         """Takes fuel for moving `size` bytes, so that large copies cost the time they take."""

@@ -25,7 +25,7 @@ MARGIN: Final = 256
 def diagnose(
     stopped: Stopped, address: int, size: int, access: Access
 ) -> tuple[str, int, Object | None]:
-    """Gives the kind of error, the first byte to blame, and the object there or nearest to it.
+    """Return the kind of error, the first byte to blame, and the object there or nearest to it.
 
     Args:
         stopped: the program.
@@ -53,7 +53,7 @@ def diagnose(
 
 
 def _kind(stopped: Stopped, address: int, found: Object | None) -> str:
-    """Gives what is wrong with an access to a byte that is inaccessible."""
+    """Return what is wrong with an access to a byte that is inaccessible."""
     if found is not None and found.distance(address) == 0 and found.state != "alive":
         return "use after scope" if found.state == "ended" else "use after free"
     if address < stopped.stack_pointer():
@@ -73,5 +73,5 @@ def _is_in_library(found: Object) -> bool:
 
 
 def _deepest(stopped: Stopped) -> int:
-    """Gives how far down the stack has ever been."""
+    """Return how far down the stack has ever been."""
     return NULL_SIZE + int(np.argmax(stopped.memory[NULL_SIZE:STACK_TOP] != 0))

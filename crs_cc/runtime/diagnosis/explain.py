@@ -54,7 +54,7 @@ class Case:
 
     @property
     def access(self) -> str:
-        """Gives what was done: `reads 4 bytes`, `strcpy writes 1 byte`."""
+        """What was done: `reads 4 bytes`, `strcpy writes 1 byte`."""
         failure = self.failure
         verb = {"read": "reads", "write": "writes", "": "accesses"}[failure.access]
         what = count(failure.size, "byte") if failure.size else "memory"
@@ -62,25 +62,25 @@ class Case:
 
     @property
     def called(self) -> str:
-        """Gives the text of what is called, where the expression is a call."""
+        """The text of what is called, where the expression is a call."""
         found = _CALL.match(self.expression)
         return found[1] if found else ""
 
     def find(self, name: str) -> tuple[CType, bytes] | None:
-        """Gives type and content of a variable."""
+        """Return type and content of a variable."""
         if self.variables is None or self.frame is None:
             return None
         known = self.variables.find(name, self.frame)
         return None if known is None else (known.variable.ctype, known.content)
 
     def pointer(self) -> tuple[str, int | None] | None:
-        """Gives the pointer that the expression goes through last, and its value if known."""
+        """Return the pointer that the expression goes through last, and its value if known."""
         if self.variables is None or self.callee is not None:
             return None
         return pointer_in(self.expression, self.find, self.variables.read)
 
     def null_variable(self) -> str:
-        """Gives the variable in the expression that is a null pointer, if there is just one."""
+        """Return the variable in the expression that is a null pointer, if there is just one."""
         known = [(name, self.find(name)) for name in names_in(self.expression)]
         null = [
             name
@@ -112,7 +112,7 @@ class Explanation:
 
 
 def explain(case: Case) -> Explanation:
-    """Gives the words for a failure; none for a kind that says all."""
+    """Return the words for a failure; none for a kind that says all."""
     words = EXPLAIN.get(case.failure.kind)
     return Explanation("") if words is None else words(case)
 

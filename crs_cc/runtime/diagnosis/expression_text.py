@@ -43,13 +43,13 @@ _NAME: Final = re.compile(
 
 
 def names_in(expression: str) -> list[str]:
-    """Gives the names in an expression that may be those of variables, each once."""
+    """Return the names in an expression that may be those of variables, each once."""
     found = (match for match in _NAME.finditer(expression) if match[1] and not match[2])
     return list(dict.fromkeys(match[1] for match in found))
 
 
 def pointer_in(expression: str, find: Find, read: Read) -> tuple[str, int | None] | None:
-    """Gives the text of the pointer that an expression goes through last, and its value if known.
+    """Return the text of the pointer that an expression goes through last, and its value if known.
 
     Args:
         expression: an expression that names an object.
@@ -93,7 +93,7 @@ class _Walk:
         self._read = read
 
     def follow(self, index: int | None) -> None:
-        """Goes from a pointer to an element of what it points to."""
+        """Go from a pointer to an element of what it points to."""
         if not isinstance(self.ctype, PointerType):
             raise _LostError
         address = None if self.content is None else int.from_bytes(self.content, "little")
@@ -105,14 +105,14 @@ class _Walk:
             self.content = found if len(found) == size else None
 
     def index(self, index: int | None) -> None:
-        """Goes from an array to one of its elements."""
+        """Go from an array to one of its elements."""
         if not isinstance(self.ctype, ArrayType):
             raise _LostError
         self.ctype = self.ctype.element
         self._cut(None if index is None else index * self.ctype.size)
 
     def member(self, name: str) -> None:
-        """Goes from a struct to one of its members."""
+        """Go from a struct to one of its members."""
         named = self.ctype.record.named if isinstance(self.ctype, RecordType) else {}
         if name not in named:
             raise _LostError
@@ -120,7 +120,7 @@ class _Walk:
         self._cut(named[name].offset)
 
     def _cut(self, offset: int | None) -> None:
-        """Keeps the bytes of the present type at an offset."""
+        """Keep the bytes of the present type at an offset."""
         if offset is None or self.content is None:
             self.content = None
             return
@@ -129,7 +129,7 @@ class _Walk:
 
 
 def _index(text: str, find: Find) -> int | None:
-    """Gives the value of an index that is a number or a variable."""
+    """Return the value of an index that is a number or a variable."""
     if text.isdecimal():
         return int(text)
     known = find(text)

@@ -52,7 +52,7 @@ class Block:
 
 
 def blocks(memory: ByteArray, addresses: Mapping[str, int]) -> Iterator[Block]:
-    """Gives the blocks of the heap in the order of their addresses.
+    """Return the blocks of the heap in the order of their addresses.
 
     An unchecked program may have damaged its heap: then they end where no sense can be made of it.
 

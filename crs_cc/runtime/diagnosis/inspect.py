@@ -56,7 +56,7 @@ class Stopped:
     saved: bool = True
 
     def stack_pointer(self) -> int:
-        """Gives the lower end of the innermost frame; that of all the stack when none is known."""
+        """Return the lower end of the innermost frame; that of all the stack when none is known."""
         if not self.stack:
             return NULL_SIZE
         innermost = self.stack[0]
@@ -66,7 +66,7 @@ class Stopped:
 def call_stack(
     memory: ByteArray, compiled: Compiled, failed_at: Location | None = None
 ) -> list[StackFrame]:
-    """Gives the active functions of a program that has come back, the innermost first.
+    """Return the active functions of a program that has come back, the innermost first.
 
     A program that has damaged its own stack gets as many frames as make sense.
 

@@ -14,7 +14,7 @@ SHOWN_SITES: Final = 3
 
 
 def count(number: int, what: str) -> str:
-    """Gives a number with its noun: `1 byte`, `2 bytes`."""
+    """Return a number with its noun: `1 byte`, `2 bytes`."""
     return f"{number:,} {what}" + ("" if number == 1 else "s")
 
 
@@ -32,7 +32,7 @@ def object_name(found: Object | None) -> str:
 
 
 def object_notes(found: Object | None, address: int | None = None) -> tuple[str, ...]:
-    """Says what an object is, which part of it lies at an address, and where it came from."""
+    """Say what an object is, which part of it lies at an address, and where it came from."""
     if found is None:
         return ()
     notes = []
@@ -53,7 +53,7 @@ def object_notes(found: Object | None, address: int | None = None) -> tuple[str,
 
 
 def _sites(sites: tuple[CallSite, ...]) -> str:
-    """Gives the calls that led to an event, without those inside the library."""
+    """Return the calls that led to an event, without those inside the library."""
     mine = [site for site in sites if not in_library(site.location)]
     if not mine:
         return "inside the library"

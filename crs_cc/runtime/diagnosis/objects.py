@@ -58,7 +58,7 @@ class Object:
     freed: tuple[CallSite, ...] = ()
 
     def distance(self, address: int) -> int:
-        """Gives how far an address is from the object: 0 inside, else bytes to the nearest end.
+        """Return how far an address is from the object: 0 inside, else bytes to the nearest end.
 
         It is negative before the object; the first byte behind it is at distance 1.
         """
@@ -86,7 +86,7 @@ class Objects:
         return list(heap.blocks(self._stopped.memory, self._stopped.compiled.addresses))
 
     def at(self, address: int) -> Object | None:
-        """Gives the object at an address, or else the nearest one; None when there is none near."""
+        """Return the object at an address, or else the nearest one; None when there is none near."""
         compiled = self._stopped.compiled
         found: list[Object]
         if address < STACK_TOP:
@@ -102,7 +102,7 @@ class Objects:
 
 
 def find_object(stopped: Stopped, address: int) -> Object | None:
-    """Gives the object at an address, or else the nearest one; None when there is none near."""
+    """Return the object at an address, or else the nearest one; None when there is none near."""
     return Objects(stopped).at(address)
 
 
@@ -114,13 +114,13 @@ def _start(each: Object | heap.Block) -> int:
 
 
 def _around(each: list[_Placed], address: int) -> list[_Placed]:
-    """Gives the objects around an address; there may be empty ones at the same place."""
+    """Return the objects around an address; there may be empty ones at the same place."""
     behind = bisect_right(each, address, key=_start)
     return each[max(0, behind - _NEIGHBOURS) : behind + 1]
 
 
 def of_variable(stopped: Stopped, variable: Variable) -> Object:
-    """Gives a variable of the innermost function as an object; its address is where it is saved."""
+    """Return a variable of the innermost function as an object; its address is where it is saved."""
     address, function = 0, ""
     if stopped.stack:
         innermost = stopped.stack[0]
@@ -132,7 +132,7 @@ def of_variable(stopped: Stopped, variable: Variable) -> Object:
 
 
 def _locals(stopped: Stopped) -> Iterator[Object]:
-    """Gives the slots in the frames of the active functions, and arguments behind `...`."""
+    """Return the slots in the frames of the active functions, and arguments behind `...`."""
     for each in stopped.stack:
         info = stopped.compiled.info(each.function)
         start = each.fp - info.frame.size
@@ -171,7 +171,7 @@ def _global(data: Data, address: int) -> Object:
 
 
 def _heap_block(block: heap.Block, compiled: Compiled) -> Object:
-    """Gives a block of the heap; a freed one has its whole chunk, as nothing else is there."""
+    """Return a block of the heap; a freed one has its whole chunk, as nothing else is there."""
     return Object(
         "heap block",
         block.address,

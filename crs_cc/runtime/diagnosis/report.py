@@ -55,7 +55,7 @@ class ErrorReport:
 
 
 def report(failure: Failure) -> ErrorReport:
-    """Gives the report of a failure, about the innermost place in the user's own files."""
+    """Return the report of a failure, about the innermost place in the user's own files."""
     if failure.stopped is None:
         return ErrorReport(
             failure.kind, failure.location, _sentence(failure, explain(Case(failure)))
@@ -64,13 +64,13 @@ def report(failure: Failure) -> ErrorReport:
 
 
 def current_call(stopped: Stopped) -> ActiveCall | None:
-    """Gives the innermost active function of the user's own files; None when there is none."""
+    """Return the innermost active function of the user's own files; None when there is none."""
     frame = next((each for each in stopped.stack if not _is_library(each)), None)
     return None if frame is None else _call(frame, stopped, Variables(stopped))
 
 
 def library_call(stopped: Stopped) -> ActiveCall | None:
-    """Gives the library's function that the user's code has called, with the place of the call."""
+    """Return the library's function that the user's code has called, with the place of the call."""
     for frame, caller in itertools.pairwise(stopped.stack):
         if _is_library(frame) and not _is_library(caller):
             call = _call(frame, stopped, Variables(stopped))
@@ -117,18 +117,18 @@ class _Reporter:
         )
 
     def line(self, place: Location) -> str:
-        """Gives the line of source at a place."""
+        """Return the line of source at a place."""
         lines = self.stopped.lines.get(place.file, ())
         return lines[place.line - 1] if 0 < place.line <= len(lines) else ""
 
     def call(self, frame: StackFrame) -> ActiveCall:
-        """Gives an active function with its arguments."""
+        """Return an active function with its arguments."""
         return _call(frame, self.stopped, self.variables)
 
     def values(
         self, frame: StackFrame, expression: str, told: set[str]
     ) -> tuple[tuple[str, str], ...]:
-        """Gives the values of the variables in an expression, and of the structs they point to."""
+        """Return the values of the variables in an expression, and of the structs they point to."""
         values = []
         for name in names_in(expression):
             known = self.variables.find(name, frame)
@@ -144,7 +144,7 @@ class _Reporter:
         return tuple(values[:MOST_VALUES])
 
     def folded(self, rows: Sequence[StackFrame]) -> tuple[ActiveCall, ...]:
-        """Gives the call stack; of a long one the first and the last calls."""
+        """Return the call stack; of a long one the first and the last calls."""
         if len(rows) <= FIRST_CALLS + LAST_CALLS + 1:
             return tuple(map(self.call, rows))
         hidden = rows[FIRST_CALLS:-LAST_CALLS]
@@ -172,14 +172,14 @@ def _brief(value: str) -> str:
 
 
 def _expression(line: str, place: Location) -> tuple[Location, str]:
-    """Gives the place and the text of the expression there, of one token at least."""
+    """Return the place and the text of the expression there, of one token at least."""
     place = replace(place, last=place.last or place.column)
     start = max(0, place.column - 1)
     return place, line[start : start + len(underline(line, place))]
 
 
 def _narrowed(place: Location, expression: str, blamed: str) -> tuple[Location, str]:
-    """Gives place and text of a variable alone, if it is to blame of an expression."""
+    """Return place and text of a variable alone, if it is to blame of an expression."""
     found = re.search(rf"\b{re.escape(blamed)}\b", expression) if blamed else None
     if found is None:
         return place, expression
@@ -192,7 +192,7 @@ def _is_library(frame: StackFrame) -> bool:
 
 
 def _shown_frames(stopped: Stopped) -> list[StackFrame]:
-    """Gives the user's functions, and those of the library that they called themselves."""
+    """Return the user's functions, and those of the library that they called themselves."""
     rows: list[StackFrame] = []
     for frame, caller in zip(stopped.stack, [*stopped.stack[1:], None], strict=True):
         by_user = caller is not None and not _is_library(caller)

@@ -27,7 +27,7 @@ MOST: Final = 5000
 
 
 def returned_local(stopped: Stopped, address: int) -> Object | None:
-    """Gives the variable that an address was; None when none can have been there, or several."""
+    """Return the variable that an address was; None when none can have been there, or several."""
     found: dict[Variable | None, Object] = {}
     for number, (callee, fp) in enumerate(_calls(stopped, address)):
         if number > MOST:
@@ -41,7 +41,7 @@ def returned_local(stopped: Stopped, address: int) -> Object | None:
 
 
 def _calls(stopped: Stopped, address: int) -> Iterator[tuple[str, int]]:
-    """Gives functions that may have had an address in their frames, and their frame pointers."""
+    """Return functions that may have had an address in their frames, and their frame pointers."""
     frames = [(each.function, each.fp, FARTHEST_CALL) for each in stopped.stack]
     above = [each for each in frames if each[1] > address]
     for caller, fp, depth in (work := above[:NEAREST_CALLERS]):

@@ -25,7 +25,7 @@ MOST_FRAMES: Final = 20
 
 
 def blamed_site(trap: wasmtime.Trap, memory: ByteArray, compiled: Compiled) -> int | None:
-    """Gives the number of the site that was about to be tested; None when it was something else."""
+    """Return the number of the site that was about to be tested; None when it was something else."""
     last = compiled.first_function + len(compiled.functions)
     frames = [(each.func_index, each.func_offset) for each in trap.frames]
     while frames and frames[0][0] < compiled.first_function:
@@ -50,7 +50,7 @@ def _site_behind(code: Code, offset: int) -> int | None:
 
 
 def _note_places(active: Sequence[int], memory: ByteArray, compiled: Compiled) -> None:
-    """Notes in each active function, the outermost first, the call where it is."""
+    """Note in each active function, the outermost first, the call where it is."""
     fp = STACK_TOP - HEADER_SIZE
     for index in active[:-1]:
         info = compiled.functions[index - compiled.first_function]

@@ -84,7 +84,7 @@ def _no_object(_address: int, _target: CType) -> str:
 
 
 def _shown(content: bytes, states: bytes) -> bytes:
-    """Gives bytes as they are shown: those without values are all the same."""
+    """Return bytes as they are shown: those without values are all the same."""
     if not states.strip(_KNOWN):
         return content
     pairs = zip(content, states.ljust(len(content), _KNOWN), strict=False)
@@ -115,7 +115,7 @@ class Values:
     style: Style = BRIEF
 
     def show(self, ctype: CType, content: bytes, states: bytes = b"") -> str:
-        """Gives the value of an object of a type, in one line.
+        """Return the value of an object of a type, in one line.
 
         Args:
             ctype: the type.
@@ -126,7 +126,7 @@ class Values:
         return text if len(text) <= longest else text[: longest - 3] + "..."
 
     def show_target(self, ctype: CType, content: bytes) -> str:
-        """Gives the struct that a pointer points to; empty for all other values."""
+        """Return the struct that a pointer points to; empty for all other values."""
         if isinstance(ctype, PointerType) and isinstance(ctype.target, RecordType):
             address, size = _integer(content, signed=False), ctype.target.size
             target, states = self.read(address, size), self.states(address, size)
@@ -188,7 +188,7 @@ class Values:
         return "{" + ", ".join(parts) + "}"
 
     def _run(self, content: bytes, states: bytes, start: int, size: int) -> int:
-        """Gives how many elements from one on are equal, if these are many; else 1."""
+        """Return how many elements from one on are equal, if these are many; else 1."""
         first, known, end = content[start : start + size], states[start : start + size], start
         while content[end : end + size] == first and states[end : end + size] == known:
             end += size
@@ -211,7 +211,7 @@ class Values:
         return "{" + ", ".join(parts) + "}"
 
     def _text(self, content: bytes, states: bytes) -> str | None:
-        """Gives a string in quotes as far as it goes; None when it is no text."""
+        """Return a string in quotes as far as it goes; None when it is no text."""
         characters, end, _ = content.partition(b"\0")
         longest = self.style.longest_text
         if states[: len(characters + end)].strip(_KNOWN):
@@ -250,7 +250,7 @@ def place_name(name: str, ctype: CType, offset: int, wanted: CType | None = None
 
 
 def _is_same(ctype: CType, wanted: CType) -> bool:
-    """Tells whether two types are one to a programmer, be they of different files."""
+    """Return whether two types are one to a programmer, be they of different files."""
     ctype, wanted = unqualified(ctype), unqualified(wanted)
     return ctype == wanted or (ctype.size == wanted.size and spell(ctype) == spell(wanted))
 
@@ -287,7 +287,7 @@ def _enumerator(ctype: EnumType, value: int) -> str:
 
 
 def _flags(constants: Mapping[str, int], value: int) -> str:
-    """Gives a value as the flags that it is put together from, if the constants are flags.
+    """Return a value as the flags that it is put together from, if the constants are flags.
 
     They are when they share no bits, and each has one or several that lie side by side; so gdb
     has it.
@@ -303,7 +303,7 @@ def _flags(constants: Mapping[str, int], value: int) -> str:
 
 
 def bit_field(member: Member, content: bytes) -> bytes:
-    """Gives a member's bytes, those of a bit-field as if it had a whole object of its type."""
+    """Return a member's bytes, those of a bit-field as if it had a whole object of its type."""
     if member.bit_width is None:
         return content
     value = _integer(content, signed=False) >> member.bit_offset & (1 << member.bit_width) - 1

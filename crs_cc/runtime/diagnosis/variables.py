@@ -45,17 +45,17 @@ class Variables:
         self.values = Values(self.read, self.states, self._object_name, self._function_name)
 
     def read(self, address: int, size: int) -> bytes:
-        """Gives the bytes at an address, as many as are accessible."""
+        """Return the bytes at an address, as many as are accessible."""
         if address < NULL_SIZE:
             return b""
         return self._stopped.memory[address : min(address + size, MEMORY_BYTES)].tobytes()
 
     def states(self, address: int, size: int) -> bytes:
-        """Gives the states of these bytes; nothing in unchecked builds."""
+        """Return the states of these bytes; nothing in unchecked builds."""
         return self._stopped.shadow[address : address + size].tobytes()
 
     def show(self, found: Content) -> str:
-        """Gives a variable's value as text."""
+        """Return a variable's value as text."""
         return self.values.show(found.variable.ctype, found.content, found.states)
 
     def _function_name(self, pointer: int) -> str:
@@ -76,7 +76,7 @@ class Variables:
         return name.removesuffix("[0]") if name.endswith("[0]") else f"&{name}"
 
     def arguments(self, frame: StackFrame) -> list[Content]:
-        """Gives the parameters of an active function with the values that were passed."""
+        """Return the parameters of an active function with the values that were passed."""
         info = self._stopped.compiled.info(frame.function)
         found = []
         for parameter, offset in zip(info.function.parameters, info.frame.parameters, strict=True):
@@ -87,7 +87,7 @@ class Variables:
         return found
 
     def of(self, frame: StackFrame) -> Iterator[Content]:
-        """Gives the variables of an active function with their present values."""
+        """Return the variables of an active function with their present values."""
         info = self._stopped.compiled.info(frame.function)
         sp = frame.fp - info.frame.size
         if sp < NULL_SIZE:  # there was no room for its frame
@@ -100,7 +100,7 @@ class Variables:
                 yield Content(place.variable, self.read(sp + offset, size), states)
 
     def find(self, name: str, frame: StackFrame) -> Content | None:
-        """Gives the variable that a name means where an active function is, and its value."""
+        """Return the variable that a name means where an active function is, and its value."""
         place = frame.location
         seen = [
             (each.variable.location, number, each)

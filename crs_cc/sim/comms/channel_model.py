@@ -14,7 +14,7 @@ with b the instant at which its transmission began (`outbox`), but not before th
 that b lies in. Where robots are is seen at that end too. Of a channel with corruption c, each byte
 is replaced by another with probability c.
 
-All random numbers belong to one message, and one receiver (`chances`).
+All random numbers belong to one message, and one receiver (`keyed_random`).
 
 Robots to which as many messages are on their way as can be (`inbox`) do not hear those to all: else
 a few that send without end would have all pairs of robots looked at for each message.
@@ -28,7 +28,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.core.arrays import BoolArray, ComplexArray, IndexArray, Records
-from crs_cc.core.keyed_random import Chances
+from crs_cc.core.keyed_random import KeyedUniform
 from crs_cc.core.random_streams import MESSAGES
 from crs_cc.sim.comms import inbox
 from crs_cc.sim.comms.channels import Channels
@@ -53,7 +53,7 @@ class Air:
 
     def __init__(self, channels: Channels, seed: int) -> None:
         self._channels = channels
-        self._chances = Chances(seed, MESSAGES)
+        self._chances = KeyedUniform(seed, MESSAGES)
         self._scene: Scene | None = None
 
     def carry(self, state: EnvState, scene: Scene, packets: Records, end_s: float) -> None:

@@ -25,7 +25,7 @@ HERE = Location("sums.c", 1, 1)
 
 
 def sums(count: int) -> Function:
-    """Gives `count` times `p = x + z; q = y + z`, where two flags are joined for the sake of z."""
+    """Return `count` times `p = x + z; q = y + z`, where two flags are joined for the sake of z."""
     slots = [Slot(name, 4, 4) for name in "xyzpq"]
     x, y, z, p, q = slots
     registers: list[Register] = []
@@ -45,7 +45,7 @@ def sums(count: int) -> Function:
 
 
 def lines_run(function: Function) -> int:
-    """Counts the lines that are run to find what is carried."""
+    """Count the lines that are run to find what is carried."""
     liveness, lines = Liveness(function), 0
 
     def trace(_frame: FrameType, event: str, _value: object) -> object:

@@ -48,7 +48,7 @@ def const(value: int) -> Constant:
 
 
 def walker(seed: int, size: int, *, tangled: bool = False) -> Program:
-    """Gives a program that walks a random graph and exits with the hash of its walk."""
+    """Return a program that walks a random graph and exits with the hash of its walk."""
     rng = random.Random(seed)
     hash_, left, test = Register(0, "i32"), Register(1, "i32"), Register(2, "i32")
     at, result = Register(3, "i32"), Register(4, "i32")
@@ -114,7 +114,7 @@ def _reachable(blocks: list[Block]) -> list[Block]:
 
 
 def expected(program: Program) -> int:  # noqa: C901 - an interpreter is one match
-    """Interprets the walk."""
+    """Interpret the walk."""
     values: dict[Register, int] = {}
 
     def value(operand: Register | Constant) -> int:
@@ -149,7 +149,7 @@ def expected(program: Program) -> int:  # noqa: C901 - an interpreter is one mat
 
 
 def walk(program: Program, fuel: int, *, debug: bool, move: bool = False) -> tuple[int, int]:
-    """Gives the exit status and the fuel burnt; `move` changes the robot at each stop."""
+    """Return the exit status and the fuel burnt; `move` changes the robot at each stop."""
     executable = make_executable(program, "walk.c", debug=debug)
     fleet = Fleet([executable] * 2)
     burnt, robot = 0, 0

@@ -51,7 +51,7 @@ class Stepped:
         self.host = Host([["watched"]], lambda *_: None, lambda *_: b"")
 
     def to_stop(self) -> int | None:
-        """Runs on; gives the line before which it stopped, None at the end."""
+        """Run on; gives the line before which it stopped, None at the end."""
         slot = self.fleet.slots[0]
         while self.status is None:
             slot["run"], slot["fuel"] = 1, 10**9
@@ -65,7 +65,7 @@ class Stepped:
         return None
 
     def stops(self, address: int, size: int, kind: int, number: int = 0) -> list[int]:
-        """Gives the lines where it stops when bytes are watched."""
+        """Return the lines where it stops when bytes are watched."""
         watched = self.fleet.watched[0][0]
         watched["first"], watched["span"] = address - 7, size + 7
         watched["lowest"], watched["highest"] = address, address + size

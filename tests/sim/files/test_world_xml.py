@@ -188,8 +188,8 @@ BROKEN = {
     "points that are no lengths": (
         (AREA, ROBOT, '<polygon points="1,1 2,1 2,far"/>'),
         (
-            "w.xml:4: error: polygon, points: 'far' is not a length: "
-            "write a number and one of m, cm, mm, in, ft, as in 1.5m"
+            "w.xml:4: error: polygon, points: 'far' is not a length "
+            "(expected a number and one of m, cm, mm, in, ft, such as 1.5m)"
         ),
     ),
     "too many corners": (
@@ -226,22 +226,22 @@ BROKEN = {
     "unknown unit": (
         (AREA, '<robot x="3 furlongs" y="1"/>'),
         (
-            "w.xml:3: error: robot, x: '3 furlongs' is not a length: "
-            "write a number and one of m, cm, mm, in, ft, as in 1.5m"
+            "w.xml:3: error: robot, x: '3 furlongs' is not a length "
+            "(expected a number and one of m, cm, mm, in, ft, such as 1.5m)"
         ),
     ),
     "unit of another kind": (
         (AREA, '<robot x="1" y="1" heading="1m"/>'),
         (
-            "w.xml:3: error: robot, heading: '1m' is not an angle: "
-            "write a number and one of deg, rad, as in 90deg"
+            "w.xml:3: error: robot, heading: '1m' is not an angle "
+            "(expected a number and one of deg, rad, such as 90deg)"
         ),
     ),
     "not a number": (
         (AREA, '<robot x="nan" y="1"/>'),
         (
-            "w.xml:3: error: robot, x: 'nan' is not a length: "
-            "write a number and one of m, cm, mm, in, ft, as in 1.5m"
+            "w.xml:3: error: robot, x: 'nan' is not a length "
+            "(expected a number and one of m, cm, mm, in, ft, such as 1.5m)"
         ),
     ),
     "infinite": (
@@ -702,7 +702,7 @@ STEERING = TURRET.replace("turret", "steering")
         (f'wheel-base="1ft">{TURRET}', "differential drive has no <turret>"),
         (">", "has the attribute 'wheel-base'"),
         ('type="hovering">', "hovering"),
-        (f'type="synchro">{STEERING.replace("1deg/s", "1m/s")}', "is not a speed of turning"),
+        (f'type="synchro">{STEERING.replace("1deg/s", "1m/s")}', "is not an angular speed"),
         ('wheel-base="1ft" ws-timeout-zero="later">', "later"),
     ],
 )

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from crs_cc.core.keyed_random import Chances
+from crs_cc.core.keyed_random import KeyedUniform
 from crs_cc.sim.comms.loss import burst_states
 from crs_cc.sim.comms.message_log import Fate
 from tests.sim.messages.radio import talking
@@ -120,7 +120,7 @@ def test_what_becomes_of_a_message_depends_on_no_other():
 
 def test_chances_are_uniform_and_follow_from_their_names():
     """10,000 numbers: the mean has a standard error of 0.003."""
-    chances = Chances(5, 1)
+    chances = KeyedUniform(5, 1)
     numbers = chances.draw(np.repeat(np.arange(100), 100), np.tile(np.arange(100), 100))
     assert len(np.unique(numbers)) == 10_000
     assert numbers.mean() == pytest.approx(0.5, abs=0.01)

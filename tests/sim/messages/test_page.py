@@ -75,7 +75,7 @@ def test_the_lines_of_python_run(
         ('<channel name="x" queue="65"/>', "queue: '65' is not a whole number, 1 to 64"),
         ('<channel name="x" delay="61s"/>', "delay: must be 60s or less"),
         ('<channel name="x" bandwidth="0.1"/>', "bandwidth: must be 1B/s or more"),
-        ('<channel name="x" bandwidth="9 baud"/>', "is not a rate of data: write a number and one"),
+        ('<channel name="x" bandwidth="9 baud"/>', "is not a data rate (expected a number and one"),
         ('<channel name="x"/><channel name="x"/>', "a second channel 'x'"),
         ("".join(f'<channel name="x{n}"/>' for n in range(14)), "more than 16 channels"),
         ('<shut channel="x"/>', "shut, channel: there is no channel 'x'"),

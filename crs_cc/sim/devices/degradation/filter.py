@@ -46,7 +46,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
-from crs_cc.core.random_streams import DEGRADATION, Draws
+from crs_cc.core.random_streams import DEGRADATION, NormalUniformStreams
 from crs_cc.core.time_grid import ROUNDING_S
 from crs_cc.sim.devices.degradation.delay import delayed, delayed_speeds
 from crs_cc.sim.devices.degradation.pipeline import distorted, mix, pass_of, stuck_at
@@ -71,7 +71,7 @@ class _Layer:
     """
 
     place: IndexArray
-    draws: Draws
+    draws: NormalUniformStreams
     stream: IndexArray
 
 
@@ -262,7 +262,9 @@ class Degradations:
         keys = [(robot, DEGRADATION, serial) for robot, serial in pairs]
         row = kept.table[places]
         random = row["noise"].any() or row["dropouts"].any() or row["dead"].any()
-        return _Layer(place, Draws(self._seed, keys, width, draws=bool(random)), stream)
+        return _Layer(
+            place, NormalUniformStreams(self._seed, keys, width, draws=bool(random)), stream
+        )
 
 
 def severity(row: Any, at_s: FloatArray) -> FloatArray:

@@ -1,0 +1,30 @@
+"""The options of `crs run`, as data."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from crs_cc.cli.program_options import ProgramOptions
+
+
+@dataclass(frozen=True, slots=True)
+class RunOptions(ProgramOptions):
+    """What to run, how, and what to show of it.
+
+    Attributes:
+        max_time_s: stop at the first timestep that ends at or after it [s]; None for the world's,
+            else no end.
+        plot: the SVG file of the plot.
+        plot_sensors: whether the plot shows the last sensor readings.
+        trace: what to show of each timestep: `requests`, the request queue, or `messages`.
+        as_json: write the results to stdout as JSON.
+        summary: show the summary; None to decide by whether stderr is a terminal.
+    """
+
+    max_time_s: float | None = None
+    plot: Path | None = None
+    plot_sensors: bool = False
+    trace: str | None = None
+    as_json: bool = False
+    summary: bool | None = None
