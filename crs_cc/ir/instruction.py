@@ -5,25 +5,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import IntEnum
-from typing import TYPE_CHECKING, Any, Final, Literal, SupportsIndex, TypeAlias
+from typing import TYPE_CHECKING, Any, Final, SupportsIndex, TypeAlias
+
+from crs_cc.ir.value_type import MemoryType, ValueType
 
 if TYPE_CHECKING:
     from crs_cc.core.source import Location
-    from crs_cc.ir.program import Block
     from crs_cc.ir.types import CType
-
-ValueType: TypeAlias = Literal["i32", "i64", "f32", "f64"]
-MemoryType: TypeAlias = Literal["i8", "u8", "i16", "u16", "i32", "i64", "f32", "f64"]
-
-MEMORY_SIZE: Final[dict[MemoryType, int]] = {
-    "i8": 1, "u8": 1, "i16": 2, "u16": 2, "i32": 4, "i64": 8, "f32": 4, "f64": 8,
-}  # fmt: skip
-VALUE_TYPE: Final[dict[MemoryType, ValueType]] = {
-    "i8": "i32", "u8": "i32", "i16": "i32", "u16": "i32",
-    "i32": "i32", "i64": "i64", "f32": "f32", "f64": "f64",
-}  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -358,3 +348,28 @@ class LongJump(Instruction):
 
 
 Terminator: TypeAlias = Jump | Branch | Switch | Return | Call | Request | Stop | SetJump | LongJump
+
+
+@dataclass(slots=True, eq=False)
+class Block:
+    """A basic block. `label` is unique in its function."""
+
+    label: str
+    instructions: list[Instruction] = field(default_factory=list)
+    terminator: Terminator | None = None
+
+    @property
+    def fuel(self) -> int:
+        """Gives what running the block costs: one unit for each instruction that does something."""
+        return 1 + sum(not isinstance(each, Statement | Lifetime) for each in self.instructions)
+
+    def successors(self) -> list[Block]:
+        """Gives the blocks that may come next, in a fixed order, each once."""
+        match self.terminator:
+            case Jump(target=block) | Call(then=block) | Request(then=block) | SetJump(then=block):
+                return [block]
+            case Branch(then=then, otherwise=otherwise):
+                return [then] if then is otherwise else [then, otherwise]
+            case Switch(cases=cases, default=default):
+                return list(dict.fromkeys([block for _, block in cases] + [default]))
+        return []

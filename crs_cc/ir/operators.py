@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, cast
 
 if TYPE_CHECKING:
-    from crs_cc.ir.program import ValueType
+    from crs_cc.ir.value_type import ValueType
 
 
 @dataclass(frozen=True, slots=True)

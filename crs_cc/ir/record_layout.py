@@ -3,22 +3,45 @@
 Bit-fields lie in the lowest free bits, but never across a boundary of their own type, unless they
 are packed; one of width 0 ends the unit.
 
->>> from crs_cc.ir.types import CHAR, INT, Member
->>> members = [Member("tag", CHAR), Member("low", INT, bit_width=5), Member("n", INT)]
->>> lay_out(members), [(each.offset, each.bit_offset) for each in members]
-((8, 4), [(0, 0), (0, 8), (4, 0)])
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import Protocol
 
-if TYPE_CHECKING:
-    from crs_cc.ir.types import Member
+
+class Sized(Protocol):
+    """The size and alignment of a type [bytes]."""
+
+    @property
+    def size(self) -> int:
+        """Return the size [bytes]."""
+
+    @property
+    def align(self) -> int:
+        """Return the alignment [bytes]."""
+
+
+class Member(Protocol):
+    """What the layout reads and sets of an `ir.types.Member`, which describes the attributes."""
+
+    name: str | None
+    offset: int
+    bit_offset: int
+    bit_width: int | None
+    align: int
+    natural: int
+    packed: bool
+    spread: int
+
+    @property
+    def type(self) -> Sized:
+        """Return the member's type."""
 
 
 def lay_out(
-    members: list[Member], is_union: bool = False, align: int = 1, pack: int = 0
+    members: Sequence[Member], is_union: bool = False, align: int = 1, pack: int = 0
 ) -> tuple[int, int]:
     """Gives every member its place, and the size and alignment of the whole [bytes].
 

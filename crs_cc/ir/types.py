@@ -20,8 +20,8 @@ from collections.abc import Hashable, Iterable
 from dataclasses import dataclass, field, replace
 from typing import Final, Literal, TypeAlias, TypeVar
 
-from crs_cc.ir.program import MemoryType
 from crs_cc.ir.record_layout import lay_out
+from crs_cc.ir.value_type import MemoryType
 
 
 class _Type:
