@@ -1,6 +1,6 @@
 """The name that the linker is to know an object or a function by: `int vm(double) asm("vm_2");`.
 
->>> from crs_cc.frontend.check.gnu_attributes import Attribute
+>>> from crs_cc.frontend.parse.gnu_attributes import Attribute
 >>> from crs_cc.frontend.parse.lexer import lex
 >>> from crs_cc.core.source import Diagnostics, Location
 >>> words = lex('"vm" "_2"', lambda line, column: Location("a.c", line, column), Diagnostics())
@@ -15,8 +15,9 @@ from typing import Final
 
 from crs_cc.frontend.check.alignment import attributes
 from crs_cc.frontend.check.checker import CheckError
-from crs_cc.frontend.check.gnu_attributes import ASM_LABEL, Attribute
+from crs_cc.frontend.parse.gnu_attributes import Attribute
 from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.preprocess.gnu import ASM_LABEL
 
 _NAME: Final = re.compile(r"[A-Za-z_.$][\w.$]*", re.ASCII)
 

@@ -6,8 +6,8 @@ from crs_cc.frontend.check import constant
 from crs_cc.frontend.check.alignment import attributes
 from crs_cc.frontend.check.asm_label import asm_label
 from crs_cc.frontend.check.checker import CheckError, Unit
-from crs_cc.frontend.check.gnu_attributes import Attribute
 from crs_cc.frontend.check.scope import Format, FunctionSymbol
+from crs_cc.frontend.parse.gnu_attributes import Attribute
 from crs_cc.frontend.parse.parser import Node
 
 _LOWEST_PRIORITY = 65535

@@ -23,10 +23,10 @@ from crs_cc.frontend.check.conversion import (
 )
 from crs_cc.frontend.check.expressions import rvalue, size_of
 from crs_cc.frontend.check.scope import ObjectSymbol
+from crs_cc.frontend.check.suspicious_operands import warn_signs, warn_string
 from crs_cc.frontend.check.tree import Expression
 from crs_cc.frontend.check.type_compat import compatible, composite
 from crs_cc.frontend.parse.parser import Node
-from crs_cc.frontend.warn.operands import warn_signs, warn_string
 from crs_cc.ir.types import (
     CHAR,
     INT,

@@ -32,12 +32,12 @@ from crs_cc.frontend.check.conversion import (
 from crs_cc.frontend.check.expressions import rvalue
 from crs_cc.frontend.check.fold import wrap
 from crs_cc.frontend.check.scope import ObjectSymbol
+from crs_cc.frontend.check.suspicious_operands import warn_returned
 from crs_cc.frontend.check.tree import Expression, Statement
+from crs_cc.frontend.check.unsupported import refused
 from crs_cc.frontend.parse.gnu import ComputedGoto, LabelAddress, LocalLabels, Range
 from crs_cc.frontend.parse.lexer import Span
 from crs_cc.frontend.parse.parser import Node
-from crs_cc.frontend.parse.unsupported import refused
-from crs_cc.frontend.warn.operands import warn_returned
 from crs_cc.ir.types import INT, VOID, IntegerType, PointerType, VoidType, qualify
 
 

@@ -25,8 +25,8 @@ from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol, TypedefNam
 from crs_cc.frontend.check.statements import check_labels, statement
 from crs_cc.frontend.check.tag import static_assert
 from crs_cc.frontend.check.type_compat import compatible, is_promoted
+from crs_cc.frontend.check.unsupported import refused
 from crs_cc.frontend.parse.parser import PREDECLARED_TYPES, Broken, Node
-from crs_cc.frontend.parse.unsupported import refused
 from crs_cc.ir.types import (
     DOUBLE,
     INT,

@@ -10,8 +10,9 @@ from typing import Any
 
 from pycparser import c_ast
 
-from crs_cc.frontend.check.gnu_attributes import PACK, Attribute
+from crs_cc.frontend.parse.gnu_attributes import Attribute
 from crs_cc.frontend.parse.suspicious import Node, WarningParser
+from crs_cc.frontend.preprocess.gnu import PACK
 
 _OPERANDS = frozenset({"aligned", "constructor", "destructor"})
 """Attributes whose argument is an expression."""

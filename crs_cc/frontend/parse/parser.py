@@ -27,13 +27,13 @@ from pycparser import c_ast
 from pycparser.c_parser import ParseError
 
 from crs_cc.core.source import Diagnostics, Location
-from crs_cc.frontend.check.gnu_attributes import take_attributes
 from crs_cc.frontend.error_limit import GiveUp, report
+from crs_cc.frontend.other_language_hint import CPLUSPLUS, is_cplusplus
 from crs_cc.frontend.parse.expressions import NAMES
 from crs_cc.frontend.parse.gnu import AUTO_TYPE
+from crs_cc.frontend.parse.gnu_attributes import take_attributes
 from crs_cc.frontend.parse.lexer import Token
 from crs_cc.frontend.parse.misspelt import MisspeltParser, closest_keyword
-from crs_cc.frontend.parse.other_language_hint import CPLUSPLUS, is_cplusplus
 from crs_cc.frontend.preprocess.tokens import shown
 
 Node: TypeAlias = Any

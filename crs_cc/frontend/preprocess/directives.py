@@ -12,9 +12,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
-from crs_cc.frontend.check.gnu_attributes import KEYWORD, PACK
 from crs_cc.frontend.preprocess import conditionals
 from crs_cc.frontend.preprocess.condition import ConditionError, evaluate, resolve_operators
+from crs_cc.frontend.preprocess.gnu import KEYWORD, PACK
 from crs_cc.frontend.preprocess.includes import Refusal
 from crs_cc.frontend.preprocess.macros import RESERVED, read_definition
 from crs_cc.frontend.preprocess.source_text import Place

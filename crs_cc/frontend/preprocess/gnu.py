@@ -21,9 +21,15 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Final
 
-from crs_cc.frontend.check.gnu_attributes import ASM_LABEL, KEYWORD
 from crs_cc.frontend.preprocess.report import Report
 from crs_cc.frontend.preprocess.tokens import NAME, Token, tokenise
+
+KEYWORD: Final = "__attribute__"
+PACK: Final = "__pragma_pack__"
+"""What the preprocessor makes of `#pragma pack(...)`: an attribute of this name."""
+
+ASM_LABEL: Final = "__asm_label__"
+"""What the preprocessor makes of `asm("name")` behind a declarator."""
 
 _TWINS: Final = {
     "__inline": "inline", "__inline__": "inline",

@@ -12,7 +12,7 @@ from itertools import islice
 from pathlib import Path
 from typing import Final
 
-from crs_cc.frontend.parse.other_language_hint import CPLUSPLUS
+from crs_cc.frontend.other_language_hint import CPLUSPLUS
 
 _GUARD: Final = "put what needs it between '#ifndef __CRS__' and '#endif'"
 _NETWORK: Final = f"a control program has no network of its own here: {_GUARD}"

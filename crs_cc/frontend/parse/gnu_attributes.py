@@ -19,21 +19,13 @@ from __future__ import annotations
 import difflib
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Final, TypeAlias
+from typing import Any, Final, TypeAlias
 
 from crs_cc.core.source import Diagnostics, Location
-
-if TYPE_CHECKING:
-    from crs_cc.frontend.parse.lexer import Token
+from crs_cc.frontend.parse.lexer import Token
+from crs_cc.frontend.preprocess.gnu import ASM_LABEL, KEYWORD, PACK
 
 Node: TypeAlias = Any
-
-KEYWORD: Final = "__attribute__"
-PACK: Final = "__pragma_pack__"
-"""What the preprocessor makes of `#pragma pack(...)`: an attribute of this name."""
-
-ASM_LABEL: Final = "__asm_label__"
-"""What the preprocessor makes of `asm("name")` behind a declarator."""
 
 _MADE: Final = frozenset({PACK, ASM_LABEL})
 
