@@ -32,7 +32,8 @@ from crs_cc.frontend.check.tree_parts import everything
 from crs_cc.frontend.error_limit import GiveUp
 from crs_cc.frontend.lower.graph import tidy
 from crs_cc.frontend.lower.lowerer import Lowering, effect, place, value, value_type
-from crs_cc.frontend.lower.unit import UnitLowering
+from crs_cc.frontend.lower.rules import RULES
+from crs_cc.frontend.lower.unit_state import UnitState
 from crs_cc.frontend.parse.lexer import lex
 from crs_cc.frontend.parse.parser import parse_expression
 from crs_cc.frontend.preprocess.options import Options
@@ -179,10 +180,10 @@ def _indirect(name: str, ctype: CType) -> ObjectSymbol:
 def _lowered(
     unit: Unit, text: str, checked: tree.Expression, symbols: dict[str, ObjectSymbol]
 ) -> CompiledExpression:
-    location, shared = Location(EXPRESSION, 1, 1), UnitLowering(unit)
+    location, shared = Location(EXPRESSION, 1, 1), UnitState(unit)
     function, entry = Function(EXPRESSION, location), Block("entry")
     function.blocks.append(entry)
-    low = Lowering(shared, function, entry)
+    low = Lowering(shared, function, RULES, entry)
     for symbol in symbols.values():
         register = low.lasting_register("i32")
         low.places[symbol] = register

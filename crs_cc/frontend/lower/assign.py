@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
 from crs_cc.core.source import Location
 from crs_cc.frontend.check import tree
@@ -12,17 +13,7 @@ from crs_cc.frontend.lower.bit_field import fit_bits, read_bits, write_bits
 from crs_cc.frontend.lower.calls import call_into
 from crs_cc.frontend.lower.convert import convert_operand, unnarrowed
 from crs_cc.frontend.lower.expressions import is_checked, operator_name, shift_count
-from crs_cc.frontend.lower.lowerer import (
-    EFFECT,
-    PLACE,
-    VALUE,
-    Lowering,
-    Place,
-    constant,
-    place,
-    value,
-    value_into,
-)
+from crs_cc.frontend.lower.lowerer import Lowering, Place, Rules, constant, place, value, value_into
 from crs_cc.frontend.lower.memory import copy, load, store
 from crs_cc.ir.program import Binary, Constant, Move, Operand, Register
 from crs_cc.ir.types import INT, CType, FloatType, IntegerType, Member, PointerType, RecordType
@@ -220,10 +211,18 @@ def _increment_effect(low: Lowering, expression: tree.Increment) -> None:
     _step(low, expression, target, target.read(low))
 
 
-VALUE[tree.Assign] = _assign
-VALUE[tree.CompoundAssign] = _compound_value
-VALUE[tree.Increment] = _increment
-EFFECT[tree.Assign] = _assign_effect
-EFFECT[tree.CompoundAssign] = _compound_effect
-EFFECT[tree.Increment] = _increment_effect
-PLACE[tree.Assign] = _assign_record
+RULES: Final = Rules(
+    value={
+        tree.Assign: _assign,
+        tree.CompoundAssign: _compound_value,
+        tree.Increment: _increment,
+    },
+    effect={
+        tree.Assign: _assign_effect,
+        tree.CompoundAssign: _compound_effect,
+        tree.Increment: _increment_effect,
+    },
+    place={
+        tree.Assign: _assign_record,
+    },
+)

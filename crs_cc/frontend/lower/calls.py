@@ -12,11 +12,9 @@ from crs_cc.frontend.check.tree import Expression
 from crs_cc.frontend.check.vla import AUTOMATIC_COUNT
 from crs_cc.frontend.lower.convert import convert_operand, narrow
 from crs_cc.frontend.lower.lowerer import (
-    EFFECT,
-    PLACE,
-    VALUE,
     Lowering,
     Place,
+    Rules,
     memory_type,
     place,
     value,
@@ -329,10 +327,18 @@ def _intrinsic_effect(low: Lowering, expression: tree.Intrinsic) -> None:
     _intrinsic(low, expression, None)
 
 
-VALUE[tree.Call] = _call
-VALUE[tree.VarArg] = _var_arg
-VALUE[tree.Intrinsic] = _intrinsic
-EFFECT[tree.Call] = _call_effect
-EFFECT[tree.Intrinsic] = _intrinsic_effect
-PLACE[tree.Call] = _call_place
-PLACE[tree.VarArg] = _next_argument
+RULES: Final = Rules(
+    value={
+        tree.Call: _call,
+        tree.VarArg: _var_arg,
+        tree.Intrinsic: _intrinsic,
+    },
+    effect={
+        tree.Call: _call_effect,
+        tree.Intrinsic: _intrinsic_effect,
+    },
+    place={
+        tree.Call: _call_place,
+        tree.VarArg: _next_argument,
+    },
+)

@@ -6,7 +6,7 @@ from typing import Final
 
 from crs_cc.core.source import Location
 from crs_cc.frontend.check import tree
-from crs_cc.frontend.lower.lowerer import EFFECT, VALUE, Lowering, effect, truth, value, value_type
+from crs_cc.frontend.lower.lowerer import Lowering, Rules, effect, truth, value, value_type
 from crs_cc.ir.operators import OPERATORS
 from crs_cc.ir.program import Binary, Constant, Operand, Register, Unary
 from crs_cc.ir.types import BOOL, CType, EnumType, FloatType, IntegerType, PointerType
@@ -202,5 +202,11 @@ def _drop(low: Lowering, expression: tree.Convert) -> None:
     effect(low, expression.operand)
 
 
-VALUE[tree.Convert] = _convert
-EFFECT[tree.Convert] = _drop
+RULES: Final = Rules(
+    value={
+        tree.Convert: _convert,
+    },
+    effect={
+        tree.Convert: _drop,
+    },
+)

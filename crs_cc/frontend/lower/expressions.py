@@ -10,12 +10,9 @@ from crs_cc.frontend.check.fold import COMPARISONS
 from crs_cc.frontend.check.tree import Expression
 from crs_cc.frontend.lower.convert import convert_operand, narrow
 from crs_cc.frontend.lower.lowerer import (
-    BRANCH,
-    EFFECT,
-    PLACE,
-    VALUE,
     Lowering,
     Place,
+    Rules,
     branch,
     constant,
     effect,
@@ -366,29 +363,39 @@ def _nothing(_low: Lowering, _expression: Expression) -> None:
     """Does nothing: the expression has no effect."""
 
 
-VALUE[tree.Literal] = _literal
-VALUE[tree.Binary] = _binary
-VALUE[tree.Unary] = _unary
-VALUE[tree.PointerDifference] = _difference
-VALUE[tree.Logical] = _logical
-VALUE[tree.Conditional] = _conditional
-VALUE[tree.Comma] = _comma
-VALUE[tree.StatementExpression] = _statements_value
-EFFECT[tree.Literal] = _nothing
-EFFECT[tree.StringLiteral] = _nothing
-EFFECT[tree.ObjectName] = _nothing
-EFFECT[tree.FunctionName] = _nothing
-EFFECT[tree.Logical] = _logical_effect
-EFFECT[tree.Conditional] = _conditional_effect
-EFFECT[tree.Comma] = _comma_effect
-EFFECT[tree.StatementExpression] = _statements_effect
-PLACE[tree.Conditional] = _conditional_place
-PLACE[tree.Comma] = _comma_place
-PLACE[tree.StatementExpression] = _statements_place
-BRANCH[tree.Literal] = _branch_literal
-BRANCH[tree.Logical] = _branch_logical
-BRANCH[tree.Unary] = _branch_unary
-BRANCH[tree.Binary] = _branch_binary
-BRANCH[tree.Convert] = _branch_convert
-BRANCH[tree.Conditional] = _branch_conditional
-BRANCH[tree.Comma] = _branch_comma
+RULES: Final = Rules(
+    value={
+        tree.Literal: _literal,
+        tree.Binary: _binary,
+        tree.Unary: _unary,
+        tree.PointerDifference: _difference,
+        tree.Logical: _logical,
+        tree.Conditional: _conditional,
+        tree.Comma: _comma,
+        tree.StatementExpression: _statements_value,
+    },
+    effect={
+        tree.Literal: _nothing,
+        tree.StringLiteral: _nothing,
+        tree.ObjectName: _nothing,
+        tree.FunctionName: _nothing,
+        tree.Logical: _logical_effect,
+        tree.Conditional: _conditional_effect,
+        tree.Comma: _comma_effect,
+        tree.StatementExpression: _statements_effect,
+    },
+    place={
+        tree.Conditional: _conditional_place,
+        tree.Comma: _comma_place,
+        tree.StatementExpression: _statements_place,
+    },
+    branch={
+        tree.Literal: _branch_literal,
+        tree.Logical: _branch_logical,
+        tree.Unary: _branch_unary,
+        tree.Binary: _branch_binary,
+        tree.Convert: _branch_convert,
+        tree.Conditional: _branch_conditional,
+        tree.Comma: _branch_comma,
+    },
+)

@@ -12,7 +12,7 @@ from crs_cc.frontend.check.tree import Initialiser, InitialValue
 from crs_cc.frontend.lower.assign import set_record
 from crs_cc.frontend.lower.bit_field import write_bits
 from crs_cc.frontend.lower.convert import unnarrowed
-from crs_cc.frontend.lower.lowerer import PLACE, STATEMENT, Lowering, Place, value, value_into
+from crs_cc.frontend.lower.lowerer import Lowering, Place, Rules, value, value_into
 from crs_cc.frontend.lower.memory import store
 from crs_cc.ir.program import Address, Constant, Copy, Fill, Lifetime, Register, Slot
 from crs_cc.ir.types import (
@@ -197,6 +197,12 @@ def encoded(ctype: CType, number: float) -> bytes:
     return (int(number) & (1 << 8 * ctype.size) - 1).to_bytes(ctype.size, "little")
 
 
-STATEMENT[tree.Declare] = _declare
-STATEMENT[tree.Lifetimes] = _lifetimes
-PLACE[tree.CompoundLiteral] = _compound_literal
+RULES: Final = Rules(
+    place={
+        tree.CompoundLiteral: _compound_literal,
+    },
+    statement={
+        tree.Declare: _declare,
+        tree.Lifetimes: _lifetimes,
+    },
+)

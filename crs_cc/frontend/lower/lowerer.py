@@ -1,19 +1,14 @@
 """Lowering: checked C to IR, one function at a time.
 
-A `Lowering` holds the function being made and the block that takes the next instruction. Who
-lowers which node stands in four tables, one for each thing that can be wanted of an expression:
-
-- `VALUE`: its value, as an operand; put into a given register if one is given;
-- `EFFECT`: only what it does;
-- `PLACE`: where the object lies that it names, as base and offset;
-- `BRANCH`: to go one way or the other.
-
-The `lower_*.py` files enter their functions into them.
+A `Lowering` holds the function under construction, the block that takes the next instruction, and
+the `Rules`: which function lowers which class of nodes. The modules above this one define rules for
+their nodes, `rules` combines them, and `value`, `effect`, `place`, `branch` and `statements` look
+them up, so that a rule can lower the parts of its node without knowing their rules.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Final, TypeAlias, TypeVar
@@ -51,7 +46,7 @@ from crs_cc.ir.types import CType, EnumType, FloatType, IntegerType, PointerType
 
 if TYPE_CHECKING:
     from crs_cc.frontend.check.scope import ObjectSymbol
-    from crs_cc.frontend.lower.unit import UnitLowering
+    from crs_cc.frontend.lower.unit_state import UnitState
 
 ACTIVATIONS: Final = "__crs_activations"
 """The library's counter of calls of functions that use `setjmp`."""
@@ -69,6 +64,42 @@ def _for_each(make: Callable[[], Made]) -> dict[ValueType, Made]:
     return {"i32": make(), "i64": make(), "f32": make(), "f64": make()}
 
 
+LowerValue: TypeAlias = "Callable[[Lowering, Any, Register | None], Operand]"
+LowerEffect: TypeAlias = "Callable[[Lowering, Any], None]"
+LowerPlace: TypeAlias = "Callable[[Lowering, Any], Place]"
+LowerBranch: TypeAlias = "Callable[[Lowering, Any, Block, Block], None]"
+LowerStatement: TypeAlias = "Callable[[Lowering, Any], None]"
+
+
+@dataclass(frozen=True, slots=True)
+class Rules:
+    """Which function lowers which class of nodes, for each thing an expression can be needed for.
+
+    Attributes:
+        value: return its value as an operand, in the given register if there is one.
+        effect: evaluate it for its side effects only.
+        place: return the base and offset of the object that it designates.
+        branch: jump to one of two blocks.
+        statement: lower a statement.
+    """
+
+    value: Mapping[type, LowerValue] = field(default_factory=dict)
+    effect: Mapping[type, LowerEffect] = field(default_factory=dict)
+    place: Mapping[type, LowerPlace] = field(default_factory=dict)
+    branch: Mapping[type, LowerBranch] = field(default_factory=dict)
+    statement: Mapping[type, LowerStatement] = field(default_factory=dict)
+
+    def __or__(self, other: Rules) -> Rules:
+        """Return the rules of both."""
+        return Rules(
+            {**self.value, **other.value},
+            {**self.effect, **other.effect},
+            {**self.place, **other.place},
+            {**self.branch, **other.branch},
+            {**self.statement, **other.statement},
+        )
+
+
 @dataclass(slots=True, eq=False)
 class Lowering:
     """One function while its IR is made.
@@ -76,6 +107,7 @@ class Lowering:
     Attributes:
         unit: what the functions of the file share.
         function: what is being made.
+        rules: which function lowers which class of nodes.
         block: the block that takes the next instruction; one that nothing leads to behind a jump.
         places: where each local variable lies.
         result_pointer: where a struct result goes.
@@ -87,8 +119,9 @@ class Lowering:
         references: global names with the block that uses them, to see which are used at all.
     """
 
-    unit: UnitLowering
+    unit: UnitState
     function: Function
+    rules: Rules
     block: Block
     places: dict[ObjectSymbol, Register | Slot] = field(default_factory=dict)
     result_pointer: Register | None = None
@@ -284,19 +317,6 @@ def no_value(function: Function) -> Constant | None:
     return Constant("i32", 0) if is_entry else None
 
 
-LowerValue: TypeAlias = Callable[[Lowering, Any, "Register | None"], Operand]
-LowerEffect: TypeAlias = Callable[[Lowering, Any], None]
-LowerPlace: TypeAlias = Callable[[Lowering, Any], Place]
-LowerBranch: TypeAlias = Callable[[Lowering, Any, Block, Block], None]
-LowerStatement: TypeAlias = Callable[[Lowering, Any], None]
-
-VALUE: Final[dict[type, LowerValue]] = {}
-EFFECT: Final[dict[type, LowerEffect]] = {}
-PLACE: Final[dict[type, LowerPlace]] = {}
-BRANCH: Final[dict[type, LowerBranch]] = {}
-STATEMENT: Final[dict[type, LowerStatement]] = {}
-
-
 def value(low: Lowering, expression: tree.Expression, into: Register | None = None) -> Operand:
     """Gives the value of a scalar expression.
 
@@ -305,7 +325,7 @@ def value(low: Lowering, expression: tree.Expression, into: Register | None = No
         expression: the expression.
         into: where its last instruction may put the value; it need not.
     """
-    return VALUE[expression.__class__](low, expression, into)
+    return low.rules.value[expression.__class__](low, expression, into)
 
 
 def value_into(low: Lowering, expression: tree.Expression, target: Register) -> None:
@@ -315,23 +335,23 @@ def value_into(low: Lowering, expression: tree.Expression, target: Register) -> 
 
 def effect(low: Lowering, expression: tree.Expression) -> None:
     """Does what an expression does and drops its value."""
-    found = EFFECT.get(expression.__class__)
+    found = low.rules.effect.get(expression.__class__)
     if found is not None:
         found(low, expression)
-    elif expression.__class__ in VALUE and is_scalar(expression.type):
+    elif expression.__class__ in low.rules.value and is_scalar(expression.type):
         value(low, expression)
-    elif expression.__class__ in PLACE:
+    elif expression.__class__ in low.rules.place:
         place(low, expression)
 
 
 def place(low: Lowering, expression: tree.Expression) -> Place:
     """Gives where the object lies that an expression names, or a struct that it gives."""
-    return PLACE[expression.__class__](low, expression)
+    return low.rules.place[expression.__class__](low, expression)
 
 
 def branch(low: Lowering, condition: tree.Expression, then: Block, otherwise: Block) -> None:
     """Goes to `then` when a scalar is not zero, else to `otherwise`."""
-    found = BRANCH.get(condition.__class__)
+    found = low.rules.branch.get(condition.__class__)
     if found is not None:
         found(low, condition, then, otherwise)
         return
@@ -351,5 +371,6 @@ def truth(low: Lowering, condition: tree.Expression) -> Operand:
 
 def statements(low: Lowering, body: list[tree.Statement]) -> None:
     """Lowers statements one after the other."""
+    rules = low.rules.statement
     for each in body:
-        STATEMENT[each.__class__](low, each)
+        rules[each.__class__](low, each)

@@ -6,14 +6,13 @@ A place is a base and an offset. The offset grows with members and constant indi
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from typing import Final
 
 from crs_cc.core.source import Location
 from crs_cc.frontend.check import tree
 from crs_cc.frontend.check.tree import Expression
 from crs_cc.frontend.lower.bit_field import read_bits
-from crs_cc.frontend.lower.lowerer import PLACE, VALUE, Lowering, Place, constant, place, value
+from crs_cc.frontend.lower.lowerer import Lowering, Place, Rules, constant, place, value
 from crs_cc.frontend.lower.memory import load
 from crs_cc.ir.program import (
     Constant,
@@ -29,15 +28,6 @@ _LARGEST_OFFSET = 1 << 30
 # Places
 
 
-def _places(kind: type) -> Callable[[Any], Any]:
-    def enter(function: Any) -> Any:
-        PLACE[kind] = function
-        return function
-
-    return enter
-
-
-@_places(tree.ObjectName)
 def _object(low: Lowering, expression: tree.ObjectName) -> Place:
     symbol = expression.symbol
     if symbol.link_name is not None:
@@ -46,23 +36,19 @@ def _object(low: Lowering, expression: tree.ObjectName) -> Place:
     return low.local(symbol), 0
 
 
-@_places(tree.StringLiteral)
 def _string(low: Lowering, expression: tree.StringLiteral) -> Place:
     return low.unit.string(expression), 0
 
 
-@_places(tree.MemberAccess)
 def _member(low: Lowering, expression: tree.MemberAccess) -> Place:
     base, offset = place(low, expression.record)
     return base, offset + expression.member.offset
 
 
-@_places(tree.Dereference)
 def _dereference(low: Lowering, expression: tree.Dereference) -> Place:
     return pointee(low, expression.pointer)
 
 
-@_places(tree.FunctionName)
 def _function(low: Lowering, expression: tree.FunctionName) -> Place:
     return low.refer(expression.symbol.link_name, expression.location), 0
 
@@ -155,10 +141,20 @@ def _value_of_moved(low: Lowering, expression: tree.PointerAdd, into: Register |
     return low.address(_moved(low, expression), expression.location, into)
 
 
-VALUE[tree.ObjectName] = _value_of_object
-VALUE[tree.Dereference] = _value_of_object
-VALUE[tree.MemberAccess] = _value_of_object
-VALUE[tree.CompoundLiteral] = _value_of_object
-
-VALUE[tree.AddressOf] = _value_of_address
-VALUE[tree.PointerAdd] = _value_of_moved
+RULES: Final = Rules(
+    value={
+        tree.ObjectName: _value_of_object,
+        tree.Dereference: _value_of_object,
+        tree.MemberAccess: _value_of_object,
+        tree.CompoundLiteral: _value_of_object,
+        tree.AddressOf: _value_of_address,
+        tree.PointerAdd: _value_of_moved,
+    },
+    place={
+        tree.ObjectName: _object,
+        tree.StringLiteral: _string,
+        tree.MemberAccess: _member,
+        tree.Dereference: _dereference,
+        tree.FunctionName: _function,
+    },
+)
