@@ -12,7 +12,7 @@ from crs_cc.frontend.check.checker import CheckError, Unit
 from crs_cc.frontend.check.declarator import type_name
 from crs_cc.frontend.check.scope import TypedefName
 from crs_cc.frontend.parse.gnu_attributes import Attribute
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.frontend.preprocess.gnu import PACK
 
 _LARGEST: Final = 4096

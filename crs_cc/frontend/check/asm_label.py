@@ -16,7 +16,7 @@ from typing import Final
 from crs_cc.frontend.check.alignment import attributes
 from crs_cc.frontend.check.checker import CheckError
 from crs_cc.frontend.parse.gnu_attributes import Attribute
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.frontend.preprocess.gnu import ASM_LABEL
 
 _NAME: Final = re.compile(r"[A-Za-z_.$][\w.$]*", re.ASCII)

@@ -32,7 +32,7 @@ from crs_cc.frontend.check.expressions import rvalue
 from crs_cc.frontend.check.operators import modifiable
 from crs_cc.frontend.check.tree import Expression
 from crs_cc.frontend.check.type_compat import compatible, is_promoted
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import (
     CHAR,
     DOUBLE,

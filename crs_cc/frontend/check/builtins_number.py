@@ -17,7 +17,7 @@ from crs_cc.frontend.check.expressions import rvalue
 from crs_cc.frontend.check.operators import operate
 from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol
 from crs_cc.frontend.check.tree import Expression
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import (
     DOUBLE,
     FLOAT,

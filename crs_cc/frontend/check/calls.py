@@ -17,7 +17,7 @@ from crs_cc.frontend.check.format_string import check_format
 from crs_cc.frontend.check.library_prototypes import library_functions, undeclared
 from crs_cc.frontend.check.scope import FunctionSymbol
 from crs_cc.frontend.check.tree import Expression
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import (
     INT,
     FunctionType,

@@ -20,16 +20,15 @@ from crs_cc.frontend.check import tree
 from crs_cc.frontend.check.header_hint import header_hint
 from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol, Scope, Symbol
 from crs_cc.frontend.error_limit import report
-from crs_cc.frontend.parse.gnu import GnuNode
 from crs_cc.frontend.parse.lexer import Span
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node, OwnNode
 from crs_cc.frontend.preprocess.options import Dialect
 from crs_cc.ir.types import CType
 
 Result = TypeVar("Result")
 
 
-class Checked(GnuNode):
+class Checked(OwnNode):
     """Stands for an expression that is checked already."""
 
     __slots__ = ("expression",)

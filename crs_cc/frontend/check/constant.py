@@ -15,7 +15,7 @@ from crs_cc.frontend.check.conversion import is_integer
 from crs_cc.frontend.check.fold import wrap
 from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol
 from crs_cc.frontend.check.tree import Expression
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import EnumType, IntegerType, PointerType
 
 Base: TypeAlias = ObjectSymbol | FunctionSymbol | tree.StringLiteral

@@ -43,8 +43,7 @@ from crs_cc.frontend.check.scope import (
 )
 from crs_cc.frontend.check.tag import static_assert
 from crs_cc.frontend.check.type_compat import compatible, composite
-from crs_cc.frontend.parse.gnu import AUTO_TYPE
-from crs_cc.frontend.parse.parser import Broken, Node
+from crs_cc.frontend.parse.nodes import AUTO_TYPE, Broken, Node
 from crs_cc.ir.types import (
     ArrayType,
     CType,

@@ -19,7 +19,7 @@ from crs_cc.frontend.check.conversion import convert
 from crs_cc.frontend.check.scope import BrokenName, ObjectSymbol, TypedefName
 from crs_cc.frontend.check.unsupported import refused
 from crs_cc.frontend.other_language_hint import hint_for_type
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import (
     BASIC_TYPES,
     UINT,

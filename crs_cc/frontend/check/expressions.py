@@ -21,7 +21,7 @@ from crs_cc.frontend.check.suspicious_operands import warn_size
 from crs_cc.frontend.check.tree import Expression
 from crs_cc.frontend.check.type_compat import compatible
 from crs_cc.frontend.parse import literal
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import (
     CHAR,
     UINT,

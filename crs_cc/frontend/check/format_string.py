@@ -18,7 +18,7 @@ from crs_cc.frontend.check.checker import Unit
 from crs_cc.frontend.check.conversion import is_integer
 from crs_cc.frontend.check.scope import Format, FunctionSymbol
 from crs_cc.frontend.check.tree import Expression
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import ArrayType, CType, FloatType, FunctionType, IntegerType, PointerType
 
 

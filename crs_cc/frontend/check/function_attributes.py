@@ -8,7 +8,7 @@ from crs_cc.frontend.check.asm_label import asm_label
 from crs_cc.frontend.check.checker import CheckError, Unit
 from crs_cc.frontend.check.scope import Format, FunctionSymbol
 from crs_cc.frontend.parse.gnu_attributes import Attribute
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 
 _LOWEST_PRIORITY = 65535
 _FORMATS = {

@@ -19,8 +19,7 @@ from crs_cc.frontend.check.declarator import LARGEST_OBJECT
 from crs_cc.frontend.check.scope import ObjectSymbol
 from crs_cc.frontend.check.tree import Initialiser, InitialValue
 from crs_cc.frontend.check.type_compat import compatible
-from crs_cc.frontend.parse.gnu import Range
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node, Range
 from crs_cc.ir.types import (
     ArrayType,
     CType,

@@ -6,7 +6,7 @@ from typing import Final
 
 from crs_cc.frontend.check.alignment import attributes
 from crs_cc.frontend.check.checker import CheckError
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import (
     DOUBLE,
     FLOAT,

@@ -26,7 +26,7 @@ from crs_cc.frontend.check.scope import ObjectSymbol
 from crs_cc.frontend.check.suspicious_operands import warn_signs, warn_string
 from crs_cc.frontend.check.tree import Expression
 from crs_cc.frontend.check.type_compat import compatible, composite
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import (
     CHAR,
     INT,

@@ -35,9 +35,8 @@ from crs_cc.frontend.check.scope import ObjectSymbol
 from crs_cc.frontend.check.suspicious_operands import warn_returned
 from crs_cc.frontend.check.tree import Expression, Statement
 from crs_cc.frontend.check.unsupported import refused
-from crs_cc.frontend.parse.gnu import ComputedGoto, LabelAddress, LocalLabels, Range
 from crs_cc.frontend.parse.lexer import Span
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import ComputedGoto, LabelAddress, LocalLabels, Node, Range
 from crs_cc.ir.types import INT, VOID, IntegerType, PointerType, VoidType, qualify
 
 

@@ -21,7 +21,7 @@ from crs_cc.frontend.check.conversion import is_integer
 from crs_cc.frontend.check.declarator import LARGEST_OBJECT, declared_type, specifies
 from crs_cc.frontend.check.mode import with_mode
 from crs_cc.frontend.check.scope import EnumConstant, Tag
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import (
     BOOL,
     INT,

@@ -26,7 +26,7 @@ from crs_cc.frontend.check.statements import check_labels, statement
 from crs_cc.frontend.check.tag import static_assert
 from crs_cc.frontend.check.type_compat import compatible, is_promoted
 from crs_cc.frontend.check.unsupported import refused
-from crs_cc.frontend.parse.parser import PREDECLARED_TYPES, Broken, Node
+from crs_cc.frontend.parse.nodes import PREDECLARED_TYPES, Broken, Node
 from crs_cc.ir.types import (
     DOUBLE,
     INT,

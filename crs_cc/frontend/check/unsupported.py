@@ -10,7 +10,7 @@ from typing import Final
 from pycparser import c_ast
 
 from crs_cc.frontend.check.checker import CheckError, Unit
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 
 REFUSED: Final[dict[type, str]] = {
     c_ast.Attribute: "attributes in [[...]] are not supported",
