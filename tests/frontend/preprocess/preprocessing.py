@@ -16,7 +16,7 @@ from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.preprocess.preprocessor import Preprocessed, preprocess_text
 from crs_cc.frontend.preprocess.tokens import tokenise
 
-DATA = Path(__file__).parent / "data" / "preprocess"
+DATA = Path(__file__).parent / "data"
 
 
 def run(source: str, options: Options | None = None) -> tuple[Preprocessed, Diagnostics]:

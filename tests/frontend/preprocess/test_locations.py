@@ -15,7 +15,7 @@ from pycparser.c_parser import CParser
 from crs_cc.core.source import Diagnostics, Location
 from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.preprocess.preprocessor import Preprocessed, preprocess
-from tests.frontend.preprocessing import run, without_attributes
+from tests.frontend.preprocess.preprocessing import run, without_attributes
 
 SOURCE = """\
 #define ZERO 0

@@ -11,7 +11,7 @@ from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.preprocess import state
 from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.preprocess.preprocessor import preprocess
-from tests.frontend.preprocessing import messages, result, run
+from tests.frontend.preprocess.preprocessing import messages, result, run
 
 
 def doubling(first: str) -> str:

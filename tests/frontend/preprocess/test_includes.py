@@ -11,7 +11,7 @@ from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.preprocess.includes import MAX_FILE_SIZE
 from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.preprocess.preprocessor import Preprocessed, preprocess
-from tests.frontend.preprocessing import tokens
+from tests.frontend.preprocess.preprocessing import tokens
 
 SECRET = "the_content_of_a_file_that_a_program_must_not_read"
 
