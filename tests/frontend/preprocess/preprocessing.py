@@ -1,6 +1,6 @@
 """Preprocessing snippets of C in tests: what comes out, and what the user is told.
 
-The snippets stand in files of `data/preprocess`: each has a title after `===`, the source, and
+The snippets stand in files of `data`: each has a title after `===`, the source, and
 after `--- gives` the tokens that it becomes or after `--- says` the messages about it.
 """
 
