@@ -78,7 +78,7 @@ class FileNames:
     """
 
     def __init__(self, path: Path, options: Options) -> None:
-        """Reads the file.
+        """Read the file.
 
         Raises:
             CompileError: when there are errors in it.
@@ -89,15 +89,15 @@ class FileNames:
         self._locals = {(each.name, each.location): each.type for each in _locals(self._unit)}
 
     def defines(self, function: str) -> bool:
-        """Tells whether the file, or a header that it includes, defines a function."""
+        """Return whether the file, or a header that it includes, defines a function."""
         return any(each.symbol.link_name == function for each in self._unit.functions)
 
     def knows(self, name: str) -> bool:
-        """Tells whether a name means something outside of functions."""
+        """Return whether a name means something outside of functions."""
         return self._unit.scope.find(name) is not None
 
     def type_of(self, variable: Variable) -> CType:
-        """Gives the type of a variable in a function, in terms of this file.
+        """Return the type of a variable in a function, in terms of this file.
 
         Structs of a program that was compiled at another time are others to C.
         """
@@ -110,13 +110,13 @@ class FileNames:
         variables: Iterable[tuple[str, CType]],
         diagnostics: Diagnostics,
     ) -> CompiledExpression:
-        """Compiles an expression.
+        """Compile an expression.
 
         Args:
             text: the expression.
             function: the C name of the function that it is looked at in, for `__func__`.
             variables: its variables, the outermost first: one hides those of the same name before.
-            diagnostics: takes warnings.
+            diagnostics: receives warnings.
 
         Raises:
             CompileError: when the expression is none, or means nothing here.
@@ -162,7 +162,7 @@ class FileNames:
 
 
 def _locals(unit: Unit) -> Iterator[ObjectSymbol]:
-    """Gives the variables of all functions, parameters and static ones too."""
+    """Return the variables of all functions, parameters and static ones too."""
     for function in unit.functions:
         yield from function.parameters
         for node in everything(function.body):
@@ -172,7 +172,7 @@ def _locals(unit: Unit) -> Iterator[ObjectSymbol]:
 
 
 def _indirect(name: str, ctype: CType) -> ObjectSymbol:
-    """Gives the symbol of a variable that is passed by its address."""
+    """Return the symbol of a variable that is passed by its address."""
     location = Location(EXPRESSION, 1, 1)
     return ObjectSymbol(name, PointerType(ctype), location, is_indirect=True)
 
@@ -212,5 +212,5 @@ def _is_bit_field(checked: tree.Expression) -> bool:
 
 
 def _is_hidden(checked: tree.Expression) -> bool:
-    """Tells whether an expression is the address of a variable, which came as a variable itself."""
+    """Return whether an expression is the address of a variable, which came as a variable itself."""
     return isinstance(checked, tree.ObjectName) and checked.symbol.is_indirect

@@ -34,7 +34,7 @@ class Variable:
     is_indirect: bool = False
 
     def reaches(self, place: Location) -> bool:
-        """Tells whether a place lies in the block of the variable, be it before its declaration.
+        """Return whether a place lies in the block of the variable, be it before its declaration.
 
         Nobody knows what a file that is included into a block has to do with it.
         """
@@ -43,7 +43,7 @@ class Variable:
         return self.block[0] <= place <= self.block[1]
 
     def is_visible(self, place: Location) -> bool:
-        """Tells whether the name means this variable at a place, if no inner one has it."""
+        """Return whether the name means this variable at a place, if no inner one has it."""
         is_declared = place.file != self.location.file or self.location <= place
         return is_declared and self.reaches(place)
 
@@ -67,7 +67,7 @@ class Slot:
     variable: Variable | None = None
 
     def __reduce_ex__(self, protocol: SupportsIndex) -> str | tuple[Any, ...]:
-        """Keeps `VARARGS` the one object that it is when a program is pickled."""
+        """Keep `VARARGS` the one object that it is when a program is pickled."""
         return "VARARGS" if self is VARARGS else object.__reduce_ex__(self, protocol)
 
 
@@ -103,7 +103,7 @@ class Instruction:
 
 @dataclass(slots=True, eq=False)
 class Statement(Instruction):
-    """Marks the start of a C statement: no code when running, a stop for the debugger."""
+    """Mark the start of a C statement: no code when running, a stop for the debugger."""
 
 
 @dataclass(slots=True, eq=False)
@@ -176,7 +176,7 @@ class Address(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Copy(Instruction):
-    """Copies `size` bytes as `memmove` does; the operands are i32, both ranges are checked."""
+    """Copy `size` bytes as `memmove` does; the operands are i32, both ranges are checked."""
 
     target: Operand
     source: Operand
@@ -185,7 +185,7 @@ class Copy(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Fill(Instruction):
-    """Sets `size` bytes to the low byte of `value`, as `memset` does; checked like `Copy`."""
+    """Set `size` bytes to the low byte of `value`, as `memset` does; checked like `Copy`."""
 
     target: Operand
     value: Operand
@@ -214,9 +214,9 @@ class Mark(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Callers(Instruction):
-    """Writes the numbers of the innermost `count` call sites to `target`, an i32 each.
+    """Write the numbers of the innermost `count` call sites to `target`, an i32 each.
 
-    It is for the allocator; the first is the call of this function, behind the outermost come
+    It is for the allocator; the first is the call of this function, after the outermost come
     zeros. Nothing happens in unchecked builds.
     """
 
@@ -259,7 +259,7 @@ class Switch(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Return(Instruction):
-    """Leaves the function. Without a value the caller finds an unspecified one."""
+    """Leave the function. Without a value the caller finds an unspecified one."""
 
     value: Operand | None
 
@@ -281,7 +281,7 @@ class Argument:
 
 @dataclass(slots=True, eq=False)
 class Call(Instruction):
-    """Calls a function by name, or through a function pointer in a register; goes on at `then`.
+    """Call a function by name, or through a function pointer in a register; goes on at `then`.
 
     `result`, if any, takes the returned value. A struct result is returned through a hidden first
     argument that points to the caller's memory.
@@ -295,7 +295,7 @@ class Call(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Request(Instruction):
-    """Posts request `code` with the message at address `message`, stops, goes on at `then`.
+    """Post request `code` with the message at address `message`, stops, goes on at `then`.
 
     The message is `struct __crs_message` (see `crs_cc.requests`); the reply takes its place, and
     `result` takes the reply's i32 result.
@@ -309,7 +309,7 @@ class Request(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Stop(Instruction):
-    """Ends the program with an error that the C source asked for or cannot get past.
+    """End the program with an error that the C source asked for or cannot get past.
 
     `kind` is one of `crs_cc.requests.ERROR_KINDS`, for example "unreachable"; `value` is the
     address to blame, if there is one.
@@ -336,7 +336,7 @@ class SetJump(Instruction):
 
 @dataclass(slots=True, eq=False)
 class LongJump(Instruction):
-    """Leaves all functions up to the one with this `activation`, which goes on at `place`.
+    """Leave all functions up to the one with this `activation`, which goes on at `place`.
 
     The operands are i32; `value` is what that `SetJump` gives now. When no active function has
     that activation, the program fails.
@@ -360,11 +360,11 @@ class Block:
 
     @property
     def fuel(self) -> int:
-        """Gives what running the block costs: one unit for each instruction that does something."""
+        """Return what running the block costs: one unit for each instruction that does something."""
         return 1 + sum(not isinstance(each, Statement | Lifetime) for each in self.instructions)
 
     def successors(self) -> list[Block]:
-        """Gives the blocks that may come next, in a fixed order, each once."""
+        """Return the blocks that may come next, in a fixed order, each once."""
         match self.terminator:
             case Jump(target=block) | Call(then=block) | Request(then=block) | SetJump(then=block):
                 return [block]

@@ -72,7 +72,7 @@ _SATURATING: Final = (
 
 
 def _source_type(conversion: str) -> ValueType:
-    """Gives the type that a conversion takes, which is part of its name."""
+    """Return the type that a conversion takes, which is part of its name."""
     found = next(part for part in conversion.split("_") if part in {"i32", "i64", "f32", "f64"})
     return cast("ValueType", found)
 

@@ -166,7 +166,7 @@ class Function:
     trusted: bool = False
 
     def __getstate__(self) -> dict[str, Any]:
-        """Gives the function with blocks by number, so that pickling does not follow jumps."""
+        """Return the function with blocks by number, so that pickling does not follow jumps."""
         number = {block: position for position, block in enumerate(self.blocks)}
         state = {each.name: getattr(self, each.name) for each in fields(self)}
         state["blocks"] = [
@@ -238,7 +238,7 @@ class Program:
 
 
 def renumber(terminator: Any, change: Callable[[Any], Any]) -> Any:
-    """Gives a copy of a terminator with `change` applied to each of its targets."""
+    """Return a copy of a terminator with `change` applied to each of its targets."""
     match terminator:
         case Jump(target=target):
             return replace(terminator, target=change(target))

@@ -43,7 +43,7 @@ class Member(Protocol):
 def lay_out(
     members: Sequence[Member], is_union: bool = False, align: int = 1, pack: int = 0
 ) -> tuple[int, int]:
-    """Gives every member its place, and the size and alignment of the whole [bytes].
+    """Return every member its place, and the size and alignment of the whole [bytes].
 
     Args:
         members: the members; those of a packed struct are packed.
@@ -63,7 +63,7 @@ def lay_out(
 
 
 def _wanted(member: Member, pack: int) -> int:
-    """Gives the alignment that a member asks of the whole [bytes]."""
+    """Return the alignment that a member asks of the whole [bytes]."""
     if member.bit_width is not None and member.name is None:
         return 1
     natural = member.natural or member.type.align
@@ -72,7 +72,7 @@ def _wanted(member: Member, pack: int) -> int:
 
 
 def _place(member: Member, start_bits: int, pack: int) -> int:
-    """Puts a member at the first fitting place from `start_bits` on; gives where it ends."""
+    """Put a member at the first fitting place from `start_bits` on; return where it ends."""
     unit_bits = 8 * member.type.size
     if member.bit_width is None:
         start_bits = _rounded(start_bits, _wanted(member, pack))
@@ -92,7 +92,7 @@ def _place(member: Member, start_bits: int, pack: int) -> int:
 
 
 def _spread(member: Member, size: int) -> None:
-    """Makes a bit-field one of single bytes if the unit it begins in does not hold it."""
+    """Build a bit-field one of single bytes if the unit it begins in does not hold it."""
     if not member.bit_width:
         return
     end = member.bit_offset + member.bit_width
@@ -103,10 +103,10 @@ def _spread(member: Member, size: int) -> None:
 
 
 def _rounded(bits: int, align: int) -> int:
-    """Gives the next multiple of an alignment [bytes]."""
+    """Return the next multiple of an alignment [bytes]."""
     return -(-bits // (8 * align)) * 8 * align
 
 
 def _least(align: int, pack: int) -> int:
-    """Gives an alignment, cut down to that of `#pragma pack` if there is one."""
+    """Return an alignment, cut down to that of `#pragma pack` if there is one."""
     return min(align, pack) if pack else align

@@ -23,7 +23,7 @@ _NAME: Final = re.compile(r"[A-Za-z_.$][\w.$]*", re.ASCII)
 
 
 def asm_label(node: Node) -> str:
-    """Gives the name that a declaration asks for, empty when it asks for none.
+    """Return the name that a declaration asks for, empty when it asks for none.
 
     Raises:
         CheckError: it is no name.
@@ -32,7 +32,7 @@ def asm_label(node: Node) -> str:
 
 
 def label_among(found: list[Attribute]) -> str:
-    """Gives the name among attributes, empty when there is none.
+    """Return the name among attributes, empty when there is none.
 
     Raises:
         CheckError: it is no name.

@@ -33,7 +33,7 @@ _FLOATS: Final = {"SF": FLOAT, "DF": DOUBLE}
 
 
 def with_mode(node: Node, ctype: CType) -> CType:
-    """Gives the type of a declaration as its attributes `mode` change it.
+    """Return the type of a declaration as its attributes `mode` change it.
 
     Raises:
         CheckError: there is no such type.

@@ -50,6 +50,6 @@ PARTS: Final[dict[type, str]] = {
 
 
 def refused(unit: Unit, node: Node) -> CheckError:
-    """Makes the error for a node that is not compiled."""
+    """Build the error for a node that is not compiled."""
     unexpected = f"'{node.__class__.__name__}' is not expected here"
     return CheckError(unit.at(node), REFUSED.get(node.__class__, unexpected))

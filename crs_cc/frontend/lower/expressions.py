@@ -1,4 +1,4 @@
-"""Lowers constants, operators without side effects, and conditions."""
+"""Lower constants, operators without side effects, and conditions."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ _EXCHANGEABLE: Final = COMPARISONS | {"+", "*", "&", "|", "^"}
 
 
 def operator_name(op: str, ctype: CType) -> str:
-    """Gives the IR's name of a C operator on operands of a promoted type."""
+    """Return the IR's name of a C operator on operands of a promoted type."""
     if isinstance(ctype, IntegerType):
         kind = f"{ctype.memory}{'s' if ctype.signed else 'u'}"
     elif isinstance(ctype, FloatType):
@@ -91,14 +91,14 @@ def _binary(low: Lowering, expression: tree.Binary, into: Register | None) -> Op
 
 
 def _kept_small(low: Lowering, result: Register, ctype: CType, location: Location) -> Operand:
-    """Cuts a result to the bits that a wide bit-field's type has."""
+    """Cut a result to the bits that a wide bit-field's type has."""
     if isinstance(ctype, IntegerType) and ctype.width is not None:
         return narrow(low, result, ctype, location, into=result)
     return result
 
 
 def _goes_last(expression: tree.Binary) -> bool:
-    """Tells whether gcc takes the left operand behind the right one, as programs may rely on.
+    """Return whether gcc takes the left operand after the right one, as programs may rely on.
 
     It brings a variable on the left of an operator whose sides may be exchanged to the right.
     """
@@ -108,7 +108,7 @@ def _goes_last(expression: tree.Binary) -> bool:
 
 
 def _is_variable(operand: Expression) -> bool:
-    """Tells whether an operand is just a variable, converted to a type of its size perhaps."""
+    """Return whether an operand is just a variable, converted to a type of its size perhaps."""
     while isinstance(operand, tree.Convert) and _is_same_size(operand.type, operand.operand.type):
         operand = operand.operand
     return isinstance(operand, tree.ObjectName)
@@ -120,13 +120,13 @@ def _is_same_size(left: CType, right: CType) -> bool:
 
 
 def is_checked(op: str, ctype: CType) -> bool:
-    """Tells whether an operation of C may have no result, see `ir.instruction.Binary`."""
+    """Return whether an operation of C may have no result, see `ir.instruction.Binary`."""
     signed = isinstance(ctype, IntegerType) and ctype.signed
     return op in {"<<", ">>"} or (signed and op in {"+", "-", "*"})
 
 
 def shift_count(low: Lowering, count: Operand, shifted: CType, location: Location) -> Operand:
-    """Gives a shift count the type of what is shifted, as WebAssembly wants it."""
+    """Return a shift count the type of what is shifted, as WebAssembly wants it."""
     wanted = value_type(shifted)
     if count.type == wanted:
         return count
@@ -320,7 +320,7 @@ def _branch_unary(low: Lowering, expression: tree.Unary, then: Block, otherwise:
 
 
 def _branch_binary(low: Lowering, expression: tree.Binary, then: Block, otherwise: Block) -> None:
-    """Branches on a comparison with zero without comparing, where that is the same."""
+    """Branch on a comparison with zero without comparing, where that is the same."""
     test: Expression = expression
     if expression.op in {"==", "!="} and isinstance(expression.right, tree.Literal):
         is_plain = isinstance(expression.left.type, IntegerType | PointerType)

@@ -1,4 +1,4 @@
-"""Lowers a function definition: parameters, body, and the clean-up of its graph."""
+"""Lower a function definition: parameters, body, and the clean-up of its graph."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from crs_cc.ir.types import CType, RecordType, VoidType
 
 
 def lower_function(unit: UnitState, definition: tree.FunctionDefinition) -> Function:
-    """Makes the IR of a function."""
+    """Build the IR of a function."""
     symbol, location = definition.symbol, definition.location
     result = symbol.type.result
     function = Function(
@@ -58,7 +58,7 @@ def lower_function(unit: UnitState, definition: tree.FunctionDefinition) -> Func
 
 
 def _parameter(low: Lowering, symbol: ObjectSymbol, passed: CType) -> None:
-    """Makes a parameter; an old-style one is converted from the type it is passed as."""
+    """Build a parameter; an old-style one is converted from the type it is passed as."""
     variable = symbol.variable()
     ctype, location = symbol.type, symbol.location
     if isinstance(ctype, RecordType):

@@ -1,4 +1,4 @@
-"""Lowers what names an object to its place, and to its value.
+"""Lower what names an object to its place, and to its value.
 
 A place is a base and an offset. The offset grows with members and constant indices, so that
 `p->a.b[2]` is one load from the register of `p`.
@@ -54,7 +54,7 @@ def _function(low: Lowering, expression: tree.FunctionName) -> Place:
 
 
 def pointee(low: Lowering, pointer: Expression) -> Place:
-    """Gives the place that a pointer points to."""
+    """Return the place that a pointer points to."""
     match pointer:
         case tree.AddressOf(operand=operand):
             return place(low, operand)
@@ -71,7 +71,7 @@ def pointee(low: Lowering, pointer: Expression) -> Place:
 
 
 def _moved(low: Lowering, moved: tree.PointerAdd) -> Place:
-    """Gives the place of `pointer + index`; what is constant of it goes into the offset."""
+    """Return the place of `pointer + index`; what is constant of it goes into the offset."""
     assert isinstance(moved.type, PointerType)
     size, location = moved.type.target.size, moved.location
     base, offset = pointee(low, moved.pointer)
@@ -92,7 +92,7 @@ def _moved(low: Lowering, moved: tree.PointerAdd) -> Place:
 
 
 def _split(index: Expression) -> tuple[Expression | None, int]:
-    """Splits an index into a part that varies and a constant."""
+    """Split an index into a part that varies and a constant."""
     if isinstance(index, tree.Literal):
         return None, int(index.value)
     if isinstance(index, tree.Convert) and index.operand.type.size == index.type.size:
@@ -106,7 +106,7 @@ def _split(index: Expression) -> tuple[Expression | None, int]:
 
 
 def _scaled(low: Lowering, index: Expression, size: int, location: Location) -> Operand:
-    """Gives `index * size`."""
+    """Return `index * size`."""
     operand = value(low, index)
     if size == 1:
         return operand
@@ -122,7 +122,7 @@ def _scaled(low: Lowering, index: Expression, size: int, location: Location) -> 
 
 
 def _value_of_object(low: Lowering, expression: Expression, into: Register | None) -> Operand:
-    """Reads the object that an expression names."""
+    """Read the object that an expression names."""
     if isinstance(expression, tree.ObjectName) and expression.symbol.link_name is None:
         found = low.local(expression.symbol)
         if isinstance(found, Register):

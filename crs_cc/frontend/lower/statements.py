@@ -1,4 +1,4 @@
-"""Lowers statements to blocks in the order of the source."""
+"""Lower statements to blocks in the order of the source."""
 
 from __future__ import annotations
 

@@ -27,11 +27,11 @@ class UnitState:
     uses: dict[str, Location] = field(default_factory=dict)
 
     def use(self, name: str, location: Location) -> None:
-        """Notes where a global name is used."""
+        """Record where a global name is used."""
         self.uses.setdefault(name, location)
 
     def string(self, literal: tree.StringLiteral) -> str:
-        """Gives the name of a string's object; equal strings share one."""
+        """Return the name of a string's object; equal strings share one."""
         key = literal.content, literal.type.align
         name = self.strings.get(key)
         if name is None:
@@ -40,7 +40,7 @@ class UnitState:
         return name
 
     def image(self, function: str, content: bytes, align: int, location: Location) -> str:
-        """Gives the name of an object that a local variable is initialised from."""
+        """Return the name of an object that a local variable is initialised from."""
         name = self.unit.static_name(f"{function.rpartition(':')[2]}.image")
         self._add(name, content, align, location)
         return name

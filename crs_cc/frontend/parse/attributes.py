@@ -49,7 +49,7 @@ class Attributes:
 
         Args:
             start: the position of the first token.
-            stop: the position behind the last one; if not given, behind the next token.
+            stop: the position after the last one; if not given, after the next token.
         """
         if not self._before:
             return []
@@ -64,7 +64,7 @@ class Attributes:
         return found
 
     def attach_to_record(self, node: Node, found: list[Attribute]) -> None:
-        """Attach the attributes before a struct or union, and those behind its members."""
+        """Attach the attributes before a struct or union, and those after its members."""
         if node.decls is None:
             found = [each for each in found if each.name != PACK]
         else:

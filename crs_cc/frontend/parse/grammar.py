@@ -74,7 +74,7 @@ class Grammar(CParser):  # type: ignore[misc]
 
         Args:
             tokens: the file.
-            diagnostics: takes the messages.
+            diagnostics: receives the messages.
             type_names: further names that are types.
         """
         rest, before = take_attributes(tokens, diagnostics)
@@ -116,7 +116,7 @@ class Grammar(CParser):  # type: ignore[misc]
         return found
 
     def expression(self) -> Node | None:
-        """Parse an expression and nothing behind it; return None if there is an error."""
+        """Parse an expression and nothing after it; return None if there is an error."""
         with contextlib.suppress(ParseError):
             try:
                 node = self._parse_expression()
@@ -275,7 +275,7 @@ class Grammar(CParser):  # type: ignore[misc]
         return c_ast.NamedInitializer([member], self._parse_initializer())
 
     def _parse_designation(self) -> Any:
-        """Parse designators and the `=` behind them, which GNU's `[3] 4` does without."""
+        """Parse designators and the `=` after them, which GNU's `[3] 4` does without."""
         designators = self._parse_designator_list()
         if self._accept("EQUALS") is None:
             is_old = len(designators) == 1 and isinstance(designators[0], c_ast.ArrayDesignator)

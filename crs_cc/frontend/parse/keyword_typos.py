@@ -1,4 +1,4 @@
-"""Replaces misspelled keywords by what they were meant to be: `retrun 0;`, `viod turn(int a)`.
+"""Replace misspelled keywords by what they were meant to be: `retrun 0;`, `viod turn(int a)`.
 
 Only an undeclared name is taken for a keyword, and only where what follows cannot follow a name:
 then there is one error, at the name, and none for its consequences.
@@ -45,7 +45,7 @@ _MEANT: Final[dict[str, frozenset[str]]] = (
 
 
 class KeywordTypos:
-    """Finds misspelled keywords at the next tokens."""
+    """Find misspelled keywords at the next tokens."""
 
     def __init__(self, stream: TokenStream, diagnostics: Diagnostics) -> None:
         self._stream = stream

@@ -1,4 +1,4 @@
-"""Supplies what is left out in declarations: the `int` of C90, a type's declaration, a semicolon.
+"""Supply what is left out in declarations: the `int` of C90, a type's declaration, a semicolon.
 
 `main(argc, argv) char **argv; {...}` and `static count;` are valid in C90, which pycparser does
 not parse. A missing semicolon is reported where the line ends, not where C would go on reading.
@@ -30,7 +30,7 @@ _IMPLICIT_INT: Final = "type specifier missing, defaults to 'int'"
 
 
 class Omissions:
-    """Supplies what a file's declarations leave out."""
+    """Supply what a file's declarations leave out."""
 
     def __init__(
         self,
@@ -89,7 +89,7 @@ class Omissions:
         return ahead
 
     def end_members(self) -> None:
-        """End a declaration behind a list of members if another type follows on a later line."""
+        """End a declaration after a list of members if another type follows on a later line."""
         if self._stream.buffer[self._stream.index - 1].type != "RBRACE":
             return
         ahead = self._behind_qualifiers()

@@ -28,7 +28,7 @@ def parse(tokens: Sequence[Token], diagnostics: Diagnostics) -> list[Node]:
 
     Args:
         tokens: the file.
-        diagnostics: takes the messages.
+        diagnostics: receives the messages.
 
     Returns:
         The declarations; a `Broken` for each one with a syntax error.
@@ -47,6 +47,6 @@ def parse_expression(
     Args:
         tokens: the expression.
         type_names: the names that are types.
-        diagnostics: takes the messages.
+        diagnostics: receives the messages.
     """
     return Grammar(tokens, diagnostics, type_names).expression()

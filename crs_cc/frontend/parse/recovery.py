@@ -1,4 +1,4 @@
-"""Finds the point at which parsing can continue after a syntax error."""
+"""Find the point at which parsing can continue after a syntax error."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from crs_cc.frontend.parse.token_stream import NAMES, TokenStream
 
 
 def skip_broken(stream: TokenStream, start: int, *, is_in_block: bool) -> Broken:
-    """Move behind the end of a declaration or statement with an error.
+    """Move after the end of a declaration or statement with an error.
 
     Args:
         stream: the tokens, at the error.

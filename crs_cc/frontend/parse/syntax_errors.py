@@ -39,7 +39,7 @@ _PLAIN_TEXT: Final = {
 
 
 class SyntaxErrors:
-    """Reports the syntax errors of a file."""
+    """Report the syntax errors of a file."""
 
     def __init__(self, stream: TokenStream, diagnostics: Diagnostics) -> None:
         self._stream = stream
@@ -146,6 +146,6 @@ class SyntaxErrors:
 
 
 def end_of(token: Token) -> Location:
-    """Return the location right behind a token."""
+    """Return the location right after a token."""
     place = token.location
     return Location(place.file, place.line, place.column + len(token.value))

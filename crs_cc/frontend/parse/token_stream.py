@@ -35,7 +35,7 @@ class TokenStream:
         self.classified: Token | None = None
 
     def peek(self, k: int = 1) -> Any:
-        """Return the k-th next token, None behind the last one."""
+        """Return the k-th next token, None after the last one."""
         token = self.buffer[self.index + k - 1]
         if token is not self.classified:
             if token is not None and token.type in NAMES:
@@ -44,7 +44,7 @@ class TokenStream:
         return token
 
     def peek_type(self, k: int = 1) -> str | None:
-        """Return the type of the k-th next token, None behind the last one."""
+        """Return the type of the k-th next token, None after the last one."""
         token = self.peek(k)
         return None if token is None else token.type
 

@@ -18,7 +18,7 @@ _CONDITIONS: Final = frozenset({"IF", "WHILE"})
 
 
 class TokenWarnings:
-    """Warns of correct code that looks like a typo, right after it was parsed."""
+    """Warn about correct code that looks like a typo, right after it was parsed."""
 
     def __init__(self, stream: TokenStream, diagnostics: Diagnostics) -> None:
         self._stream = stream

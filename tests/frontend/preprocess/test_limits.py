@@ -15,7 +15,7 @@ from tests.frontend.preprocess.preprocessing import messages, result, run
 
 
 def doubling(first: str) -> str:
-    """Gives macros each of which expands to twice the one before it."""
+    """Return macros each of which expands to twice the one before it."""
     rows = [f"#define A{i} A{i - 1} A{i - 1}\n" for i in range(1, 100)]
     return f"#define A0 {first}\n{''.join(rows)}\n  A99\n"
 
