@@ -2,7 +2,7 @@
 
 The report's dialect allows it: "the commands in code running on a real scout can be copied without
 the C headers into the control code class", whose method `runcode` they then make up. Functions may
-stand before the body and behind it; declarations right before its first statement belong to it.
+stand before the body and after it; declarations right before its first statement belong to it.
 The function is put in as tokens at the places of the body's first and last token, so that no line
 or column changes.
 
@@ -56,7 +56,7 @@ class Item:
         kind: what it is, as far as its first tokens and braces tell; a `}` that closes nothing is
             stray.
         start: the index of its first token.
-        stop: the index behind its last one.
+        stop: the index after its last one.
         name: of a function its name.
     """
 
@@ -67,12 +67,12 @@ class Item:
 
 
 def with_body(tokens: Sequence[Token], file: str, diagnostics: Diagnostics) -> list[Token]:
-    """Gives a file's tokens with the statements at its outermost level put into `runcode`.
+    """Return a file's tokens with the statements at its outermost level put into `runcode`.
 
     Args:
         tokens: the file, its headers included.
         file: the name of the file itself.
-        diagnostics: hears of braces that do not match.
+        diagnostics: receives messages about braces that do not match.
 
     Returns:
         the tokens; as they were, where there are no such statements or one of `scope.ENTRIES` is
@@ -99,7 +99,7 @@ def with_body(tokens: Sequence[Token], file: str, diagnostics: Diagnostics) -> l
 
 
 def suggest_dialect(tokens: Sequence[Token], diagnostics: Diagnostics) -> None:
-    """Adds a hint to the first error in a file that looks like the body of a program."""
+    """Add a hint to the first error in a file that looks like the body of a program."""
     items = list(items_of(tokens))
     is_body = any(item.kind == "statement" for item in items)
     first = diagnostics.errors[0]
@@ -109,12 +109,12 @@ def suggest_dialect(tokens: Sequence[Token], diagnostics: Diagnostics) -> None:
 
 
 def _belongs(item: Item, tokens: Sequence[Token], file: str) -> bool:
-    """Tells whether an item right before the body is a part of it."""
+    """Return whether an item right before the body is a part of it."""
     return item.kind == "declaration" and tokens[item.start].location.file == file
 
 
 def _balanced(body: Sequence[Token], diagnostics: Diagnostics) -> list[Token]:
-    """Gives the body without braces that close nothing; reports these, and those left open."""
+    """Return the body without braces that close nothing; reports these, and those left open."""
     kept: list[Token] = []
     opened: list[Token] = []
     for token in body:
@@ -137,7 +137,7 @@ def _balanced(body: Sequence[Token], diagnostics: Diagnostics) -> list[Token]:
 
 
 def items_of(tokens: Sequence[Token]) -> Iterator[Item]:
-    """Gives the pieces of a file, one after the other: all tokens, in order."""
+    """Return the pieces of a file, one after the other: all tokens, in order."""
     start = 0
     while start < len(tokens):
         item = _item(tokens, start)
@@ -175,7 +175,7 @@ def _item(tokens: Sequence[Token], start: int) -> Item:
 class _Brackets:
     """The parentheses, brackets and braces that are open.
 
-    What closes none of its kind counts for nothing; a brace closes what was left open behind it.
+    What closes none of its kind counts for nothing; a brace closes what was left open after it.
     """
 
     opened: list[str] = field(default_factory=list)
@@ -195,7 +195,7 @@ class _Brackets:
 
 
 def _kind(tokens: Sequence[Token], start: int) -> Kind:
-    """Tells what the tokens from one on look like, before any brace is seen."""
+    """Return what the tokens from one on look like, before any brace is seen."""
     first, *others = (token.type for token in tokens[start : start + 2])
     if first in _DECLARES or tokens[start].value in ("__attribute__", "__auto_type"):
         return "declaration"
@@ -213,7 +213,7 @@ def _kind(tokens: Sequence[Token], start: int) -> Kind:
 
 
 def _name(tokens: Sequence[Token]) -> str:
-    """Gives the name in front of a function's parameters."""
+    """Return the name in front of a function's parameters."""
     for name, behind in pairwise(tokens):
         if name.type == "ID" and behind.type == "LPAREN":
             return name.value

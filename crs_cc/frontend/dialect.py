@@ -23,7 +23,7 @@ _VENDORS_GUARDS: Final = frozenset({"_HOST_CLIENT_NCLIENT_H_", "_HOST_CLIENT_H_"
 
 
 def dialect_of(paths: Sequence[Path], options: Options) -> Dialect:
-    """Gives the dialect of a program.
+    """Return the dialect of a program.
 
     Args:
         paths: its C files.
@@ -36,7 +36,7 @@ def dialect_of(paths: Sequence[Path], options: Options) -> Dialect:
 
 
 def form(path: Path, options: Options) -> Dialect | None:
-    """Gives the dialect that a file is in by itself, none for a part that may belong to either."""
+    """Return the dialect that a file is in by itself, none for a part that may belong to either."""
     source = preprocess(path, options, Diagnostics())
     is_vendors = any(Path(file).name.lower() == _VENDORS_HEADER for file in source.files)
     if is_vendors or not _VENDORS_GUARDS.isdisjoint(source.macros):

@@ -1,4 +1,4 @@
-"""Reports errors, and gives a file up after too many of them."""
+"""Report errors, and gives a file up after too many of them."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ class GiveUp(Exception):  # noqa: N818 - it stops the work, the errors are recor
 
 
 def report(diagnostics: Diagnostics, place: Location, text: str, hint: str = "") -> None:
-    """Records an error; after too many of them gives up.
+    """Record an error; after too many of them gives up.
 
     Raises:
         GiveUp: when the file is hopeless.

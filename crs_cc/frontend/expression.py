@@ -32,7 +32,8 @@ from crs_cc.frontend.check.tree_parts import everything
 from crs_cc.frontend.error_limit import GiveUp
 from crs_cc.frontend.lower.graph import tidy
 from crs_cc.frontend.lower.lowerer import Lowering, effect, place, value, value_type
-from crs_cc.frontend.lower.unit import UnitLowering
+from crs_cc.frontend.lower.rules import RULES
+from crs_cc.frontend.lower.unit_state import UnitState
 from crs_cc.frontend.parse.lexer import lex
 from crs_cc.frontend.parse.parser import parse_expression
 from crs_cc.frontend.preprocess.options import Options
@@ -77,7 +78,7 @@ class FileNames:
     """
 
     def __init__(self, path: Path, options: Options) -> None:
-        """Reads the file.
+        """Read the file.
 
         Raises:
             CompileError: when there are errors in it.
@@ -88,15 +89,15 @@ class FileNames:
         self._locals = {(each.name, each.location): each.type for each in _locals(self._unit)}
 
     def defines(self, function: str) -> bool:
-        """Tells whether the file, or a header that it includes, defines a function."""
+        """Return whether the file, or a header that it includes, defines a function."""
         return any(each.symbol.link_name == function for each in self._unit.functions)
 
     def knows(self, name: str) -> bool:
-        """Tells whether a name means something outside of functions."""
+        """Return whether a name means something outside of functions."""
         return self._unit.scope.find(name) is not None
 
     def type_of(self, variable: Variable) -> CType:
-        """Gives the type of a variable in a function, in terms of this file.
+        """Return the type of a variable in a function, in terms of this file.
 
         Structs of a program that was compiled at another time are others to C.
         """
@@ -109,13 +110,13 @@ class FileNames:
         variables: Iterable[tuple[str, CType]],
         diagnostics: Diagnostics,
     ) -> CompiledExpression:
-        """Compiles an expression.
+        """Compile an expression.
 
         Args:
             text: the expression.
             function: the C name of the function that it is looked at in, for `__func__`.
             variables: its variables, the outermost first: one hides those of the same name before.
-            diagnostics: takes warnings.
+            diagnostics: receives warnings.
 
         Raises:
             CompileError: when the expression is none, or means nothing here.
@@ -161,7 +162,7 @@ class FileNames:
 
 
 def _locals(unit: Unit) -> Iterator[ObjectSymbol]:
-    """Gives the variables of all functions, parameters and static ones too."""
+    """Return the variables of all functions, parameters and static ones too."""
     for function in unit.functions:
         yield from function.parameters
         for node in everything(function.body):
@@ -171,7 +172,7 @@ def _locals(unit: Unit) -> Iterator[ObjectSymbol]:
 
 
 def _indirect(name: str, ctype: CType) -> ObjectSymbol:
-    """Gives the symbol of a variable that is passed by its address."""
+    """Return the symbol of a variable that is passed by its address."""
     location = Location(EXPRESSION, 1, 1)
     return ObjectSymbol(name, PointerType(ctype), location, is_indirect=True)
 
@@ -179,10 +180,10 @@ def _indirect(name: str, ctype: CType) -> ObjectSymbol:
 def _lowered(
     unit: Unit, text: str, checked: tree.Expression, symbols: dict[str, ObjectSymbol]
 ) -> CompiledExpression:
-    location, shared = Location(EXPRESSION, 1, 1), UnitLowering(unit)
+    location, shared = Location(EXPRESSION, 1, 1), UnitState(unit)
     function, entry = Function(EXPRESSION, location), Block("entry")
     function.blocks.append(entry)
-    low = Lowering(shared, function, entry)
+    low = Lowering(shared, function, RULES, entry)
     for symbol in symbols.values():
         register = low.lasting_register("i32")
         low.places[symbol] = register
@@ -211,5 +212,5 @@ def _is_bit_field(checked: tree.Expression) -> bool:
 
 
 def _is_hidden(checked: tree.Expression) -> bool:
-    """Tells whether an expression is the address of a variable, which came as a variable itself."""
+    """Return whether an expression is the address of a variable, which came as a variable itself."""
     return isinstance(checked, tree.ObjectName) and checked.symbol.is_indirect

@@ -47,12 +47,12 @@ _RECURSION_LIMIT: Final = 60_000
 
 
 def compile_file(path: Path, options: Options, diagnostics: Diagnostics) -> Program:
-    """Compiles a C file.
+    """Compile a C file.
 
     Args:
         path: the file.
         options: where to look for headers, and macros to define.
-        diagnostics: takes errors and warnings; the warnings stay there.
+        diagnostics: receives errors and warnings; the warnings stay there.
 
     Returns:
         The program, not verified yet.
@@ -65,7 +65,7 @@ def compile_file(path: Path, options: Options, diagnostics: Diagnostics) -> Prog
 
 
 def check_file(path: Path, options: Options, diagnostics: Diagnostics) -> tuple[Unit, Preprocessed]:
-    """Preprocesses and checks a C file; gives what its names mean at its end.
+    """Preprocess and checks a C file; return what its names mean at its end.
 
     Raises:
         CompileError: when there are errors in the file.
@@ -80,7 +80,7 @@ def check_file(path: Path, options: Options, diagnostics: Diagnostics) -> tuple[
 
 
 def compile_text(text: str, name: str, options: Options, diagnostics: Diagnostics) -> Program:
-    """Compiles C text as if it stood in the file `name`.
+    """Compile C text as if it stood in the file `name`.
 
     Raises:
         CompileError: when there are errors in it.
@@ -161,7 +161,7 @@ def _stop_on_errors(unit: Unit) -> None:
 
 
 def _with_deep_stack(work: Callable[[], None]) -> None:
-    """Runs `work` in a thread whose stack is deep enough for nested programs.
+    """Run `work` in a thread whose stack is deep enough for nested programs.
 
     The thread is joined at once: no result depends on it.
 

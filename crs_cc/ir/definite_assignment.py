@@ -91,7 +91,7 @@ class Assignments:
     def _look(
         self, function: Function, at_start: dict[Block, int], wanted: dict[Register, None]
     ) -> None:
-        """Finds what a debugger sees, and wants flags for what is not known beforehand."""
+        """Find what a debugger sees, and wants flags for what is not known beforehand."""
         assigned = _assigned(function)
         for block in function.blocks:
             unset, given = at_start[block], assigned[block]
@@ -109,7 +109,7 @@ class Assignments:
     def _find(
         self, function: Function, at_start: dict[Block, int], wanted: dict[Register, None]
     ) -> None:
-        """Collects the reads that may come too early, and all that leads to them."""
+        """Collect the reads that may come too early, and all that leads to them."""
         moves: dict[Instruction, Register] = {}
         for block in function.blocks:
             unset = at_start[block]
@@ -141,7 +141,7 @@ class Assignments:
         moves: dict[Instruction, Register],
         wanted: dict[Register, None],
     ) -> None:
-        """Notes that a value which may not be there is moved to another register, or stored."""
+        """Record that a value which may not be there is moved to another register, or stored."""
         moves[it] = source
         target = writes(it)
         if target is None:
@@ -162,14 +162,14 @@ def _add_sources(moves: dict[Instruction, Register], wanted: dict[Register, None
 
 
 def _moved(it: Instruction) -> Register | None:
-    """Gives the register whose value an instruction moves elsewhere without looking at it."""
+    """Return the register whose value an instruction moves elsewhere without looking at it."""
     if isinstance(it, Move | Store) and isinstance(it.source, Register):
         return it.source
     return None
 
 
 def _uses(it: Instruction) -> list[Register]:
-    """Gives the registers whose values an instruction needs."""
+    """Return the registers whose values an instruction needs."""
     used = reads(it)
     source = _moved(it)
     if source is not None:
@@ -178,7 +178,7 @@ def _uses(it: Instruction) -> list[Register]:
 
 
 def _behind(it: Instruction, unset: int) -> int:
-    """Gives which registers may have no value behind an instruction, from those before it."""
+    """Return which registers may have no value after an instruction, from those before it."""
     for register in _uses(it):  # it has passed the test
         unset &= ~(1 << register.index)
     target = writes(it)
@@ -192,13 +192,13 @@ def _behind(it: Instruction, unset: int) -> int:
 
 
 def _written(it: Instruction) -> int:
-    """Gives the bit of the register that an instruction writes; 0 for none."""
+    """Return the bit of the register that an instruction writes; 0 for none."""
     target = writes(it)
     return 0 if target is None else 1 << target.index
 
 
 def _assigned(function: Function) -> dict[Block, int]:
-    """Gives the bit set of registers that may have been written where each block begins."""
+    """Return the bit set of registers that may have been written where each block begins."""
     at_start = dict.fromkeys(function.blocks, 0)
     work = list(function.blocks)
     while work:
@@ -214,7 +214,7 @@ def _assigned(function: Function) -> dict[Block, int]:
 
 
 def _solve(function: Function, start: int) -> dict[Block, int]:
-    """Gives the bit set of registers that may have no value where each block begins."""
+    """Return the bit set of registers that may have no value where each block begins."""
     at_start = dict.fromkeys(function.blocks, 0)
     at_start[function.blocks[0]] = start
     seen: set[Block] = set()

@@ -5,25 +5,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import IntEnum
-from typing import TYPE_CHECKING, Any, Final, Literal, SupportsIndex, TypeAlias
+from typing import TYPE_CHECKING, Any, Final, SupportsIndex, TypeAlias
+
+from crs_cc.ir.value_type import MemoryType, ValueType
 
 if TYPE_CHECKING:
     from crs_cc.core.source import Location
-    from crs_cc.ir.program import Block
     from crs_cc.ir.types import CType
-
-ValueType: TypeAlias = Literal["i32", "i64", "f32", "f64"]
-MemoryType: TypeAlias = Literal["i8", "u8", "i16", "u16", "i32", "i64", "f32", "f64"]
-
-MEMORY_SIZE: Final[dict[MemoryType, int]] = {
-    "i8": 1, "u8": 1, "i16": 2, "u16": 2, "i32": 4, "i64": 8, "f32": 4, "f64": 8,
-}  # fmt: skip
-VALUE_TYPE: Final[dict[MemoryType, ValueType]] = {
-    "i8": "i32", "u8": "i32", "i16": "i32", "u16": "i32",
-    "i32": "i32", "i64": "i64", "f32": "f32", "f64": "f64",
-}  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +34,7 @@ class Variable:
     is_indirect: bool = False
 
     def reaches(self, place: Location) -> bool:
-        """Tells whether a place lies in the block of the variable, be it before its declaration.
+        """Return whether a place lies in the block of the variable, be it before its declaration.
 
         Nobody knows what a file that is included into a block has to do with it.
         """
@@ -53,7 +43,7 @@ class Variable:
         return self.block[0] <= place <= self.block[1]
 
     def is_visible(self, place: Location) -> bool:
-        """Tells whether the name means this variable at a place, if no inner one has it."""
+        """Return whether the name means this variable at a place, if no inner one has it."""
         is_declared = place.file != self.location.file or self.location <= place
         return is_declared and self.reaches(place)
 
@@ -77,7 +67,7 @@ class Slot:
     variable: Variable | None = None
 
     def __reduce_ex__(self, protocol: SupportsIndex) -> str | tuple[Any, ...]:
-        """Keeps `VARARGS` the one object that it is when a program is pickled."""
+        """Keep `VARARGS` the one object that it is when a program is pickled."""
         return "VARARGS" if self is VARARGS else object.__reduce_ex__(self, protocol)
 
 
@@ -113,7 +103,7 @@ class Instruction:
 
 @dataclass(slots=True, eq=False)
 class Statement(Instruction):
-    """Marks the start of a C statement: no code when running, a stop for the debugger."""
+    """Mark the start of a C statement: no code when running, a stop for the debugger."""
 
 
 @dataclass(slots=True, eq=False)
@@ -186,7 +176,7 @@ class Address(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Copy(Instruction):
-    """Copies `size` bytes as `memmove` does; the operands are i32, both ranges are checked."""
+    """Copy `size` bytes as `memmove` does; the operands are i32, both ranges are checked."""
 
     target: Operand
     source: Operand
@@ -195,7 +185,7 @@ class Copy(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Fill(Instruction):
-    """Sets `size` bytes to the low byte of `value`, as `memset` does; checked like `Copy`."""
+    """Set `size` bytes to the low byte of `value`, as `memset` does; checked like `Copy`."""
 
     target: Operand
     value: Operand
@@ -224,9 +214,9 @@ class Mark(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Callers(Instruction):
-    """Writes the numbers of the innermost `count` call sites to `target`, an i32 each.
+    """Write the numbers of the innermost `count` call sites to `target`, an i32 each.
 
-    It is for the allocator; the first is the call of this function, behind the outermost come
+    It is for the allocator; the first is the call of this function, after the outermost come
     zeros. Nothing happens in unchecked builds.
     """
 
@@ -269,7 +259,7 @@ class Switch(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Return(Instruction):
-    """Leaves the function. Without a value the caller finds an unspecified one."""
+    """Leave the function. Without a value the caller finds an unspecified one."""
 
     value: Operand | None
 
@@ -291,7 +281,7 @@ class Argument:
 
 @dataclass(slots=True, eq=False)
 class Call(Instruction):
-    """Calls a function by name, or through a function pointer in a register; goes on at `then`.
+    """Call a function by name, or through a function pointer in a register; goes on at `then`.
 
     `result`, if any, takes the returned value. A struct result is returned through a hidden first
     argument that points to the caller's memory.
@@ -305,7 +295,7 @@ class Call(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Request(Instruction):
-    """Posts request `code` with the message at address `message`, stops, goes on at `then`.
+    """Post request `code` with the message at address `message`, stops, goes on at `then`.
 
     The message is `struct __crs_message` (see `crs_cc.requests`); the reply takes its place, and
     `result` takes the reply's i32 result.
@@ -319,7 +309,7 @@ class Request(Instruction):
 
 @dataclass(slots=True, eq=False)
 class Stop(Instruction):
-    """Ends the program with an error that the C source asked for or cannot get past.
+    """End the program with an error that the C source asked for or cannot get past.
 
     `kind` is one of `crs_cc.requests.ERROR_KINDS`, for example "unreachable"; `value` is the
     address to blame, if there is one.
@@ -346,7 +336,7 @@ class SetJump(Instruction):
 
 @dataclass(slots=True, eq=False)
 class LongJump(Instruction):
-    """Leaves all functions up to the one with this `activation`, which goes on at `place`.
+    """Leave all functions up to the one with this `activation`, which goes on at `place`.
 
     The operands are i32; `value` is what that `SetJump` gives now. When no active function has
     that activation, the program fails.
@@ -358,3 +348,28 @@ class LongJump(Instruction):
 
 
 Terminator: TypeAlias = Jump | Branch | Switch | Return | Call | Request | Stop | SetJump | LongJump
+
+
+@dataclass(slots=True, eq=False)
+class Block:
+    """A basic block. `label` is unique in its function."""
+
+    label: str
+    instructions: list[Instruction] = field(default_factory=list)
+    terminator: Terminator | None = None
+
+    @property
+    def fuel(self) -> int:
+        """Return what running the block costs: one unit for each instruction that does something."""
+        return 1 + sum(not isinstance(each, Statement | Lifetime) for each in self.instructions)
+
+    def successors(self) -> list[Block]:
+        """Return the blocks that may come next, in a fixed order, each once."""
+        match self.terminator:
+            case Jump(target=block) | Call(then=block) | Request(then=block) | SetJump(then=block):
+                return [block]
+            case Branch(then=then, otherwise=otherwise):
+                return [then] if then is otherwise else [then, otherwise]
+            case Switch(cases=cases, default=default):
+                return list(dict.fromkeys([block for _, block in cases] + [default]))
+        return []

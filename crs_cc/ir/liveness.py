@@ -66,7 +66,7 @@ _ASSIGNING: Final = frozenset({Move, Unary, Binary, Load, Address, State, Call, 
 
 
 def reads(instruction: Instruction) -> list[Register]:
-    """Gives the registers whose values the instruction takes."""
+    """Return the registers whose values the instruction takes."""
     names = _OPERANDS.get(instruction.__class__, ())
     values = [getattr(instruction, name) for name in names]
     if instruction.__class__ is Call:
@@ -76,7 +76,7 @@ def reads(instruction: Instruction) -> list[Register]:
 
 
 def writes(instruction: Instruction) -> Register | None:
-    """Gives the register that the instruction assigns."""
+    """Return the register that the instruction assigns."""
     if instruction.__class__ not in _ASSIGNING:
         return None
     result: Register | None = instruction.result  # type: ignore[attr-defined]
@@ -84,7 +84,7 @@ def writes(instruction: Instruction) -> Register | None:
 
 
 def all_instructions(block: Block) -> list[Instruction]:
-    """Gives the block's instructions with its terminator as the last."""
+    """Return the block's instructions with its terminator as the last."""
     return block.instructions if block.terminator is None else [*block.instructions,
                                                                 block.terminator]  # fmt: skip
 
@@ -108,11 +108,11 @@ class Liveness:
             self.shared |= alive
 
     def at_start(self, block: Block) -> int:
-        """Gives the bit set of registers alive where the block begins."""
+        """Return the bit set of registers alive where the block begins."""
         return self._alive[block]
 
     def at_end(self, block: Block) -> int:
-        """Gives the bit set of registers alive behind the block's terminator."""
+        """Return the bit set of registers alive after the block's terminator."""
         alive = 0
         for successor in block.successors():
             alive |= self._alive[successor]
@@ -140,7 +140,7 @@ class Liveness:
 
 
 def alive_before(block: Block, liveness: Liveness) -> list[int]:
-    """Gives the bit set of registers alive before each instruction and before the terminator."""
+    """Return the bit set of registers alive before each instruction and before the terminator."""
     alive = liveness.at_end(block)
     out = []
     for instruction in reversed(all_instructions(block)):

@@ -1,4 +1,4 @@
-"""Finds the blocks at which the loops of a function are counted."""
+"""Find the blocks at which the loops of a function are counted."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from crs_cc.ir.program import Block, Function
 
 
 def loop_headers(function: Function) -> set[Block]:
-    """Gives some blocks of which at least one lies on every cycle.
+    """Return some blocks of which at least one lies on every cycle.
 
     They are the targets of edges that go back in the order of a depth-first walk.
     """

@@ -18,12 +18,12 @@ REPORT: Final = "__report_"
 
 
 def in_library(location: Location) -> bool:
-    """Tells whether a place is in the C library."""
+    """Return whether a place is in the C library."""
     return location.file.startswith(LIBRARY)
 
 
 def plain_name(function: str) -> str:
-    """Gives a function's name as the programmer knows it.
+    """Return a function's name as the programmer knows it.
 
     >>> plain_name("wander.c:turn"), plain_name("__report_vm")
     ('turn', 'vm')

@@ -38,13 +38,12 @@ from dataclasses import dataclass, field, fields, replace
 from typing import TYPE_CHECKING, Any
 
 from crs_cc.ir.instruction import (
-    MEMORY_SIZE,
-    VALUE_TYPE,
     VARARGS,
     Address,
     Argument,
     Base,
     Binary,
+    Block,
     Branch,
     ByteState,
     Call,
@@ -58,7 +57,6 @@ from crs_cc.ir.instruction import (
     Load,
     LongJump,
     Mark,
-    MemoryType,
     Move,
     Operand,
     Register,
@@ -73,9 +71,9 @@ from crs_cc.ir.instruction import (
     Switch,
     Terminator,
     Unary,
-    ValueType,
     Variable,
 )
+from crs_cc.ir.value_type import MEMORY_SIZE, VALUE_TYPE, MemoryType, ValueType
 
 if TYPE_CHECKING:
     from crs_cc.core.source import Location
@@ -129,31 +127,6 @@ __all__ = [
 
 
 @dataclass(slots=True, eq=False)
-class Block:
-    """A basic block. `label` is unique in its function."""
-
-    label: str
-    instructions: list[Instruction] = field(default_factory=list)
-    terminator: Terminator | None = None
-
-    @property
-    def fuel(self) -> int:
-        """Gives what running the block costs: one unit for each instruction that does something."""
-        return 1 + sum(not isinstance(each, Statement | Lifetime) for each in self.instructions)
-
-    def successors(self) -> list[Block]:
-        """Gives the blocks that may come next, in a fixed order, each once."""
-        match self.terminator:
-            case Jump(target=block) | Call(then=block) | Request(then=block) | SetJump(then=block):
-                return [block]
-            case Branch(then=then, otherwise=otherwise):
-                return [then] if then is otherwise else [then, otherwise]
-            case Switch(cases=cases, default=default):
-                return list(dict.fromkeys([block for _, block in cases] + [default]))
-        return []
-
-
-@dataclass(slots=True, eq=False)
 class Parameter:
     """A parameter, at the next multiple of 4 in the argument area.
 
@@ -193,7 +166,7 @@ class Function:
     trusted: bool = False
 
     def __getstate__(self) -> dict[str, Any]:
-        """Gives the function with blocks by number, so that pickling does not follow jumps."""
+        """Return the function with blocks by number, so that pickling does not follow jumps."""
         number = {block: position for position, block in enumerate(self.blocks)}
         state = {each.name: getattr(self, each.name) for each in fields(self)}
         state["blocks"] = [
@@ -265,7 +238,7 @@ class Program:
 
 
 def renumber(terminator: Any, change: Callable[[Any], Any]) -> Any:
-    """Gives a copy of a terminator with `change` applied to each of its targets."""
+    """Return a copy of a terminator with `change` applied to each of its targets."""
     match terminator:
         case Jump(target=target):
             return replace(terminator, target=change(target))

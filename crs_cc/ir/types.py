@@ -20,8 +20,8 @@ from collections.abc import Hashable, Iterable
 from dataclasses import dataclass, field, replace
 from typing import Final, Literal, TypeAlias, TypeVar
 
-from crs_cc.ir.program import MemoryType
 from crs_cc.ir.record_layout import lay_out
+from crs_cc.ir.value_type import MemoryType
 
 
 class _Type:
@@ -42,12 +42,12 @@ class VoidType(_Type):
 
     @property
     def size(self) -> int:
-        """Gives 1 [byte], as gcc does for `sizeof(void)`."""
+        """Return 1 [byte], as gcc does for `sizeof(void)`."""
         return 1
 
     @property
     def align(self) -> int:
-        """Gives 1 [byte]."""
+        """Return 1 [byte]."""
         return 1
 
 
@@ -74,22 +74,22 @@ class IntegerType(_Type):
 
     @property
     def align(self) -> int:
-        """Gives the alignment [bytes]."""
+        """Return the alignment [bytes]."""
         return self.size
 
     @property
     def bits(self) -> int:
-        """Gives how many bits a value has."""
+        """Return how many bits a value has."""
         return 8 * self.size if self.width is None else self.width
 
     @property
     def smallest(self) -> int:
-        """Gives the smallest value."""
+        """Return the smallest value."""
         return -(1 << self.bits - 1) if self.signed else 0
 
     @property
     def largest(self) -> int:
-        """Gives the largest value."""
+        """Return the largest value."""
         if self.name == "_Bool":
             return 1
         return (1 << self.bits - self.signed) - 1
@@ -108,7 +108,7 @@ class FloatType(_Type):
 
     @property
     def align(self) -> int:
-        """Gives the alignment [bytes]."""
+        """Return the alignment [bytes]."""
         return self.size
 
 
@@ -126,7 +126,7 @@ class Enumeration:
     integer: IntegerType = field(default_factory=lambda: UINT)
 
     def complete(self, constants: dict[str, int]) -> None:
-        """Gives the enum its constants, and the integer type that can hold them."""
+        """Return the enum its constants, and the integer type that can hold them."""
         self.constants = constants
         types = (INT, LLONG) if min(constants.values(), default=0) < 0 else (UINT, ULLONG)
         is_small = all(types[0].smallest <= each <= types[0].largest for each in constants.values())
@@ -143,37 +143,37 @@ class EnumType(_Type):
 
     @property
     def name(self) -> str:
-        """Gives the name of the integer type."""
+        """Return the name of the integer type."""
         return self.definition.integer.name
 
     @property
     def size(self) -> int:
-        """Gives the size [bytes]."""
+        """Return the size [bytes]."""
         return self.definition.integer.size
 
     @property
     def align(self) -> int:
-        """Gives the alignment [bytes]."""
+        """Return the alignment [bytes]."""
         return self.definition.integer.size
 
     @property
     def bits(self) -> int:
-        """Gives how many bits a value has."""
+        """Return how many bits a value has."""
         return self.definition.integer.bits
 
     @property
     def signed(self) -> bool:
-        """Tells whether there are negative values."""
+        """Return whether there are negative values."""
         return self.definition.integer.signed
 
     @property
     def rank(self) -> int:
-        """Gives the rank of the integer type."""
+        """Return the rank of the integer type."""
         return self.definition.integer.rank
 
     @property
     def memory(self) -> MemoryType:
-        """Gives how it lies in memory."""
+        """Return how it lies in memory."""
         return self.definition.integer.memory
 
 
@@ -187,17 +187,17 @@ class PointerType(_Type):
 
     @property
     def size(self) -> int:
-        """Gives 4 [bytes]."""
+        """Return 4 [bytes]."""
         return 4
 
     @property
     def align(self) -> int:
-        """Gives 4 [bytes]."""
+        """Return 4 [bytes]."""
         return 4
 
     @property
     def memory(self) -> MemoryType:
-        """Gives how it lies in memory."""
+        """Return how it lies in memory."""
         return "i32"
 
 
@@ -215,23 +215,23 @@ class ArrayType(_Type):
 
     @property
     def size(self) -> int:
-        """Gives the size [bytes], 0 while the length is unknown."""
+        """Return the size [bytes], 0 while the length is unknown."""
         assert self.extent is None, "the program must compute this size"
         return self.element.size * (self.length or 0)
 
     @property
     def align(self) -> int:
-        """Gives the alignment [bytes]."""
+        """Return the alignment [bytes]."""
         return self.element.align
 
     @property
     def const(self) -> bool:
-        """Tells whether the elements are const (C17 6.7.3p9)."""
+        """Return whether the elements are const (C17 6.7.3p9)."""
         return self.element.const
 
     @property
     def volatile(self) -> bool:
-        """Tells whether the elements are volatile."""
+        """Return whether the elements are volatile."""
         return self.element.volatile
 
 
@@ -245,22 +245,22 @@ class FunctionType(_Type):
 
     @property
     def size(self) -> int:
-        """Gives 1 [byte], as gcc does for `sizeof` of a function."""
+        """Return 1 [byte], as gcc does for `sizeof` of a function."""
         return 1
 
     @property
     def align(self) -> int:
-        """Gives 1 [byte]."""
+        """Return 1 [byte]."""
         return 1
 
     @property
     def const(self) -> bool:
-        """Gives False: functions have no qualifiers."""
+        """Return False: functions have no qualifiers."""
         return False
 
     @property
     def volatile(self) -> bool:
-        """Gives False: functions have no qualifiers."""
+        """Return False: functions have no qualifiers."""
         return False
 
 
@@ -315,7 +315,7 @@ class Record:
     align: int = 1
 
     def complete(self, members: Iterable[Member], align: int = 1, pack: int = 0) -> None:
-        """Gives every member its place, and the whole its size and alignment.
+        """Return every member its place, and the whole its size and alignment.
 
         Args:
             members: the members; those of a packed struct are packed.
@@ -345,12 +345,12 @@ class RecordType(_Type):
 
     @property
     def size(self) -> int:
-        """Gives the size [bytes], 0 while incomplete."""
+        """Return the size [bytes], 0 while incomplete."""
         return self.record.size
 
     @property
     def align(self) -> int:
-        """Gives the alignment [bytes]."""
+        """Return the alignment [bytes]."""
         return self.record.align
 
 
@@ -393,7 +393,7 @@ BASIC_TYPES: Final[dict[str, IntegerType | FloatType]] = {
 
 
 def bit_field(ctype: IntegerType | EnumType, width: int) -> IntegerType:
-    """Gives the type of the value of a bit-field of 33 to 63 bits, in which gcc calculates."""
+    """Return the type of the value of a bit-field of 33 to 63 bits, in which gcc calculates."""
     name = f"{'long long' if ctype.signed else 'unsigned long long'}:{width}"
     return IntegerType(name, 8, ctype.signed, width, "i64", width=width)
 
@@ -402,7 +402,7 @@ AnyType = TypeVar("AnyType", bound=CType)
 
 
 def qualify(ctype: CType, const: bool, volatile: bool) -> CType:
-    """Adds qualifiers to a type; an array passes them on to its elements (C17 6.7.3p9)."""
+    """Add qualifiers to a type; an array passes them on to its elements (C17 6.7.3p9)."""
     if not (const or volatile) or isinstance(ctype, FunctionType):
         return ctype
     if isinstance(ctype, ArrayType):
@@ -411,7 +411,7 @@ def qualify(ctype: CType, const: bool, volatile: bool) -> CType:
 
 
 def unqualified(ctype: CType) -> CType:
-    """Gives the type without its outermost qualifiers."""
+    """Return the type without its outermost qualifiers."""
     if not (ctype.const or ctype.volatile) or isinstance(ctype, FunctionType):
         return ctype
     if isinstance(ctype, ArrayType):
@@ -422,7 +422,7 @@ def unqualified(ctype: CType) -> CType:
 
 
 def is_complete(ctype: CType) -> bool:
-    """Tells whether an object can have this type (C17 6.2.5p1)."""
+    """Return whether an object can have this type (C17 6.2.5p1)."""
     if isinstance(ctype, ArrayType):
         is_known = ctype.length is not None or ctype.extent is not None
         return is_known and is_complete(ctype.element)
@@ -432,7 +432,7 @@ def is_complete(ctype: CType) -> bool:
 
 
 def is_variably_modified(ctype: CType) -> bool:
-    """Tells whether the type depends on a length that only the running program knows."""
+    """Return whether the type depends on a length that only the running program knows."""
     while isinstance(ctype, PointerType | ArrayType):
         if isinstance(ctype, ArrayType) and ctype.extent is not None:
             return True
@@ -441,7 +441,7 @@ def is_variably_modified(ctype: CType) -> bool:
 
 
 def spell(ctype: CType, declarator: str = "") -> str:
-    """Writes a type as C does, around a declarator if one is given.
+    """Write a type as C does, around a declarator if one is given.
 
     >>> spell(PointerType(FunctionType(INT, (PointerType(CHAR, const=True),), True)), "f")
     'int (*f)(char *const, ...)'

@@ -1,4 +1,4 @@
-"""Accepts a well-formed program and refuses any other, so that mistakes of ours are found early.
+"""Accept a well-formed program and refuses any other, so that mistakes of ours are found early.
 
 The code generator takes verified programs only. Whatever C source comes in, the front end must
 give a program that passes; a violation is our fault and never the user's.
@@ -27,7 +27,7 @@ from crs_cc.ir.verify_block import BlockVerifier
 
 
 def verify(program: Program) -> None:
-    """Checks every rule of the form that `ir.program` states.
+    """Check every rule of the form that `ir.program` states.
 
     Raises:
         InternalError: with one message for each violation, naming function and block.

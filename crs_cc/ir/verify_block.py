@@ -60,7 +60,7 @@ _BITS: Final = {"i32": 32, "i64": 64}
 
 
 class BlockVerifier:
-    """Checks the blocks of one function.
+    """Check the blocks of one function.
 
     Attributes:
         program: the program that the function belongs to.
@@ -76,7 +76,7 @@ class BlockVerifier:
         self._slots = set(map(id, [*function.slots, *own]))
 
     def check(self, block: Block) -> Iterator[tuple[Location | None, str]]:
-        """Gives what is wrong with a block, each with its place if that is known."""
+        """Return what is wrong with a block, each with its place if that is known."""
         for instruction in block.instructions:
             if isinstance(instruction, get_args(Terminator)):
                 kind = type(instruction).__name__

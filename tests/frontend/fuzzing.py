@@ -91,7 +91,7 @@ NESTED: Final = {
 
 
 def nested(name: str, depth: int) -> str:
-    """Gives a text in which a construct is nested; `{n}` in it is a level, `{m}` the next one."""
+    """Return a text in which a construct is nested; `{n}` in it is a level, `{m}` the next one."""
     begin, opening, core, closing, end = NESTED[name]
     levels = (
         opening.replace("{n}", str(level)).replace("{m}", str(level + 1)) for level in range(depth)
@@ -100,7 +100,7 @@ def nested(name: str, depth: int) -> str:
 
 
 def damaged(text: str, chance: random.Random) -> str:
-    """Gives a program with tokens deleted, doubled, swapped, replaced, or the end cut off."""
+    """Return a program with tokens deleted, doubled, swapped, replaced, or the end cut off."""
     places = [match.span() for match in TOKEN.finditer(text)]
     if not places:
         return text
@@ -124,7 +124,7 @@ def damaged(text: str, chance: random.Random) -> str:
 
 
 def noise(chance: random.Random) -> str:
-    """Gives random bytes, characters or tokens."""
+    """Return random bytes, characters or tokens."""
     size = chance.randrange(400)
     kind = chance.randrange(3)
     if kind == 0:
@@ -135,7 +135,7 @@ def noise(chance: random.Random) -> str:
 
 
 def survive(source: str, longest_s: float = 20.0) -> str:
-    """Compiles a text, and gives what is wrong with how that went; nothing if all is well."""
+    """Compile a text, and gives what is wrong with how that went; nothing if all is well."""
     diagnostics = Diagnostics()
     began = time.monotonic()
     try:
@@ -152,7 +152,7 @@ def survive(source: str, longest_s: float = 20.0) -> str:
 
 
 def sources(seed: int) -> Iterator[str]:
-    """Gives sources without end."""
+    """Return sources without end."""
     chance = random.Random(seed)
     corpus = [path.read_text("latin-1") for path in sorted(CORPUS.rglob("*.c"))]
     corpus = [text for text in corpus if len(text) < 6000]
@@ -168,7 +168,7 @@ def sources(seed: int) -> Iterator[str]:
 
 
 def main() -> None:
-    """Tries as many sources as the first argument says, from the seed in the second.
+    """Try as many sources as the first argument says, from the seed in the second.
 
     Those that went wrong are kept in `build/fuzz-frontend`.
     """

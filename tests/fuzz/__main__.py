@@ -1,4 +1,4 @@
-"""Compares programs made by chance with gcc: `make fuzz`, or `python -m tests.fuzz`.
+"""Compare programs made by chance with gcc: `make fuzz`, or `python -m tests.fuzz`.
 
 Half of the programs are csmith's where it is installed (with its header files); the others come
 from a generator of our own, for what csmith leaves out. The same seed makes the same programs.
@@ -49,15 +49,15 @@ class Fuzzer:
     counts: Counter[str] = field(default_factory=Counter)
 
     def tried(self) -> int:
-        """Gives how many programs there were so far."""
+        """Return how many programs there were so far."""
         return self.counts["compared"] + self.counts["without meaning"]
 
     def own(self, seed: int) -> None:
-        """Compares a program of our own generator."""
+        """Compare a program of our own generator."""
         self._compare(f"own_{seed}", generate(seed), ())
 
     def csmith(self, seed: int) -> None:
-        """Compares a program of csmith."""
+        """Compare a program of csmith."""
         command = ["csmith", "--seed", str(seed)]  # it leaves a file where it runs
         done = subprocess.run(command, check=True, capture_output=True, text=True, cwd=self.folder)
         text = done.stdout

@@ -1,4 +1,4 @@
-"""Makes a program smaller that shows a difference: leaves out lines while the difference stays.
+"""Build a program smaller that shows a difference: leaves out lines while the difference stays.
 
 What is left out is a run of lines whose braces match, so whole functions and blocks go first, then
 statements. A program counts as still showing the difference only while gcc finds nothing wrong
@@ -14,7 +14,7 @@ Shows = Callable[[str], bool]
 
 
 def reduced(text: str, shows: Shows, most: int = 500) -> str:
-    """Gives a smaller text that `shows` accepts.
+    """Return a smaller text that `shows` accepts.
 
     >>> text = chr(10).join(["a", "f {", "x", "y", "}", "b"])
     >>> reduced(text, lambda shorter: "x" in shorter)
@@ -44,7 +44,7 @@ def reduced(text: str, shows: Shows, most: int = 500) -> str:
 
 
 def _end(lines: list[str], start: int, size: int) -> int:
-    """Gives where about `size` lines from `start` end, with as many braces closed as opened."""
+    """Return where about `size` lines from `start` end, with as many braces closed as opened."""
     depth = 0
     for place in range(start, len(lines)):
         opened, closed = lines[place].count("{"), lines[place].count("}")
@@ -57,7 +57,7 @@ def _end(lines: list[str], start: int, size: int) -> int:
 
 
 def _without_braces(lines: list[str], shows: Shows) -> str:
-    """Leaves out lines with a brace that stays open, together with the line that closes it."""
+    """Leave out lines with a brace that stays open, together with the line that closes it."""
     start = 0
     while start < len(lines):
         end = _end(lines, start, 1)

@@ -10,9 +10,10 @@ from crs_cc.core.source import Location
 from crs_cc.frontend.check import constant
 from crs_cc.frontend.check.checker import CheckError, Unit
 from crs_cc.frontend.check.declarator import type_name
-from crs_cc.frontend.check.gnu_attributes import PACK, Attribute
 from crs_cc.frontend.check.scope import TypedefName
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.gnu_attributes import Attribute
+from crs_cc.frontend.parse.nodes import Node
+from crs_cc.frontend.preprocess.gnu import PACK
 
 _LARGEST: Final = 4096
 _BIGGEST: Final = 16
@@ -20,7 +21,7 @@ _BIGGEST: Final = 16
 
 
 def alignment(unit: Unit, node: Node) -> int:
-    """Gives what a declaration's specifiers and attributes ask for [bytes], 0 when none does.
+    """Return what a declaration's specifiers and attributes ask for [bytes], 0 when none does.
 
     Raises:
         CheckError: it is no alignment.
@@ -37,22 +38,22 @@ def alignment(unit: Unit, node: Node) -> int:
 
 
 def attributes(node: Node) -> list[Attribute]:
-    """Gives the attributes of a declaration, struct or union."""
+    """Return the attributes of a declaration, struct or union."""
     return [each for each in getattr(node, "attributes", None) or [] if type(each) is Attribute]
 
 
 def is_packed(node: Node) -> bool:
-    """Tells whether a member or struct is `packed`."""
+    """Return whether a member or struct is `packed`."""
     return any(each.name == "packed" for each in attributes(node))
 
 
 def pack(node: Node) -> int:
-    """Gives what `#pragma pack` says of a struct [bytes], 0 if nothing."""
+    """Return what `#pragma pack` says of a struct [bytes], 0 if nothing."""
     return next((int(each.value) for each in attributes(node) if each.name == PACK), 0)
 
 
 def attribute_alignment(unit: Unit, found: list[Attribute]) -> int:
-    """Gives what the `aligned` among attributes ask for [bytes], 0 when none does."""
+    """Return what the `aligned` among attributes ask for [bytes], 0 when none does."""
     largest = 0
     for each in found:
         if each.name == "aligned":
@@ -62,7 +63,7 @@ def attribute_alignment(unit: Unit, found: list[Attribute]) -> int:
 
 
 def natural_alignment(unit: Unit, node: Node) -> int:
-    """Gives the alignment that a `typedef` with an attribute has [bytes]; 0 for any other type."""
+    """Return the alignment that a `typedef` with an attribute has [bytes]; 0 for any other type."""
     inner = node.type
     while isinstance(inner, c_ast.ArrayDecl):
         inner = inner.type

@@ -25,7 +25,7 @@ _ORDINALS: Final = ("first", "second", "third", "fourth", "fifth")
 def argument_hint(
     callee: FunctionSymbol, function: FunctionType, arguments: Sequence[Expression]
 ) -> str:
-    """Gives a hint to what is wrong with a call whose arguments do not fit; "" if nothing is known.
+    """Return a hint to what is wrong with a call whose arguments do not fit; "" if nothing is known.
 
     Args:
         callee: what is called.
@@ -44,7 +44,7 @@ def argument_hint(
 
 
 def _stream_hint(name: str, wanted: list[bool], given: list[bool]) -> str:
-    """Gives a hint to where the stream belongs; "" where it stands there."""
+    """Return a hint to where the stream belongs; "" where it stands there."""
     at = wanted.index(True)
     if given[at : at + 1] == [True] or (any(given) and len(given) < len(wanted)):
         return ""
@@ -68,6 +68,6 @@ def _format_hint(callee: FunctionSymbol, arguments: Sequence[Expression]) -> str
 
 
 def _is_stream(ctype: CType) -> bool:
-    """Tells whether a type is a pointer to the library's `FILE`."""
+    """Return whether a type is a pointer to the library's `FILE`."""
     target = ctype.target if isinstance(ctype, PointerType) else None
     return isinstance(target, RecordType) and target.record.alias == "FILE"

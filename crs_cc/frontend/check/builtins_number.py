@@ -17,7 +17,7 @@ from crs_cc.frontend.check.expressions import rvalue
 from crs_cc.frontend.check.operators import operate
 from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol
 from crs_cc.frontend.check.tree import Expression
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import (
     DOUBLE,
     FLOAT,
@@ -53,14 +53,14 @@ def _values(unit: Unit, nodes: list[Node], count: int, location: Location) -> li
 
 
 def _kept(value: Expression) -> tuple[Expression, Expression]:
-    """Gives what keeps a value in a variable, and the variable."""
+    """Return what keeps a value in a variable, and the variable."""
     symbol = ObjectSymbol("", value.type, value.location)
     name = tree.ObjectName(value.type, value.location, symbol)
     return tree.Assign(value.type, value.location, name, value), name
 
 
 def _then(*parts: Expression) -> Expression:
-    """Makes `a, b, c`."""
+    """Build `a, b, c`."""
     result = parts[-1]
     for each in reversed(parts[:-1]):
         result = tree.Comma(result.type, result.location, each, result)
@@ -71,7 +71,7 @@ def _then(*parts: Expression) -> Expression:
 
 
 def _overflow(op: str, ctype: CType | None, *, has_target: bool = True) -> NumberBuiltin:
-    """Makes the checker of one builtin.
+    """Build the checker of one builtin.
 
     Args:
         op: `+`, `-` or `*`.
@@ -154,7 +154,7 @@ def _enter_overflow() -> None:
 
 
 def _bits(ctype: IntegerType, make: Callable[[Unit, Expression], Expression]) -> NumberBuiltin:
-    """Makes the checker of a function of one integer."""
+    """Build the checker of a function of one integer."""
 
     def check(unit: Unit, nodes: list[Node], location: Location) -> Expression:
         (value,) = _values(unit, nodes, 1, location)
@@ -184,7 +184,7 @@ def _parity(unit: Unit, value: Expression) -> Expression:
 
 
 def _sign_bits(unit: Unit, value: Expression) -> Expression:
-    """Counts the bits behind the highest that are like it: leading zeros of `x ^ x >> all`."""
+    """Count the bits after the highest that are like it: leading zeros of `x ^ x >> all`."""
     place, width = value.location, 8 * value.type.size
     sign = operate(unit, ">>", value, _number(width - 1, value), place)
     same = operate(unit, "^", value, sign, place)
@@ -221,7 +221,7 @@ _LIMITS: Final = {FLOAT: 2.0**-126, DOUBLE: 2.0**-1022, LDOUBLE: 2.0**-1022}
 
 
 def _float(make: Callable[[Unit, Expression], Expression]) -> NumberBuiltin:
-    """Makes the checker of a function of one floating number of any type."""
+    """Build the checker of a function of one floating number of any type."""
 
     def check(unit: Unit, nodes: list[Node], location: Location) -> Expression:
         (value,) = _values(unit, nodes, 1, location)
@@ -275,7 +275,7 @@ def _sign_bit(unit: Unit, value: Expression) -> Expression:
 
 
 def _classify(unit: Unit, nodes: list[Node], location: Location) -> Expression:
-    """Checks `__builtin_fpclassify(nan, infinite, normal, subnormal, zero, x)`."""
+    """Check `__builtin_fpclassify(nan, infinite, normal, subnormal, zero, x)`."""
     *kinds, value = _values(unit, nodes, 6, location)
     kinds = [assigned(unit, each, INT, "pass") for each in kinds]
     keep, name = _kept(value)
@@ -288,7 +288,7 @@ def _classify(unit: Unit, nodes: list[Node], location: Location) -> Expression:
 
 
 def _ordered(*ops: str) -> NumberBuiltin:
-    """Makes the checker of a comparison; several operators are joined by `or`."""
+    """Build the checker of a comparison; several operators are joined by `or`."""
 
     def check(unit: Unit, nodes: list[Node], location: Location) -> Expression:
         operands = _values(unit, nodes, 2, location)

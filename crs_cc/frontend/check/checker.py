@@ -20,16 +20,15 @@ from crs_cc.frontend.check import tree
 from crs_cc.frontend.check.header_hint import header_hint
 from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol, Scope, Symbol
 from crs_cc.frontend.error_limit import report
-from crs_cc.frontend.parse.gnu import GnuNode
 from crs_cc.frontend.parse.lexer import Span
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node, OwnNode
 from crs_cc.frontend.preprocess.options import Dialect
 from crs_cc.ir.types import CType
 
 Result = TypeVar("Result")
 
 
-class Checked(GnuNode):
+class Checked(OwnNode):
     """Stands for an expression that is checked already."""
 
     __slots__ = ("expression",)
@@ -54,7 +53,7 @@ class Automatic:
     """A local variable of a variably modified type, in its scope.
 
     Attributes:
-        mark: for an array the hidden variable that tells what memory to give back behind it.
+        mark: for an array the hidden variable that tells what memory to give back after it.
     """
 
     name: str
@@ -138,7 +137,7 @@ class Unit:
         trusted: whether its functions may tell the shadow memory what C may do.
         dialect: whose functions it calls.
         headers: the folders of the headers that come with crs.
-        macros: the names of the macros, which may be misspelt, too.
+        macros: the names of the macros, which may be misspelled, too.
     """
 
     name: str
@@ -160,14 +159,14 @@ class Unit:
     macros: tuple[str, ...] = ()
 
     def at(self, node: Node) -> Location:
-        """Gives a node's place, the last known one if it has none."""
+        """Return a node's place, the last known one if it has none."""
         coord = node.coord
         if coord is not None:
             self.place = coord.location
         return self.place
 
     def at_name(self, node: Node) -> Location:
-        """Gives the place of the name that a declaration declares."""
+        """Return the place of the name that a declaration declares."""
         inner = node.type
         while isinstance(inner, c_ast.PtrDecl | c_ast.ArrayDecl | c_ast.FuncDecl):
             inner = inner.type
@@ -175,7 +174,7 @@ class Unit:
         return self.at(inner if is_named else node)
 
     def error(self, location: Location, text: str, hint: str = "") -> None:
-        """Reports a mistake that need not stop the check of the expression.
+        """Report a mistake that need not stop the check of the expression.
 
         Raises:
             GiveUp: when the file is hopeless.
@@ -183,11 +182,11 @@ class Unit:
         report(self.diagnostics, location, text, hint)
 
     def warning(self, location: Location, text: str, hint: str = "") -> None:
-        """Reports a habit that works, but should not."""
+        """Report a habit that works, but should not."""
         self.diagnostics.warning(location, text, hint)
 
     def attempt(self, action: Callable[..., Result], *arguments: Any) -> Result | None:
-        """Calls `action(unit, *arguments)`; on a mistake reports it and gives None."""
+        """Call `action(unit, *arguments)`; on a mistake reports it and gives None."""
         scope = self.scope
         try:
             return action(self, *arguments)
@@ -198,7 +197,7 @@ class Unit:
             return None
 
     def suggest(self, name: str, kind: type[Symbol] | None = None) -> str:
-        """Gives a hint for an unknown name; after some of them none, as they take time."""
+        """Return a hint for an unknown name; after some of them none, as they take time."""
         self.suggestions -= 1
         if self.suggestions < 0:
             return ""
@@ -211,7 +210,7 @@ class Unit:
 
     @contextmanager
     def new_scope(self) -> Iterator[Scope]:
-        """Opens a scope inside the present one and closes it again."""
+        """Open a scope inside the present one and closes it again."""
         outer = self.scope
         self.scope = Scope(outer)
         try:
@@ -220,7 +219,7 @@ class Unit:
             self.scope = outer
 
     def static_name(self, name: str) -> str:
-        """Makes a linker name that no other file can use: `wander.c:turn`."""
+        """Build a linker name that no other file can use: `wander.c:turn`."""
         wanted = f"{self.name}:{name}"
         number = self.link_names.get(wanted, 0) + 1
         self.link_names[wanted] = number
@@ -238,7 +237,7 @@ STATEMENTS: Final[dict[type, CheckStatement]] = {}
 
 
 def checks(*classes: type) -> Callable[[CheckExpression], CheckExpression]:
-    """Enters a function into `EXPRESSIONS`."""
+    """Enter a function into `EXPRESSIONS`."""
 
     def enter(function: CheckExpression) -> CheckExpression:
         EXPRESSIONS.update(dict.fromkeys(classes, function))
@@ -248,7 +247,7 @@ def checks(*classes: type) -> Callable[[CheckExpression], CheckExpression]:
 
 
 def checks_statement(*classes: type) -> Callable[[CheckStatement], CheckStatement]:
-    """Enters a function into `STATEMENTS`."""
+    """Enter a function into `STATEMENTS`."""
 
     def enter(function: CheckStatement) -> CheckStatement:
         STATEMENTS.update(dict.fromkeys(classes, function))
@@ -258,7 +257,7 @@ def checks_statement(*classes: type) -> Callable[[CheckStatement], CheckStatemen
 
 
 def expression(unit: Unit, node: Node) -> tree.Expression:
-    """Checks an expression; arrays and functions stay what they are.
+    """Check an expression; arrays and functions stay what they are.
 
     Raises:
         CheckError: at the first mistake in it.

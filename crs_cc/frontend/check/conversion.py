@@ -62,22 +62,22 @@ PHRASES: Final = {
 
 
 def is_integer(ctype: CType) -> bool:
-    """Tells whether a type is an integer type, enums among them (C17 6.2.5p17)."""
+    """Return whether a type is an integer type, enums among them (C17 6.2.5p17)."""
     return isinstance(ctype, IntegerType | EnumType)
 
 
 def is_arithmetic(ctype: CType) -> bool:
-    """Tells whether a type is an integer or floating type."""
+    """Return whether a type is an integer or floating type."""
     return isinstance(ctype, IntegerType | FloatType | EnumType)
 
 
 def is_scalar(ctype: CType) -> bool:
-    """Tells whether a type is an arithmetic or pointer type."""
+    """Return whether a type is an arithmetic or pointer type."""
     return isinstance(ctype, IntegerType | FloatType | EnumType | PointerType)
 
 
 def is_null_constant(expression: Expression) -> bool:
-    """Tells whether an expression is a null pointer constant (C17 6.3.2.3p3)."""
+    """Return whether an expression is a null pointer constant (C17 6.3.2.3p3)."""
     if not isinstance(expression, tree.Literal) or expression.value != 0:
         return False
     ctype = expression.type
@@ -85,7 +85,7 @@ def is_null_constant(expression: Expression) -> bool:
 
 
 def decay(expression: Expression) -> Expression:
-    """Turns what an expression names into its value: arrays and functions become pointers.
+    """Turn what an expression names into its value: arrays and functions become pointers.
 
     C17 6.3.2.1.
     """
@@ -100,7 +100,7 @@ def decay(expression: Expression) -> Expression:
 
 
 def convert(expression: Expression, target: CType) -> Expression:
-    """Converts a value to a type, at once if it is constant; says nothing of whether it may."""
+    """Convert a value to a type, at once if it is constant; says nothing of whether it may."""
     source = expression.type
     if source is target or source == target:
         return expression
@@ -129,7 +129,7 @@ def promote(expression: Expression) -> Expression:
 
 
 def _field_width(expression: Expression) -> int | None:
-    """Gives the width of a bit-field's value, also of one just assigned [bits], else None."""
+    """Return the width of a bit-field's value, also of one just assigned [bits], else None."""
     while True:
         match expression:
             case tree.Assign(target=inner) | tree.CompoundAssign(target=inner):
@@ -173,7 +173,7 @@ def _common(left: CType, right: CType) -> CType:
 
 
 def cast(unit: Unit, expression: Expression, target: CType) -> Expression:
-    """Converts as a cast does (C17 6.5.4)."""
+    """Convert as a cast does (C17 6.5.4)."""
     value = decay(expression)
     source = value.type
     if isinstance(target, VoidType):
@@ -198,7 +198,7 @@ def cast(unit: Unit, expression: Expression, target: CType) -> Expression:
 
 
 def _union_of(value: Expression, target: RecordType) -> Expression:
-    """Makes a union whose member of the value's type has the value, as GNU C's cast does."""
+    """Build a union whose member of the value's type has the value, as GNU C's cast does."""
     location, source = value.location, unqualified(value.type)
     for member in target.record.members or [] if target.record.kind == "union" else []:
         if compatible(unqualified(member.type), source):
@@ -220,7 +220,7 @@ def _fail(expression: Expression, text: str) -> NoReturn:
 def assigned(
     unit: Unit, expression: Expression, target: CType, use: str, hint: str = ""
 ) -> Expression:
-    """Converts a value as an assignment does (C17 6.5.16.1), with gcc's severities for gnu89.
+    """Convert a value as an assignment does (C17 6.5.16.1), with gcc's severities for gnu89.
 
     Args:
         unit: takes warnings.
@@ -267,7 +267,7 @@ def _warn(unit: Unit, kind: str, value: Expression, target: CType, use: str, *, 
 
 
 def _quotes_hint(unit: Unit, value: Expression, target: CType) -> str:
-    """Gives a hint to quotes of the wrong kind: `char c = "x"`, `char *s = 'x'`."""
+    """Return a hint to quotes of the wrong kind: `char c = "x"`, `char *s = 'x'`."""
     if isinstance(target, PointerType):
         is_string = isinstance(target.target, IntegerType) and target.target.size == 1
         quoted = unit.diagnostics.text_at(value.location).startswith("'")
@@ -304,7 +304,7 @@ def _check_pointers(
 
 
 def _differ_in_sign(left: CType, right: CType) -> bool:
-    """Tells whether two pointees differ in sign only, of which gcc says nothing by default."""
+    """Return whether two pointees differ in sign only, of which gcc says nothing by default."""
     if not isinstance(left, IntegerType) or not isinstance(right, IntegerType):
         return False
     return left.size == right.size and left.rank == right.rank and BOOL not in (left, right)

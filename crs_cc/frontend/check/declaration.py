@@ -43,8 +43,7 @@ from crs_cc.frontend.check.scope import (
 )
 from crs_cc.frontend.check.tag import static_assert
 from crs_cc.frontend.check.type_compat import compatible, composite
-from crs_cc.frontend.parse.gnu import AUTO_TYPE
-from crs_cc.frontend.parse.parser import Broken, Node
+from crs_cc.frontend.parse.nodes import AUTO_TYPE, Broken, Node
 from crs_cc.ir.types import (
     ArrayType,
     CType,
@@ -61,7 +60,7 @@ _STORAGE_CLASSES: Final = {"static", "extern", "auto", "register"}
 
 
 def declare(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> None:
-    """Checks a declaration; what it does at run time is added to `out`.
+    """Check a declaration; what it does at run time is added to `out`.
 
     Raises:
         CheckError: when it is wrong.
@@ -85,13 +84,13 @@ def declare(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> 
 
 
 def _do(effects: list[tree.Expression], out: list[tree.Statement] | None) -> None:
-    """Adds what a declaration's type asks for to the statements."""
+    """Add what a declaration's type asks for to the statements."""
     if out is not None:
         out.extend(tree.ExpressionStatement(each.location, each) for each in effects)
 
 
 def declared_anyhow(unit: Unit, node: Node) -> CType:
-    """Gives the type of a declaration; when it is broken, keeps its name known.
+    """Return the type of a declaration; when it is broken, keeps its name known.
 
     Raises:
         CheckError: when it is broken; uses of the name will give no more errors.
@@ -106,13 +105,13 @@ def declared_anyhow(unit: Unit, node: Node) -> CType:
 
 
 def _is_auto(node: Node) -> bool:
-    """Tells whether a declarator is a name of GNU C's `__auto_type`."""
+    """Return whether a declarator is a name of GNU C's `__auto_type`."""
     specifier = node.type if isinstance(node, c_ast.TypeDecl) else None
     return isinstance(specifier, c_ast.IdentifierType) and specifier.names == [AUTO_TYPE]
 
 
 def _inferred(unit: Unit, node: Node) -> CType:
-    """Gives the type of the initial value, which is checked once only."""
+    """Return the type of the initial value, which is checked once only."""
     if getattr(node, "init", None) is None or isinstance(node.init, c_ast.InitList):
         text = f"'{AUTO_TYPE}' needs one initial value"
         raise CheckError(unit.at_name(node), text)
@@ -139,7 +138,7 @@ def _declare_tag(unit: Unit, node: Node) -> None:
 
 
 def typedef(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> None:
-    """Checks a typedef; what it does at run time is added to `out`."""
+    """Check a typedef; what it does at run time is added to `out`."""
     with vla.effects(unit) as effects:
         ctype = declared_anyhow(unit, node)
     _do(effects, out)
@@ -181,7 +180,7 @@ def _declare_function(unit: Unit, node: Node, ctype: FunctionType, location: Loc
 def declare_function(
     unit: Unit, name: str, ctype: FunctionType, location: Location, is_static: bool
 ) -> FunctionSymbol:
-    """Enters a function, merging it with what is known of it.
+    """Enter a function, merging it with what is known of it.
 
     Raises:
         CheckError: when that contradicts.
@@ -244,14 +243,14 @@ def _in_headers(unit: Unit, location: Location) -> bool:
 
 
 def _is_librarys(unit: Unit, known: FunctionSymbol) -> bool:
-    """Tells whether a function is known from the library's headers only."""
+    """Return whether a function is known from the library's headers only."""
     return not known.is_implicit and not known.is_defined and _in_headers(unit, known.location)
 
 
 def _take_librarys_place(
     unit: Unit, known: FunctionSymbol, ctype: FunctionType, location: Location, is_static: bool
 ) -> None:
-    """Makes a program's own `getline`, older than POSIX's, the one that is meant from here on."""
+    """Build a program's own `getline`, older than POSIX's, the one that is meant from here on."""
     text = f"'{known.name}' is not declared as the library's function of that name"
     unit.warning(location, text, f"the library's is '{known.type}', see {known.location}")
     if is_static:
@@ -261,7 +260,7 @@ def _take_librarys_place(
 
 
 def _differs_in_promotion(left: FunctionType, right: FunctionType) -> bool:
-    """Tells whether an old-style and a new-style declaration disagree, which old code does."""
+    """Return whether an old-style and a new-style declaration disagree, which old code does."""
     one_is_old = (left.parameters is None) != (right.parameters is None)
     return one_is_old and compatible(left.result, right.result)
 

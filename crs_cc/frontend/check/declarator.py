@@ -17,9 +17,9 @@ from crs_cc.frontend.check import constant, tree, vla
 from crs_cc.frontend.check.checker import CheckError, Unit, expression
 from crs_cc.frontend.check.conversion import convert
 from crs_cc.frontend.check.scope import BrokenName, ObjectSymbol, TypedefName
-from crs_cc.frontend.parse.other_language_hint import hint_for_type
-from crs_cc.frontend.parse.parser import Node
-from crs_cc.frontend.parse.unsupported import refused
+from crs_cc.frontend.check.unsupported import refused
+from crs_cc.frontend.other_language_hint import hint_for_type
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import (
     BASIC_TYPES,
     UINT,
@@ -48,7 +48,7 @@ _NAMES: Final = {
 
 @lru_cache(maxsize=256)
 def basic_type(names: tuple[str, ...]) -> CType | None:
-    """Gives the type of a list of basic type specifiers in any order, None when it is none.
+    """Return the type of a list of basic type specifiers in any order, None when it is none.
 
     >>> print(basic_type(("long", "unsigned", "int", "long")), basic_type(("short", "float")))
     unsigned long long None
@@ -72,7 +72,7 @@ def _allows_int(words: list[str]) -> bool:
 
 
 def type_name(unit: Unit, node: Node) -> CType:
-    """Gives the type that a `Typename` node stands for.
+    """Return the type that a `Typename` node stands for.
 
     Raises:
         CheckError: when it is no type.
@@ -81,7 +81,7 @@ def type_name(unit: Unit, node: Node) -> CType:
 
 
 def declared_type(unit: Unit, node: Node) -> CType:
-    """Gives the type of a declarator with its specifier."""
+    """Return the type of a declarator with its specifier."""
     found = _DECLARATORS.get(node.__class__)
     if found is None:
         raise refused(unit, node)
@@ -124,7 +124,7 @@ def _unknown(unit: Unit, names: tuple[str, ...], location: Location) -> CType:
 
 
 def _type_of(unit: Unit, node: Node) -> CType:
-    """Gives the type that `typeof` names; it is kept, since declarators share it."""
+    """Return the type that `typeof` names; it is kept, since declarators share it."""
     known = unit.specified.get(node)
     if known is None:
         if isinstance(node.expr, c_ast.Typename):
@@ -171,7 +171,7 @@ def _array(unit: Unit, node: Node) -> CType:
 
 
 def _is_star(node: Node) -> bool:
-    """Tells whether an array's length is `*`: it has one, but which does not matter here."""
+    """Return whether an array's length is `*`: it has one, but which does not matter here."""
     return isinstance(node, c_ast.ID) and node.name == "*"
 
 
@@ -211,7 +211,7 @@ def _prototype(unit: Unit, result: CType, nodes: list[Node]) -> CType:
 
 
 def parameter_type(unit: Unit, node: Node) -> CType:
-    """Gives the type of a parameter; arrays and functions become pointers (C17 6.7.6.3p7)."""
+    """Return the type of a parameter; arrays and functions become pointers (C17 6.7.6.3p7)."""
     declarator = node.type
     if isinstance(declarator, c_ast.ArrayDecl):
         pointer = PointerType(declared_type(unit, declarator.type))
@@ -230,7 +230,7 @@ def parameter_type(unit: Unit, node: Node) -> CType:
 
 
 def need_complete(ctype: CType, location: Location, name: str) -> None:
-    """Checks that a variable can have a type.
+    """Check that a variable can have a type.
 
     Raises:
         CheckError: when it cannot.
@@ -256,7 +256,7 @@ _DECLARATORS: Final[dict[type, Declarator]] = {
 
 
 def specifies(*classes: type) -> Callable[[Declarator], Declarator]:
-    """Enters the checker of a specifier (struct, union, enum)."""
+    """Enter the checker of a specifier (struct, union, enum)."""
 
     def enter(function: Declarator) -> Declarator:
         _DECLARATORS.update(dict.fromkeys(classes, function))

@@ -19,13 +19,13 @@ Number: TypeAlias = int | float
 
 
 def wrap(value: int, bits: int, signed: bool) -> int:
-    """Gives the low bits of a value as a number of that many bits."""
+    """Return the low bits of a value as a number of that many bits."""
     value &= (1 << bits) - 1
     return value - (1 << bits) if signed and value >> bits - 1 else value
 
 
 def convert(value: Number, source: CType, target: CType) -> Number | None:
-    """Converts a constant (C17 6.3.1); None when that is undefined or not known here."""
+    """Convert a constant (C17 6.3.1); None when that is undefined or not known here."""
     if isinstance(target, FloatType):
         return single(_float(value)) if target.size == 4 else _float(value)
     if isinstance(target, IntegerType) and target.name == "_Bool":
@@ -40,7 +40,7 @@ def convert(value: Number, source: CType, target: CType) -> Number | None:
 
 
 def _nearest(value: Number, bits: int, signed: bool) -> int:
-    """Gives the integer nearest to a constant, as gcc does where C says nothing (6.3.1.4)."""
+    """Return the integer nearest to a constant, as gcc does where C says nothing (6.3.1.4)."""
     if math.isnan(value):
         return 0
     low, high = (-(1 << bits - 1), (1 << bits - 1) - 1) if signed else (0, (1 << bits) - 1)
@@ -55,7 +55,7 @@ def _float(value: Number) -> float:
 
 
 def unary(op: str, ctype: CType, value: Number) -> Number | None:
-    """Gives `-value` or `~value` in a promoted type."""
+    """Return `-value` or `~value` in a promoted type."""
     if isinstance(ctype, FloatType):
         return -value if op == "-" else None
     if isinstance(ctype, IntegerType):
@@ -64,7 +64,7 @@ def unary(op: str, ctype: CType, value: Number) -> Number | None:
 
 
 def compare(op: str, left: Number, right: Number) -> int:
-    """Gives 1 when the comparison holds, else 0."""
+    """Return 1 when the comparison holds, else 0."""
     return int(
         {
             "<": left < right,
@@ -81,7 +81,7 @@ COMPARISONS: Final = frozenset({"<", ">", "<=", ">=", "==", "!="})
 
 
 def binary(op: str, ctype: CType, left: Number, right: Number) -> Number | None:
-    """Gives `left op right` in a type; None when it is undefined, as a division by zero is."""
+    """Return `left op right` in a type; None when it is undefined, as a division by zero is."""
     if op in COMPARISONS:
         return compare(op, left, right)
     if isinstance(ctype, FloatType):

@@ -1,4 +1,4 @@
-"""Compares the format strings of `printf` and `scanf` with their arguments (C17 7.21.6).
+"""Compare the format strings of `printf` and `scanf` with their arguments (C17 7.21.6).
 
 What is passed as one type and read as another of the same size and class goes without a word: on
 this machine `%d` and `%ld` are the same.
@@ -18,7 +18,7 @@ from crs_cc.frontend.check.checker import Unit
 from crs_cc.frontend.check.conversion import is_integer
 from crs_cc.frontend.check.scope import Format, FunctionSymbol
 from crs_cc.frontend.check.tree import Expression
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 from crs_cc.ir.types import ArrayType, CType, FloatType, FunctionType, IntegerType, PointerType
 
 
@@ -75,7 +75,7 @@ class _Wanted:
     pointee: str = ""
 
     def accepts(self, ctype: CType) -> bool:
-        """Tells whether an argument of a type is read as what it is."""
+        """Return whether an argument of a type is read as what it is."""
         if self.what == "integer":
             return is_integer(ctype) and ctype.size == self.size
         if self.what == "float":
@@ -95,7 +95,7 @@ class _Wanted:
 def check_format(
     unit: Unit, callee: FunctionSymbol, nodes: list[Node], arguments: list[Expression]
 ) -> None:
-    """Warns of arguments that a call's format string does not fit.
+    """Warn about arguments that a call's format string does not fit.
 
     Args:
         unit: takes the warnings.
@@ -118,7 +118,7 @@ def check_format(
 
 
 def _takes_string(ctype: FunctionType, form: Format) -> bool:
-    """Tells whether a function is the library's, or a namesake that takes something else."""
+    """Return whether a function is the library's, or a namesake that takes something else."""
     if ctype.parameters is None:
         return True
     if len(ctype.parameters) <= form.string:
@@ -185,7 +185,7 @@ class _Check:
             at = match.end()
 
     def _printed(self, at: int, text: str, conversion: str, length: str) -> _Wanted | None:
-        """Gives what a conversion of `printf` takes; None for one that is unknown."""
+        """Return what a conversion of `printf` takes; None for one that is unknown."""
         if conversion in "diouxXc" and conversion:
             size = max(4, _INTEGER_BYTES.get(length, 4))
             return _Wanted(at, text, "integer", size, _INTEGER_NAMES[size])
@@ -220,7 +220,7 @@ class _Check:
             at = match.end()
 
     def _scanned(self, at: int, text: str, conversion: str, length: str) -> _Wanted | None:
-        """Gives what a conversion of `scanf` takes; None for one that is unknown."""
+        """Return what a conversion of `scanf` takes; None for one that is unknown."""
         if conversion in "diouxXn" and conversion:
             size = _INTEGER_BYTES.get(length, 4)
             return _Wanted(at, text, "pointer", size, f"{_INTEGER_NAMES[size]} *", "integer")
@@ -239,7 +239,7 @@ class _Check:
 
 
 def fitting(ctype: CType) -> str:
-    """Gives the conversion that prints a type; "" if there is none."""
+    """Return the conversion that prints a type; "" if there is none."""
     if isinstance(ctype, FloatType):
         return "%Lf" if ctype.name == "long double" else "%f"
     if isinstance(ctype, PointerType):
@@ -251,7 +251,7 @@ def fitting(ctype: CType) -> str:
 
 
 def _scanning(ctype: CType) -> str:
-    """Gives the conversion that reads a number to where a pointer points; "" if there is none."""
+    """Return the conversion that reads a number to where a pointer points; "" if there is none."""
     target = ctype.target if isinstance(ctype, PointerType) else ctype
     if isinstance(target, FloatType):
         return {"float": "%f", "double": "%lf"}.get(target.name, "%Lf")
@@ -266,7 +266,7 @@ _MOST_LINES: Final = 100
 
 
 def place_in_literal(unit: Unit, place: Location, at: int) -> Location:
-    """Gives the place of a character in a string literal, which may consist of several.
+    """Return the place of a character in a string literal, which may consist of several.
 
     Args:
         unit: knows the lines of the source.

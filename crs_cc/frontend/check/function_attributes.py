@@ -6,9 +6,9 @@ from crs_cc.frontend.check import constant
 from crs_cc.frontend.check.alignment import attributes
 from crs_cc.frontend.check.asm_label import asm_label
 from crs_cc.frontend.check.checker import CheckError, Unit
-from crs_cc.frontend.check.gnu_attributes import Attribute
 from crs_cc.frontend.check.scope import Format, FunctionSymbol
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.gnu_attributes import Attribute
+from crs_cc.frontend.parse.nodes import Node
 
 _LOWEST_PRIORITY = 65535
 _FORMATS = {
@@ -17,7 +17,7 @@ _FORMATS = {
 
 
 def apply_attributes(unit: Unit, symbol: FunctionSymbol, node: Node) -> None:
-    """Adds to a function what a declaration's attributes and specifiers say.
+    """Add to a function what a declaration's attributes and specifiers say.
 
     Raises:
         CheckError: one of them is wrong.
@@ -46,7 +46,7 @@ def _priority(unit: Unit, attribute: Attribute) -> int:
 
 
 def _format(attribute: Attribute) -> Format | None:
-    """Gives what `format(printf, 1, 2)` says; None for kinds that are not checked."""
+    """Return what `format(printf, 1, 2)` says; None for kinds that are not checked."""
     words = [each.value for each in attribute.words]
     if len(words) != 3 or not words[1].isdigit() or not words[2].isdigit():
         raise CheckError(attribute.location, "'format' takes a kind and two numbers")

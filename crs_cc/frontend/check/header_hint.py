@@ -16,7 +16,7 @@ _USUAL: Final = (
 
 
 def header_hint(name: str, folders: Sequence[Path]) -> str:
-    """Gives a hint to the header that declares a name; nothing if none of ours does.
+    """Return a hint to the header that declares a name; nothing if none of ours does.
 
     Args:
         name: a function, macro or type.
@@ -34,7 +34,7 @@ def header_hint(name: str, folders: Sequence[Path]) -> str:
 
 @lru_cache(maxsize=4)
 def _headers(folder: Path) -> tuple[tuple[str, str], ...]:
-    """Gives the headers for programs in a folder, the usual ones first, by name with their text."""
+    """Return the headers for programs in a folder, the usual ones first, by name with their text."""
     paths = [*sorted(folder.glob("*.h")), *sorted(folder.glob("sys/*.h"))]
     own = [path for path in paths if not path.name.startswith("crs")]
     found = {path.relative_to(folder).as_posix(): path.read_text("utf-8") for path in own}

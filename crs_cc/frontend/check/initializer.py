@@ -1,4 +1,4 @@
-"""Checks initialisers (C17 6.7.9): braces, left-out braces, designators, strings.
+"""Check initialisers (C17 6.7.9): braces, left-out braces, designators, strings.
 
 The result is a flat list: which value goes to which offset. Nested parts are walked with a stack
 of places, one for each aggregate that is open.
@@ -19,8 +19,7 @@ from crs_cc.frontend.check.declarator import LARGEST_OBJECT
 from crs_cc.frontend.check.scope import ObjectSymbol
 from crs_cc.frontend.check.tree import Initialiser, InitialValue
 from crs_cc.frontend.check.type_compat import compatible
-from crs_cc.frontend.parse.gnu import Range
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node, Range
 from crs_cc.ir.types import (
     ArrayType,
     CType,
@@ -57,7 +56,7 @@ class _Place:
     is_chosen: bool = False
 
     def part(self) -> _Part | None:
-        """Gives the next part, None behind the last."""
+        """Return the next part, None after the last."""
         if isinstance(self.type, ArrayType):
             if self.type.length is not None and self.index >= self.type.length:
                 return None
@@ -80,13 +79,13 @@ class _Place:
         self.is_chosen = True
 
     def advance(self) -> None:
-        """Goes to the part behind."""
+        """Goes to the part after."""
         self.index += 1
         self.is_chosen = False
 
 
 def _compute_once(each: InitialValue) -> None:
-    """Keeps a value that is needed several times in a variable, unless it is constant."""
+    """Keep a value that is needed several times in a variable, unless it is constant."""
     value = each.value
     if isinstance(value, tree.Literal | tree.StringLiteral):
         return
@@ -98,7 +97,7 @@ def _compute_once(each: InitialValue) -> None:
 
 
 def _again(value: tree.Expression) -> tree.Expression:
-    """Gives a value that `_compute_once` has seen to another element."""
+    """Return a value that `_compute_once` has seen to another element."""
     return value.target if isinstance(value, tree.Assign) else value
 
 
@@ -107,7 +106,7 @@ def _is_padding(member: Member) -> bool:
 
 
 def initialise(unit: Unit, ctype: CType, node: Node, is_static: bool) -> tuple[Initialiser, CType]:
-    """Checks an initialiser.
+    """Check an initialiser.
 
     Args:
         unit: takes warnings.
@@ -155,11 +154,11 @@ def _need_constants(initialiser: Initialiser) -> None:
 
 
 class _Filler:
-    """Walks an initialiser and collects its values.
+    """Walk an initialiser and collects its values.
 
     Attributes:
         length: elements seen so far of an outermost array without length.
-        reached: where the furthest value ends; behind it nothing can be overridden [bytes].
+        reached: where the furthest value ends; after it nothing can be overridden [bytes].
         has_gaps: whether what is not named must become zero though there are no braces.
     """
 
@@ -196,7 +195,7 @@ class _Filler:
     def _item_for_all(
         self, places: list[_Place], node: Node, ranges: list[tuple[_Place, int]]
     ) -> None:
-        """Puts one item into the next part, and into those that ranges name besides."""
+        """Put one item into the next part, and into those that ranges name besides."""
         if not ranges:
             self._item(places, node)
             return
@@ -262,7 +261,7 @@ class _Filler:
             self.length = max(self.length, place.index)
 
     def _item(self, places: list[_Place], node: Node) -> None:
-        """Puts one item into the next part, opening aggregates whose braces are left out."""
+        """Put one item into the next part, opening aggregates whose braces are left out."""
         while (part := places[-1].part()) is None and len(places) > 1:
             places.pop()
         if part is None:
@@ -368,7 +367,7 @@ class _Filler:
         return ranges
 
     def _open(self, places: list[_Place], location: Location) -> None:
-        """Opens the aggregate that was designated last."""
+        """Open the aggregate that was designated last."""
         part = places[-1].part()
         if part is None or not isinstance(part.type, ArrayType | RecordType):
             raise CheckError(location, "designator into something without parts")

@@ -72,7 +72,7 @@ _OTHER_DOUBLES: Final = (
 
 @functools.cache
 def library_functions() -> dict[str, tuple[FunctionType, str]]:
-    """Gives the type of each function, and its header."""
+    """Return the type of each function, and its header."""
     found: dict[str, tuple[FunctionType, str]] = {}
     texts = dict(_PROTOTYPES)
     texts["ctype.h"] = "".join(f"int {name}(int); " for name in _ONE_INTEGER)
@@ -95,7 +95,7 @@ def library_functions() -> dict[str, tuple[FunctionType, str]]:
 
 
 def undeclared(name: str) -> tuple[FunctionType, str] | None:
-    """Gives what an undeclared function is taken for, and its header; None for one not known.
+    """Return what an undeclared function is taken for, and its header; None for one not known.
 
     Only floating parameters are known: as to others, old programs may call as they like.
     """

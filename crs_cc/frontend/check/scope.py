@@ -58,7 +58,7 @@ class ObjectSymbol:
     block: tuple[Location, Location] | None = None
 
     def variable(self) -> Variable:
-        """Gives what debuggers and messages know of it."""
+        """Return what debuggers and messages know of it."""
         return Variable(self.name, self.type, self.location, self.block, self.is_indirect)
 
 
@@ -152,7 +152,7 @@ class Scope:
     tags: dict[str, Tag] = field(default_factory=dict)
 
     def find(self, name: str) -> Symbol | None:
-        """Gives what a name means here, None when it is unknown."""
+        """Return what a name means here, None when it is unknown."""
         scope: Scope | None = self
         while scope is not None:
             if name in scope.names:
@@ -161,7 +161,7 @@ class Scope:
         return None
 
     def find_tag(self, name: str) -> Tag | None:
-        """Gives what a tag means here, None when it is unknown."""
+        """Return what a tag means here, None when it is unknown."""
         scope: Scope | None = self
         while scope is not None:
             if name in scope.tags:
@@ -172,7 +172,7 @@ class Scope:
     def closest(
         self, name: str, kind: type[Symbol] | None = None, others: Iterable[str] = ()
     ) -> str | None:
-        """Gives the known name most like an unknown one, None when none is like it.
+        """Return the known name most like an unknown one, None when none is like it.
 
         Args:
             name: the unknown name.

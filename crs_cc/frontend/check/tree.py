@@ -239,7 +239,7 @@ class Initialiser:
 
     Attributes:
         is_braced: whether the parts that are not named become zero.
-        extent: where the last value ends [bytes], behind the object if it fills a flexible array.
+        extent: where the last value ends [bytes], after the object if it fills a flexible array.
     """
 
     values: list[InitialValue] = field(default_factory=list)
@@ -419,5 +419,5 @@ class ObjectDefinition:
 
 
 def integer(value: int, ctype: IntegerType, location: Location) -> Literal:
-    """Makes an integer constant."""
+    """Build an integer constant."""
     return Literal(ctype, location, value)

@@ -36,7 +36,7 @@ def _is_node(kind: type) -> bool:
 
 
 def parts(node: Any) -> Iterator[Any]:
-    """Gives the expressions and statements that a node directly consists of."""
+    """Return the expressions and statements that a node directly consists of."""
     for name in _slots(node.__class__):
         value = getattr(node, name)
         if _is_node(value.__class__):
@@ -48,7 +48,7 @@ def parts(node: Any) -> Iterator[Any]:
 
 
 def everything(nodes: list[Any]) -> Iterator[Any]:
-    """Gives nodes and all that they consist of, in the order of the source."""
+    """Return nodes and all that they consist of, in the order of the source."""
     stack = list(reversed(nodes))
     while stack:
         node = stack.pop()

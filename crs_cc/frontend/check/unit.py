@@ -1,4 +1,4 @@
-"""Checks a whole file: external declarations and function definitions (C17 6.9)."""
+"""Check a whole file: external declarations and function definitions (C17 6.9)."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol, TypedefNam
 from crs_cc.frontend.check.statements import check_labels, statement
 from crs_cc.frontend.check.tag import static_assert
 from crs_cc.frontend.check.type_compat import compatible, is_promoted
-from crs_cc.frontend.parse.parser import PREDECLARED_TYPES, Broken, Node
-from crs_cc.frontend.parse.unsupported import refused
+from crs_cc.frontend.check.unsupported import refused
+from crs_cc.frontend.parse.nodes import PREDECLARED_TYPES, Broken, Node
 from crs_cc.ir.types import (
     DOUBLE,
     INT,
@@ -43,7 +43,7 @@ _ = calls  # enters the checker of calls
 
 
 def check_unit(unit: Unit, nodes: list[Node]) -> None:
-    """Checks all external declarations of a file; what is wrong goes to the diagnostics."""
+    """Check all external declarations of a file; what is wrong goes to the diagnostics."""
     for name in PREDECLARED_TYPES:
         unit.scope.names[name] = TypedefName(name, VA_LIST, unit.place)
     for node in nodes:
@@ -57,11 +57,11 @@ def check_unit(unit: Unit, nodes: list[Node]) -> None:
 
 
 def _nothing(_unit: Unit, _node: Node) -> None:
-    """Passes over `#pragma`."""
+    """Pass over `#pragma`."""
 
 
 def function_definition(unit: Unit, node: Node) -> None:
-    """Checks a function with its body."""
+    """Check a function with its body."""
     try:
         _function_definition(unit, node)
     finally:
@@ -120,7 +120,7 @@ def _specifier(node: Node) -> Node:
 def _parameters(
     unit: Unit, node: Node, ctype: FunctionType, before: CType | None
 ) -> tuple[list[ObjectSymbol], list[CType]]:
-    """Declares the parameters; gives them and the types in which callers pass them."""
+    """Declare the parameters; return them and the types in which callers pass them."""
     declarator = node.decl.type
     if not isinstance(declarator, c_ast.FuncDecl):
         raise CheckError(unit.at(node.decl), "function definition declared through a typedef")
@@ -137,7 +137,7 @@ def _parameters(
 
 
 def _has_length(node: Node) -> bool:
-    """Tells whether a parameter is written as an array of a length that may have effects."""
+    """Return whether a parameter is written as an array of a length that may have effects."""
     is_array = isinstance(node.type, c_ast.ArrayDecl)
     return is_array and not isinstance(node.type.dim, c_ast.Constant | None)
 
@@ -158,7 +158,7 @@ def _declare_parameter(unit: Unit, node: Node, name: str | None, ctype: CType) -
 def _old_style(
     unit: Unit, node: Node, names: list[Node], before: CType | None
 ) -> tuple[list[ObjectSymbol], list[CType]]:
-    """Declares the parameters of `f(a, b) int a; {...}` (C17 6.9.1p6)."""
+    """Declare the parameters of `f(a, b) int a; {...}` (C17 6.9.1p6)."""
     declared: dict[str, tuple[Node, ObjectSymbol]] = {}
     listed = {each.name for each in names}
     # The length of an array may name parameters that are declared behind it.
@@ -186,12 +186,12 @@ def _old_style(
 
 
 def _is_derived(node: Node) -> bool:
-    """Tells whether a declaration is of an array, or of something made of other types."""
+    """Return whether a declaration is of an array, or of something made of other types."""
     return not isinstance(node.type, c_ast.TypeDecl)
 
 
 def _passed(ctype: CType, promised: CType | None) -> CType:
-    """Gives the type in which an old-style parameter arrives (C17 6.5.2.2p6).
+    """Return the type in which an old-style parameter arrives (C17 6.5.2.2p6).
 
     After a prototype that says the same type it comes as that type (as gcc has it).
     """

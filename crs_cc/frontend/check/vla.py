@@ -4,7 +4,7 @@ The size of such an array type is kept in a hidden variable, the type's extent, 
 the type is written. An array variable of such a type is a pointer to memory that the library
 gives (`__crs_automatic`) and takes back at the end of the scope, as it does with that of `alloca`
 at the end of the function. The library hands memory out as a stack: giving back means everything
-behind a mark.
+after a mark.
 """
 
 from __future__ import annotations
@@ -42,12 +42,12 @@ AUTOMATIC_COUNT: Final = "__crs_automatic_count"
 
 
 def is_variable(ctype: CType) -> bool:
-    """Tells whether a type is an array whose size only the running program knows."""
+    """Return whether a type is an array whose size only the running program knows."""
     return isinstance(ctype, ArrayType) and ctype.extent is not None
 
 
 def size(ctype: CType, location: Location) -> Expression:
-    """Gives the size of a type as an expression of type `unsigned int`."""
+    """Return the size of a type as an expression of type `unsigned int`."""
     if isinstance(ctype, ArrayType) and ctype.extent is not None:
         assert isinstance(ctype.extent, ObjectSymbol)
         return tree.ObjectName(UINT, location, ctype.extent)
@@ -55,7 +55,7 @@ def size(ctype: CType, location: Location) -> Expression:
 
 
 def array(unit: Unit, element: CType, length: Expression) -> ArrayType:
-    """Makes an array type of a length that is not constant, and notes how to compute its size.
+    """Build an array type of a length that is not constant, and notes how to compute its size.
 
     Raises:
         CheckError: the length is no integer, or stands outside of functions.
@@ -80,7 +80,7 @@ def _set(symbol: ObjectSymbol, value: Expression) -> Expression:
 
 @contextmanager
 def effects(unit: Unit) -> Iterator[list[Expression]]:
-    """Collects what must be done for the types that are checked meanwhile."""
+    """Collect what must be done for the types that are checked meanwhile."""
     state = unit.function
     if state is None:
         yield []
@@ -93,7 +93,7 @@ def effects(unit: Unit) -> Iterator[list[Expression]]:
 
 
 def after(done: list[Expression], result: Expression) -> Expression:
-    """Gives an expression that does all of these first."""
+    """Return an expression that does all of these first."""
     for each in reversed(done):
         result = tree.Comma(result.type, result.location, each, result)
     return result
@@ -103,7 +103,7 @@ def after(done: list[Expression], result: Expression) -> Expression:
 
 
 def moved(pointer: Expression, index: Expression, minus: bool, location: Location) -> Expression:
-    """Makes `pointer + index`, or `-`, of a pointer whose target may have a variable size."""
+    """Build `pointer + index`, or `-`, of a pointer whose target may have a variable size."""
     assert isinstance(pointer.type, PointerType)
     target = pointer.type.target
     if not is_variable(target):
@@ -114,13 +114,13 @@ def moved(pointer: Expression, index: Expression, minus: bool, location: Locatio
 
 
 def scaled(index: Expression, target: CType) -> Expression:
-    """Gives `index * sizeof(target)` as an `int`."""
+    """Return `index * sizeof(target)` as an `int`."""
     bytes_ = convert(size(target, index.location), INT)
     return tree.Binary(INT, index.location, "*", index, bytes_)
 
 
 def difference(left: Expression, right: Expression, location: Location) -> Expression:
-    """Makes `left - right` of two pointers of one type."""
+    """Build `left - right` of two pointers of one type."""
     assert isinstance(left.type, PointerType)
     target = left.type.target
     if not is_variable(target):
@@ -132,7 +132,7 @@ def difference(left: Expression, right: Expression, location: Location) -> Expre
 
 
 def step(target: Expression, sign: int, *, is_postfix: bool) -> Expression:
-    """Makes `++` (sign 1) or `--` (-1) of a pointer to an array of variable size."""
+    """Build `++` (sign 1) or `--` (-1) of a pointer to an array of variable size."""
     ctype, location = target.type, target.location
     assert isinstance(ctype, PointerType)
     one = scaled(tree.integer(1, INT, location), ctype.target)
@@ -149,7 +149,7 @@ def step(target: Expression, sign: int, *, is_postfix: bool) -> Expression:
 def declare(
     unit: Unit, symbol: ObjectSymbol, ctype: CType, out: list[tree.Statement] | None
 ) -> None:
-    """Makes a local variable of a variably modified type; an array gets its memory."""
+    """Build a local variable of a variably modified type; an array gets its memory."""
     assert unit.function is not None
     state, location = unit.function, symbol.location
     mark = None
@@ -182,14 +182,14 @@ def _call(name: str, ctype: FunctionType, arguments: list[Expression], at: Locat
 
 
 def allocate(bytes_: Expression, name: str, location: Location) -> Expression:
-    """Makes the call that gets memory for the time of the present scope; `name` is whose."""
+    """Build the call that gets memory for the time of the present scope; `name` is whose."""
     content = name.encode("utf-8", "surrogateescape") + b"\0"
     text = tree.StringLiteral(ArrayType(CHAR, len(content)), location, content)
     return _call("__crs_automatic", _ALLOCATE, [bytes_, decay(text)], location)
 
 
 def alloca(unit: Unit, bytes_: Expression, location: Location) -> Expression:
-    """Makes the call of `alloca`, whose memory is given back at the end of the function."""
+    """Build the call of `alloca`, whose memory is given back at the end of the function."""
     assert unit.function is not None
     if unit.function.alloca_mark is None:
         unit.function.alloca_mark = _new_mark(location)
@@ -197,7 +197,7 @@ def alloca(unit: Unit, bytes_: Expression, location: Location) -> Expression:
 
 
 def release(automatics: list[Automatic], first: int, location: Location) -> Expression | None:
-    """Gives what gives back the memory of all variables from number `first` on, if there is any."""
+    """Return what gives back the memory of all variables from number `first` on, if there is any."""
     for each in automatics[first:]:
         if each.mark is not None:
             return _release(each.mark, location)
@@ -210,7 +210,7 @@ def _release(mark: ObjectSymbol, location: Location) -> Expression:
 
 @contextmanager
 def block(state: FunctionState, out: list[tree.Statement], location: Location) -> Iterator[None]:
-    """Ends the life of the variables of a block behind it."""
+    """End the life of the variables of a block after it."""
     first = len(state.automatics)
     try:
         yield
@@ -220,7 +220,7 @@ def block(state: FunctionState, out: list[tree.Statement], location: Location) -
 
 
 def leave(state: FunctionState, first: int, out: list[tree.Statement], location: Location) -> None:
-    """Adds what must be done on a way out of the scope of the variables from `first` on."""
+    """Add what must be done on a way out of the scope of the variables from `first` on."""
     done = release(state.automatics, first, location)
     if done is not None:
         out.append(_statement(done))
@@ -240,7 +240,7 @@ def finish(state: FunctionState, body: list[tree.Statement]) -> None:
 def jump(
     unit: Unit, what: str, place: Location, source: list[Automatic], target: list[Automatic]
 ) -> Expression | None:
-    """Checks a jump, and gives what it must do on the way (C17 6.8.6.1p1, 6.8.4.2p2)."""
+    """Check a jump, and gives what it must do on the way (C17 6.8.6.1p1, 6.8.4.2p2)."""
     common = 0
     for left, right in zip(source, target, strict=False):
         if left is not right:

@@ -1,4 +1,4 @@
-"""Lowers conversions between scalar types (C17 6.3.1, 6.3.2.3)."""
+"""Lower conversions between scalar types (C17 6.3.1, 6.3.2.3)."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Final
 
 from crs_cc.core.source import Location
 from crs_cc.frontend.check import tree
-from crs_cc.frontend.lower.lowerer import EFFECT, VALUE, Lowering, effect, truth, value, value_type
+from crs_cc.frontend.lower.lowerer import Lowering, Rules, effect, truth, value, value_type
 from crs_cc.ir.operators import OPERATORS
 from crs_cc.ir.program import Binary, Constant, Operand, Register, Unary
 from crs_cc.ir.types import BOOL, CType, EnumType, FloatType, IntegerType, PointerType
@@ -24,7 +24,7 @@ def convert_operand(
     *,
     into: Register | None = None,
 ) -> Operand:
-    """Converts a value from one scalar type to another."""
+    """Convert a value from one scalar type to another."""
     if source is target or source == target:
         return operand
     if isinstance(target, IntegerType) and target.name == BOOL.name:
@@ -124,7 +124,7 @@ def _between_integers(
 
 
 def _fits(source: CType, target: CType) -> bool:
-    """Tells whether every value of one integer type is kept as it is by another."""
+    """Return whether every value of one integer type is kept as it is by another."""
     if target.size == 4:
         return True
     if _signed(source) and not _signed(target):
@@ -172,7 +172,7 @@ def _narrow_wide(
 
 
 def unnarrowed(expression: tree.Expression) -> tree.Expression:
-    """Gives what a conversion to a narrow integer type starts from.
+    """Return what a conversion to a narrow integer type starts from.
 
     A store to memory drops the high bits itself.
     """
@@ -202,5 +202,11 @@ def _drop(low: Lowering, expression: tree.Convert) -> None:
     effect(low, expression.operand)
 
 
-VALUE[tree.Convert] = _convert
-EFFECT[tree.Convert] = _drop
+RULES: Final = Rules(
+    value={
+        tree.Convert: _convert,
+    },
+    effect={
+        tree.Convert: _drop,
+    },
+)

@@ -1,4 +1,4 @@
-"""Tidies a function's graph: no unreachable blocks, no empty ones, no needless jumps.
+"""Tidy a function's graph: no unreachable blocks, no empty ones, no needless jumps.
 
 Every block costs fuel, and every jump time.
 """
@@ -26,7 +26,7 @@ def tidy(function: Function) -> set[Block]:
 
 
 def _destination(block: Block, ends: dict[Block, Block]) -> Block:
-    """Follows empty blocks to where they lead; an endless ring of them stays as it is.
+    """Follow empty blocks to where they lead; an endless ring of them stays as it is.
 
     Args:
         block: where to start.
@@ -61,7 +61,7 @@ def _shorten(block: Block, ends: dict[Block, Block]) -> None:
 
 
 def _reachable(function: Function) -> list[Block]:
-    """Gives the blocks that can be reached, in their order."""
+    """Return the blocks that can be reached, in their order."""
     reached = {id(function.blocks[0])}
     waiting = [function.blocks[0]]
     while waiting:
@@ -73,7 +73,7 @@ def _reachable(function: Function) -> list[Block]:
 
 
 def _join(function: Function) -> None:
-    """Appends each block to the one before it, if that alone goes there and nowhere else."""
+    """Append each block to the one before it, if that alone goes there and nowhere else."""
     uses = Counter(id(each) for block in function.blocks for each in block.successors())
     uses[id(function.blocks[0])] += 1
     joined = [function.blocks[0]]

@@ -1,19 +1,14 @@
 """Lowering: checked C to IR, one function at a time.
 
-A `Lowering` holds the function being made and the block that takes the next instruction. Who
-lowers which node stands in four tables, one for each thing that can be wanted of an expression:
-
-- `VALUE`: its value, as an operand; put into a given register if one is given;
-- `EFFECT`: only what it does;
-- `PLACE`: where the object lies that it names, as base and offset;
-- `BRANCH`: to go one way or the other.
-
-The `lower_*.py` files enter their functions into them.
+A `Lowering` holds the function under construction, the block that takes the next instruction, and
+the `Rules`: which function lowers which class of nodes. The modules above this one define rules for
+their nodes, `rules` combines them, and `value`, `effect`, `place`, `branch` and `statements` look
+them up, so that a rule can lower the parts of its node without knowing their rules.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Final, TypeAlias, TypeVar
@@ -51,7 +46,7 @@ from crs_cc.ir.types import CType, EnumType, FloatType, IntegerType, PointerType
 
 if TYPE_CHECKING:
     from crs_cc.frontend.check.scope import ObjectSymbol
-    from crs_cc.frontend.lower.unit import UnitLowering
+    from crs_cc.frontend.lower.unit_state import UnitState
 
 ACTIVATIONS: Final = "__crs_activations"
 """The library's counter of calls of functions that use `setjmp`."""
@@ -69,6 +64,42 @@ def _for_each(make: Callable[[], Made]) -> dict[ValueType, Made]:
     return {"i32": make(), "i64": make(), "f32": make(), "f64": make()}
 
 
+LowerValue: TypeAlias = "Callable[[Lowering, Any, Register | None], Operand]"
+LowerEffect: TypeAlias = "Callable[[Lowering, Any], None]"
+LowerPlace: TypeAlias = "Callable[[Lowering, Any], Place]"
+LowerBranch: TypeAlias = "Callable[[Lowering, Any, Block, Block], None]"
+LowerStatement: TypeAlias = "Callable[[Lowering, Any], None]"
+
+
+@dataclass(frozen=True, slots=True)
+class Rules:
+    """Which function lowers which class of nodes, for each thing an expression can be needed for.
+
+    Attributes:
+        value: return its value as an operand, in the given register if there is one.
+        effect: evaluate it for its side effects only.
+        place: return the base and offset of the object that it designates.
+        branch: jump to one of two blocks.
+        statement: lower a statement.
+    """
+
+    value: Mapping[type, LowerValue] = field(default_factory=dict)
+    effect: Mapping[type, LowerEffect] = field(default_factory=dict)
+    place: Mapping[type, LowerPlace] = field(default_factory=dict)
+    branch: Mapping[type, LowerBranch] = field(default_factory=dict)
+    statement: Mapping[type, LowerStatement] = field(default_factory=dict)
+
+    def __or__(self, other: Rules) -> Rules:
+        """Return the rules of both."""
+        return Rules(
+            {**self.value, **other.value},
+            {**self.effect, **other.effect},
+            {**self.place, **other.place},
+            {**self.branch, **other.branch},
+            {**self.statement, **other.statement},
+        )
+
+
 @dataclass(slots=True, eq=False)
 class Lowering:
     """One function while its IR is made.
@@ -76,7 +107,8 @@ class Lowering:
     Attributes:
         unit: what the functions of the file share.
         function: what is being made.
-        block: the block that takes the next instruction; one that nothing leads to behind a jump.
+        rules: which function lowers which class of nodes.
+        block: the block that takes the next instruction; one that nothing leads to after a jump.
         places: where each local variable lies.
         result_pointer: where a struct result goes.
         breaks: where `break` goes, innermost last.
@@ -87,8 +119,9 @@ class Lowering:
         references: global names with the block that uses them, to see which are used at all.
     """
 
-    unit: UnitLowering
+    unit: UnitState
     function: Function
+    rules: Rules
     block: Block
     places: dict[ObjectSymbol, Register | Slot] = field(default_factory=dict)
     result_pointer: Register | None = None
@@ -107,7 +140,7 @@ class Lowering:
     # Blocks
 
     def new_block(self, name: str) -> Block:
-        """Makes a block that `start` will open."""
+        """Build a block that `start` will open."""
         self.block_count += 1
         return Block(f"{name}.{self.block_count}")
 
@@ -119,24 +152,24 @@ class Lowering:
         self.block = block
 
     def end(self, terminator: Terminator) -> None:
-        """Ends the present block; what follows is reached by other ways or not at all."""
+        """End the present block; what follows is reached by other ways or not at all."""
         if self.block.terminator is None:
             self.block.terminator = terminator
         self.block = Block("dead")
 
     def emit(self, instruction: Instruction) -> None:
-        """Adds an instruction to the present block."""
+        """Add an instruction to the present block."""
         self.block.instructions.append(instruction)
 
     def mark(self, location: Location) -> None:
-        """Marks the start of a statement."""
+        """Mark the start of a statement."""
         self.block.instructions.append(Statement(location))
         self._used = dict(self._first)
 
     # Registers and slots
 
     def register(self, value_type: ValueType) -> Register:
-        """Gives a register for a value that the present statement alone needs."""
+        """Return a register for a value that the present statement alone needs."""
         pool, used = self._temporaries[value_type], self._used[value_type]
         self._used[value_type] = used + 1
         if used == len(pool):
@@ -144,19 +177,19 @@ class Lowering:
         return pool[used]
 
     def lasting_register(self, value_type: ValueType, variable: Variable | None = None) -> Register:
-        """Makes a register of its own."""
+        """Build a register of its own."""
         registers = self.function.registers
         made = Register(len(registers), value_type, variable)
         registers.append(made)
         return made
 
     def used_registers(self) -> dict[ValueType, int]:
-        """Tells which registers the present statement uses so far."""
+        """Return which registers the present statement uses so far."""
         return dict(self._used)
 
     @contextmanager
     def inner_statements(self) -> Iterator[None]:
-        """Keeps the registers that the present statement uses while others run inside it."""
+        """Keep the registers that the present statement uses while others run inside it."""
         outer, self._first = self._first, dict(self._used)
         try:
             yield
@@ -170,13 +203,13 @@ class Lowering:
     def slot(
         self, name: str, ctype: CType, align: int = 0, variable: Variable | None = None
     ) -> Slot:
-        """Makes a frame slot."""
+        """Build a frame slot."""
         made = Slot(name, ctype.size, max(align, ctype.align), variable)
         self.function.slots.append(made)
         return made
 
     def local(self, symbol: ObjectSymbol) -> Register | Slot:
-        """Gives where a local variable lies."""
+        """Return where a local variable lies."""
         found = self.places.get(symbol)
         if found is None:
             variable = symbol.variable() if symbol.name else None
@@ -188,7 +221,7 @@ class Lowering:
         return found
 
     def move(self, target: Register, source: Operand, location: Location) -> None:
-        """Puts an operand into a register, unless it is there."""
+        """Put an operand into a register, unless it is there."""
         if target is not source:
             self.block.instructions.append(Move(location, target, source))
 
@@ -206,7 +239,7 @@ class Lowering:
         return result
 
     def activation(self) -> Register:
-        """Gives what tells this call of the function from all others, for `setjmp`."""
+        """Return what tells this call of the function from all others, for `setjmp`."""
         if self._activation is None:
             made, entry = self.lasting_register("i32"), self.function.blocks[0]
             location = self.function.location
@@ -222,12 +255,12 @@ class Lowering:
     # Addresses
 
     def refer(self, name: str, location: Location) -> str:
-        """Notes that a global name is used."""
+        """Record that a global name is used."""
         self.references.append((self.block, name, location))
         return name
 
     def address(self, place: Place, location: Location, into: Register | None = None) -> Operand:
-        """Gives the address of a place as a value."""
+        """Return the address of a place as a value."""
         base, offset = place
         if isinstance(base, Register):
             if offset == 0:
@@ -239,7 +272,7 @@ class Lowering:
         return result
 
     def access(self, place: Place, size: int, location: Location) -> Place:
-        """Gives a place as `Load` and `Store` take it: surely inside its object, or in a register.
+        """Return a place as `Load` and `Store` take it: surely inside its object, or in a register.
 
         Args:
             place: the place.
@@ -260,18 +293,18 @@ class Lowering:
 
 
 def memory_type(ctype: CType) -> MemoryType:
-    """Gives how a scalar lies in memory."""
+    """Return how a scalar lies in memory."""
     assert isinstance(ctype, IntegerType | FloatType | EnumType | PointerType)
     return ctype.memory
 
 
 def value_type(ctype: CType) -> ValueType:
-    """Gives the type of the registers that hold a scalar."""
+    """Return the type of the registers that hold a scalar."""
     return VALUE_TYPE[memory_type(ctype)]
 
 
 def constant(ctype: CType, value: float) -> Constant:
-    """Makes an operand of a number in the range of a scalar type."""
+    """Build an operand of a number in the range of a scalar type."""
     wanted = value_type(ctype)
     if wanted in {"f32", "f64"}:
         return Constant(wanted, float(value))
@@ -279,59 +312,46 @@ def constant(ctype: CType, value: float) -> Constant:
 
 
 def no_value(function: Function) -> Constant | None:
-    """Gives what a function returns that ends without a value: main's is 0 (C17 5.1.2.2.3)."""
+    """Return what a function returns that ends without a value: main's is 0 (C17 5.1.2.2.3)."""
     is_entry = function.name in ENTRIES and function.result == "i32"
     return Constant("i32", 0) if is_entry else None
 
 
-LowerValue: TypeAlias = Callable[[Lowering, Any, "Register | None"], Operand]
-LowerEffect: TypeAlias = Callable[[Lowering, Any], None]
-LowerPlace: TypeAlias = Callable[[Lowering, Any], Place]
-LowerBranch: TypeAlias = Callable[[Lowering, Any, Block, Block], None]
-LowerStatement: TypeAlias = Callable[[Lowering, Any], None]
-
-VALUE: Final[dict[type, LowerValue]] = {}
-EFFECT: Final[dict[type, LowerEffect]] = {}
-PLACE: Final[dict[type, LowerPlace]] = {}
-BRANCH: Final[dict[type, LowerBranch]] = {}
-STATEMENT: Final[dict[type, LowerStatement]] = {}
-
-
 def value(low: Lowering, expression: tree.Expression, into: Register | None = None) -> Operand:
-    """Gives the value of a scalar expression.
+    """Return the value of a scalar expression.
 
     Args:
         low: the function.
         expression: the expression.
         into: where its last instruction may put the value; it need not.
     """
-    return VALUE[expression.__class__](low, expression, into)
+    return low.rules.value[expression.__class__](low, expression, into)
 
 
 def value_into(low: Lowering, expression: tree.Expression, target: Register) -> None:
-    """Puts the value of a scalar expression into a register."""
+    """Put the value of a scalar expression into a register."""
     low.move(target, value(low, expression, target), expression.location)
 
 
 def effect(low: Lowering, expression: tree.Expression) -> None:
     """Does what an expression does and drops its value."""
-    found = EFFECT.get(expression.__class__)
+    found = low.rules.effect.get(expression.__class__)
     if found is not None:
         found(low, expression)
-    elif expression.__class__ in VALUE and is_scalar(expression.type):
+    elif expression.__class__ in low.rules.value and is_scalar(expression.type):
         value(low, expression)
-    elif expression.__class__ in PLACE:
+    elif expression.__class__ in low.rules.place:
         place(low, expression)
 
 
 def place(low: Lowering, expression: tree.Expression) -> Place:
-    """Gives where the object lies that an expression names, or a struct that it gives."""
-    return PLACE[expression.__class__](low, expression)
+    """Return where the object lies that an expression names, or a struct that it gives."""
+    return low.rules.place[expression.__class__](low, expression)
 
 
 def branch(low: Lowering, condition: tree.Expression, then: Block, otherwise: Block) -> None:
     """Goes to `then` when a scalar is not zero, else to `otherwise`."""
-    found = BRANCH.get(condition.__class__)
+    found = low.rules.branch.get(condition.__class__)
     if found is not None:
         found(low, condition, then, otherwise)
         return
@@ -339,7 +359,7 @@ def branch(low: Lowering, condition: tree.Expression, then: Block, otherwise: Bl
 
 
 def truth(low: Lowering, condition: tree.Expression) -> Operand:
-    """Gives an i32 that is zero exactly when a scalar is."""
+    """Return an i32 that is zero exactly when a scalar is."""
     operand = value(low, condition)
     if operand.type == "i32":
         return operand
@@ -350,6 +370,7 @@ def truth(low: Lowering, condition: tree.Expression) -> Operand:
 
 
 def statements(low: Lowering, body: list[tree.Statement]) -> None:
-    """Lowers statements one after the other."""
+    """Lower statements one after the other."""
+    rules = low.rules.statement
     for each in body:
-        STATEMENT[each.__class__](low, each)
+        rules[each.__class__](low, each)

@@ -1,13 +1,15 @@
-"""Lowers statements to blocks in the order of the source."""
+"""Lower statements to blocks in the order of the source."""
 
 from __future__ import annotations
+
+from typing import Final
 
 from crs_cc.core.source import Location
 from crs_cc.frontend.check import tree
 from crs_cc.frontend.check.fold import wrap
 from crs_cc.frontend.lower.lowerer import (
-    STATEMENT,
     Lowering,
+    Rules,
     branch,
     effect,
     no_value,
@@ -188,14 +190,18 @@ def _release(low: Lowering, release: tree.Expression | None) -> None:
         effect(low, release)
 
 
-STATEMENT[tree.ExpressionStatement] = _expression
-STATEMENT[tree.If] = _if
-STATEMENT[tree.Loop] = _loop
-STATEMENT[tree.Switch] = _switch
-STATEMENT[tree.CaseLabel] = _case
-STATEMENT[tree.Label] = _label
-STATEMENT[tree.Goto] = _goto
-STATEMENT[tree.ComputedGoto] = _computed_goto
-STATEMENT[tree.Break] = _break
-STATEMENT[tree.Continue] = _continue
-STATEMENT[tree.Return] = _return
+RULES: Final = Rules(
+    statement={
+        tree.ExpressionStatement: _expression,
+        tree.If: _if,
+        tree.Loop: _loop,
+        tree.Switch: _switch,
+        tree.CaseLabel: _case,
+        tree.Label: _label,
+        tree.Goto: _goto,
+        tree.ComputedGoto: _computed_goto,
+        tree.Break: _break,
+        tree.Continue: _continue,
+        tree.Return: _return,
+    },
+)

@@ -42,14 +42,14 @@ class Token:
 
     @property
     def location(self) -> Location:
-        """Gives the place in the user's file."""
+        """Return the place in the user's file."""
         found = self._location
         if found is None:
             found = self._location = self._locate(self.lineno, self.column)
         return found
 
     def copy(self, type_: str, value: str) -> Token:
-        """Makes another token at the same place."""
+        """Build another token at the same place."""
         return Token(type_, value, self.lineno, self.column, self._locate)
 
 
@@ -65,7 +65,7 @@ class Span:
 
     @property
     def location(self) -> Location:
-        """Gives the place of the first token, which knows where the last one begins."""
+        """Return the place of the first token, which knows where the last one begins."""
         found = self._location
         if found is None:
             start, end = self.first.location, self.last.location
@@ -126,12 +126,12 @@ _FLOATING: Final = re.compile(
 
 
 def lex(text: str, locate: Locate, diagnostics: Diagnostics) -> list[Token]:
-    """Gives the tokens of a preprocessed file.
+    """Return the tokens of a preprocessed file.
 
     Args:
         text: the text, without comments and directives.
         locate: gives the user's place for a line and column of the text.
-        diagnostics: takes errors; what cannot be a token is left out.
+        diagnostics: receives errors; what cannot be a token is left out.
     """
     tokens: list[Token] = []
     append = tokens.append
@@ -157,7 +157,7 @@ def lex(text: str, locate: Locate, diagnostics: Diagnostics) -> list[Token]:
 
 
 def _constant_type(kind: int, value: str) -> str:
-    """Gives the type of a constant, "" when it is none."""
+    """Return the type of a constant, "" when it is none."""
     if kind == _STRING:
         return "STRING_LITERAL"
     if kind == _CHARACTER:

@@ -53,7 +53,7 @@ _ELEMENT: Final = {None: CHAR, "": CHAR, "u8": CHAR, "L": INT, "u": USHORT, "U":
 
 @lru_cache(maxsize=4096)
 def number(text: str) -> tuple[int | float, IntegerType | FloatType]:
-    """Gives the value and type of an integer or floating constant.
+    """Return the value and type of an integer or floating constant.
 
     Raises:
         ValueError: when no type can hold the value.
@@ -78,7 +78,7 @@ def _floating(digits: str, suffix: str, convert: Callable[[str], float]) -> tupl
 
 
 def single(value: float) -> float:
-    """Rounds to the nearest `float`; too large a value becomes infinite (C17 6.3.1.5)."""
+    """Round to the nearest `float`; too large a value becomes infinite (C17 6.3.1.5)."""
     try:
         return float(struct.unpack("<f", struct.pack("<f", value))[0])
     except OverflowError:
@@ -109,7 +109,7 @@ def _integer(text: str) -> tuple[int, IntegerType]:
 
 @lru_cache(maxsize=1024)
 def character(text: str) -> tuple[int, IntegerType]:
-    """Gives the value and type of a character constant; `'ab'` is `'a' * 256 + 'b'`, as in gcc.
+    """Return the value and type of a character constant; `'ab'` is `'a' * 256 + 'b'`, as in gcc.
 
     Raises:
         ValueError: when it holds no character or a number that is too large.
@@ -131,7 +131,7 @@ def character(text: str) -> tuple[int, IntegerType]:
 
 @lru_cache(maxsize=1024)
 def string(text: str) -> tuple[bytes, IntegerType]:
-    """Gives the bytes of adjacent string literals, with the final zero, and the element type.
+    """Return the bytes of adjacent string literals, with the final zero, and the element type.
 
     Raises:
         ValueError: when a number in it is too large for an element.
@@ -152,12 +152,12 @@ def _split(text: str) -> tuple[str, str]:
 
 
 def _parts(text: str) -> list[str]:
-    """Gives what lies between the quotes of each of several adjacent literals."""
+    """Return what lies between the quotes of each of several adjacent literals."""
     return [found.group(1) for found in re.finditer(r'"((?:[^"\\]|\\.)*)"', text, re.DOTALL)]
 
 
 def _units(body: str, prefix: str) -> list[int]:
-    """Gives the numbers of the array elements that a literal's text stands for."""
+    """Return the numbers of the array elements that a literal's text stands for."""
     units: list[int] = []
     position = 0
     for found in _ESCAPE.finditer(body):

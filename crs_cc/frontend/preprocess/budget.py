@@ -45,7 +45,7 @@ class Budget:
     left: int = LEAST
 
     def grow(self, characters: int) -> None:
-        """Adds what so much source may cause."""
+        """Add what so much source may cause."""
         self.left += PER_CHARACTER * characters
 
     def spend(self, tokens: Sequence[Token], place: Place) -> None:

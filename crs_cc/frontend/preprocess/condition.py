@@ -67,7 +67,7 @@ class _Operator(NamedTuple):
 
 
 def evaluate(tokens: Sequence[Token]) -> bool:
-    """Tells whether an expression is not 0; all macros in it must have been replaced.
+    """Return whether an expression is not 0; all macros in it must have been replaced.
 
     Raises:
         ConditionError: it has no value.
@@ -174,7 +174,7 @@ def _unary(operator: str, value: Value) -> Value:
 
 
 def _choose(condition: Value, left: Value, right: Value) -> Value:
-    """Gives the value of `condition ? left : right`, of their common type."""
+    """Return the value of `condition ? left : right`, of their common type."""
     chosen = left if condition.number else right
     chosen = chosen.with_number(chosen.number, unsigned=left.unsigned or right.unsigned)
     return condition if condition.problem else chosen
@@ -207,7 +207,7 @@ def _binary(operator: _Operator, left: Value, right: Value) -> Value:
 
 
 def _shifted(number: int, count: int) -> int:
-    """Shifts left, or right by a negative count; a count above 63 takes all bits (as gcc does)."""
+    """Shift left, or right by a negative count; a count above 63 takes all bits (as gcc does)."""
     return number << min(count, 64) if count >= 0 else number >> min(-count, 64)
 
 
@@ -216,7 +216,7 @@ def resolve_operators(
     is_defined: Callable[[str], bool],
     has_header: Callable[[str, Token], bool],
 ) -> list[Token]:
-    """Replaces `defined NAME`, `defined(NAME)` and `__has_include(...)` by 0 or 1.
+    """Replace `defined NAME`, `defined(NAME)` and `__has_include(...)` by 0 or 1.
 
     Args:
         tokens: the expression.

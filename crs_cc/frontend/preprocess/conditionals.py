@@ -18,7 +18,7 @@ from crs_cc.frontend.preprocess.source_text import Place
 
 
 def begin(reader: Reader, directive: str, place: Place, *, holds: bool) -> None:
-    """Opens a group, whose first part is used if its condition holds."""
+    """Open a group, whose first part is used if its condition holds."""
     skipped = reader.skipping
     active = holds and not skipped
     reader.conditionals.append(Conditional(directive, place, active, skipped or active))
@@ -27,7 +27,7 @@ def begin(reader: Reader, directive: str, place: Place, *, holds: bool) -> None:
 def go_on(
     reader: Reader, directive: str, place: Place, report: Report, holds: Callable[[], bool]
 ) -> None:
-    """Begins the next part, as `#elif` does; the condition counts only if no part was used."""
+    """Start the next part, as `#elif` does; the condition counts only if no part was used."""
     group = _open_group(reader, directive, place, report)
     if group is None:
         return
@@ -39,7 +39,7 @@ def go_on(
 
 
 def otherwise(reader: Reader, place: Place, report: Report) -> None:
-    """Begins the last part, as `#else` does."""
+    """Start the last part, as `#else` does."""
     group = _open_group(reader, "#else", place, report)
     if group is None:
         return
@@ -52,13 +52,13 @@ def otherwise(reader: Reader, place: Place, report: Report) -> None:
 
 
 def finish(reader: Reader, place: Place, report: Report) -> None:
-    """Closes a group, as `#endif` does."""
+    """Close a group, as `#endif` does."""
     if _open_group(reader, "#endif", place, report) is not None:
         reader.conditionals.pop()
 
 
 def close_all(reader: Reader, report: Report) -> None:
-    """Reports the groups that are open at the end of a file."""
+    """Report the groups that are open at the end of a file."""
     for group in reversed(reader.conditionals):
         report.error(group.place, f"this '{group.directive}' has no '#endif'")
 

@@ -44,7 +44,7 @@ class Value(NamedTuple):
     place: Place | None = None
 
     def with_number(self, number: int, *, unsigned: bool) -> Value:
-        """Gives a number, reduced to a type's range, with the same problem."""
+        """Return a number, reduced to a type's range, with the same problem."""
         number &= (1 << 64) - 1
         if not unsigned and number >> 63:
             number -= 1 << 64
@@ -52,7 +52,7 @@ class Value(NamedTuple):
 
 
 def constant(token: Token) -> Value:
-    """Gives the value of a number or character constant; a value with a problem if it has none."""
+    """Return the value of a number or character constant; a value with a problem if it has none."""
     if token.kind == CHARACTER:
         return _character(token)
     match = INTEGER.fullmatch(token.text)
@@ -69,7 +69,7 @@ def constant(token: Token) -> Value:
 
 
 def _character(token: Token) -> Value:
-    """Gives a character constant's value; as in gcc, `'ab'` is `'a' * 256 + 'b'`."""
+    """Return a character constant's value; as in gcc, `'ab'` is `'a' * 256 + 'b'`."""
     prefix, _, rest = token.text.partition("'")
     width = _WIDTH[prefix]
     units: list[int] = []
@@ -88,7 +88,7 @@ def _character(token: Token) -> Value:
 
 
 def _units(match: re.Match[str], width: int) -> list[int]:
-    """Gives the code units of one character or escape sequence."""
+    """Return the code units of one character or escape sequence."""
     if match["octal"]:
         return [int(match["octal"], 8)]
     if match["hex"]:

@@ -12,9 +12,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
-from crs_cc.frontend.check.gnu_attributes import KEYWORD, PACK
 from crs_cc.frontend.preprocess import conditionals
 from crs_cc.frontend.preprocess.condition import ConditionError, evaluate, resolve_operators
+from crs_cc.frontend.preprocess.gnu import KEYWORD, PACK
 from crs_cc.frontend.preprocess.includes import Refusal
 from crs_cc.frontend.preprocess.macros import RESERVED, read_definition
 from crs_cc.frontend.preprocess.source_text import Place
@@ -110,7 +110,7 @@ def _undef(state: State, line: _Line) -> None:
 
 
 def _only_name(state: State, line: _Line) -> Token | None:
-    """Gives the one name that a directive takes."""
+    """Return the one name that a directive takes."""
     tokens = line.tokens()
     if not tokens:
         state.report.error(line.place, f"'#{line.name}' needs a name")
@@ -151,7 +151,7 @@ def _include(state: State, line: _Line) -> None:
 
 
 def _header_name(state: State, line: _Line) -> tuple[str, bool, Place] | None:
-    """Gives a header's name, whether it stands in quotes, and its place (C17 6.10.2)."""
+    """Return a header's name, whether it stands in quotes, and its place (C17 6.10.2)."""
     rest, place = line.rest, line.rest_place
     match = _HEADER.match(rest)
     if match is None:
@@ -173,7 +173,7 @@ def _header_name(state: State, line: _Line) -> tuple[str, bool, Place] | None:
 
 
 def _condition(state: State, line: _Line) -> bool:
-    """Gives the value of the expression after `#if` or `#elif`."""
+    """Return the value of the expression after `#if` or `#elif`."""
 
     def is_defined(name: str) -> bool:
         return name in state.macros or name == "__has_include"
@@ -207,7 +207,7 @@ def _ifdef(state: State, line: _Line) -> None:
 
 
 def _names_a_macro(state: State, line: _Line) -> bool:
-    """Tells whether the condition of `#ifdef`, `#ifndef` and their `#elif` forms holds."""
+    """Return whether the condition of `#ifdef`, `#ifndef` and their `#elif` forms holds."""
     name = _only_name(state, line)
     if name is None:
         return False

@@ -22,7 +22,7 @@ from crs_cc.frontend.preprocess.tokens import NUMBER, STRING, Token
 
 
 def dynamic_macros(state: State) -> list[Macro]:
-    """Makes these macros for a run."""
+    """Build these macros for a run."""
     counter = count()
 
     def line(token: Token) -> str:

@@ -45,13 +45,13 @@ def expand(
     *,
     uses: MacroUses | None = None,
 ) -> list[Token]:
-    """Replaces all macros in tokens.
+    """Replace all macros in tokens.
 
     Args:
         tokens: a line.
         macros: the macros, by name; `more` may change them.
         budget: what pays for it.
-        report: hears of wrong calls.
+        report: receives messages about wrong calls.
         more: gives the next line when a call does not end on this one.
         uses: takes note of what is replaced.
 
@@ -123,7 +123,7 @@ class _Expansion:
                 return job.output
 
     def _read_to_macro(self, job: _Job) -> Token | None:
-        """Puts out what is no macro; gives the next name of a macro, none at the end."""
+        """Put out what is no macro; return the next name of a macro, none at the end."""
         output, macros, active = job.output, self.macros, self.active
         while job.contexts:
             for token in job.contexts[-1].tokens:
@@ -140,7 +140,7 @@ class _Expansion:
         return None
 
     def _read(self, job: _Job) -> Token | None:
-        """Gives the next token, none at the end of what is there."""
+        """Return the next token, none at the end of what is there."""
         contexts = job.contexts
         while contexts:
             for token in contexts[-1].tokens:
@@ -149,7 +149,7 @@ class _Expansion:
         return None
 
     def _read_on(self, job: _Job) -> Token | None:
-        """Gives the next token, from the next line if need be, none at the end of the file."""
+        """Return the next token, from the next line if need be, none at the end of the file."""
         while (token := self._read(job)) is None:
             if job.call is not None or self.more is None or (line := self.more()) is None:
                 return None
@@ -157,7 +157,7 @@ class _Expansion:
         return token
 
     def _invoke(self, job: _Job, name: Token, macro: Macro) -> _Job:
-        """Begins to replace a macro; gives the job to go on with."""
+        """Start to replace a macro; return the job to go on with."""
         if macro.dynamic is not None:
             job.output.append(macro.dynamic(name))
             return job
@@ -179,7 +179,7 @@ class _Expansion:
         return self._advance(_Call(job, macro, name, arguments, [*macro.expanded]))
 
     def _operand(self, job: _Job) -> list[Token]:
-        """Reads `NAME` or `( NAME` after `defined`, without replacing anything."""
+        """Read `NAME` or `( NAME` after `defined`, without replacing anything."""
         tokens = []
         while (token := self._read(job)) is not None:
             tokens.append(token)
@@ -188,7 +188,7 @@ class _Expansion:
         return tokens
 
     def _collect(self, job: _Job, name: Token, macro: Macro) -> list[list[Token]] | None:
-        """Reads the arguments of a call up to its `)`; gives none when they do not fit."""
+        """Read the arguments of a call up to its `)`; return none when they do not fit."""
         assert macro.parameters is not None
         arguments: list[list[Token]] = [[]]
         most = len(macro.parameters) if macro.variadic else None
@@ -213,7 +213,7 @@ class _Expansion:
     def _fit(
         self, name: Token, macro: Macro, arguments: list[list[Token]]
     ) -> list[list[Token]] | None:
-        """Gives the arguments of a call, one for each parameter, none when there are others."""
+        """Return the arguments of a call, one for each parameter, none when there are others."""
         assert macro.parameters is not None
         for argument in arguments:
             self.budget.spend(argument, name.place)
@@ -234,7 +234,7 @@ class _Expansion:
         return None
 
     def _advance(self, call: _Call) -> _Job:
-        """Expands the next argument that needs it, then replaces the call."""
+        """Expand the next argument that needs it, then replaces the call."""
         while call.waiting:
             number = call.waiting[-1]
             argument = call.arguments[number]
@@ -250,7 +250,7 @@ class _Expansion:
         return self._advance(call)
 
     def _replace(self, call: _Call) -> _Job:
-        """Puts a macro's replacement on the stack, to be read next."""
+        """Put a macro's replacement on the stack, to be read next."""
         job, name = call.job, call.name
         tokens = substitute(
             call.macro,

@@ -21,9 +21,15 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Final
 
-from crs_cc.frontend.check.gnu_attributes import ASM_LABEL, KEYWORD
 from crs_cc.frontend.preprocess.report import Report
 from crs_cc.frontend.preprocess.tokens import NAME, Token, tokenise
+
+KEYWORD: Final = "__attribute__"
+PACK: Final = "__pragma_pack__"
+"""What the preprocessor makes of `#pragma pack(...)`: an attribute of this name."""
+
+ASM_LABEL: Final = "__asm_label__"
+"""What the preprocessor makes of `asm("name")` behind a declarator."""
 
 _TWINS: Final = {
     "__inline": "inline", "__inline__": "inline",
@@ -75,7 +81,7 @@ class _Construct:
 
 
 class GnuSyntax:
-    """Rewrites a stream of tokens, which comes in pieces."""
+    """Rewrite a stream of tokens, which comes in pieces."""
 
     def __init__(self, report: Report, pragma: Pragma) -> None:
         self._report = report
@@ -84,11 +90,11 @@ class GnuSyntax:
 
     @property
     def is_open(self) -> bool:
-        """Tells whether the last construct goes on in the tokens to come."""
+        """Return whether the last construct goes on in the tokens to come."""
         return self._construct is not None
 
     def rewrite(self, tokens: Sequence[Token], before: Callable[[], str]) -> list[Token]:
-        """Gives the standard form of tokens.
+        """Return the standard form of tokens.
 
         Args:
             tokens: the next piece of the program.
@@ -109,14 +115,14 @@ class GnuSyntax:
         return result
 
     def finish(self) -> None:
-        """Reports what is still open at the end of the program."""
+        """Report what is still open at the end of the program."""
         if self._construct is not None:
             word = self._construct.word
             self._report.error(word.place, f"'{word.text}' has no ')' at its end")
             self._construct = None
 
     def _goes_on(self, construct: _Construct, token: Token, result: list[Token]) -> bool:
-        """Tells whether a token belongs to the open construct, and takes it then."""
+        """Return whether a token belongs to the open construct, and takes it then."""
         if construct.depth == 0 and token.text != "(":
             if construct.word.text in _ASM and token.text in _ASM_QUALIFIERS:
                 construct.is_label = False
@@ -136,7 +142,7 @@ class GnuSyntax:
         return True
 
     def _close(self, construct: _Construct) -> list[Token]:
-        """Gives what stands for a construct."""
+        """Return what stands for a construct."""
         if construct.word.text in _ASM:
             self._close_asm(construct)
             return _label(construct) if construct.is_label else []
@@ -145,7 +151,7 @@ class GnuSyntax:
         return self._pragma(tokenise(text.replace("\\\\", "\\"), construct.word.place))
 
     def _close_asm(self, construct: _Construct) -> None:
-        """Refuses statements."""
+        """Reject statements."""
         if not construct.is_label:
             self._report.error(
                 construct.word.place,
@@ -155,14 +161,14 @@ class GnuSyntax:
 
 
 def _label(construct: _Construct) -> list[Token]:
-    """Gives the assembler name of a declared object or function as an attribute."""
+    """Return the assembler name of a declared object or function as an attribute."""
     place = construct.word.place
     begin = [each.moved(place, each.spaced) for each in tokenise(f" {KEYWORD}(({ASM_LABEL}", 0)]
     return [*begin, *construct.inside, *tokenise("))", place)]
 
 
 def _follows_declarator(before: str, tokens: Sequence[Token]) -> bool:
-    """Tells whether a declaration ends at some point of the program, and no statement begins."""
+    """Return whether a declaration ends at some point of the program, and no statement begins."""
     text = " ".join([before[-_BEFORE_ASM:], *(each.text for each in tokens[-_BEFORE_ASM:])])
     statement = re.split(r"[;{}]", text)[-1]
     last = statement.rstrip()[-1:]

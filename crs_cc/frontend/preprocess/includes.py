@@ -1,4 +1,4 @@
-"""Finds and reads header files, and refuses every file that a program has no business with.
+"""Find and reads header files, and refuses every file that a program has no business with.
 
 A program may be hostile, and a compiler that reads whatever `#include` names shows the content in
 its messages. So only regular files may be read that lie, after all links are followed, below the
@@ -89,7 +89,7 @@ class Headers:
     def find(
         self, name: str, *, quoted: bool, folder: Path, after: Path | None = None
     ) -> Header | Refusal:
-        """Gives the file that an `#include` means (C17 6.10.2).
+        """Return the file that an `#include` means (C17 6.10.2).
 
         Args:
             name: what stands between the quotes or angle brackets.
@@ -124,7 +124,7 @@ class Headers:
         return self._missing(name, folders)
 
     def find_ours(self, name: str, *, quoted: bool, folder: Path) -> tuple[str, Header] | None:
-        """Gives the header of ours that a name stands for which `find` refuses, with its name."""
+        """Return the header of ours that a name stands for which `find` refuses, with its name."""
         meant = header_of_ours(name, self.system_paths)
         found = self.find(meant, quoted=quoted, folder=folder) if meant else None
         return (meant, found) if isinstance(found, Header) else None
@@ -140,7 +140,7 @@ class Headers:
 
 
 def read_regular_file(path: Path) -> bytes | Refusal:
-    """Reads a file, if it is a regular one of bearable size."""
+    """Read a file, if it is a regular one of bearable size."""
     try:
         status = path.stat()
         if stat.S_ISDIR(status.st_mode):
@@ -159,7 +159,7 @@ def read_regular_file(path: Path) -> bytes | Refusal:
 
 
 def digest(path: Path) -> str:
-    """Gives what changes whenever the content of a file does, and when it appears or vanishes.
+    """Return what changes whenever the content of a file does, and when it appears or vanishes.
 
     Taken before the file is read: so when it is changed in between, what was read is never taken
     for what the file holds.

@@ -1,4 +1,4 @@
-"""Notes behind errors in what a macro was replaced by: where the macro is defined.
+"""Record after errors in what a macro was replaced by: where the macro is defined.
 
 An error there has the place of the macro's call, which shows nothing of what is wrong. Neither
 does a hint to such a place: `to close the '(' at a.c:3:5`, where only a macro stands.
@@ -22,7 +22,7 @@ _QUOTED: Final = re.compile(r"'([^']+)'")
 def add_macro_notes(
     diagnostics: Diagnostics, source: Preprocessed, headers: Sequence[Path]
 ) -> None:
-    """Puts a note behind the first error that comes out of each macro.
+    """Put a note after the first error that comes out of each macro.
 
     Args:
         diagnostics: the messages about the file.
@@ -56,7 +56,7 @@ def _note(
 
 
 def _blamed(text: str, macros: Sequence[Macro]) -> Macro:
-    """Gives the macro that has in it what a message speaks of, or the one that was called."""
+    """Return the macro that has in it what a message speaks of, or the one that was called."""
     quoted = set(_QUOTED.findall(text))
     return next(
         (each for each in macros if any(token.text in quoted for token in each.body)), macros[0]

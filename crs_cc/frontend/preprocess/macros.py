@@ -80,7 +80,7 @@ class Macro:
     dynamic: Callable[[Token], Token] | None = None
 
     def same_as(self, other: Macro) -> bool:
-        """Tells whether another definition says the same, token by token (C17 6.10.3p2)."""
+        """Return whether another definition says the same, token by token (C17 6.10.3p2)."""
         return (
             self.dynamic is other.dynamic
             and self.parameters == other.parameters
@@ -92,7 +92,7 @@ class Macro:
 
 
 def dynamic_macro(name: str, value: Callable[[Token], Token]) -> Macro:
-    """Makes an object-like macro whose value is asked for at each use."""
+    """Build an object-like macro whose value is asked for at each use."""
     return Macro(name, None, False, (), (), (), False, 0, value)
 
 
@@ -101,7 +101,7 @@ DEFINED: Final = Macro("defined", None, False, (), (), (), False, 0)
 
 
 def read_definition(tokens: Sequence[Token], report: Report) -> Macro | None:
-    """Reads what stands after `#define`; gives none when that is no definition."""
+    """Read what stands after `#define`; return none when that is no definition."""
     name = tokens[0]
     if name.kind != NAME:
         report.error(name.place, f"a macro's name cannot be '{shown(name.text)}'")
@@ -137,7 +137,7 @@ def read_definition(tokens: Sequence[Token], report: Report) -> Macro | None:
 def _read_parameters(
     tokens: Sequence[Token], report: Report
 ) -> tuple[tuple[str, ...], bool, int] | None:
-    """Reads the parameters, which begin at the third token.
+    """Read the parameters, which begin at the third token.
 
     Returns:
         their names, whether the last one is variadic, and the number of the body's first token.
@@ -172,7 +172,7 @@ def _read_parameters(
 
 
 class _BodyReader:
-    """Reads a macro's body into parts."""
+    """Read a macro's body into parts."""
 
     def __init__(
         self,
@@ -190,7 +190,7 @@ class _BodyReader:
         self.expanded: set[int] = set()
 
     def read(self) -> tuple[Part, ...] | None:
-        """Gives the parts of the whole body, or none when it is wrong."""
+        """Return the parts of the whole body, or none when it is wrong."""
         return self._read(0, len(self.body), in_option=False)
 
     def _read(self, index: int, end: int, *, in_option: bool) -> tuple[Part, ...] | None:
@@ -219,7 +219,7 @@ class _BodyReader:
     def _read_part(
         self, index: int, end: int, parts: Sequence[Part], pasted: bool
     ) -> tuple[Part, int] | None:
-        """Gives the part that begins at a token, and where the next begins; none if wrong."""
+        """Return the part that begins at a token, and where the next begins; none if wrong."""
         token = self.body[index]
         if token.text in HASH and token.kind == PUNCTUATOR and self.function_like:
             follower = self.body[index + 1] if index + 1 < end else token
@@ -246,7 +246,7 @@ class _BodyReader:
         return Part("argument", token, number), index + 1
 
     def _read_option(self, index: int, end: int, pasted: bool) -> tuple[Part, int] | None:
-        """Reads `__VA_OPT__(...)` (C23 6.10.5.2)."""
+        """Read `__VA_OPT__(...)` (C23 6.10.5.2)."""
         token = self.body[index]
         close = _closing(self.body, index + 1, end)
         if close is None:
@@ -260,7 +260,7 @@ class _BodyReader:
 
 
 def _closing(body: Sequence[Token], index: int, end: int) -> int | None:
-    """Gives the number of the `)` that closes the `(` at a token."""
+    """Return the number of the `)` that closes the `(` at a token."""
     depth = 0
     for number in range(index, end):
         depth += {"(": 1, ")": -1}.get(body[number].text, 0)

@@ -12,7 +12,7 @@ from itertools import islice
 from pathlib import Path
 from typing import Final
 
-from crs_cc.frontend.parse.other_language_hint import CPLUSPLUS
+from crs_cc.frontend.other_language_hint import CPLUSPLUS
 
 _GUARD: Final = "put what needs it between '#ifndef __CRS__' and '#endif'"
 _NETWORK: Final = f"a control program has no network of its own here: {_GUARD}"
@@ -46,7 +46,7 @@ _VENDORS: Final = "nclient.h"
 
 
 def header_of_ours(name: str, folders: Sequence[Path]) -> str:
-    """Gives the header in one of our folders that a name stands for which names no file.
+    """Return the header in one of our folders that a name stands for which names no file.
 
     Programs of other systems write letters in another case, and name the standard headers and the
     vendor's, wherever it was installed, with their paths.
@@ -71,7 +71,7 @@ def header_of_ours(name: str, folders: Sequence[Path]) -> str:
 
 
 def hint_for_missing(name: str, folders: Sequence[Path]) -> str:
-    """Gives a hint to a header that was looked for in folders, and empty text if there is none."""
+    """Return a hint to a header that was looked for in folders, and empty text if there is none."""
     if name in _HINTS:
         return _HINTS[name]
     wanted = Path(name)

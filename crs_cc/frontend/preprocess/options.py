@@ -56,5 +56,5 @@ class Options:
 
     @property
     def is_strict(self) -> bool:
-        """Tells whether the standard is one of ISO's, without GNU's additions."""
+        """Return whether the standard is one of ISO's, without GNU's additions."""
         return not self.standard.startswith("gnu")

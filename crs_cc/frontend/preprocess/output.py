@@ -39,7 +39,7 @@ class Preprocessed:
         text: the program, for the parser.
         macros: the names of the macros at its end.
         uses: the macros that were replaced, by the place.
-        more: preprocesses another text as if it stood behind the last line: its name, and the text.
+        more: preprocesses another text as if it stood after the last line: its name, and the text.
     """
 
     text: str
@@ -56,7 +56,7 @@ class Preprocessed:
         return tuple(text.name for text in self._places.texts)
 
     def location(self, line: int, column: int) -> Location:
-        """Gives the place in the user's files of a place in `text`.
+        """Return the place in the user's files of a place in `text`.
 
         Args:
             line: number of the line in `text`, counted from 1, as the parser counts.
@@ -79,11 +79,11 @@ class Preprocessed:
         return self._places.location(mapped + offset)
 
     def macro_uses(self) -> dict[Location, Sequence[Macro]]:
-        """Gives the macros that were replaced, by the location of the one that was called."""
+        """Return the macros that were replaced, by the location of the one that was called."""
         return {self._places.location(place): macros for place, macros in self.uses.items()}
 
     def definition(self, macro: Macro) -> Location:
-        """Gives where a macro is defined."""
+        """Return where a macro is defined."""
         return self._places.location(macro.place)
 
 
@@ -92,18 +92,18 @@ _AS_SPACE: Final = str.maketrans("\v\f", "  ")
 
 @dataclass(slots=True)
 class Writer:
-    """Puts the output together."""
+    """Put the output together."""
 
     _rows: list[str] = field(default_factory=list)
     _lines: list[Place | _TokenLine] = field(default_factory=list)
 
     def line(self, text: str, place: Place) -> None:
-        """Writes a line as the user wrote it."""
+        """Write a line as the user wrote it."""
         self._rows.append(text.rstrip().translate(_AS_SPACE))
         self._lines.append(place)
 
     def tokens(self, tokens: Sequence[Token]) -> None:
-        """Writes a line of tokens."""
+        """Write a line of tokens."""
         if not tokens:
             return
         parts: list[str] = []
@@ -122,7 +122,7 @@ class Writer:
         self._lines.append(_TokenLine(columns, [token.place for token in tokens]))
 
     def tail(self, size: int) -> str:
-        """Gives about the last characters that were written."""
+        """Return about the last characters that were written."""
         parts: list[str] = []
         for line in reversed(self._rows):
             parts.append(line[-size:])
@@ -132,7 +132,7 @@ class Writer:
         return "\n".join(reversed(parts))
 
     def finish(self, places: Places) -> Preprocessed:
-        """Gives the program."""
+        """Return the program."""
         text = "\n".join([*self._rows, ""]) if self._rows else ""
         return Preprocessed(text, self._rows, self._lines, places)
 
@@ -144,7 +144,7 @@ _LONGER: Final = (
 
 
 def would_merge(left: Token, right: Token) -> bool:
-    """Tells whether two tokens, written side by side, would be read as others."""
+    """Return whether two tokens, written side by side, would be read as others."""
     if left.kind in (NAME, NUMBER):
         return right.kind != PUNCTUATOR or (left.kind == NUMBER and right.text[0] in "+-.")
     if right.kind == NUMBER:

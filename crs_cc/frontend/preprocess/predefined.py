@@ -130,7 +130,7 @@ _NOT_RESERVED: Final = ("linux", "unix", "i386")
 
 @cache
 def predefined_macros(standard: str = "gnu17") -> tuple[Macro, ...]:
-    """Gives the macros whose value is always the same; all stand at place 0.
+    """Return the macros whose value is always the same; all stand at place 0.
 
     Args:
         standard: a key of `STANDARDS`.
@@ -170,7 +170,7 @@ def _definitions() -> Iterator[str]:
 
 
 def _sized_types() -> Iterator[tuple[str, tuple[str, str]]]:
-    """Gives the rows of `_TYPES` for `int_least8_t`, `int_fast8_t` and the like."""
+    """Return the rows of `_TYPES` for `int_least8_t`, `int_fast8_t` and the like."""
     for prefix in ("INT", "UINT"):
         for bits, fast_bits in _FAST_BITS.items():
             yield f"{prefix}_LEAST{bits}", _TYPES[f"{prefix}{bits}"]

@@ -43,7 +43,7 @@ _COMMAND_LINE: Final = "<command line>"
 
 
 def preprocess(path: Path, options: Options, diagnostics: Diagnostics) -> Preprocessed:
-    """Preprocesses a C file (C17 5.1.1.2, phases 1 to 4).
+    """Preprocess a C file (C17 5.1.1.2, phases 1 to 4).
 
     Args:
         path: the file.
@@ -64,7 +64,7 @@ def preprocess(path: Path, options: Options, diagnostics: Diagnostics) -> Prepro
 def preprocess_text(
     text: str, name: str, options: Options, diagnostics: Diagnostics
 ) -> Preprocessed:
-    """Preprocesses a program that is at hand as text.
+    """Preprocess a program that is at hand as text.
 
     Args:
         text: the program.
@@ -101,7 +101,7 @@ class _Run:
         self.gnu = GnuSyntax(report, lambda tokens: obey_pragma(self.state, tokens))
 
     def read(self, content: str, path: Path) -> None:
-        """Reads everything."""
+        """Read everything."""
         state = self.state
         for macro in (*predefined_macros(self.options.standard), *dynamic_macros(state)):
             state.define(macro)
@@ -112,7 +112,7 @@ class _Run:
         self._read_all()
 
     def read_more(self, name: str, content: str) -> Preprocessed:
-        """Reads another text, with the macros as they are at the end of the main file."""
+        """Read another text, with the macros as they are at the end of the main file."""
         self.writer = Writer()
 
         def read() -> None:
@@ -123,7 +123,7 @@ class _Run:
         return self.finish(read)
 
     def finish(self, read: Callable[[], None]) -> Preprocessed:
-        """Gives what was written when `read` is done, or could not go on."""
+        """Return what was written when `read` is done, or could not go on."""
         report = self.state.report
         try:
             read()
@@ -145,7 +145,7 @@ class _Run:
         self.gnu.finish()
 
     def _define_options(self, folder: Path) -> None:
-        """Opens a text that does what `-D` and `-U` say, to be read before the main file."""
+        """Open a text that does what `-D` and `-U` say, to be read before the main file."""
         lines: list[str] = []
         for definition in self.options.defines:
             name, equals, value = definition.partition("=")
@@ -159,7 +159,7 @@ class _Run:
         self.state.open(text, folder, None, text.start)
 
     def _include_dialect(self, folder: Path) -> None:
-        """Opens the header of a dialect, to be read before the main file."""
+        """Open the header of a dialect, to be read before the main file."""
         name = DIALECT_HEADERS.get(self.options.dialect)
         if name is not None:
             found = self.state.headers.find(name, quoted=False, folder=folder)
@@ -167,7 +167,7 @@ class _Run:
             self.state.include(found, self.state.reader.text.start)
 
     def _next_line(self) -> tuple[str, Place] | None:
-        """Gives the next line of the innermost file that is no directive, none at its end."""
+        """Return the next line of the innermost file that is no directive, none at its end."""
         state = self.state
         while (line := state.reader.next_line()) is not None:
             text, place = line
@@ -183,7 +183,7 @@ class _Run:
         conditionals.close_all(self.state.readers.pop(), self.state.report)
 
     def _write(self, text: str, place: Place) -> None:
-        """Writes what a line becomes, and what it needs of the lines that follow."""
+        """Write what a line becomes, and what it needs of the lines that follow."""
         untouched = self.state.watched.isdisjoint(_WORD.findall(text))
         if untouched and is_plain(text) and not self.gnu.is_open:
             self.writer.line(text, place)
@@ -196,7 +196,7 @@ class _Run:
         self.writer.tokens(respell(tokens, self.state.report))
 
     def _more(self, depth: int) -> list[Token] | None:
-        """Gives the tokens of the next line for a call that goes on, none at the file's end.
+        """Return the tokens of the next line for a call that goes on, none at the file's end.
 
         Args:
             depth: how many files were open where the call began.

@@ -64,11 +64,11 @@ class Reader:
 
     @property
     def skipping(self) -> bool:
-        """Tells whether the lines here are left out."""
+        """Return whether the lines here are left out."""
         return bool(self.conditionals) and not self.conditionals[-1].active
 
     def next_line(self) -> tuple[str, Place] | None:
-        """Gives the next logical line and its place, none at the end of the file."""
+        """Return the next logical line and its place, none at the end of the file."""
         lines = self.text.lines
         if self._index >= len(lines):
             return None

@@ -26,7 +26,7 @@ class StopError(Exception):
 
 @dataclass(slots=True)
 class Report:
-    """Collects the messages of one run.
+    """Collect the messages of one run.
 
     Attributes:
         diagnostics: where they go.
@@ -39,7 +39,7 @@ class Report:
     _warnings: int = 0
 
     def error(self, place: Place, text: str, hint: str = "") -> None:
-        """Records an error.
+        """Record an error.
 
         Raises:
             StopError: there are too many.
@@ -50,18 +50,18 @@ class Report:
             self.fatal(place, f"too many errors ({MAX_ERRORS}), the rest is not read")
 
     def warning(self, place: Place, text: str, hint: str = "") -> None:
-        """Records a warning, unless there were very many."""
+        """Record a warning, unless there were very many."""
         self._warnings += 1
         if self._warnings <= MAX_WARNINGS:
             self.diagnostics.warning(self.places.location(place), text, hint)
 
     def note(self, place: Place, text: str) -> None:
-        """Adds to the warning before it, if that was recorded."""
+        """Add to the warning before it, if that was recorded."""
         if self._warnings <= MAX_WARNINGS:
             self.diagnostics.add("note", self.places.location(place), text)
 
     def fatal(self, place: Place, text: str, hint: str = "") -> NoReturn:
-        """Records an error after which nothing more can be read.
+        """Record an error after which nothing more can be read.
 
         Raises:
             StopError: always.

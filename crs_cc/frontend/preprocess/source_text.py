@@ -38,7 +38,7 @@ _UNDECODABLE: Final = re.compile("[\udc80-\udcff]")
 
 
 def decode(content: bytes) -> str:
-    """Gives the text of a file, in UTF-8 with or without a mark, with lines ending in newlines.
+    """Return the text of a file, in UTF-8 with or without a mark, with lines ending in newlines.
 
     Bytes that are not UTF-8 (old sources have Latin-1 in their comments) become surrogates, as
     Python's `surrogateescape` makes them.
@@ -49,7 +49,7 @@ def decode(content: bytes) -> str:
 
 
 def without_trigraphs(text: str) -> str:
-    r"""Replaces the nine trigraphs (C17 5.2.1.1); what follows in a line moves by two columns.
+    r"""Replace the nine trigraphs (C17 5.2.1.1); what follows in a line moves by two columns.
 
     >>> without_trigraphs("??=define A(x) x??(0??) ?????/")
     '#define A(x) x[0] ???\\'
@@ -58,13 +58,13 @@ def without_trigraphs(text: str) -> str:
 
 
 def is_binary(content: bytes) -> bool:
-    """Tells whether bytes are no text in any encoding, but a program, a picture or an archive."""
+    """Return whether bytes are no text in any encoding, but a program, a picture or an archive."""
     odd = len(content) - len(content.translate(None, _CONTROLS))
     return odd > 4 + len(content) // 100
 
 
 def printable(text: str) -> str:
-    """Gives a text that can be shown: bytes that are not UTF-8 are replaced."""
+    """Return a text that can be shown: bytes that are not UTF-8 are replaced."""
     return text if text.isascii() else _UNDECODABLE.sub("\N{REPLACEMENT CHARACTER}", text)
 
 
@@ -89,7 +89,7 @@ class SourceText:
     unclosed_comment: Place | None
 
     def location(self, place: Place) -> Location:
-        """Gives line and column of a place in this file."""
+        """Return line and column of a place in this file."""
         offset = min(place - self.start, self.size)
         line = bisect_right(self.line_starts, offset)
         return Location(self.name, line, offset - self.line_starts[line - 1] + 1)
@@ -103,7 +103,7 @@ class Places:
     _starts: list[Place] = field(default_factory=list)
 
     def add(self, name: str, content: str) -> SourceText:
-        """Appends the content of a file, with newlines as line ends."""
+        """Append the content of a file, with newlines as line ends."""
         start = self.texts[-1].start + self.texts[-1].size + 1 if self.texts else 0
         joined, line_starts = _join_lines(content)
         blanked, unclosed = _blank_comments(joined)
@@ -120,12 +120,12 @@ class Places:
         return text
 
     def location(self, place: Place) -> Location:
-        """Gives the file, line and column of a place."""
+        """Return the file, line and column of a place."""
         return self.texts[bisect_right(self._starts, place) - 1].location(place)
 
 
 def _join_lines(content: str) -> tuple[str, list[int]]:
-    """Removes each backslash that ends a line, and the newline (C17 5.1.1.2, phase 2).
+    """Remove each backslash that ends a line, and the newline (C17 5.1.1.2, phase 2).
 
     White space after the backslash is removed too, as gcc does: nobody can see it.
 
@@ -147,7 +147,7 @@ def _join_lines(content: str) -> tuple[str, list[int]]:
 
 
 def _blank_comments(text: str) -> tuple[str, int | None]:
-    """Replaces comments by white space of the same length (C17 5.1.1.2, phase 3).
+    """Replace comments by white space of the same length (C17 5.1.1.2, phase 3).
 
     Returns:
         the text, and the offset of a comment that is not closed.

@@ -69,12 +69,12 @@ _UNIVERSAL: Final = re.compile(r"\\(?:u([0-9a-fA-F]{4})|U([0-9a-fA-F]{8}))|([^\x
 
 
 def is_plain(line: str) -> bool:
-    """Tells whether all tokens of a line are C as the parser reads it."""
+    """Return whether all tokens of a line are C as the parser reads it."""
     return _PLAIN.fullmatch(line) is not None
 
 
 def respell(tokens: Sequence[Token], report: Report) -> list[Token]:
-    """Gives tokens as the parser can read them; reports those that are not C, and drops them."""
+    """Return tokens as the parser can read them; reports those that are not C, and drops them."""
     result = []
     for token in tokens:
         kind = token.kind
@@ -95,7 +95,7 @@ def respell(tokens: Sequence[Token], report: Report) -> list[Token]:
 
 
 def _odd(token: Token, report: Report) -> str | None:
-    """Gives the usual spelling of a digraph; reports any other odd token."""
+    """Return the usual spelling of a digraph; reports any other odd token."""
     if token.text in _DIGRAPHS:
         return _DIGRAPHS[token.text]
     if token.kind == PUNCTUATOR:
@@ -120,7 +120,7 @@ def _odd(token: Token, report: Report) -> str | None:
 
 
 def _ascii_name(name: str) -> str:
-    """Gives a name with each letter outside ASCII as `$u` and its number: the parser wants it."""
+    """Return a name with each letter outside ASCII as `$u` and its number: the parser wants it."""
     if name.isascii() and "\\" not in name:
         return name
 
@@ -150,7 +150,7 @@ def _number(token: Token, report: Report) -> str:
 
 
 def _quoted(token: Token, report: Report) -> str:
-    """Gives a string literal or character constant with escape sequences that the parser knows."""
+    """Return a string literal or character constant with escape sequences that the parser knows."""
     text = token.text
     if token.kind == CHARACTER:
         size = len(_ONE_CHARACTER.findall(text.partition("'")[2][:-1]))

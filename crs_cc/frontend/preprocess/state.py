@@ -49,7 +49,7 @@ class State:
     """The state of a run.
 
     Attributes:
-        report: hears of errors.
+        report: receives messages about errors.
         headers: finds header files.
         macros: the macros, by name.
         watched: words that a line must not have, to be passed on as it is.
@@ -79,11 +79,11 @@ class State:
 
     @property
     def reader(self) -> Reader:
-        """Gives the file that is being read."""
+        """Return the file that is being read."""
         return self.readers[-1]
 
     def define(self, macro: Macro) -> None:
-        """Adds a macro; the same name may be defined again with the same meaning only."""
+        """Add a macro; the same name may be defined again with the same meaning only."""
         known = self.macros.get(macro.name)
         if known is not None and not known.same_as(macro):
             self.report.warning(macro.place, f"'{macro.name}' is defined again, otherwise")
@@ -98,16 +98,16 @@ class State:
             self.watched.discard(name)
 
     def expand(self, tokens: Sequence[Token], more: MoreTokens | None = None) -> list[Token]:
-        """Replaces all macros in tokens; `more` gives the next lines for a call that goes on."""
+        """Replace all macros in tokens; `more` gives the next lines for a call that goes on."""
         return expand(tokens, self.macros, self.budget, self.report, more, uses=self.uses)
 
     def expand_condition(self, tokens: Sequence[Token]) -> list[Token]:
-        """Replaces all macros in the expression of `#if`, but no operands of `defined`."""
+        """Replace all macros in the expression of `#if`, but no operands of `defined`."""
         macros = ChainMap({DEFINED.name: DEFINED}, self.macros)
         return expand(tokens, macros, self.budget, self.report)
 
     def include(self, header: Header, place: Place) -> None:
-        """Opens a header, to be read next.
+        """Open a header, to be read next.
 
         Args:
             header: the file.
@@ -143,7 +143,7 @@ class State:
         return text
 
     def open(self, text: SourceText, folder: Path, header: Header | None, place: Place) -> None:
-        """Begins to read a text.
+        """Start to read a text.
 
         Raises:
             StopError: there is too much source.

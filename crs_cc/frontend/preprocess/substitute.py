@@ -42,7 +42,7 @@ def substitute(
     budget: Budget,
     report: Report,
 ) -> list[Token]:
-    """Gives the tokens of a macro's body, with the arguments in the place of the parameters.
+    """Return the tokens of a macro's body, with the arguments in the place of the parameters.
 
     Args:
         macro: the macro.
@@ -50,7 +50,7 @@ def substitute(
         arguments: the arguments as written.
         expanded: those that the macro needs with their macros replaced, by number.
         budget: pays for the tokens.
-        report: hears of tokens that cannot be pasted.
+        report: receives messages about tokens that cannot be pasted.
 
     Raises:
         ExhaustedError: the budget is used up.
@@ -65,7 +65,7 @@ def substitute(
 
 
 def stringise(tokens: Sequence[Token]) -> str:
-    """Gives tokens as a string literal (C17 6.10.3.2)."""
+    """Return tokens as a string literal (C17 6.10.3.2)."""
     quoted = [
         Token(token.kind, _escaped(token.text), token.place, token.spaced)
         if token.kind in (STRING, CHARACTER)
@@ -108,7 +108,7 @@ class _Substitution:
         return result
 
     def _tokens(self, part: Part) -> list[Token]:
-        """Gives what a part puts in its place, never nothing."""
+        """Return what a part puts in its place, never nothing."""
         spaced = part.token.spaced
         if part.kind == "string":
             argument = self.arguments[part.argument]
@@ -161,7 +161,7 @@ def _without_placemarkers(tokens: list[Token]) -> list[Token]:
 
 
 def _spaced(tokens: list[Token], spaced: bool) -> list[Token]:
-    """Gives tokens of which the first has white space before it, or has not."""
+    """Return tokens of which the first has white space before it, or has not."""
     if not tokens or tokens[0].spaced == spaced:
         return tokens
     return [tokens[0].moved(tokens[0].place, spaced), *tokens[1:]]

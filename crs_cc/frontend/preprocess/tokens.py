@@ -72,16 +72,16 @@ class Token:
     painted: bool = False
 
     def moved(self, place: Place, spaced: bool) -> Token:
-        """Gives the same token at another place."""
+        """Return the same token at another place."""
         return Token(self.kind, self.text, place, spaced, self.painted)
 
     def respelled(self, text: str) -> Token:
-        """Gives the same token in another spelling."""
+        """Return the same token in another spelling."""
         return Token(self.kind, text, self.place, self.spaced, self.painted)
 
 
 def tokenise(line: str, place: Place) -> list[Token]:
-    """Cuts a logical line, of which the first character is at a place, into tokens."""
+    """Cut a logical line, of which the first character is at a place, into tokens."""
     tokens = []
     end = 0
     for match in _TOKEN.finditer(line):
@@ -94,12 +94,12 @@ def tokenise(line: str, place: Place) -> list[Token]:
 
 
 def spell(tokens: Sequence[Token]) -> str:
-    """Gives the text of tokens, with one space where there was white space between them."""
+    """Return the text of tokens, with one space where there was white space between them."""
     parts = [(" " if token.spaced else "") + token.text for token in tokens]
     return "".join(parts).lstrip()
 
 
 def shown(text: str, limit: int = 60) -> str:
-    """Gives a text as a message quotes it: printable and not too long."""
+    """Return a text as a message quotes it: printable and not too long."""
     text = printable(text)
     return text if len(text) <= limit else text[: limit - 3] + "..."

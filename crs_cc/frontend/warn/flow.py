@@ -1,8 +1,8 @@
-"""Follows the paths through a function: is a variable read before it has a value, is one returned?
+"""Follow the paths through a function: is a variable read before it has a value, is one returned?
 
 Said is only what is certain on every path that the source shows: a variable counts as unassigned
 only where no path from its declaration assigns it. A loop may have assigned it in an earlier round,
-so in a loop that assigns it somewhere nothing is said behind a condition. Behind a label nothing is
+so in a loop that assigns it somewhere nothing is said after a condition. Behind a label nothing is
 known.
 """
 
@@ -23,7 +23,7 @@ Unassigned = set[ObjectSymbol]
 
 
 def warn_paths(unit: Unit, function: tree.FunctionDefinition) -> None:
-    """Warns of variables that are read before they have a value, and of a missing `return`."""
+    """Warn about variables that are read before they have a value, and of a missing `return`."""
     paths = _Paths(unit, _assigned_in_loops(function.body))
     ends = paths.block(function.body)
     symbol = function.symbol
@@ -69,14 +69,14 @@ class _Paths:
     log: list[ObjectSymbol] = field(default_factory=list)
 
     def block(self, statements: list[tree.Statement]) -> bool:
-        """Walks through statements; tells whether their end can be reached."""
+        """Walk through statements; return whether their end can be reached."""
         reached = True
         for each in statements:
             reached = self.statement(each, reached)
         return reached
 
     def statement(self, node: tree.Statement, reached: bool) -> bool:
-        """Walks through a statement; tells whether its end can be reached."""
+        """Walk through a statement; return whether its end can be reached."""
         match node:
             case tree.ExpressionStatement():
                 self.value(node.expression)
@@ -192,7 +192,7 @@ class _Paths:
     # Expressions
 
     def value(self, node: Any) -> None:
-        """Walks through an expression in the order in which it is evaluated."""
+        """Walk through an expression in the order in which it is evaluated."""
         match node:
             case tree.ObjectName():
                 self._read(node)
@@ -220,7 +220,7 @@ class _Paths:
                     self.log.append(target)
 
     def _maybe(self, node: Any) -> None:
-        """Walks through an expression that is not always evaluated."""
+        """Walk through an expression that is not always evaluated."""
         mark, forgotten = len(self.log), self._hesitate()
         self.value(node)
         if forgotten:
@@ -235,7 +235,7 @@ class _Paths:
 
 
 def _assigned_in_loops(body: list[tree.Statement]) -> dict[Any, Unassigned]:
-    """Gives for each loop and switch the variables that are assigned somewhere in it."""
+    """Return for each loop and switch the variables that are assigned somewhere in it."""
     found: dict[Any, Unassigned] = {}
     open_: list[Unassigned] = [set()]
     stack: list[Any] = list(reversed(body))
@@ -261,7 +261,7 @@ _CLOSE: Final = object()
 
 
 def _target(node: Any) -> ObjectSymbol | None:
-    """Gives the variable that an expression assigns, if it assigns one."""
+    """Return the variable that an expression assigns, if it assigns one."""
     if isinstance(node, tree.Assign | tree.CompoundAssign | tree.Increment):
         target = node.target
         return target.symbol if isinstance(target, tree.ObjectName) else None
@@ -269,12 +269,12 @@ def _target(node: Any) -> ObjectSymbol | None:
 
 
 def _constant(condition: tree.Expression) -> bool | None:
-    """Gives the value of a constant condition, None for any other."""
+    """Return the value of a constant condition, None for any other."""
     return bool(condition.value) if isinstance(condition, tree.Literal) else None
 
 
 def _ends(value: tree.Expression) -> bool:
-    """Tells whether an expression never comes to its end."""
+    """Return whether an expression never comes to its end."""
     match value:
         case tree.Call(callee=tree.FunctionName(symbol=symbol)):
             return symbol.is_noreturn or (symbol.is_external and symbol.name in _NEVER_RETURN)
@@ -292,5 +292,5 @@ def _ends(value: tree.Expression) -> bool:
 
 
 def _is_tangled(node: tree.Switch) -> bool:
-    """Tells whether labels of a switch lie deeper in its body, as in Duff's device."""
+    """Return whether labels of a switch lie deeper in its body, as in Duff's device."""
     return sum(isinstance(each, tree.CaseLabel) for each in node.body) != len(node.labels)

@@ -1,4 +1,4 @@
-"""Warns of what is C, but hardly what was meant, in functions that were checked without errors.
+"""Warn about what is C, but hardly what was meant, in functions that were checked without errors.
 
 Values that nobody uses, and constant indices outside their array; what needs the paths through a
 function is in `warn_flow`.
@@ -54,7 +54,7 @@ def warn_unit(unit: Unit) -> None:
 
 
 def _warn_unused(unit: Unit, value: tree.Expression) -> None:
-    """Warns of a value that is dropped, if there was no reason to compute it but the value."""
+    """Warn about a value that is dropped, if there was no reason to compute it but the value."""
     if isinstance(value, tree.Call):
         _warn_call(unit, value)
         return
@@ -75,13 +75,13 @@ def _has_effect(value: tree.Expression) -> bool:
 
 
 def _is_macro(unit: Unit, place: Location) -> bool:
-    """Tells whether a name in capitals stands at a place: it may well be a macro for nothing."""
+    """Return whether a name in capitals stands at a place: it may well be a macro for nothing."""
     line = unit.diagnostics.lines.get(place.file, [])[place.line - 1 : place.line]
     return bool(line) and re.match(r"[A-Z][A-Z0-9_]+\b", line[0][place.column - 1 :]) is not None
 
 
 def _warn_call(unit: Unit, call: tree.Call) -> None:
-    """Warns of a dropped value of a function that only gives one."""
+    """Warn about a dropped value of a function that only gives one."""
     if isinstance(call.callee, tree.FunctionName) and not isinstance(call.type, VoidType):
         symbol = call.callee.symbol
         if symbol.is_external and symbol.name in _PURE:
@@ -90,7 +90,7 @@ def _warn_call(unit: Unit, call: tree.Call) -> None:
 
 
 def _is_volatile(value: tree.Expression) -> bool:
-    """Tells whether to read an expression is an effect; reading drops its type's qualifiers."""
+    """Return whether to read an expression is an effect; reading drops its type's qualifiers."""
     return any(
         (isinstance(each, tree.ObjectName) and each.symbol.type.volatile)
         or (isinstance(each, tree.Dereference | tree.MemberAccess) and _points_to_volatile(each))
@@ -106,7 +106,7 @@ def _points_to_volatile(value: Any) -> bool:
 
 
 def _warn_index(unit: Unit, access: tree.Dereference) -> None:
-    """Warns of a constant index that the array does not have."""
+    """Warn about a constant index that the array does not have."""
     match access.pointer:
         case tree.PointerAdd(
             pointer=tree.AddressOf(operand=array), index=tree.Literal(value=index), minus=minus

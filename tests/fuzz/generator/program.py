@@ -39,7 +39,7 @@ TOPICS: dict[str, Topic] = {
 
 
 def generate(seed: int) -> str:
-    """Gives a program without undefined behaviour that prints what it computes."""
+    """Return a program without undefined behaviour that prints what it computes."""
     source = Source(seed)
     source.add(*PRELUDE.splitlines(), "")
     functions: list[Function] = []

@@ -22,7 +22,7 @@ class Source:
         self._named = 0
 
     def name(self, prefix: str) -> str:
-        """Gives a name that nothing else has."""
+        """Return a name that nothing else has."""
         self._named += 1
         return f"{prefix}{self._named}"
 
@@ -31,7 +31,7 @@ class Source:
 
     @contextlib.contextmanager
     def block(self, head: str, tail: str = "}") -> Iterator[None]:
-        """Puts what is added meanwhile between braces."""
+        """Put what is added meanwhile between braces."""
         self.add(f"{head} {{" if head else "{")
         self._depth += 1
         yield

@@ -55,12 +55,12 @@ ARITHMETIC = [*INTEGERS, FLOAT, DOUBLE]
 
 
 def promoted(ctype: Type) -> Type:
-    """Gives the type of an integer operand after its promotion (C17 6.3.1.1)."""
+    """Return the type of an integer operand after its promotion (C17 6.3.1.1)."""
     return INT if ctype.rank < INT.rank else ctype
 
 
 def common(left: Type, right: Type) -> Type:
-    """Gives the type that two operands are brought to (C17 6.3.1.8)."""
+    """Return the type that two operands are brought to (C17 6.3.1.8)."""
     if left.is_float or right.is_float:
         return left if left.rank > right.rank else right
     low, high = sorted((promoted(left), promoted(right)), key=lambda ctype: ctype.rank)

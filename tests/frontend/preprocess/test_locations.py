@@ -15,7 +15,7 @@ from pycparser.c_parser import CParser
 from crs_cc.core.source import Diagnostics, Location
 from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.preprocess.preprocessor import Preprocessed, preprocess
-from tests.frontend.preprocessing import run, without_attributes
+from tests.frontend.preprocess.preprocessing import run, without_attributes
 
 SOURCE = """\
 #define ZERO 0
@@ -45,7 +45,7 @@ int g(void) {\tint in_function = ZERO; return\tin_function + last_use; }
 
 
 class _Names(c_ast.NodeVisitor):
-    """Collects where each declared or used name is."""
+    """Collect where each declared or used name is."""
 
     def __init__(self, program: Preprocessed) -> None:
         self.program = program
@@ -64,14 +64,14 @@ class _Names(c_ast.NodeVisitor):
 
 
 def names(program: Preprocessed) -> dict[str, Location]:
-    """Parses a program and gives where each name first is."""
+    """Parse a program and gives where each name first is."""
     visitor = _Names(program)
     visitor.visit(CParser().parse(without_attributes(program.text)))
     return visitor.places
 
 
 def written(source: str, name: str, file: str = "a.c") -> Location:
-    """Gives where a name stands in a source, from the source itself."""
+    """Return where a name stands in a source, from the source itself."""
     before = source[: source.index(name)]
     return Location(file, before.count("\n") + 1, len(before) - before.rfind("\n"))
 

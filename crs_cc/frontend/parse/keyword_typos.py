@@ -1,7 +1,7 @@
-"""Reads misspelt keywords as what they were meant to be: `retrun 0;`, `viod turn(int a)`.
+"""Replace misspelled keywords by what they were meant to be: `retrun 0;`, `viod turn(int a)`.
 
-Only a name that nobody declared is taken for a keyword, and only where what follows cannot follow
-a name: then there is one error, at the name, and none for all that would come of it.
+Only an undeclared name is taken for a keyword, and only where what follows cannot follow a name:
+then there is one error, at the name, and none for its consequences.
 """
 
 from __future__ import annotations
@@ -10,10 +10,9 @@ import difflib
 from collections.abc import Iterable
 from typing import Any, Final
 
+from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.error_limit import report
-from crs_cc.frontend.parse.attributes import AttributeParser
-from crs_cc.frontend.parse.lexer import Token
-from crs_cc.frontend.parse.suspicious import Node
+from crs_cc.frontend.parse.token_stream import TokenStream
 
 SPECIFIERS: Final = {
     each: each.upper()
@@ -23,7 +22,7 @@ SPECIFIERS: Final = {
         "volatile",
     )
 }  # fmt: skip
-"""The keywords that begin declarations, with their tokens' types."""
+"""The keywords that start declarations, with their tokens' types."""
 
 _WITH_CONDITION: Final = frozenset({"if", "while", "for", "switch"})
 _ALONE: Final = frozenset({"break", "continue", "return"})
@@ -42,43 +41,36 @@ _MEANT: Final[dict[str, frozenset[str]]] = (
         "keyword": _BEFORE_STATEMENT | SPECIFIERS.keys() | {"return"},
     }
 )
-"""What an unknown name at the beginning of a statement may have been, by what follows it."""
+"""What an unknown name at the start of a statement may have been, by what follows it."""
 
 
-class MisspeltParser(AttributeParser):
-    """The parser that knows keywords by their letters."""
+class KeywordTypos:
+    """Find misspelled keywords at the next tokens."""
 
-    _scope_stack: list[dict[str, bool]]
-    _typedef_checked_token: Token | None
+    def __init__(self, stream: TokenStream, diagnostics: Diagnostics) -> None:
+        self._stream = stream
+        self._diagnostics = diagnostics
 
-    def _parse_statement(self) -> Node:
-        self._mend_statement()
-        return super()._parse_statement()
-
-    def _parse_pragmacomp_or_statement(self) -> Node:
-        node = super()._parse_pragmacomp_or_statement()
-        self._mend_statement()  # an `else`, for which the `if` looks next
-        return node
-
-    def _mend_statement(self) -> None:
-        """Mends a keyword at the beginning of a statement or of a declaration in a block."""
-        token, following = self._buffer[self._index : self._index + 2]
+    def fix_statement(self) -> None:
+        """Fix a keyword that starts a statement or a declaration in a block."""
+        token, following = self._stream.buffer[self._stream.index : self._stream.index + 2]
         if token is None or following is None or token.type != "ID":
             return
-        if any(token.value in scope for scope in self._scope_stack):
+        if self._stream.is_declared(token.value):
             return
         if following.type == "LPAREN":
             if self._has_body():
-                self._mend(0, _WITH_CONDITION)
+                self._fix(0, _WITH_CONDITION)
         elif following.type == "TIMES":
-            self._mend_specifier(0)
+            self.fix_specifier(0)
         else:
             kind = "keyword" if _is_keyword(following) else following.type
-            self._mend(0, _MEANT.get(kind, ()))
+            self._fix(0, _MEANT.get(kind, ()))
 
-    def _mend_specifier(self, ahead: int) -> None:
-        """Mends a keyword in a declaration, some tokens ahead."""
-        token, following, name = self._buffer[self._index + ahead : self._index + ahead + 3]
+    def fix_specifier(self, ahead: int) -> None:
+        """Fix a keyword in a declaration, so many tokens ahead."""
+        start = self._stream.index + ahead
+        token, following, name = self._stream.buffer[start : start + 3]
         if token is None or following is None or token.type != "ID":
             return
         if following.type == "TIMES":
@@ -86,19 +78,20 @@ class MisspeltParser(AttributeParser):
         else:
             is_meant = following.type in {"ID", "TYPEID"} or _is_keyword(following)
         if is_meant:
-            self._mend(ahead, SPECIFIERS)
+            self._fix(ahead, SPECIFIERS)
 
     def _has_body(self) -> bool:
-        """Tells whether a statement follows the parentheses behind the next token."""
-        depth, index = 0, self._index + 1
-        while (token := self._buffer[index]) is not None:
+        """Return whether a statement follows the parentheses after the next token."""
+        buffer = self._stream.buffer
+        depth, index = 0, self._stream.index + 1
+        while (token := buffer[index]) is not None:
             depth += {"LPAREN": 1, "RPAREN": -1}.get(token.type, 0)
             if depth == 0 or token.type in {"LBRACE", "RBRACE"}:
                 break
             if token.type == "SEMI":
                 return depth == 1
             index += 1
-        behind = self._buffer[index + 1] if token is not None else None
+        behind = buffer[index + 1] if token is not None else None
         if depth or behind is None:
             return False
         is_far = behind.lineno > token.lineno  # where only a semicolon may be missing
@@ -106,16 +99,16 @@ class MisspeltParser(AttributeParser):
             return True
         return (behind.type in {"ID", "TYPEID"} or _is_keyword(behind)) and not is_far
 
-    def _mend(self, ahead: int, keywords: Iterable[str]) -> None:
-        """Makes a name that nobody declared the keyword that it is like, if it is like one."""
-        index = self._index + ahead
-        token = self._buffer[index]
-        if any(token.value in scope for scope in self._scope_stack):
+    def _fix(self, ahead: int, keywords: Iterable[str]) -> None:
+        """Replace an undeclared name by the keyword that resembles it, if there is one."""
+        token = self._stream.buffer[self._stream.index + ahead]
+        if self._stream.is_declared(token.value):
             return
         keyword = closest_keyword(token.value, keywords)
         if not keyword:
             return
-        types = [name for scope in self._scope_stack for name, is_type in scope.items() if is_type]
+        scopes = self._stream.scopes
+        types = [name for scope in scopes for name, is_type in scope.items() if is_type]
         if keyword in SPECIFIERS and closest_keyword(token.value, [*types, keyword]) != keyword:
             return
         is_type = keyword in SPECIFIERS
@@ -126,12 +119,11 @@ class MisspeltParser(AttributeParser):
             f"{what} '{token.value}'",
             f"did you mean '{keyword}'?",
         )
-        self._buffer[index] = token.copy(keyword.upper(), keyword)
-        self._typedef_checked_token = None
+        self._stream.replace(ahead, token.copy(keyword.upper(), keyword))
 
 
 def closest_keyword(word: str, keywords: Iterable[str]) -> str:
-    """Gives the keyword that a word is like, "" when there is none.
+    """Return the keyword that resembles a word, "" if none does.
 
     >>> closest_keyword("fro", ["for", "float"]), closest_keyword("flaot", ["for", "float"])
     ('for', 'float')

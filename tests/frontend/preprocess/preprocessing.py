@@ -1,6 +1,6 @@
 """Preprocessing snippets of C in tests: what comes out, and what the user is told.
 
-The snippets stand in files of `data/preprocess`: each has a title after `===`, the source, and
+The snippets stand in files of `data`: each has a title after `===`, the source, and
 after `--- gives` the tokens that it becomes or after `--- says` the messages about it.
 """
 
@@ -16,35 +16,35 @@ from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.preprocess.preprocessor import Preprocessed, preprocess_text
 from crs_cc.frontend.preprocess.tokens import tokenise
 
-DATA = Path(__file__).parent / "data" / "preprocess"
+DATA = Path(__file__).parent / "data"
 
 
 def run(source: str, options: Options | None = None) -> tuple[Preprocessed, Diagnostics]:
-    """Gives the preprocessed text and all messages."""
+    """Return the preprocessed text and all messages."""
     diagnostics = Diagnostics()
     return preprocess_text(source, "a.c", options or Options(), diagnostics), diagnostics
 
 
 def tokens(text: str) -> list[str]:
-    """Gives the tokens of a text, whatever the white space between them."""
+    """Return the tokens of a text, whatever the white space between them."""
     return [token.text for line in text.split("\n") for token in tokenise(line, 0)]
 
 
 def result(source: str, options: Options | None = None) -> list[str]:
-    """Gives the tokens that a text without errors and warnings becomes."""
+    """Return the tokens that a text without errors and warnings becomes."""
     program, diagnostics = run(source, options)
     assert [message.render() for message in diagnostics.messages] == []
     return tokens(program.text)
 
 
 def without_attributes(text: str) -> str:
-    """Gives a text in which spaces stand for GNU attributes, which pycparser does not know."""
+    """Return a text in which spaces stand for GNU attributes, which pycparser does not know."""
     group = r"__attribute__\s*\(\s*\((?:[^()]|\([^()]*\))*\)\s*\)"
     return re.sub(group, lambda found: re.sub(r"\S", " ", found[0]), text)
 
 
 def messages(source: str, options: Options | None = None) -> list[str]:
-    """Gives the messages about a text, each as `line:column: severity: text`."""
+    """Return the messages about a text, each as `line:column: severity: text`."""
     _, diagnostics = run(source, options)
     return [
         message.render().split("\n")[0].removeprefix("a.c:") for message in diagnostics.messages
@@ -52,7 +52,7 @@ def messages(source: str, options: Options | None = None) -> list[str]:
 
 
 def cases(file: str, kind: str) -> list[object]:
-    """Gives the cases of a file as parameters, source and expectation, of one kind."""
+    """Return the cases of a file as parameters, source and expectation, of one kind."""
     text = (DATA / file).read_text(encoding="utf-8")
     pattern = r"^=== (.*)\n((?:.*\n)*?)--- (gives|says)\n((?:(?!=== ).*\n)*)"
     found = re.findall(pattern, text, re.MULTILINE)

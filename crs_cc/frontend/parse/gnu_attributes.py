@@ -19,21 +19,13 @@ from __future__ import annotations
 import difflib
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Final, TypeAlias
+from typing import Any, Final, TypeAlias
 
 from crs_cc.core.source import Diagnostics, Location
-
-if TYPE_CHECKING:
-    from crs_cc.frontend.parse.lexer import Token
+from crs_cc.frontend.parse.lexer import Token
+from crs_cc.frontend.preprocess.gnu import ASM_LABEL, KEYWORD, PACK
 
 Node: TypeAlias = Any
-
-KEYWORD: Final = "__attribute__"
-PACK: Final = "__pragma_pack__"
-"""What the preprocessor makes of `#pragma pack(...)`: an attribute of this name."""
-
-ASM_LABEL: Final = "__asm_label__"
-"""What the preprocessor makes of `asm("name")` behind a declarator."""
 
 _MADE: Final = frozenset({PACK, ASM_LABEL})
 
@@ -86,11 +78,11 @@ def take_attributes(
 
     Args:
         tokens: the file.
-        diagnostics: hears of those that are wrong, unknown or not supported.
+        diagnostics: receives messages about those that are wrong, unknown or not supported.
 
     Returns:
         the other tokens, and the attributes by the token that they stand before. A `struct` and
-        `union` that `#pragma pack` applies to has it before the token behind the keyword.
+        `union` that `#pragma pack` applies to has it before the token after the keyword.
     """
     rest: list[Token] = []
     before: dict[Token, list[Attribute]] = {}
@@ -121,7 +113,7 @@ def take_attributes(
 
 
 def _inside(tokens: Sequence[Token], start: int) -> tuple[Sequence[Token] | None, int]:
-    """Gives what stands between `((` and `))`, and the index behind; none if that is not there."""
+    """Return what stands between `((` and `))`, and the index after; none if that is not there."""
     depth = 0
     for index in range(start, len(tokens)):
         depth += {"LPAREN": 1, "RPAREN": -1}.get(tokens[index].type, 0)
@@ -133,7 +125,7 @@ def _inside(tokens: Sequence[Token], start: int) -> tuple[Sequence[Token] | None
 
 
 def _split(tokens: Sequence[Token]) -> list[Attribute]:
-    """Gives the attributes of a list with commas between them."""
+    """Return the attributes of a list with commas between them."""
     found: list[Attribute] = []
     depth, is_first = 0, True
     for token in tokens:
@@ -159,7 +151,7 @@ def _split(tokens: Sequence[Token]) -> list[Attribute]:
 
 
 def _accepts(attribute: Attribute, diagnostics: Diagnostics) -> bool:
-    """Tells whether an attribute is obeyed; says so if it is not known or not supported."""
+    """Return whether an attribute is obeyed; says so if it is not known or not supported."""
     name = attribute.name
     if name in _REFUSED:
         diagnostics.error(attribute.location, f"attribute '{name}' is not supported")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.frontend.preprocessing import cases, messages, result, run, tokens
+from tests.frontend.preprocess.preprocessing import cases, messages, result, run, tokens
 
 
 @pytest.mark.parametrize(("source", "expected"), cases("directives.txt", "gives"))

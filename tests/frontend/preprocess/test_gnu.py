@@ -10,7 +10,14 @@ from pycparser.c_parser import CParser
 from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.preprocess.preprocessor import preprocess
-from tests.frontend.preprocessing import cases, messages, result, run, tokens, without_attributes
+from tests.frontend.preprocess.preprocessing import (
+    cases,
+    messages,
+    result,
+    run,
+    tokens,
+    without_attributes,
+)
 
 
 @pytest.mark.parametrize(

@@ -28,12 +28,12 @@ _WORDS: Final = frozenset(
 
 
 def hint_for_type(name: str) -> str:
-    """Gives what to use for an unknown type, empty text if it is of no language that we know."""
+    """Return what to use for an unknown type, empty text if it is of no language that we know."""
     return CPLUSPLUS if name in _WORDS else _TYPES.get(name.lower(), "")
 
 
 def is_cplusplus(words: list[str]) -> bool:
-    """Tells whether the tokens around an error, in order, are of C++.
+    """Return whether the tokens around an error, in order, are of C++.
 
     >>> is_cplusplus(["p", "=", "new", "Robot"]), is_cplusplus(["Robot", ":", ":", "turn"])
     (True, True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from crs_cc.frontend.preprocess.options import Options
-from tests.frontend.preprocessing import cases, messages, result, run, tokens
+from tests.frontend.preprocess.preprocessing import cases, messages, result, run, tokens
 
 
 @pytest.mark.parametrize(("source", "expected"), cases("macros.txt", "gives"))

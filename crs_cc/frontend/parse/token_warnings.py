@@ -1,48 +1,46 @@
-"""Warns of what looks like something else: `if (a = b)`, `x =+ 1`, `if (x);`.
-
-Only the tokens show it, so the parser tells.
-"""
+"""Warnings that only the tokens can justify: `if (a = b)`, `x =+ 1`, `if (x);`."""
 
 from __future__ import annotations
 
-from typing import Any, Final, TypeAlias
+from typing import Final
 
 from pycparser import c_ast
 
 from crs_cc.core.source import Diagnostics
-from crs_cc.frontend.parse.expressions import ExpressionParser
 from crs_cc.frontend.parse.lexer import Token
+from crs_cc.frontend.parse.nodes import Node
+from crs_cc.frontend.parse.token_stream import TokenStream
 
-Node: TypeAlias = Any
-
-_TURNED: Final = frozenset({"+", "-", "*", "&", "!"})
-"""Operators that may have changed places with a `=`."""
+_REVERSIBLE: Final = frozenset({"+", "-", "*", "&", "!"})
+"""Operators that form another one with a `=` on their other side."""
 
 _CONDITIONS: Final = frozenset({"IF", "WHILE"})
 
 
-class WarningParser(ExpressionParser):
-    """The parser of expressions, with warnings."""
+class TokenWarnings:
+    """Warn about correct code that looks like a typo, right after it was parsed."""
 
-    _diagnostics: Diagnostics
+    def __init__(self, stream: TokenStream, diagnostics: Diagnostics) -> None:
+        self._stream = stream
+        self._diagnostics = diagnostics
 
-    def _parse_assignment_expression(self) -> Node:
-        start = self._index
-        target = self._parse_conditional_expression()
-        if not self._is_assignment_op():
-            return target
-        token = self._advance()
-        first = self._index
-        value = self._parse_assignment_expression()
+    def assignment(self, token: Token, target: int, value: int, node: Node) -> None:
+        """Check an assignment.
+
+        Args:
+            token: its operator.
+            target: the position of its target.
+            value: the position of its value.
+            node: the value.
+        """
         if token.value == "=":
-            self._warn_turned(token, first)
-            self._warn_condition(token, start, value)
-        return c_ast.Assignment(token.value, target, value, self._span(start))
+            self._warn_reversed(token, value)
+            self._warn_condition(token, target, node)
 
-    def _warn_turned(self, token: Token, first: int) -> None:
-        """Warns of `x =+ 1`: one word to the eye, two to the compiler."""
-        operator, operand = self._buffer[first : first + 2]
-        if operator.value not in _TURNED or not _adjacent(token, operator) or operand is None:
+    def _warn_reversed(self, token: Token, first: int) -> None:
+        """Warn about `x =+ 1`, which means `x = +1`."""
+        operator, operand = self._stream.buffer[first : first + 2]
+        if operator.value not in _REVERSIBLE or not _adjacent(token, operator) or operand is None:
             return
         if not _adjacent(operator, operand) and operand.lineno == operator.lineno:
             what = operator.value
@@ -52,12 +50,13 @@ class WarningParser(ExpressionParser):
             self._diagnostics.warning(token.location, f"'={what}' means '= {what}' here", hint)
 
     def _warn_condition(self, token: Token, start: int, value: Node) -> None:
-        """Warns of `if (a = b)` and `while (a = 1)`, but not of `if ((a = b))`.
+        """Warn about `if (a = b)` and `while (a = 1)`, but not about `if ((a = b))`.
 
-        `while (*to++ = *from++)` is how C of 1978 was written.
+        `while (*to++ = *from++)` is accepted: it is an idiom of K&R C.
         """
-        before = self._buffer[start - 2 : start] if start >= 2 else []
-        following = self._buffer[self._index]
+        buffer = self._stream.buffer
+        before = buffer[start - 2 : start] if start >= 2 else []
+        following = buffer[self._stream.index]
         if [each.type for each in before[1:]] != ["LPAREN"] or before[0].type not in _CONDITIONS:
             return
         is_plain = isinstance(value, c_ast.Constant | c_ast.ID)
@@ -68,25 +67,24 @@ class WarningParser(ExpressionParser):
             hint = "write '==' to compare, or a second pair of parentheses if it is meant"
             self._diagnostics.warning(token.location, text, hint)
 
-    def _parse_selection_statement(self) -> Node:
-        node = super()._parse_selection_statement()
+    def selection(self, node: Node) -> None:
+        """Check an `if` or `switch`."""
         if isinstance(node, c_ast.If) and node.iffalse is None:
             self._warn_empty("if", node.iftrue)
-        return node
 
-    def _parse_iteration_statement(self) -> Node:
-        node = super()._parse_iteration_statement()
-        following = self._buffer[self._index]
+    def iteration(self, node: Node) -> None:
+        """Check a loop."""
+        following = self._stream.buffer[self._stream.index]
         if following is not None and following.type == "LBRACE":
             keyword = "for" if isinstance(node, c_ast.For) else "while"
             self._warn_empty(keyword, node.stmt)
-        return node
 
     def _warn_empty(self, keyword: str, body: Node) -> None:
-        """Warns of `if (x);`, unless a macro or a line of its own lies before the semicolon."""
+        """Warn about `if (x);`, unless the semicolon follows a macro or is on its own line."""
         if not isinstance(body, c_ast.EmptyStatement):
             return
-        before, semicolon = self._buffer[self._index - 2 : self._index]
+        index = self._stream.index
+        before, semicolon = self._stream.buffer[index - 2 : index]
         if semicolon is body.coord and before.type == "RPAREN" and _adjacent(before, semicolon):
             text = f"the body of this '{keyword}' is empty"
             hint = "take the ';' away, or put it on a line of its own if it is meant"
@@ -94,6 +92,6 @@ class WarningParser(ExpressionParser):
 
 
 def _adjacent(left: Token, right: Token) -> bool:
-    """Tells whether two tokens of the user's text touch each other."""
+    """Return whether there is nothing between two tokens in the user's file."""
     a, b = left.location, right.location
     return (a.file, a.line, a.column + len(left.value)) == (b.file, b.line, b.column)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from crs_cc.frontend.preprocess.options import STANDARDS, Options
-from tests.frontend.preprocessing import result
+from tests.frontend.preprocess.preprocessing import result
 
 VERSION = "__STDC_VERSION__ __STRICT_ANSI__ linux __linux__"
 

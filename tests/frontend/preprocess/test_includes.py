@@ -11,14 +11,14 @@ from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.preprocess.includes import MAX_FILE_SIZE
 from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.preprocess.preprocessor import Preprocessed, preprocess
-from tests.frontend.preprocessing import tokens
+from tests.frontend.preprocess.preprocessing import tokens
 
 SECRET = "the_content_of_a_file_that_a_program_must_not_read"
 
 
 @pytest.fixture
 def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Makes a user's folder, with headers beside it, and a file outside of all folders."""
+    """Build a user's folder, with headers beside it, and a file outside of all folders."""
     for name in ("user/sub", "extra", "system/sys", "outside"):
         (tmp_path / name).mkdir(parents=True)
     (tmp_path / "outside" / "secret.h").write_text(SECRET)
@@ -27,7 +27,7 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def run(source: str, **files: str) -> tuple[Preprocessed, Diagnostics]:
-    """Preprocesses `user/main.c`; other files are given with `__` for `/` and `_` for `.`."""
+    """Preprocess `user/main.c`; other files are given with `__` for `/` and `_` for `.`."""
     for name, content in files.items():
         Path(name.replace("__", "/").replace("_", ".")).write_text(content)
     Path("user/main.c").write_text(source)

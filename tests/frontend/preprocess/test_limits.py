@@ -11,11 +11,11 @@ from crs_cc.core.source import Diagnostics
 from crs_cc.frontend.preprocess import state
 from crs_cc.frontend.preprocess.options import Options
 from crs_cc.frontend.preprocess.preprocessor import preprocess
-from tests.frontend.preprocessing import messages, result, run
+from tests.frontend.preprocess.preprocessing import messages, result, run
 
 
 def doubling(first: str) -> str:
-    """Gives macros each of which expands to twice the one before it."""
+    """Return macros each of which expands to twice the one before it."""
     rows = [f"#define A{i} A{i - 1} A{i - 1}\n" for i in range(1, 100)]
     return f"#define A0 {first}\n{''.join(rows)}\n  A99\n"
 

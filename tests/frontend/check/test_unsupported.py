@@ -10,7 +10,7 @@ from pycparser import c_ast
 from crs_cc.core.source import Diagnostics, Location
 from crs_cc.frontend.check import unit
 from crs_cc.frontend.check.checker import EXPRESSIONS, STATEMENTS, CheckError, Unit
-from crs_cc.frontend.parse.unsupported import PARTS, REFUSED, refused
+from crs_cc.frontend.check.unsupported import PARTS, REFUSED, refused
 
 NODES = [
     each

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.frontend.preprocessing import messages, result
+from tests.frontend.preprocess.preprocessing import messages, result
 
 HOLDS = r"""
 1

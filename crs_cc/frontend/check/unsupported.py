@@ -10,7 +10,7 @@ from typing import Final
 from pycparser import c_ast
 
 from crs_cc.frontend.check.checker import CheckError, Unit
-from crs_cc.frontend.parse.parser import Node
+from crs_cc.frontend.parse.nodes import Node
 
 REFUSED: Final[dict[type, str]] = {
     c_ast.Attribute: "attributes in [[...]] are not supported",
@@ -50,6 +50,6 @@ PARTS: Final[dict[type, str]] = {
 
 
 def refused(unit: Unit, node: Node) -> CheckError:
-    """Makes the error for a node that is not compiled."""
+    """Build the error for a node that is not compiled."""
     unexpected = f"'{node.__class__.__name__}' is not expected here"
     return CheckError(unit.at(node), REFUSED.get(node.__class__, unexpected))
