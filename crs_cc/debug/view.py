@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from crs_cc.core.source import Location
+from crs_cc.core.suggest import unknown
 from crs_cc.debug.data.evaluate import Evaluator
 from crs_cc.debug.data.prepare import Names
 from crs_cc.debug.data.values import Value
@@ -145,8 +146,7 @@ class View:
         names = self.names
         number = names.index(robot) if robot in names else robot
         if not isinstance(number, int) or not 0 <= number < len(names):
-            known = ", ".join(names[:20])
-            raise DebugError(f"there is no robot '{robot}': there are {known}")
+            raise DebugError(unknown("robot", str(robot), names))
         self.robot = number
         self.frame = self.first_own_frame()
 

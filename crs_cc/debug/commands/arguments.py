@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
+from crs_cc.core.suggest import unknown
 from crs_cc.debug.errors import DebugError
 
 MOST: Final = 1_000_000_000
@@ -146,8 +147,7 @@ def take_robot(text: str, names: Sequence[str]) -> int:
         return names.index(text)
     if text.isascii() and text.isdigit() and len(text) < 9 and int(text) < len(names):
         return int(text)
-    shown = ", ".join(names[:5]) + (", ..." if len(names) > 5 else "")
-    raise DebugError(f"there is no robot '{text}': there are {shown}")
+    raise DebugError(unknown("robot", text, names))
 
 
 def demand(text: str, what: str) -> str:

@@ -96,7 +96,7 @@ def test_a_map_is_drawn_whole_or_around_a_robot(shell: Shell) -> None:
     close = said(shell, "map robot0 2m")
     assert len(close) == 24
     assert close != whole
-    assert said(shell, "map nobody") == ["there is no robot 'nobody': there are robot0"]
+    assert said(shell, "map nobody") == ["unknown robot 'nobody' (known: robot0)"]
     assert said(shell, "map robot0 wide")[0].startswith("'wide' is not a length")
     assert said(shell, "map robot0 0") == ["what is to be seen is from 0.01 to 100000 m"]
 
