@@ -62,7 +62,7 @@ class _Found:
         return self.target >= Position(later.target.timestep, later.target.round)
 
 
-class Traveller:
+class Navigator:
     """Takes a run to where there is a reason to stop."""
 
     def __init__(self, run: Run, breakpoints: Breakpoints, accept: Accept, tell: Tell) -> None:

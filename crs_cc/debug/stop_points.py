@@ -10,19 +10,18 @@ from crs_cc.core.suggest import unknown
 from crs_cc.debug.breakpoints import Breakpoint, Breakpoints, Hit, Kind
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.locations import Place, find_place
-from crs_cc.debug.view import View
 from crs_cc.debug.watch import KINDS, MOST
 from crs_cc.debug.watch import Kind as Access
 from crs_cc.debug.watchpoints import same_activation, told, watchpoint
 from crs_cc.debug.world.events import checked_kind
 
 if TYPE_CHECKING:
-    from crs_cc.debug.timeline.run import Run
+    from crs_cc.debug.view import View
 
 _BRACES: Final = re.compile(r"\{([^{}]*)\}")
 
 
-class Points(View):
+class StopPoints:
     """A run with all that the user wants it to stop at.
 
     Attributes:
@@ -30,9 +29,9 @@ class Points(View):
         say: takes what log points say.
     """
 
-    def __init__(self, run: Run) -> None:
-        """Begins without any."""
-        super().__init__(run)
+    def __init__(self, view: View) -> None:
+        self._view = view
+        self._run = view.run
         self.breakpoints = Breakpoints()
         self.say: Callable[[str], None] = _unheard
 
@@ -48,9 +47,9 @@ class Points(View):
             DebugError: there is no such place, or the condition is no expression there.
         """
         robot = options.get("robot")
-        here = self.current_file(robot)
-        robots = range(len(self.run.programs)) if robot is None else [robot]
-        found = find_place(place, self.run.programs, robots, here)
+        here = self._view.current_file(robot)
+        robots = range(len(self._run.programs)) if robot is None else [robot]
+        found = find_place(place, self._run.programs, robots, here)
         return self._add("breakpoint", place, found, options)
 
     def add_catchpoint(self, what: str, **options: Any) -> Breakpoint:
@@ -80,10 +79,10 @@ class Points(View):
         Raises:
             DebugError: it names no object, or there are too many to be watched.
         """
-        robot = self.robot if options.get("robot") is None else options["robot"]
+        robot = self._view.robot if options.get("robot") is None else options["robot"]
         if kind not in KINDS:
             raise DebugError(unknown("kind of access", kind, list(KINDS)))
-        active, evaluator = self._active(robot, None), self.evaluator(robot)
+        active, evaluator = self._view.active_frame(robot), self._view.evaluator(robot)
         if active is not None and options.get("condition"):
             evaluator.check(options["condition"], active.function, active.location)
         made = watchpoint(self.breakpoints.next_number, expression, kind, evaluator, active)
@@ -97,7 +96,7 @@ class Points(View):
     def _make_room(self, robot: int) -> None:
         """Finds out whether one more object can be watched."""
         if len(self.breakpoints.watched(robot)) >= MOST:
-            name = self.names[robot]
+            name = self._view.names[robot]
             raise DebugError(
                 f"no more than {MOST} objects of {name} can be watched at once: delete a"
                 " watchpoint, or watch a whole struct or array"
@@ -151,10 +150,10 @@ class Points(View):
         if not condition or place is None:
             return
         for robot, numbers in place.statements.items():
-            sites = self.run.programs[robot].executable.detail().compiled.statements
+            sites = self._run.programs[robot].executable.detail().compiled.statements
             for number in numbers:
                 site = sites[number]
-                self.evaluator(robot).check(condition, site.function, site.location)
+                self._view.evaluator(robot).check(condition, site.function, site.location)
 
     def accepts(self, hit: Hit, counts: bool) -> tuple[bool, str]:
         """Tells whether a breakpoint that was met stops the run, and what to say then."""
@@ -181,28 +180,28 @@ class Points(View):
         if hit.robot >= 0:
             return hit.robot
         own = hit.breakpoint.robot  # what was met is of no robot
-        return self.robot if own is None else own
+        return self._view.robot if own is None else own
 
     def _holds(self, own: Breakpoint, robot: int) -> bool:
         """Tells whether a condition is true: that of a variable's watchpoint in its function."""
         frame = own.watch.watched.frame if own.watch else None
-        stack = self.run.stopped(robot).stack if frame else ()
+        stack = self._run.stopped(robot).stack if frame else ()
         same = next((each for each in stack if frame and same_activation(each, frame)), None)
-        return self.evaluator(robot).holds(own.condition, same)
+        return self._view.evaluator(robot).holds(own.condition, same)
 
     def told_of(self, hit: Hit) -> str:
         """Says what happened to what is watched."""
         assert hit.touch is not None
         assert hit.breakpoint.watch is not None
-        return told(hit.breakpoint.watch, hit.touch.access, self.evaluator(hit.robot).sight())
+        return told(hit.breakpoint.watch, hit.touch.access, self._view.evaluator(hit.robot).sight())
 
     def _logged(self, text: str, robot: int) -> str:
         """Gives a log point's text with the values of the expressions in braces."""
 
         def value(match: re.Match[str]) -> str:
             try:
-                frame = self.first_own_frame(robot)
-                return self.look_up(match[1], robot=robot, frame=frame).text
+                frame = self._view.first_own_frame(robot)
+                return self._view.look_up(match[1], robot=robot, frame=frame).text
             except DebugError as error:
                 return f"<{error}>"
 

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Frame:
+class BacktraceFrame:
     """An active function of a program.
 
     Attributes:
@@ -61,7 +61,7 @@ class View:
         self.robot = 0
         self.frame = 0
         self.kept: dict[str, Value] = {}
-        self._seen: tuple[Stopped, list[Frame]] | None = None
+        self._seen: tuple[Stopped, list[BacktraceFrame]] | None = None
         self._names: dict[int, Names] = {}
         self._evaluators: dict[tuple[int, int], Evaluator] = {}
 
@@ -90,7 +90,7 @@ class View:
         """Whether no program is left."""
         return not self.run.goes_on
 
-    def frames(self, robot: int | None = None) -> list[Frame]:
+    def frames(self, robot: int | None = None) -> list[BacktraceFrame]:
         """Gives a program's active functions, the innermost first."""
         robot = self.robot if robot is None else robot
         if not self.session.alive[robot] and not self.run.has_failed(robot):
@@ -100,20 +100,20 @@ class View:
             self._seen = stopped, self._frames(robot, stopped)
         return self._seen[1]
 
-    def _frames(self, robot: int, stopped: Stopped) -> list[Frame]:
+    def _frames(self, robot: int, stopped: Stopped) -> list[BacktraceFrame]:
         site = self.run.site(robot)
-        frames: list[Frame] = []
+        frames: list[BacktraceFrame] = []
         for active in stopped.stack:
             location, is_library = active.location, in_library(active.location)
             if site is not None and not frames:
                 location = site.location
             name = plain_name(active.function)
-            frames.append(Frame(len(frames), name, location, is_library, active))
+            frames.append(BacktraceFrame(len(frames), name, location, is_library, active))
         while frames and frames[-1].is_library:
             frames.pop()
         return frames
 
-    def current_frame(self) -> Frame | None:
+    def current_frame(self) -> BacktraceFrame | None:
         """Gives the active function that the user looks at; None when there is none."""
         frames = self.frames()
         return frames[self.frame] if self.frame < len(frames) else None
@@ -160,6 +160,17 @@ class View:
             raise DebugError(f"there is no frame {number}")
         self.frame = number
 
+    def active_frame(self, robot: int, frame: int | None = None) -> StackFrame | None:
+        """Gives an active function by its number; by default the one that is looked at."""
+        frames = self.frames(robot)
+        if frame is None:
+            frame = self.frame if robot == self.robot else self.first_own_frame(robot)
+        if not frames:
+            return None
+        if not 0 <= frame < len(frames):
+            raise DebugError(f"there is no frame {frame}")
+        return frames[frame].active
+
     def first_own_frame(self, robot: int | None = None) -> int:
         """Gives the number of the innermost active function of the user's own."""
         frames = self.frames(robot)
@@ -173,7 +184,7 @@ class View:
         """
         robot = self.robot if robot is None else robot
         evaluator = self.evaluator(robot)
-        found = evaluator.evaluate(text, self._active(robot, frame))
+        found = evaluator.evaluate(text, self.active_frame(robot, frame))
         if found.changed:
             evaluator.undo()
             raise DebugError(f"'{text}' would change the program")
@@ -182,7 +193,7 @@ class View:
     def variables(self, *, robot: int | None = None, frame: int | None = None) -> list[Variable]:
         """Gives the variables of an active function, those of the innermost block first."""
         robot = self.robot if robot is None else robot
-        active = self._active(robot, frame)
+        active = self.active_frame(robot, frame)
         return [] if active is None else self.evaluator(robot).variables(active)
 
     def globals_(self, *, robot: int | None = None) -> list[Variable]:
@@ -199,7 +210,7 @@ class View:
         Raises:
             DebugError: it is neither an expression nor a type here.
         """
-        evaluator, frame = self.evaluator(self.robot), self._active(self.robot, None)
+        evaluator, frame = self.evaluator(self.robot), self.active_frame(self.robot, None)
         try:
             return evaluator.type_of(text, frame)
         except DebugError:
@@ -227,14 +238,3 @@ class View:
             made = Evaluator(stopped, names, self.kept, fields)
             self._evaluators[robot, memory] = made
         return self._evaluators[robot, memory]
-
-    def _active(self, robot: int, frame: int | None) -> StackFrame | None:
-        """Gives an active function by its number; by default the one that is looked at."""
-        frames = self.frames(robot)
-        if frame is None:
-            frame = self.frame if robot == self.robot else self.first_own_frame(robot)
-        if not frames:
-            return None
-        if not 0 <= frame < len(frames):
-            raise DebugError(f"there is no frame {frame}")
-        return frames[frame].active

@@ -51,5 +51,5 @@ def debugger_at(paths: Sequence[Path], world: str = "", **options: Any) -> Debug
 
 def line(debugger: Debugger) -> int:
     """Gives the line where it is; 0 where there is none."""
-    location = debugger.location()
+    location = debugger.view.location()
     return 0 if location is None else location.line

@@ -63,7 +63,7 @@ class Trial:
         debugger = self.debugger
         debugger.goto_timestep(self.chance.randrange(TIMESTEPS))
         self.compare()
-        debugger.select_robot(self.chance.randrange(len(debugger.names)))
+        debugger.view.select_robot(self.chance.randrange(len(debugger.names)))
         self.watch()
         for _ in range(MOVES):
             self.move(backward=False)
@@ -73,12 +73,12 @@ class Trial:
     def watch(self) -> None:
         """Watches something that is to be seen here, and what was watched before no longer."""
         debugger = self.debugger
-        for each in debugger.breakpoints:
+        for each in debugger.stop_points.breakpoints:
             if each.watch:
-                debugger.remove(each.number)
-        names = [each.name for each in (*debugger.variables(), *debugger.globals_())]
+                debugger.stop_points.remove(each.number)
+        names = [each.name for each in (*debugger.view.variables(), *debugger.view.globals_())]
         with contextlib.suppress(DebugError, IndexError):  # nothing is to be seen
-            debugger.add_watchpoint(self.chance.choice(names), "access")
+            debugger.stop_points.add_watchpoint(self.chance.choice(names), "access")
 
     def move(self, *, backward: bool) -> None:
         """Does one of all moves."""
@@ -134,7 +134,7 @@ def place_breakpoints(debugger: Debugger, chance: Random) -> None:
     """Puts breakpoints into the first program, by chance."""
     sites = debugger.run.programs[0].executable.detail().compiled.statements
     for site in chance.sample(sites, 2):
-        debugger.add_breakpoint(f"{site.location.file}:{site.location.line}")
+        debugger.stop_points.add_breakpoint(f"{site.location.file}:{site.location.line}")
 
 
 def programs_of(sample: Sample, world: WorldModel) -> list[DebugProgram]:

@@ -42,14 +42,14 @@ def test_a_robot_that_leaves_ends_its_program_for_who_waits_for_that(tmp_path: P
     second = debugger.names[1]
     debugger.goto_time(0.5)
     debugger.edit_world(f"remove {second}")
-    point = debugger.add_catchpoint("exit")
+    point = debugger.stop_points.add_catchpoint("exit")
     stop = debugger.resume()
     assert (stop.breakpoints, stop.robot) == ((point.number,), 1)
     assert stop.text == f"the program of {second} ended"
-    debugger.remove(point.number)
+    debugger.stop_points.remove(point.number)
     debugger.tick(3)
-    debugger.add_breakpoint("vm", robot=0)
-    debugger.add_catchpoint("exit")
+    debugger.stop_points.add_breakpoint("vm", robot=0)
+    debugger.stop_points.add_catchpoint("exit")
     while (back := debugger.resume(backward=True)).robot == 0:
         pass
     assert back.text == stop.text
@@ -61,9 +61,9 @@ def test_to_go_back_with_a_catchpoint_and_little_memory_finds_what_was(tmp_path:
     run = debugger.run
     run.history, first = History(most_bytes=300_000), run.history.at(run.position)
     run.history.keep(run.position, first)
-    debugger.add_catchpoint("tick", ignore=300)
+    debugger.stop_points.add_catchpoint("tick", ignore=300)
     debugger.resume()
-    for point in list(debugger.breakpoints):
-        debugger.remove(point.number)
-    debugger.add_catchpoint("collision")
+    for point in list(debugger.stop_points.breakpoints):
+        debugger.stop_points.remove(point.number)
+    debugger.stop_points.add_catchpoint("collision")
     assert debugger.resume(backward=True).reason == "beginning"

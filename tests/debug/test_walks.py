@@ -38,7 +38,7 @@ class Walk:
 
     def go(self, steps: int) -> None:
         moves = [self._tick, self._tick, self._step, self._goto, self._change]
-        moves += [self._resume] * any(self.debugger.breakpoints)
+        moves += [self._resume] * any(self.debugger.stop_points.breakpoints)
         for _ in range(steps):
             with contextlib.suppress(DebugError):
                 self.random.choice(moves)()
@@ -101,8 +101,8 @@ def test_the_same_instant_is_the_same_to_the_byte_whatever_way_leads_to_it(
     debugger.start()
     walk = Walk(debugger, seed)
     if steps > 50:
-        debugger.add_catchpoint("bumper")
-        debugger.add_catchpoint("degradation")
-        debugger.add_breakpoint("vm")
+        debugger.stop_points.add_catchpoint("bumper")
+        debugger.stop_points.add_catchpoint("degradation")
+        debugger.stop_points.add_breakpoint("vm")
     walk.go(steps)
     assert walk.changes

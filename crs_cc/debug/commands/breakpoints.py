@@ -66,7 +66,7 @@ def described(one: Breakpoint) -> str:
 
 def _break(shell: Shell, text: str, *, temporary: bool = False) -> Answer:
     where = take_where(text)
-    made = shell.debugger.add_breakpoint(
+    made = shell.debugger.stop_points.add_breakpoint(
         where.place or _here(shell),
         condition=where.condition,
         temporary=temporary,
@@ -77,7 +77,7 @@ def _break(shell: Shell, text: str, *, temporary: bool = False) -> Answer:
 
 def _here(shell: Shell) -> str:
     """Gives the line where the user looks."""
-    place = shell.debugger.location()
+    place = shell.debugger.view.location()
     if place is None:
         raise DebugError("no program stands at a line here: say where to stop")
     return f"{place.file}:{place.line}"
@@ -85,7 +85,7 @@ def _here(shell: Shell) -> str:
 
 def _watch(shell: Shell, text: str, *, kind: Access) -> Answer:
     where = take_where(demand(text, "an expression such as speed or *p"))
-    made = shell.debugger.add_watchpoint(
+    made = shell.debugger.stop_points.add_watchpoint(
         where.place, kind, condition=where.condition, robot=_robot(shell, where.robot)
     )
     return _made(made)
@@ -93,7 +93,7 @@ def _watch(shell: Shell, text: str, *, kind: Access) -> Answer:
 
 def _catch(shell: Shell, text: str) -> Answer:
     where = take_where(demand(text, "what to stop at, such as error or collision"))
-    made = shell.debugger.add_catchpoint(
+    made = shell.debugger.stop_points.add_catchpoint(
         where.place, condition=where.condition, robot=_robot(shell, where.robot)
     )
     return _made(made)
@@ -103,13 +103,15 @@ def _dprintf(shell: Shell, text: str) -> Answer:
     place, *rest = split_arguments(demand(text, 'PLACE,"FORMAT",EXPRESSION...'))
     if not rest:
         raise DebugError('say what to print behind the place: dprintf PLACE,"FORMAT",...')
-    made = shell.debugger.add_breakpoint(_place(shell, place), log=log_text(rest[0], rest[1:]))
+    made = shell.debugger.stop_points.add_breakpoint(
+        _place(shell, place), log=log_text(rest[0], rest[1:])
+    )
     return _made(made)
 
 
 def _log(shell: Shell, text: str) -> Answer:
     place, _, message = demand(text, "PLACE TEXT").partition(" ")
-    made = shell.debugger.add_breakpoint(place, log=demand(message, "PLACE TEXT"))
+    made = shell.debugger.stop_points.add_breakpoint(place, log=demand(message, "PLACE TEXT"))
     return _made(made)
 
 
@@ -118,31 +120,31 @@ def _place(shell: Shell, text: str) -> str:
 
 
 def _all_or(shell: Shell, text: str) -> list[int]:
-    return _numbers(shell, text) or [each.number for each in shell.debugger.breakpoints]
+    return _numbers(shell, text) or [each.number for each in shell.debugger.stop_points.breakpoints]
 
 
 def _numbers(shell: Shell, text: str) -> list[int]:
-    newest = max((each.number for each in shell.debugger.breakpoints), default=None)
+    newest = max((each.number for each in shell.debugger.stop_points.breakpoints), default=None)
     return take_numbers(text, newest)
 
 
 def _delete(shell: Shell, text: str) -> Answer:
     for number in _all_or(shell, text):
-        shell.debugger.remove(number)
+        shell.debugger.stop_points.remove(number)
         shell.scripts.pop(number, None)
     yield from ()
 
 
 def _enable(shell: Shell, text: str, *, on: bool) -> Answer:
     for number in _all_or(shell, text):
-        shell.debugger.enable(number, on=on)
+        shell.debugger.stop_points.enable(number, on=on)
     yield from ()
 
 
 def _condition(shell: Shell, text: str) -> Answer:
     number, _, condition = demand(text, "a breakpoint's number, and a condition").partition(" ")
     for each in _numbers(shell, number):
-        shell.debugger.set_condition(each, condition.strip())
+        shell.debugger.stop_points.set_condition(each, condition.strip())
         if not condition.strip():
             yield f"Breakpoint {each} is unconditional now."
 
@@ -151,12 +153,12 @@ def _ignore(shell: Shell, text: str) -> Answer:
     number, _, count = demand(text, "a breakpoint's number, and how often").partition(" ")
     times = 0 if count.strip() == "0" else take_count(demand(count, "how often to ignore it"))
     for each in _numbers(shell, number):
-        shell.debugger.ignore(each, times)
+        shell.debugger.stop_points.ignore(each, times)
         yield f"Will ignore next {times} crossings of breakpoint {each}."
 
 
 def _commands(shell: Shell, text: str) -> Answer:
-    known = [each.number for each in shell.debugger.breakpoints]
+    known = [each.number for each in shell.debugger.stop_points.breakpoints]
     numbers = _numbers(shell, text) or known[-1:]
     if not numbers:
         raise DebugError("there is no breakpoint yet")
@@ -170,7 +172,11 @@ def _commands(shell: Shell, text: str) -> Answer:
 
 def _info(shell: Shell, text: str) -> Answer:
     wanted = set(_numbers(shell, text))
-    rows = [each for each in shell.debugger.breakpoints if not wanted or each.number in wanted]
+    rows = [
+        each
+        for each in shell.debugger.stop_points.breakpoints
+        if not wanted or each.number in wanted
+    ]
     if not rows:
         yield "There are no breakpoints." if not wanted else "There is no such breakpoint."
     for one in rows:

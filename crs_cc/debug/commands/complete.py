@@ -72,14 +72,14 @@ def _places(shell: Shell, word: str) -> Iterator[str]:
     for name, place in functions(shell):
         if not colon or is_file(place.file, file):
             yield f"{file}{colon}{name}"
-    for path in shell.debugger.run.programs[shell.debugger.robot].paths:
+    for path in shell.debugger.run.programs[shell.debugger.view.robot].paths:
         yield f"{path.name}:"
 
 
 def _expressions(shell: Shell, _word: str) -> Iterator[str]:
     with contextlib.suppress(DebugError):
-        yield from (each.name for each in shell.debugger.variables())
-    yield from (each.name for each in shell.debugger.globals_())
+        yield from (each.name for each in shell.debugger.view.variables())
+    yield from (each.name for each in shell.debugger.view.globals_())
     yield from (name for name, _ in functions(shell))
 
 
@@ -88,7 +88,7 @@ def _robots(shell: Shell, _word: str) -> Iterable[str]:
 
 
 def _breakpoints(shell: Shell, _word: str) -> Iterable[str]:
-    return [str(each.number) for each in shell.debugger.breakpoints]
+    return [str(each.number) for each in shell.debugger.stop_points.breakpoints]
 
 
 def _displays(shell: Shell, _word: str) -> Iterable[str]:

@@ -52,17 +52,17 @@ def _set(shell: Shell, text: str) -> Answer:
 
 
 def _whatis(shell: Shell, text: str) -> Answer:
-    yield str(shell.debugger.type_of(demand(text, "an expression or a type")))
+    yield str(shell.debugger.view.type_of(demand(text, "an expression or a type")))
 
 
 def _ptype(shell: Shell, text: str) -> Answer:
-    yield from declared(shell.debugger.type_of(demand(text, "an expression or a type")))
+    yield from declared(shell.debugger.view.type_of(demand(text, "an expression or a type")))
 
 
 def _examine(shell: Shell, text: str) -> Answer:
     wanted, expression = take_format(text)
     if expression:
-        value = shell.debugger.look_up(expression)
+        value = shell.debugger.view.look_up(expression)
         address = _address(value)
     elif shell.examined is not None:
         address, known = shell.examined
@@ -72,7 +72,9 @@ def _examine(shell: Shell, text: str) -> Answer:
     if wanted.letter == "s":
         yield from _strings(shell, address, wanted)
         return
-    yield from dump(shell.debugger.evaluator(shell.debugger.robot).sight(), address, wanted)
+    yield from dump(
+        shell.debugger.view.evaluator(shell.debugger.view.robot).sight(), address, wanted
+    )
     shell.examined = address + (wanted.size or 4) * wanted.count, wanted
 
 
@@ -88,7 +90,7 @@ def _address(value: Value) -> int:
 
 
 def _strings(shell: Shell, address: int, wanted: Format) -> Answer:
-    sight = shell.debugger.evaluator(shell.debugger.robot).sight()
+    sight = shell.debugger.view.evaluator(shell.debugger.view.robot).sight()
     for _ in range(min(wanted.count, _MOST_STRINGS)):
         content = sight.read(address, LONGEST_TEXT + 1)
         if not content:
@@ -133,7 +135,7 @@ def _variable(each: Variable) -> str:
 def _info_locals(shell: Shell, text: str) -> Answer:
     demand_none(text)
     here = frame(shell)
-    found = shell.debugger.variables(frame=here.number)
+    found = shell.debugger.view.variables(frame=here.number)
     if not found:
         yield f"{here.function} has no variables here."
     yield from map(_variable, found)
@@ -143,7 +145,9 @@ def _info_args(shell: Shell, text: str) -> Answer:
     demand_none(text)
     here = frame(shell)
     found = [
-        each for each in shell.debugger.variables(frame=here.number) if each.scope == "parameter"
+        each
+        for each in shell.debugger.view.variables(frame=here.number)
+        if each.scope == "parameter"
     ]
     if not found:
         yield f"{here.function} has no arguments."
@@ -151,7 +155,7 @@ def _info_args(shell: Shell, text: str) -> Answer:
 
 
 def _info_globals(shell: Shell, text: str) -> Answer:
-    found = [each for each in shell.debugger.globals_() if text in each.name]
+    found = [each for each in shell.debugger.view.globals_() if text in each.name]
     if not found:
         raise DebugError(f"no global variable has '{text}' in its name")
     yield from map(_variable, found)

@@ -25,4 +25,6 @@ class Display:
         Raises:
             DebugError: it means nothing here.
         """
-        return f"{self.expression} = {formatted(debugger.look_up(self.expression), self.format)}"
+        return (
+            f"{self.expression} = {formatted(debugger.view.look_up(self.expression), self.format)}"
+        )

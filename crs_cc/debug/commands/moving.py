@@ -34,7 +34,7 @@ def _continue(shell: Shell, text: str) -> Answer:
         hit = shell.debugger.stop.breakpoints
         if not hit:
             raise DebugError("there is no breakpoint here to be passed")
-        shell.debugger.ignore(hit[0], count - 1)
+        shell.debugger.stop_points.ignore(hit[0], count - 1)
         yield f"Will ignore next {count - 1} crossings of breakpoint {hit[0]}.  Continuing."
     yield from shell.move(shell.debugger.resume)
 

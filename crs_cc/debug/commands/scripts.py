@@ -64,7 +64,7 @@ def _source(shell: Shell, text: str) -> Answer:
 
 def _save_breakpoints(shell: Shell, text: str) -> Answer:
     path = Path(from_text(demand(text, "a file")))
-    breakpoints = list(shell.debugger.breakpoints)
+    breakpoints = list(shell.debugger.stop_points.breakpoints)
     lines = [_HEAD, *(line for each in breakpoints for line in _written(shell, each))]
     _write(path, "\n".join(lines) + "\n")
     yield f"Saved to '{path}': {len(breakpoints)} breakpoint{'s' * (len(breakpoints) != 1)}."

@@ -92,7 +92,7 @@ class Shell:
 
     def move(self, go: Callable[[], Stop]) -> Answer:
         """Lets the run go somewhere else, and says why it stopped there."""
-        known = {each.number: each for each in self.debugger.breakpoints}
+        known = {each.number: each for each in self.debugger.stop_points.breakpoints}
         stop = go()
         self.listing = None
         self._due = [line for number in stop.breakpoints for line in self.scripts.get(number, ())]
@@ -121,7 +121,7 @@ class Shell:
     def keep(self, value: Value) -> int:
         """Lets a value be the last one, and gives the number by which it can be used, too."""
         self._values += 1
-        self.debugger.kept[""] = self.debugger.kept[str(self._values)] = value
+        self.debugger.view.kept[""] = self.debugger.view.kept[str(self._values)] = value
         return self._values
 
     def collect(self, breakpoints: list[int]) -> None:

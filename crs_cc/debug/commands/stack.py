@@ -16,34 +16,34 @@ from crs_cc.ir.names import in_library, plain_name
 
 if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell
-    from crs_cc.debug.view import Frame
+    from crs_cc.debug.view import BacktraceFrame
 
 _LINES: Final = 10
 _MOST_FRAMES: Final = 100
 _MOST_FUNCTIONS: Final = 200
 
 
-def frames(shell: Shell) -> list[Frame]:
+def frames(shell: Shell) -> list[BacktraceFrame]:
     """Gives the active functions of the robot that the user looks at.
 
     Raises:
         DebugError: there are none.
     """
-    found = shell.debugger.frames()
+    found = shell.debugger.view.frames()
     if not found:
-        name = shell.debugger.names[shell.debugger.robot]
+        name = shell.debugger.names[shell.debugger.view.robot]
         raise DebugError(f"no function of {name}'s program is active: it has not begun, or ended")
     return found
 
 
-def frame(shell: Shell) -> Frame:
+def frame(shell: Shell) -> BacktraceFrame:
     """Gives the active function that the user looks at.
 
     Raises:
         DebugError: there is none.
     """
     found = frames(shell)
-    return next((each for each in found if each.number == shell.debugger.frame), found[0])
+    return next((each for each in found if each.number == shell.debugger.view.frame), found[0])
 
 
 def _backtrace(shell: Shell, text: str) -> Answer:
@@ -57,7 +57,7 @@ def _backtrace(shell: Shell, text: str) -> Answer:
         yield f"(more active functions follow: {len(found) - most})"
 
 
-def _shown(found: list[Frame]) -> Iterator[Frame]:
+def _shown(found: list[BacktraceFrame]) -> Iterator[BacktraceFrame]:
     """Gives the functions of the user's, and those of the library that they have called."""
     for each, caller in zip(found, [*found[1:], None], strict=True):
         if not each.is_library or (caller is not None and not caller.is_library):
@@ -69,7 +69,7 @@ def _frame(shell: Shell, text: str) -> Answer:
         numbers = {str(each.number): each.number for each in frames(shell)}
         if text not in numbers:
             raise DebugError(f'there is no active function #{text}: see "backtrace"')
-        shell.debugger.select_frame(numbers[text])
+        shell.debugger.view.select_frame(numbers[text])
     frame(shell)
     return shell.look()
 
@@ -89,7 +89,7 @@ def _move_frame(shell: Shell, by: int) -> Answer:
     if target == place:
         end = "outermost" if by > 0 else "innermost"
         raise DebugError(f"this is the {end} active function")
-    shell.debugger.select_frame(numbers[target])
+    shell.debugger.view.select_frame(numbers[target])
     return shell.look()
 
 
@@ -105,14 +105,14 @@ def _info_frame(shell: Shell, text: str) -> Answer:
 
 def _list(shell: Shell, text: str) -> Answer:
     file, first, last = _range(shell, text)
-    lines = shell.debugger.source(file)
+    lines = shell.debugger.view.source(file)
     if not lines:
         raise DebugError(f"the lines of '{file}' are not known")
     if first > len(lines):
         raise DebugError(f"'{file}' has {len(lines)} lines only")
     last = min(last, len(lines))
     shell.listing = Listing(file, first, last)
-    here = shell.debugger.location()
+    here = shell.debugger.view.location()
     current = here.line if here is not None and here.file == file else 0
     stops = _lines_with_breakpoints(shell, file)
     for number in range(first, last + 1):
@@ -120,7 +120,7 @@ def _list(shell: Shell, text: str) -> Answer:
 
 
 def _lines_with_breakpoints(shell: Shell, file: str) -> set[int]:
-    places = [each.place.location for each in shell.debugger.breakpoints if each.place]
+    places = [each.place.location for each in shell.debugger.stop_points.breakpoints if each.place]
     return {each.line for each in places if each is not None and each.file == file}
 
 
@@ -152,8 +152,10 @@ def _listed(shell: Shell, text: str) -> Location:
     """Gives the place that lines are listed around: a line with or without code, a function."""
     file, _, line = text.strip().rpartition(":")
     if line.isascii() and line.isdigit() and len(line) < 9:
-        known = file or shell.debugger.current_file()
-        for path in shell.debugger.run.programs[shell.debugger.robot].executable.detail().lines:
+        known = file or shell.debugger.view.current_file()
+        for path in (
+            shell.debugger.run.programs[shell.debugger.view.robot].executable.detail().lines
+        ):
             if is_file(path, known):
                 return Location(path, int(line))
     named = dict(functions(shell))
@@ -166,7 +168,7 @@ def _around(file: str, line: int) -> tuple[str, int, int]:
 
 
 def _here(shell: Shell) -> Location:
-    place = shell.debugger.location()
+    place = shell.debugger.view.location()
     if place is None:
         raise DebugError("no program stands at a line here: say which lines, such as list main")
     return place
@@ -179,8 +181,8 @@ def find_line(shell: Shell, text: str) -> Location:
         DebugError: there is no such line, or function.
     """
     debugger = shell.debugger
-    file = debugger.current_file()
-    found = find_place(text, debugger.run.programs, [debugger.robot], file).location
+    file = debugger.view.current_file()
+    found = find_place(text, debugger.run.programs, [debugger.view.robot], file).location
     if found is None:
         raise DebugError(f"'{text}' is the robot's, and stands in no file of the program")
     return found
@@ -188,7 +190,7 @@ def find_line(shell: Shell, text: str) -> Location:
 
 def functions(shell: Shell) -> Iterator[tuple[str, Location]]:
     """Gives the names of the functions of the user's that this robot runs, and where they are."""
-    program = shell.debugger.run.programs[shell.debugger.robot].executable.program
+    program = shell.debugger.run.programs[shell.debugger.view.robot].executable.program
     for name, function in program.functions.items():
         if not in_library(function.location):
             yield plain_name(name), function.location
@@ -206,7 +208,7 @@ def _info_functions(shell: Shell, text: str) -> Answer:
 
 def _info_line(shell: Shell, text: str) -> Answer:
     place = find_line(shell, demand(text, "a line or a function"))
-    lines = shell.debugger.source(place.file)
+    lines = shell.debugger.view.source(place.file)
     yield f"{place.file}:{place.line}"
     if 0 < place.line <= len(lines):
         yield SourceLine(place.line, lines[place.line - 1])
@@ -214,10 +216,10 @@ def _info_line(shell: Shell, text: str) -> Answer:
 
 def _info_source(shell: Shell, text: str) -> Answer:
     demand_none(text)
-    robot = shell.debugger.robot
-    here = shell.debugger.location()
+    robot = shell.debugger.view.robot
+    here = shell.debugger.view.location()
     for path in shell.debugger.run.programs[robot].paths:
-        lines = len(shell.debugger.source(str(path)))
+        lines = len(shell.debugger.view.source(str(path)))
         mark = "=>" if here is not None and here.file == str(path) else "  "
         yield f"{mark} {path}, {lines} lines"
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from crs_cc.debug.engine import Debugger
     from crs_cc.debug.stop import Stop
     from crs_cc.debug.timeline.position import Position
-    from crs_cc.debug.view import Frame
+    from crs_cc.debug.view import BacktraceFrame
 
 _SAID: Final = frozenset({"start", "beginning", "interrupt"})
 """Reasons that are said in words where a stop has no text of its own."""
@@ -35,7 +35,7 @@ class Standing:
     robot: int
     function: str
     depth: int
-    frame: Frame | None
+    frame: BacktraceFrame | None
 
     def head(self, debugger: Debugger) -> str:
         """Gives the place in words: `robot0 in turn (left=3) at wander.c:40`."""
@@ -53,9 +53,9 @@ class Standing:
 
 def standing(debugger: Debugger) -> Standing:
     """Gives where the user looks now."""
-    frames = debugger.frames()
-    frame = next((each for each in frames if each.number == debugger.frame), None)
-    return Standing(debugger.robot, frame.function if frame else "", len(frames), frame)
+    frames = debugger.view.frames()
+    frame = next((each for each in frames if each.number == debugger.view.frame), None)
+    return Standing(debugger.view.robot, frame.function if frame else "", len(frames), frame)
 
 
 def stop_lines(
@@ -111,11 +111,11 @@ def _call(place: Standing) -> tuple[int, str, int]:
     return place.robot, place.function, place.depth
 
 
-def frame_text(debugger: Debugger, frame: Frame, robot: int | None = None) -> str:
+def frame_text(debugger: Debugger, frame: BacktraceFrame, robot: int | None = None) -> str:
     """Gives an active function with its arguments, and the place in it."""
     if frame.is_library:
         return f"{frame.function} (), in the library"
-    place, variables = frame.location, debugger.variables(robot=robot, frame=frame.number)
+    place, variables = frame.location, debugger.view.variables(robot=robot, frame=frame.number)
     arguments = [
         f"{each.name}={_brief(each.value.text)}"
         for each in variables
@@ -131,18 +131,18 @@ def _brief(value: str) -> str:
     return value if len(value) <= _LONGEST_ARGUMENT else f"{value[:_LONGEST_ARGUMENT]}..."
 
 
-def current_line(debugger: Debugger, frame: Frame) -> Answer:
+def current_line(debugger: Debugger, frame: BacktraceFrame) -> Answer:
     """Gives the line of C where a function stands."""
-    lines, number = debugger.source(frame.location.file), frame.location.line
+    lines, number = debugger.view.source(frame.location.file), frame.location.line
     if 0 < number <= len(lines):
         yield SourceLine(number, lines[number - 1], is_current=True)
 
 
 def when_text(debugger: Debugger) -> str:
     """Gives the instant where a run is."""
-    begun = debugger.run.begun(debugger.robot)
-    stmt = f"{debugger.names[debugger.robot]} before stmt {begun + 1}"
-    return f"t = {debugger.time_s:.3f} s, {position_text(debugger.position)}, {stmt}"
+    begun = debugger.run.begun(debugger.view.robot)
+    stmt = f"{debugger.names[debugger.view.robot]} before stmt {begun + 1}"
+    return f"t = {debugger.view.time_s:.3f} s, {position_text(debugger.position)}, {stmt}"
 
 
 def position_text(position: Position) -> str:

@@ -30,21 +30,21 @@ def _robots(shell: Shell, text: str) -> Answer:
     rows = [HEADINGS, *(summary(session, each) for each in range(len(shell.debugger.names)))]
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     for number, row in enumerate(rows, -1):
-        mark = "=>" if number == shell.debugger.robot else "  "
+        mark = "=>" if number == shell.debugger.view.robot else "  "
         cells = (cell.ljust(width) for cell, width in zip(row, widths, strict=True))
         yield f"{mark} {'  '.join(cells)}".rstrip()
 
 
 def _robot(shell: Shell, text: str) -> Answer:
     if text:
-        shell.debugger.select_robot(take_robot(text, shell.debugger.names))
-    yield f"{shell.debugger.names[shell.debugger.robot]} (robot {shell.debugger.robot})"
+        shell.debugger.view.select_robot(take_robot(text, shell.debugger.names))
+    yield f"{shell.debugger.names[shell.debugger.view.robot]} (robot {shell.debugger.view.robot})"
     yield from shell.look()
 
 
 def _info_robot(shell: Shell, text: str) -> Answer:
     debugger = shell.debugger
-    robot = take_robot(text, debugger.names) if text else debugger.robot
+    robot = take_robot(text, debugger.names) if text else debugger.view.robot
     yield from lines(robot_rows(debugger.session, robot))
 
 
@@ -55,8 +55,8 @@ def _info_world(shell: Shell, text: str) -> Answer:
 
 def _info_state(shell: Shell, text: str) -> Answer:
     debugger = shell.debugger
-    robot = take_robot(text, debugger.names) if text else debugger.robot
-    rows = told_state(debugger, robot)
+    robot = take_robot(text, debugger.names) if text else debugger.view.robot
+    rows = told_state(debugger.view, robot)
     if not rows:
         raise DebugError(f"the program of {debugger.names[robot]} has no State[]")
     yield from lines(rows)
@@ -67,9 +67,9 @@ def _map(shell: Shell, text: str) -> Answer:
     across_m = _across_m(words.pop()) if len(words) > 1 else _AROUND_M
     if words:
         robot = take_robot(" ".join(words), debugger.names)
-        chart = run_chart(debugger, _COLUMNS, _ROWS, robot=robot, across_m=across_m)
+        chart = run_chart(debugger.view, _COLUMNS, _ROWS, robot=robot, across_m=across_m)
     else:
-        chart = run_chart(debugger, _COLUMNS, _ROWS)
+        chart = run_chart(debugger.view, _COLUMNS, _ROWS)
     rows = ["".join(piece for piece, _ in row).rstrip() for row in chart.pieces]
     drawn = [number for number, row in enumerate(rows) if row]
     yield from rows[drawn[0] : drawn[-1] + 1] if drawn else ()

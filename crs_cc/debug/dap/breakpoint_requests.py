@@ -124,5 +124,5 @@ def _demand_object(session: EditorSession, at: FrameHandle, expression: str) -> 
         DebugError: it does not.
     """
     debugger = session.standing()
-    active = None if at.frame is None else debugger.frames(at.robot)[at.frame].active
-    debugger.evaluator(at.robot).place(expression, active)
+    active = None if at.frame is None else debugger.view.frames(at.robot)[at.frame].active
+    debugger.view.evaluator(at.robot).place(expression, active)

@@ -108,7 +108,7 @@ class EditorBreakpoints:
 
     def look(self, session: EditorSession) -> None:
         """Tells the client of breakpoints that came, or went, without it."""
-        there = {made.number: made for made in session.opened().breakpoints}
+        there = {made.number: made for made in session.opened().stop_points.breakpoints}
         own = {each.number for each in self._all()}
         for each in self._all():
             if each.number and each.number not in there:
@@ -146,8 +146,8 @@ class EditorBreakpoints:
 
 
 def _remove(debugger: Debugger, gone: _Set) -> None:
-    if gone.number in {each.number for each in debugger.breakpoints}:
-        debugger.remove(gone.number)
+    if gone.number in {each.number for each in debugger.stop_points.breakpoints}:
+        debugger.stop_points.remove(gone.number)
 
 
 def _set(session: EditorSession, wanted: _Set) -> None:
@@ -192,7 +192,7 @@ def _add_function(session: EditorSession, wish: Wish) -> Breakpoint:
 
 def _add_place(session: EditorSession, place: str, wish: Wish) -> Breakpoint:
     ignore = _ignored(wish.hits)
-    add = session.opened().add_breakpoint
+    add = session.opened().stop_points.add_breakpoint
     return add(place, condition=wish.condition, ignore=ignore, log=wish.log)
 
 
@@ -214,13 +214,13 @@ def _add_data(session: EditorSession, wish: Wish) -> Breakpoint:
     function, _, expression = rest.partition(" ")
     if not (robot.isascii() and robot.isdigit() and len(robot) < 9 and expression):
         raise DebugError(f"'{wish.what}' is nothing that was given out as data")
-    before = debugger.robot, debugger.frame
+    before = debugger.view.robot, debugger.view.frame
     try:
-        debugger.select_robot(int(robot))
-        found = [each.number for each in debugger.frames() if each.function == function]
+        debugger.view.select_robot(int(robot))
+        found = [each.number for each in debugger.view.frames() if each.function == function]
         if found:
-            debugger.select_frame(found[0])
-        return debugger.add_watchpoint(
+            debugger.view.select_frame(found[0])
+        return debugger.stop_points.add_watchpoint(
             expression,
             ACCESS[wish.access],
             condition=wish.condition,
@@ -228,11 +228,11 @@ def _add_data(session: EditorSession, wish: Wish) -> Breakpoint:
             robot=int(robot),
         )
     finally:
-        debugger.robot, debugger.frame = before
+        debugger.view.robot, debugger.view.frame = before
 
 
 def _add_exception(session: EditorSession, wish: Wish) -> Breakpoint:
-    return session.opened().add_catchpoint(wish.what, condition=wish.condition)
+    return session.opened().stop_points.add_catchpoint(wish.what, condition=wish.condition)
 
 
 def _location(made: Breakpoint) -> Location | None:

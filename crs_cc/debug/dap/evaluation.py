@@ -34,7 +34,7 @@ def evaluate(session: EditorSession, arguments: Arguments) -> Message:
     debugger, at = session.standing(), frame_handle(session, arguments)
     text, context = arguments.text("expression"), arguments.text("context", "watch")
     if context != "repl":
-        value = debugger.look_up(text, robot=at.robot, frame=at.frame)
+        value = debugger.view.look_up(text, robot=at.robot, frame=at.frame)
         line = value.full if context == "clipboard" else value.text
         return shown(session, value, text, at, text=line, key="result")
     _look_from(debugger, at)
@@ -47,18 +47,18 @@ def evaluate(session: EditorSession, arguments: Arguments) -> Message:
 
 
 def _look_from(debugger: Debugger, at: FrameHandle) -> None:
-    debugger.select_robot(at.robot)
+    debugger.view.select_robot(at.robot)
     if at.frame is not None:
-        debugger.select_frame(at.frame)
+        debugger.view.select_frame(at.frame)
 
 
 def _is_expression(debugger: Debugger, at: FrameHandle, text: str) -> bool:
     """Tells whether a text means something as an expression, whatever comes of it."""
-    frame = debugger.current_frame()
+    frame = debugger.view.current_frame()
     if frame is None:
         return False
     try:
-        debugger.evaluator(at.robot).check(text, frame.active.function, frame.location)
+        debugger.view.evaluator(at.robot).check(text, frame.active.function, frame.location)
     except DebugError:
         return False
     return True
@@ -101,7 +101,7 @@ def set_expression(session: EditorSession, arguments: Arguments) -> Message:
 def _assign(session: EditorSession, at: FrameHandle, expression: str, value: str) -> Message:
     debugger = session.opened()
     debugger.evaluate(f"({expression}) = ({value})", robot=at.robot, frame=at.frame)
-    now = debugger.look_up(expression, robot=at.robot, frame=at.frame)
+    now = debugger.view.look_up(expression, robot=at.robot, frame=at.frame)
     session.afterwards = session.tell_changed
     body = shown(session, now, expression, at)
     del body["evaluateName"]
@@ -134,7 +134,7 @@ def _names(debugger: Debugger, at: FrameHandle, text: str) -> Iterator[tuple[str
     word = _WORD.search(text)
     if word is None:
         return
-    known = debugger.variables(robot=at.robot, frame=at.frame) if at.frame is not None else []
-    for each in [*known, *debugger.globals_(robot=at.robot)]:
+    known = debugger.view.variables(robot=at.robot, frame=at.frame) if at.frame is not None else []
+    for each in [*known, *debugger.view.globals_(robot=at.robot)]:
         if each.name.startswith(word[0]):
             yield each.name, word.start()

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from crs_cc.debug.dap.arguments import Arguments
     from crs_cc.debug.dap.framing import Message
     from crs_cc.debug.dap.session import EditorSession
-    from crs_cc.debug.view import Frame
+    from crs_cc.debug.view import BacktraceFrame
     from crs_cc.runtime.diagnosis.report import ErrorReport
 
 
@@ -29,7 +29,7 @@ def threads(session: EditorSession, _arguments: Arguments) -> Message:
 def stack_trace(session: EditorSession, arguments: Arguments) -> Message:
     """Gives the active functions of a robot's program; without one, what it does instead."""
     debugger, robot = session.opened(), session.robot(arguments)
-    frames = debugger.frames(robot)
+    frames = debugger.view.frames(robot)
     if not frames:
         label = {
             "id": session.handles.give(FrameHandle(robot)),
@@ -51,7 +51,7 @@ def stack_trace(session: EditorSession, arguments: Arguments) -> Message:
     }
 
 
-def _frame(session: EditorSession, robot: int, frame: Frame, address: int) -> Message:
+def _frame(session: EditorSession, robot: int, frame: BacktraceFrame, address: int) -> Message:
     handle = FrameHandle(robot, frame.number, frame.function)
     return {
         "id": session.handles.give(handle),

@@ -25,7 +25,7 @@ _GRANULARITIES: Final = ("statement", "line", "instruction")
 def continue_(session: EditorSession, _arguments: Arguments) -> Message:
     """Goes on to the next breakpoint; behind the end of the run the session ends."""
     debugger = session.standing()
-    if debugger.is_over:
+    if debugger.view.is_over:
         session.afterwards = partial(tell_end, session)
     else:
         session.motion = Motion(debugger.resume, go_on=debugger.resume)
@@ -76,7 +76,7 @@ def step_out(session: EditorSession, arguments: Arguments) -> None:
 def _look_at(session: EditorSession, arguments: Arguments) -> Debugger:
     """Looks at the robot that is meant."""
     debugger = session.standing()
-    debugger.select_robot(session.robot(arguments))
+    debugger.view.select_robot(session.robot(arguments))
     return debugger
 
 
@@ -119,16 +119,16 @@ def goto(session: EditorSession, arguments: Arguments) -> None:
     visit = session.handles.take(arguments.integer("targetId"))
     if not isinstance(visit, _Visit):
         raise RefusalError("'targetId' is none")
-    session.motion = Motion(partial(_visit, debugger, debugger.robot, visit))
+    session.motion = Motion(partial(_visit, debugger, debugger.view.robot, visit))
 
 
 def _visit(debugger: Debugger, robot: int, visit: _Visit) -> Stop:
-    made = debugger.add_breakpoint(visit.place, temporary=True, robot=robot)
+    made = debugger.stop_points.add_breakpoint(visit.place, temporary=True, robot=robot)
     try:
         stop = debugger.resume(backward=visit.backward)
     finally:
-        if made in list(debugger.breakpoints):  # it was not what stopped the run
-            debugger.remove(made.number)
+        if made in list(debugger.stop_points.breakpoints):  # it was not what stopped the run
+            debugger.stop_points.remove(made.number)
     return replace(stop, reason="goto") if made.number in stop.breakpoints else stop
 
 

@@ -44,10 +44,10 @@ def frame_handle(session: EditorSession, arguments: Arguments) -> FrameHandle:
     """
     debugger = session.opened()
     if "frameId" not in arguments:
-        frame = debugger.current_frame()
+        frame = debugger.view.current_frame()
         if frame is None:
-            return FrameHandle(debugger.robot)
-        return FrameHandle(debugger.robot, frame.number, frame.function)
+            return FrameHandle(debugger.view.robot)
+        return FrameHandle(debugger.view.robot, frame.number, frame.function)
     found = session.handles.take(arguments.integer("frameId"))
     if not isinstance(found, FrameHandle):
         raise RefusalError("'frameId' is that of no frame")

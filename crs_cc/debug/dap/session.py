@@ -148,7 +148,7 @@ class EditorSession:
         debugger = self._open_run(launch.command_line, self.output.write, self.output.say)
         self.launch, self._debugger, self.has_begun = launch, debugger, False
         self.shell = Shell(debugger)
-        debugger.say = self.output.say
+        debugger.stop_points.say = self.output.say
         self.output.begin(debugger.names)
         self.handles.clear()
         for program in debugger.run.programs:

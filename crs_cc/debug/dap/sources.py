@@ -29,7 +29,7 @@ def source(session: EditorSession, arguments: Arguments) -> Message:
     file = session.places.file_at(session.places.key(asked))
     if file is None:
         raise RefusalError("no program of this run is made of this file")
-    lines = session.opened().source(file)
+    lines = session.opened().view.source(file)
     return {"content": session.places.text(file, lines), "mimeType": "text/x-c"}
 
 

@@ -57,7 +57,7 @@ def tell_stop(session: EditorSession, stop: Stop) -> None:
         session.motion = Motion(debugger.resume, go_on=debugger.resume)
         return
     said = stop.text or _SAID.get(stop.reason, stop.reason)
-    robot = stop.robot if stop.robot >= 0 else debugger.robot
+    robot = stop.robot if stop.robot >= 0 else debugger.view.robot
     body: Message = {
         "reason": _reason(session, stop),
         "description": f"{said.splitlines()[0]} (t = {instant(stop.time_s)})",

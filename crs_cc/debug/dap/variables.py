@@ -52,7 +52,7 @@ def scopes_at(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
     for name in _SCOPES:
         if at.frame is None and name == "Locals":
             continue
-        if name == "State" and not session.opened().told_state(at.robot):
+        if name == "State" and not session.opened().view.told_state(at.robot):
             continue
         scope = {
             "name": name,
@@ -121,12 +121,12 @@ def _row(session: EditorSession, row: Row) -> Message:
 
 
 def _locals(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
-    found = session.opened().variables(robot=at.robot, frame=at.frame)
+    found = session.opened().view.variables(robot=at.robot, frame=at.frame)
     return _variables(session, found, at)
 
 
 def _globals(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
-    return _variables(session, session.opened().globals_(robot=at.robot), at)
+    return _variables(session, session.opened().view.globals_(robot=at.robot), at)
 
 
 def _variables(
@@ -140,7 +140,7 @@ def _variables(
 
 def _state_rows(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
     """Gives the numbers of `State[]` with their names and units."""
-    told = session.opened().told_state(at.robot)
+    told = session.opened().view.told_state(at.robot)
     for row, (field, _) in zip(state_rows(told), told, strict=True):
         yield {
             "name": row.name,

@@ -54,7 +54,7 @@ class Repl:
         self._keyboard = keyboard
         self._interrupted = False
         keyboard.on_interrupt = self._interrupt
-        debugger.say = self._log
+        debugger.stop_points.say = self._log
 
     def run(self, scripts: Scripts, *, batch: bool = False) -> int:
         """Does what scripts say, then what the user says.

@@ -99,11 +99,14 @@ class Desk:
         # An interrupt that came too late for the order before is none of this one.
         self._is_interrupted = False
         debugger.forget_interrupt()
-        before, looked_at = debugger.position, (debugger.robot, debugger.frame)
+        before, looked_at = debugger.position, (debugger.view.robot, debugger.view.frame)
         answer, errors = Text(), list[str]()
         try:
             self._answer(order, before, answer, errors)
-            if (debugger.position, (debugger.robot, debugger.frame)) != (before, looked_at):
+            if (debugger.position, (debugger.view.robot, debugger.view.frame)) != (
+                before,
+                looked_at,
+            ):
                 order = replace(order, file="")
             self._look = gather(self.shell, order)
         except DebugError as error:  # of the look: the files are not any more what they were

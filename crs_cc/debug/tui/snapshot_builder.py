@@ -45,8 +45,8 @@ def gather(shell: Shell, order: Order) -> Look:
     return Look(
         state=_state(debugger),
         badge=_badge(debugger),
-        time_s=debugger.time_s,
-        end_s=max(chronicle.timesteps * _timestep_s(debugger), debugger.time_s, last_s),
+        time_s=debugger.view.time_s,
+        end_s=max(chronicle.timesteps * _timestep_s(debugger), debugger.view.time_s, last_s),
         place=f"timestep {position.timestep}" + _statement(debugger),
         source=_source(debugger, order.file),
         frames=tuple(_frames(debugger)),
@@ -61,7 +61,7 @@ def gather(shell: Shell, order: Order) -> Look:
 def _badge(debugger: Debugger) -> Badge:
     if debugger.stop.reason == "error":
         return "error"
-    return "over" if debugger.is_over else "stopped"
+    return "over" if debugger.view.is_over else "stopped"
 
 
 def _state(debugger: Debugger) -> str:
@@ -75,7 +75,7 @@ def _state(debugger: Debugger) -> str:
 
 
 def _statement(debugger: Debugger) -> str:
-    return f", before stmt {debugger.run.begun(debugger.robot) + 1}"
+    return f", before stmt {debugger.run.begun(debugger.view.robot) + 1}"
 
 
 def _timestep_s(debugger: Debugger) -> float:
@@ -86,26 +86,29 @@ def _chart(debugger: Debugger, columns: int, rows: int) -> Text:
     """Draws the map, with what the robot that is looked at senses; none where there is no room."""
     if columns < _LEAST_COLUMNS or rows < _LEAST_ROWS:
         return Text()
-    return run_chart(debugger, columns, rows, robot=debugger.robot).text
+    return run_chart(debugger.view, columns, rows, robot=debugger.view.robot).text
 
 
 def _source(debugger: Debugger, wanted: str) -> SourceLook:
     """Gives the file that is wanted, or else the one where the user looks at a function."""
-    program = debugger.run.programs[debugger.robot]
+    program = debugger.run.programs[debugger.view.robot]
     files = tuple(program.executable.detail().lines)
-    place, own = debugger.location(), [each for each in debugger.frames() if not each.is_library]
+    place, own = (
+        debugger.view.location(),
+        [each for each in debugger.view.frames() if not each.is_library],
+    )
     file = place.file if place else own[0].location.file if own else str(program.paths[0])
     if wanted in files:
         file = wanted
-    innermost = not own or own[0].number == debugger.frame
+    innermost = not own or own[0].number == debugger.view.frame
     line = place.line if place and place.file == file else 0
     marks = _breakpoints(debugger, file)
-    return SourceLook(file, debugger.source(file), line, innermost, marks, files)
+    return SourceLook(file, debugger.view.source(file), line, innermost, marks, files)
 
 
 def _breakpoints(debugger: Debugger, file: str) -> dict[int, Breakmark]:
     marks = {}
-    for each in debugger.breakpoints:
+    for each in debugger.stop_points.breakpoints:
         place = each.place.location if each.place else None
         if place is not None and place.file == file:
             marks[place.line] = Breakmark(each.number, each.enabled)
@@ -114,14 +117,14 @@ def _breakpoints(debugger: Debugger, file: str) -> dict[int, Breakmark]:
 
 def _frames(debugger: Debugger) -> Iterator[Choice]:
     """Gives the stack; of the C library's functions only those that the program has called."""
-    frames = debugger.frames()
+    frames = debugger.view.frames()
     for each in frames[:_MOST_FRAMES]:
         caller = frames[each.number + 1] if each.number + 1 < len(frames) else None
         if each.is_library and caller is not None and caller.is_library:
             continue
         _, _, arguments = frame_text(debugger, each).partition(" at ")[0].partition(" ")
         place = f"{PurePath(each.location.file).name}:{each.location.line}  {arguments}"
-        is_current = each.number == debugger.frame
+        is_current = each.number == debugger.view.frame
         place = "C library" if each.is_library else place
         yield Choice(each.number, each.function, place, is_current)
 
@@ -129,10 +132,10 @@ def _frames(debugger: Debugger) -> Iterator[Choice]:
 def _robots(debugger: Debugger) -> Iterator[Choice]:
     """Gives the robots; of very many those around the one that is looked at."""
     session, names = debugger.session, debugger.names
-    first = max(0, min(debugger.robot - _MOST_ROBOTS // 2, len(names) - _MOST_ROBOTS))
+    first = max(0, min(debugger.view.robot - _MOST_ROBOTS // 2, len(names) - _MOST_ROBOTS))
     for number in range(first, min(first + _MOST_ROBOTS, len(names))):
         text = " ".join(filter(None, [names[number], _pose(session, number)]))
-        yield Choice(number, text, activity(session, number), number == debugger.robot)
+        yield Choice(number, text, activity(session, number), number == debugger.view.robot)
 
 
 def _pose(session: Session, robot: int) -> str:

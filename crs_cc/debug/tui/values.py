@@ -30,7 +30,7 @@ def variables(shell: Shell, unfolded: frozenset[Key]) -> tuple[Row, ...]:
     """
     tree = _Tree(shell, unfolded)
     debugger = shell.debugger
-    frame, robot = debugger.current_frame(), debugger.names[debugger.robot]
+    frame, robot = debugger.view.current_frame(), debugger.names[debugger.view.robot]
     groups: list[tuple[str, str, Callable[[Key], Iterable[Row]]]] = []
     if frame is not None:
         groups.append(("locals", frame.function, tree.locals))
@@ -64,20 +64,20 @@ class _Tree:
     def locals(self, group: Key) -> Iterator[Row]:
         """Gives the variables of the function that is looked at; the same ones in each depth."""
         debugger = self._debugger
-        frame = debugger.current_frame()
+        frame = debugger.view.current_frame()
         if frame is None:
             return
-        depth = len(debugger.frames()) - frame.number
-        key = (*group, str(debugger.robot), f"{frame.function}@{depth}")
+        depth = len(debugger.view.frames()) - frame.number
+        key = (*group, str(debugger.view.robot), f"{frame.function}@{depth}")
         seen: dict[str, int] = {}
-        for each in debugger.variables():
+        for each in debugger.view.variables():
             seen[each.name] = seen.get(each.name, 0) + 1  # blocks inside each other
             yield self._value((*key, f"{each.name}#{seen[each.name]}"), each.name, each.value)
 
     def globals(self, group: Key) -> Iterator[Row]:
         """Gives the program's variables."""
-        for each in self._debugger.globals_():
-            key = (*group, str(self._debugger.robot), each.name)
+        for each in self._debugger.view.globals_():
+            key = (*group, str(self._debugger.view.robot), each.name)
             yield self._value(key, each.name, each.value)
 
     def displays(self, group: Key) -> Iterator[Row]:
@@ -85,7 +85,7 @@ class _Tree:
         for number, display in self._shell.displays.items():
             key = (*group, str(number))
             try:
-                value = self._debugger.look_up(display.expression)
+                value = self._debugger.view.look_up(display.expression)
             except DebugError:
                 yield Row(key, display.expression, "-")
             else:
@@ -94,12 +94,14 @@ class _Tree:
     def state(self, group: Key) -> Iterator[Row]:
         """Gives the numbers of `State[]` by their names; none where a program has none."""
         debugger = self._debugger
-        return self._rows(state_rows(debugger.told_state()), (*group, str(debugger.robot)))
+        return self._rows(
+            state_rows(debugger.view.told_state()), (*group, str(debugger.view.robot))
+        )
 
     def robot(self, group: Key) -> Iterator[Row]:
         """Gives what there is to say about the robot."""
-        found = robot_rows(self._debugger.session, self._debugger.robot)
-        return self._rows(found, (*group, str(self._debugger.robot)))
+        found = robot_rows(self._debugger.session, self._debugger.view.robot)
+        return self._rows(found, (*group, str(self._debugger.view.robot)))
 
     def world(self, group: Key) -> Iterator[Row]:
         """Gives what there is to say about the world."""

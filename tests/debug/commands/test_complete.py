@@ -42,7 +42,7 @@ def test_every_word_is_completed_by_what_can_stand_there(shell: Shell) -> None:
 def test_numbers_and_files_are_completed(
     shell: Shell, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    shell.debugger.add_breakpoint("main")
+    shell.debugger.stop_points.add_breakpoint("main")
     shell.debugger.checkpoint()
     list(shell.execute("display calls"))
     for line in ("delete ", "restart ", "undisplay "):

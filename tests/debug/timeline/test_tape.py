@@ -23,8 +23,8 @@ def hits_back(debugger: Debugger) -> list[tuple[Position, int, float]]:
 
 def test_what_is_found_without_the_world_is_what_is_found_with_it() -> None:
     debugger = debugger_at([PLATOON], "platoon.xml")
-    debugger.add_breakpoint("crs_receive")
-    debugger.add_breakpoint("follow", robot=2)
+    debugger.stop_points.add_breakpoint("crs_receive")
+    debugger.stop_points.add_breakpoint("follow", robot=2)
     debugger.goto_timestep(12)
     end = debugger.position
     without = hits_back(debugger)

@@ -50,7 +50,7 @@ def kinds(debugger: Debugger) -> list[str]:
 
 def test_stops_are_known_whatever_screen_there_is(program: DebugProgram) -> None:
     debugger = Debugger(WALL, [program])
-    debugger.add_breakpoint("main")
+    debugger.stop_points.add_breakpoint("main")
     debugger.resume()
     debugger.goto_timestep(0)
     debugger.resume()
