@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from crs_cc.debug.watch import Watched
     from crs_cc.debug.watchpoints import Watchpoint
 
-Kind = Literal["breakpoint", "watchpoint", "catchpoint"]
+BreakpointKind = Literal["breakpoint", "watchpoint", "catchpoint"]
 
 
 @dataclass(slots=True)
@@ -40,7 +40,7 @@ class Breakpoint:
     """
 
     number: int
-    kind: Kind
+    kind: BreakpointKind
     text: str
     place: Place | None = None
     watch: Watchpoint | None = None

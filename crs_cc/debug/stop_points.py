@@ -7,11 +7,10 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, Final
 
 from crs_cc.core.suggest import unknown
-from crs_cc.debug.breakpoints import Breakpoint, Breakpoints, Hit, Kind
+from crs_cc.debug.breakpoints import Breakpoint, BreakpointKind, Breakpoints, Hit
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.locations import Place, find_place
-from crs_cc.debug.watch import KINDS, MOST
-from crs_cc.debug.watch import Kind as Access
+from crs_cc.debug.watch import KINDS, MOST, AccessKind
 from crs_cc.debug.watchpoints import same_activation, told, watchpoint
 from crs_cc.debug.world.events import checked_kind
 
@@ -64,7 +63,7 @@ class StopPoints:
         return self._add("catchpoint", kind, None, options)
 
     def add_watchpoint(
-        self, expression: str, kind: Access = "change", **options: Any
+        self, expression: str, kind: AccessKind = "change", **options: Any
     ) -> Breakpoint:
         """Adds a watchpoint for an object in the memory of a robot.
 
@@ -103,7 +102,7 @@ class StopPoints:
             )
 
     def _add(
-        self, kind: Kind, text: str, place: Place | None, options: Mapping[str, Any]
+        self, kind: BreakpointKind, text: str, place: Place | None, options: Mapping[str, Any]
     ) -> Breakpoint:
         self._check(place, options.get("condition", ""))
         return self.breakpoints.add(lambda number: Breakpoint(number, kind, text, place, **options))

@@ -17,7 +17,7 @@ from crs_cc.debug.data.variables import Variable
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.position import Position
 from crs_cc.debug.timeline.run import Run
-from crs_cc.debug.world.state_rows import StateField, state_fields
+from crs_cc.debug.world.state_fields import StateField, state_fields
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 

@@ -52,8 +52,8 @@ if TYPE_CHECKING:
 MOST: Final = RANGES // 2
 """Most objects of one robot that can be watched at once: each needs a range, some one more."""
 
-Kind = Literal["write", "read", "access", "change"]
-KINDS: Final[dict[Kind, int]] = {
+AccessKind = Literal["write", "read", "access", "change"]
+KINDS: Final[dict[AccessKind, int]] = {
     "write": WRITE,
     "read": READ,
     "access": READ | WRITE,
@@ -77,7 +77,7 @@ class Watched:
     """
 
     number: int
-    kind: Kind
+    kind: AccessKind
     address: int
     size: int
     frame: StackFrame | None = None

@@ -20,7 +20,7 @@ from crs_cc.runtime.layout import HEADER_SIZE, STACK_TOP
 if TYPE_CHECKING:
     from crs_cc.debug.data.evaluate import Evaluator
     from crs_cc.debug.data.memory_inspection import Sight
-    from crs_cc.debug.watch import Kind
+    from crs_cc.debug.watch import AccessKind
     from crs_cc.ir.types import CType
     from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 
@@ -50,7 +50,7 @@ class Watchpoint:
 
 
 def watchpoint(
-    number: int, text: str, kind: Kind, evaluator: Evaluator, frame: StackFrame | None
+    number: int, text: str, kind: AccessKind, evaluator: Evaluator, frame: StackFrame | None
 ) -> Watchpoint:
     """Finds what an expression names.
 

@@ -9,7 +9,7 @@ from crs_cc.core.source import Diagnostics
 from crs_cc.debug.data.evaluate import Evaluator
 from crs_cc.debug.data.prepare import Names
 from crs_cc.debug.program import DebugProgram
-from crs_cc.debug.world.state_rows import state_fields
+from crs_cc.debug.world.state_fields import state_fields
 from crs_cc.frontend.preprocess.options import Options
 from crs_cc.requests import SUSPENDED
 from crs_cc.runtime.fleet import Fleet

@@ -11,7 +11,7 @@ import pytest
 
 from crs_cc.core.source import Diagnostics
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.watch import MOST, Access, Kind, Watched, Watches
+from crs_cc.debug.watch import MOST, Access, AccessKind, Watched, Watches
 from crs_cc.ir.names import plain_name
 from crs_cc.requests import SUSPENDED
 from crs_cc.runtime.diagnosis.inspect import StackFrame
@@ -165,10 +165,10 @@ class Watching:
         number = int(self.fleet.slots["stopped"][0]) - 1
         return _line(self.executable.detail().compiled.statements[number].location.line)
 
-    def watch(self, kind: Kind, *names: str) -> None:
+    def watch(self, kind: AccessKind, *names: str) -> None:
         self.watches.arm([self.object(each, kind, n) for n, each in enumerate(names, start=1)])
 
-    def object(self, text: str, kind: Kind, number: int = 1) -> Watched:
+    def object(self, text: str, kind: AccessKind, number: int = 1) -> Watched:
         """Gives an object: `name`, `name+offset:size`, or `function/variable`."""
         name, _, part = text.partition("+")
         at, _, size = part.partition(":")
@@ -182,7 +182,7 @@ class Watching:
                 return Watched(number, kind, first, int(size or data.size))
         raise AssertionError(name)
 
-    def local(self, function: str, variable: str, kind: Kind, number: int = 1) -> Watched:
+    def local(self, function: str, variable: str, kind: AccessKind, number: int = 1) -> Watched:
         """Gives a variable of the innermost activation of a function."""
         frame = self.frame(function)
         layout = self.executable.detail().compiled.info(frame.function).frame
@@ -211,7 +211,7 @@ def program(tmp_path_factory: pytest.TempPathFactory) -> Executable:
     return build_executable([path], Diagnostics(), debug=True)
 
 
-def all_found(program: Executable, kind: Kind, name: str) -> list[Found]:
+def all_found(program: Executable, kind: AccessKind, name: str) -> list[Found]:
     run = Watching(program)
     run.watch(kind, name)
     return list(run.found())

@@ -20,7 +20,7 @@ _OF_ROBOT: Final = re.compile(r"(?:^|\s)(?:robot|thread)\s+(\S+)\s*$")
 
 
 @dataclass(frozen=True, slots=True)
-class Format:
+class OutputFormat:
     """How to show a value: what stands behind the `/` of `print/x` and `x/4xw`.
 
     Attributes:
@@ -35,7 +35,7 @@ class Format:
     size: int = 0
 
 
-def take_format(text: str) -> tuple[Format, str]:
+def take_format(text: str) -> tuple[OutputFormat, str]:
     """Takes `/FMT` off the front of an argument.
 
     Raises:
@@ -45,7 +45,7 @@ def take_format(text: str) -> tuple[Format, str]:
     (Format(letter='x', count=4, size=4), '&count')
     """
     if not text.startswith("/"):
-        return Format(), text
+        return OutputFormat(), text
     found = _FORMAT.match(text)
     assert found
     digits, letters = found[1], found[2]
@@ -54,7 +54,7 @@ def take_format(text: str) -> tuple[Format, str]:
     if len(sizes) > 1 or len(shapes) > 1 or len(sizes) + len(shapes) < len(letters):
         raise DebugError(f"'/{digits}{letters}' is no format: try \"help x\"")
     return (
-        Format("".join(shapes), _count(digits or "1"), _SIZES[sizes[0]] if sizes else 0),
+        OutputFormat("".join(shapes), _count(digits or "1"), _SIZES[sizes[0]] if sizes else 0),
         text[found.end() :],
     )
 
@@ -102,7 +102,7 @@ def take_numbers(text: str, newest: int | None = None) -> list[int]:
 
 
 @dataclass(frozen=True, slots=True)
-class Where:
+class BreakpointArguments:
     """Where to stop: what stands behind `break`.
 
     Attributes:
@@ -116,7 +116,7 @@ class Where:
     condition: str = ""
 
 
-def take_where(text: str) -> Where:
+def take_where(text: str) -> BreakpointArguments:
     """Gives place, robot and condition.
 
     >>> take_where("wander.c:12 robot 1 if x > 3")
@@ -130,7 +130,7 @@ def take_where(text: str) -> Where:
     robot = ""
     if found := _OF_ROBOT.search(text):
         text, robot = text[: found.start()], found[1]
-    return Where(text.strip(), robot, condition)
+    return BreakpointArguments(text.strip(), robot, condition)
 
 
 def take_robot(text: str, names: Sequence[str]) -> int:

@@ -6,7 +6,7 @@ import struct
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.debug.commands.arguments import Format
+from crs_cc.debug.commands.arguments import OutputFormat
 from crs_cc.debug.errors import DebugError
 from crs_cc.ir.program import ByteState
 from crs_cc.ir.types import ArrayType, FloatType, PointerType, RecordType
@@ -22,7 +22,7 @@ _IN_A_LINE: Final = {1: 8, 2: 8, 4: 4, 8: 2}
 _MOST_BYTES: Final = 4096
 
 
-def formatted(value: Value, wanted: Format) -> str:
+def formatted(value: Value, wanted: OutputFormat) -> str:
     """Gives a value in a form; that of an array or struct for each of its parts.
 
     A number that is not whole stays as it is where the form is one of integers.
@@ -145,7 +145,7 @@ _QUOTED: Final = {
 }
 
 
-def dump(sight: Sight, address: int, wanted: Format) -> Iterator[str]:
+def dump(sight: Sight, address: int, wanted: OutputFormat) -> Iterator[str]:
     """Gives memory in lines: the address, and the units from there on.
 
     A unit with bytes that nobody has set is `??`, one with bytes that belong to no object `--`.

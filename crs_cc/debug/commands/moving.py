@@ -6,73 +6,76 @@ import re
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.debug.commands.answer import Answer
 from crs_cc.debug.commands.arguments import demand, demand_none, take_count
-from crs_cc.debug.commands.command import Answer, Command, Group
-from crs_cc.debug.commands.stops import when_text
+from crs_cc.debug.commands.command import Command, Group
+from crs_cc.debug.commands.stop_text import when_text
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.position import BEGINNING
 
 if TYPE_CHECKING:
-    from crs_cc.debug.commands.shell import Shell
+    from crs_cc.debug.commands.context import CommandContext
 
 
-def _start(shell: Shell, text: str) -> Answer:
+def _start(context: CommandContext, text: str) -> Answer:
     demand_none(text)
-    shell.debugger.goto(BEGINNING)
-    return shell.move(shell.debugger.start)
+    context.debugger.goto(BEGINNING)
+    return context.move(context.debugger.start)
 
 
-def _run(shell: Shell, text: str) -> Answer:
+def _run(context: CommandContext, text: str) -> Answer:
     demand_none(text)
-    shell.debugger.goto(BEGINNING)
-    return shell.move(shell.debugger.resume)
+    context.debugger.goto(BEGINNING)
+    return context.move(context.debugger.resume)
 
 
-def _continue(shell: Shell, text: str) -> Answer:
+def _continue(context: CommandContext, text: str) -> Answer:
     count = take_count(text)
     if count > 1:
-        hit = shell.debugger.stop.breakpoints
+        hit = context.debugger.stop.breakpoints
         if not hit:
             raise DebugError("there is no breakpoint here to be passed")
-        shell.debugger.stop_points.ignore(hit[0], count - 1)
+        context.debugger.stop_points.ignore(hit[0], count - 1)
         yield f"Will ignore next {count - 1} crossings of breakpoint {hit[0]}.  Continuing."
-    yield from shell.move(shell.debugger.resume)
+    yield from context.move(context.debugger.resume)
 
 
-def _reverse_continue(shell: Shell, text: str) -> Answer:
+def _reverse_continue(context: CommandContext, text: str) -> Answer:
     demand_none(text)
-    return shell.move(partial(shell.debugger.resume, backward=True))
+    return context.move(partial(context.debugger.resume, backward=True))
 
 
-def _step(shell: Shell, text: str, *, backward: bool = False) -> Answer:
-    return shell.move(partial(shell.debugger.step, take_count(text), backward=backward))
+def _step(context: CommandContext, text: str, *, backward: bool = False) -> Answer:
+    return context.move(partial(context.debugger.step, take_count(text), backward=backward))
 
 
-def _next(shell: Shell, text: str, *, backward: bool = False) -> Answer:
-    return shell.move(partial(shell.debugger.next, take_count(text), backward=backward))
+def _next(context: CommandContext, text: str, *, backward: bool = False) -> Answer:
+    return context.move(partial(context.debugger.next, take_count(text), backward=backward))
 
 
-def _stepi(shell: Shell, text: str, *, backward: bool = False) -> Answer:
-    return shell.move(partial(shell.debugger.step_statement, take_count(text), backward=backward))
+def _stepi(context: CommandContext, text: str, *, backward: bool = False) -> Answer:
+    return context.move(
+        partial(context.debugger.step_statement, take_count(text), backward=backward)
+    )
 
 
-def _tick(shell: Shell, text: str, *, backward: bool = False) -> Answer:
-    return shell.move(partial(shell.debugger.tick, take_count(text), backward=backward))
+def _tick(context: CommandContext, text: str, *, backward: bool = False) -> Answer:
+    return context.move(partial(context.debugger.tick, take_count(text), backward=backward))
 
 
-def _finish(shell: Shell, text: str, *, backward: bool = False) -> Answer:
+def _finish(context: CommandContext, text: str, *, backward: bool = False) -> Answer:
     demand_none(text)
-    return shell.move(partial(shell.debugger.finish, backward=backward))
+    return context.move(partial(context.debugger.finish, backward=backward))
 
 
-def _until(shell: Shell, text: str) -> Answer:
+def _until(context: CommandContext, text: str) -> Answer:
     if text:
-        return _advance(shell, text)
-    return shell.move(shell.debugger.until)
+        return _advance(context, text)
+    return context.move(context.debugger.until)
 
 
-def _advance(shell: Shell, text: str) -> Answer:
-    return shell.move(partial(shell.debugger.advance, demand(text, "a line or a function")))
+def _advance(context: CommandContext, text: str) -> Answer:
+    return context.move(partial(context.debugger.advance, demand(text, "a line or a function")))
 
 
 _INSTANT: Final = re.compile(
@@ -80,10 +83,10 @@ _INSTANT: Final = re.compile(
 )
 
 
-def _goto(shell: Shell, text: str) -> Answer:
+def _goto(context: CommandContext, text: str) -> Answer:
     text = demand(text, "an instant, such as 12.3 or tick 120")
     if text == "start":
-        return shell.move(partial(shell.debugger.goto, BEGINNING))
+        return context.move(partial(context.debugger.goto, BEGINNING))
     found = _INSTANT.fullmatch(text)
     if not found:
         raise DebugError(
@@ -91,17 +94,17 @@ def _goto(shell: Shell, text: str) -> Answer:
         )
     kind, number = found["kind"] or "t", found["number"]
     if kind in {"t", "time"}:
-        return shell.move(partial(shell.debugger.goto_time, float(number)))
+        return context.move(partial(context.debugger.goto_time, float(number)))
     if not number.isdigit():
         raise DebugError(f"'{kind}' needs a whole number")
     is_tick = kind.startswith("ti")
-    go = shell.debugger.goto_timestep if is_tick else shell.debugger.goto_statement
-    return shell.move(partial(go, int(number)))
+    go = context.debugger.goto_timestep if is_tick else context.debugger.goto_statement
+    return context.move(partial(go, int(number)))
 
 
-def _when(shell: Shell, text: str) -> Answer:
+def _when(context: CommandContext, text: str) -> Answer:
     demand_none(text)
-    yield when_text(shell.debugger)
+    yield when_text(context.debugger)
 
 
 _BACKWARD_TEXT: Final = (

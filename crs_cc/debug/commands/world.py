@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.core.quantity import LENGTH
+from crs_cc.debug.commands.answer import Answer
 from crs_cc.debug.commands.arguments import demand_none, take_count, take_robot
-from crs_cc.debug.commands.command import Answer, Command, Group
+from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.robot_rows import HEADINGS, robot_rows, summary
 from crs_cc.debug.world.rows import lines
@@ -15,7 +16,7 @@ from crs_cc.debug.world.state_rows import told_state
 from crs_cc.debug.world.world_rows import world_rows
 
 if TYPE_CHECKING:
-    from crs_cc.debug.commands.shell import Shell
+    from crs_cc.debug.commands.context import CommandContext
 
 _COLUMNS: Final = 78
 _ROWS: Final = 24
@@ -24,37 +25,38 @@ _LEAST_M, _MOST_M = 0.01, 100_000.0
 """The size of a map, which is the same on every terminal, as scripts have it; chosen by us."""
 
 
-def _robots(shell: Shell, text: str) -> Answer:
+def _robots(context: CommandContext, text: str) -> Answer:
     demand_none(text)
-    session = shell.debugger.session
-    rows = [HEADINGS, *(summary(session, each) for each in range(len(shell.debugger.names)))]
+    session = context.debugger.session
+    rows = [HEADINGS, *(summary(session, each) for each in range(len(context.debugger.names)))]
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     for number, row in enumerate(rows, -1):
-        mark = "=>" if number == shell.debugger.view.robot else "  "
+        mark = "=>" if number == context.debugger.view.robot else "  "
         cells = (cell.ljust(width) for cell, width in zip(row, widths, strict=True))
         yield f"{mark} {'  '.join(cells)}".rstrip()
 
 
-def _robot(shell: Shell, text: str) -> Answer:
+def _robot(context: CommandContext, text: str) -> Answer:
+    names, view = context.debugger.names, context.debugger.view
     if text:
-        shell.debugger.view.select_robot(take_robot(text, shell.debugger.names))
-    yield f"{shell.debugger.names[shell.debugger.view.robot]} (robot {shell.debugger.view.robot})"
-    yield from shell.look()
+        view.select_robot(take_robot(text, names))
+    yield f"{names[view.robot]} (robot {view.robot})"
+    yield from context.show_selection()
 
 
-def _info_robot(shell: Shell, text: str) -> Answer:
-    debugger = shell.debugger
+def _info_robot(context: CommandContext, text: str) -> Answer:
+    debugger = context.debugger
     robot = take_robot(text, debugger.names) if text else debugger.view.robot
     yield from lines(robot_rows(debugger.session, robot))
 
 
-def _info_world(shell: Shell, text: str) -> Answer:
+def _info_world(context: CommandContext, text: str) -> Answer:
     demand_none(text)
-    yield from lines(world_rows(shell.debugger.session.environment))
+    yield from lines(world_rows(context.debugger.session.environment))
 
 
-def _info_state(shell: Shell, text: str) -> Answer:
-    debugger = shell.debugger
+def _info_state(context: CommandContext, text: str) -> Answer:
+    debugger = context.debugger
     robot = take_robot(text, debugger.names) if text else debugger.view.robot
     rows = told_state(debugger.view, robot)
     if not rows:
@@ -62,8 +64,8 @@ def _info_state(shell: Shell, text: str) -> Answer:
     yield from lines(rows)
 
 
-def _map(shell: Shell, text: str) -> Answer:
-    debugger, words = shell.debugger, text.split()
+def _map(context: CommandContext, text: str) -> Answer:
+    debugger, words = context.debugger, text.split()
     across_m = _across_m(words.pop()) if len(words) > 1 else _AROUND_M
     if words:
         robot = take_robot(" ".join(words), debugger.names)
@@ -90,8 +92,8 @@ def _across_m(text: str) -> float:
     return across_m
 
 
-def _output(shell: Shell, text: str) -> Answer:
-    debugger, words = shell.debugger, text.split()
+def _output(context: CommandContext, text: str) -> Answer:
+    debugger, words = context.debugger, text.split()
     most = take_count(words.pop()) if words and words[-1].isdigit() else 0
     robot = take_robot(" ".join(words), debugger.names) if words else None
     written = debugger.run.console.text(robot).decode(errors="replace").splitlines()

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.debug.commands.complete import complete
+from crs_cc.debug.commands.completion import complete
 from crs_cc.debug.dap.parts import FrameHandle, frame_handle, shown
 from crs_cc.debug.dap.stops import tell_stop
 from crs_cc.debug.dap.variables import expression_of
@@ -79,7 +79,7 @@ def _command(session: EditorSession, text: str) -> Message:
         session.output.flush()
         session.afterwards = partial(tell_stop, session, debugger.stop)
     else:
-        session.breakpoints.look(session)
+        session.breakpoints.synchronize(session.opened())
         session.afterwards = session.tell_changed
     return {"result": said, "variablesReference": 0}
 
@@ -113,15 +113,15 @@ def completions(session: EditorSession, arguments: Arguments) -> Message:
     debugger, at = session.standing(), frame_handle(session, arguments)
     assert session.shell is not None
     _look_from(debugger, at)
-    end = session.places.our_column(arguments.natural("column")) - 1
+    end = session.locations.our_column(arguments.natural("column")) - 1
     text = arguments.text("text")[: max(end, 0)]
-    found = complete(session.shell, text)
+    found = complete(session.shell.context, text)
     words = dict.fromkeys((word, found.start) for word in found.words)
     words |= dict.fromkeys(_names(debugger, at, text))
     items = [
         {
             "label": word,
-            "start": session.places.column(start + 1),
+            "start": session.locations.column(start + 1),
             "length": len(text) - start,
         }
         for word, start in list(words)[:_MOST_COMPLETIONS]

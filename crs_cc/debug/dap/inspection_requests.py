@@ -59,7 +59,7 @@ def _frame(session: EditorSession, robot: int, frame: BacktraceFrame, address: i
         "instructionPointerReference": f"{address:#x}",
         "presentationHint": "subtle" if frame.is_library else "normal",
         "canRestart": False,
-        **session.places.place(frame.location),
+        **session.locations.place(frame.location),
     }
 
 
@@ -78,7 +78,7 @@ def exception_info(session: EditorSession, arguments: Arguments) -> Message:
         return _failure(debugger.session.fleet.report(robot))
     if stop.reason != "catchpoint" or robot != max(stop.robot, 0):
         raise RefusalError("nothing has happened to this robot")
-    kind = session.breakpoints.kind_of(stop.breakpoints)
+    kind = session.breakpoints.event_kind(stop.breakpoints)
     return {"exceptionId": kind, "description": stop.text, "breakMode": "always"}
 
 

@@ -58,7 +58,7 @@ def launch(session: EditorSession, arguments: Arguments) -> None:
     wanted = read_launch(arguments)
     session.open(wanted)
     if wanted.debugs:
-        session.breakpoints.set_again(session)
+        session.breakpoints.set_again(session.opened())
     session.afterwards = partial(session.connection.event, "initialized")
 
 
@@ -81,7 +81,7 @@ def restart(session: EditorSession, arguments: Arguments) -> None:
         raise RefusalError("nothing is launched yet")
     has_news = "arguments" in arguments
     session.open(read_launch(arguments.object("arguments")) if has_news else session.launch)
-    session.breakpoints.set_again(session)
+    session.breakpoints.set_again(session.opened())
     session.begin()
 
 

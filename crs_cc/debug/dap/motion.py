@@ -97,18 +97,18 @@ class _Visit:
 def goto_targets(session: EditorSession, arguments: Arguments) -> Message:
     """Gives the instants that a line can mean. No statement is ever passed over to get there."""
     debugger = session.standing()
-    key = session.places.key(arguments.object("source"))
-    file = session.places.file_at(key)
+    key = session.locations.key(arguments.object("source"))
+    file = session.locations.file_at(key)
     if file is None:
         raise RefusalError("no program of this run is made of this file")
-    line = session.places.our_line(arguments.natural("line"))
+    line = session.locations.our_line(arguments.natural("line"))
     robots = range(len(debugger.names))
     place = find_place(f"{file}:{line}", debugger.run.programs, robots, file)
     assert place.location is not None
     targets = []
     for backward, label in ((False, "the next time it gets here"), (True, "the last time it did")):
         number = session.handles.give(_Visit(f"{file}:{line}", backward))
-        at = session.places.line(place.location.line)
+        at = session.locations.line(place.location.line)
         targets.append({"id": number, "label": label, "line": at})
     return {"targets": targets}
 

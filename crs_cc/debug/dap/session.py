@@ -12,7 +12,7 @@ from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.dap.arguments import Arguments, RefusalError
 from crs_cc.debug.dap.breakpoints import EditorBreakpoints
 from crs_cc.debug.dap.handles import Handles
-from crs_cc.debug.dap.locations import ClientPlaces
+from crs_cc.debug.dap.locations import ClientLocations
 from crs_cc.debug.dap.output import OutputEvents
 from crs_cc.debug.engine import Debugger
 
@@ -52,7 +52,7 @@ class EditorSession:
     Attributes:
         connection: the way to the client.
         client: what the client says of itself.
-        places: how it names places.
+        locations: how it names and counts source locations.
         launch: what it wants to run; None before it has said so.
         breakpoints: where it wants to stop.
         handles: what it can ask more of, while nothing moves.
@@ -69,9 +69,9 @@ class EditorSession:
     def __init__(self, connection: Connection, inbox: Inbox, open_run: OpenRun) -> None:
         self.connection = connection
         self.client = Arguments({})
-        self.places = ClientPlaces(self.client)
+        self.locations = ClientLocations()
         self.launch: Launch | None = None
-        self.breakpoints = EditorBreakpoints()
+        self.breakpoints = EditorBreakpoints(connection, self.locations)
         self.handles = Handles()
         self.output = OutputEvents(connection)
         self.motion: Motion | None = None
@@ -92,7 +92,8 @@ class EditorSession:
         Raises:
             RefusalError: it wants what there is not.
         """
-        self.client, self.places = client, ClientPlaces(client)
+        self.locations.configure(client)
+        self.client = client
 
     @property
     def debugger(self) -> Debugger | None:
@@ -147,12 +148,13 @@ class EditorSession:
             self.output.say(f"launch has no attribute '{name}': it is passed over", "important")
         debugger = self._open_run(launch.command_line, self.output.write, self.output.say)
         self.launch, self._debugger, self.has_begun = launch, debugger, False
+        self.breakpoints.debugger = debugger
         self.shell = Shell(debugger)
         debugger.stop_points.say = self.output.say
         self.output.begin(debugger.names)
         self.handles.clear()
         for program in debugger.run.programs:
-            self.places.know(program.executable.detail().lines)
+            self.locations.know(program.executable.detail().lines)
 
     def begin(self) -> None:
         """Lets the run begin: up to its first statement, or its first breakpoint."""
@@ -166,7 +168,7 @@ class EditorSession:
 
     def close(self) -> None:
         """Forgets the run."""
-        self._debugger = self.shell = None
+        self._debugger = self.shell = self.breakpoints.debugger = None
         self.handles.clear()
 
     @contextmanager

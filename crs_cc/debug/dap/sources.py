@@ -20,17 +20,17 @@ _MOST_INSTRUCTIONS: Final = 10_000  # in one answer; chosen by us
 def loaded_sources(session: EditorSession, _arguments: Arguments) -> Message:
     """Gives the files that the programs are made of."""
     session.opened()
-    return {"sources": session.places.sources()}
+    return {"sources": session.locations.sources()}
 
 
 def source(session: EditorSession, arguments: Arguments) -> Message:
     """Gives the text of a file that is no file of the client's: one of the C library."""
     asked = arguments.object("source") if "source" in arguments else arguments
-    file = session.places.file_at(session.places.key(asked))
+    file = session.locations.file_at(session.locations.key(asked))
     if file is None:
         raise RefusalError("no program of this run is made of this file")
     lines = session.opened().view.source(file)
-    return {"content": session.places.text(file, lines), "mimeType": "text/x-c"}
+    return {"content": session.locations.text(file, lines), "mimeType": "text/x-c"}
 
 
 def disassemble(session: EditorSession, arguments: Arguments) -> Message:
@@ -59,7 +59,7 @@ def _instruction(session: EditorSession, address: int, row: CodeLine | None) -> 
         return said | {"presentationHint": "invalid"}
     if row.location is None:
         return said
-    place = session.places.place(row.location)
+    place = session.locations.place(row.location)
     return said | {"location": place["source"], "line": place["line"], "column": place["column"]}
 
 

@@ -69,7 +69,7 @@ def tell_stop(session: EditorSession, stop: Stop) -> None:
     hit = session.breakpoints.ids(stop.breakpoints)
     if hit:
         body["hitBreakpointIds"] = hit
-    session.breakpoints.look(session)  # temporary ones may be gone
+    session.breakpoints.synchronize(session.opened())  # temporary ones may be gone
     session.connection.event("stopped", body)
 
 

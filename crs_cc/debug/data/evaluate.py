@@ -34,7 +34,7 @@ from crs_cc.debug.data.scope import Frame, Scopes
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.data.variables import Variable, globals_of, variables_of
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.world.state_rows import StateField
+from crs_cc.debug.world.state_fields import StateField
 from crs_cc.frontend.expression import EXPRESSION, CompiledExpression
 from crs_cc.ir.names import LIBRARY, in_library, plain_name
 from crs_cc.ir.program import Data, Function

@@ -15,7 +15,7 @@ from crs_cc.debug.data.interpret import SCRATCH
 from crs_cc.debug.data.memory import Saved
 from crs_cc.debug.data.scope import Frame, homes, is_own
 from crs_cc.debug.data.values import GONE, Value
-from crs_cc.debug.world.state_rows import StateField
+from crs_cc.debug.world.state_fields import StateField
 from crs_cc.ir.names import in_library
 from crs_cc.ir.program import ByteState
 from crs_cc.ir.types import LONG, ArrayType, CType, IntegerType

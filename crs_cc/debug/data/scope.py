@@ -27,7 +27,7 @@ from crs_cc.session.library import HEADERS
 _SYSTEM: Final = f"{HEADERS}/"
 """What the library's headers declare has its place there."""
 
-Kind = Literal["parameter", "local", "static", "global"]
+VariableKind = Literal["parameter", "local", "static", "global"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +45,7 @@ class Home:
     """
 
     variable: Variable
-    kind: Kind
+    kind: VariableKind
     at: int
     in_frame: bool = False
     register: Register | None = None
@@ -148,7 +148,7 @@ def homes(info: FunctionInfo) -> Iterator[Home]:
         variable = place.variable
         if variable is not None and variable.name:
             argument = passed.get((variable.name, variable.location))
-            kind: Kind = "local" if argument is None else "parameter"
+            kind: VariableKind = "local" if argument is None else "parameter"
             register = place if isinstance(place, Register) else None
             flag = None if register is None else info.flags.get(register)
             at = None if flag is None else info.frame.offsets[flag]

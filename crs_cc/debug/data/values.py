@@ -9,7 +9,7 @@ from __future__ import annotations
 import struct
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, Protocol
 
 from crs_cc.ir.program import ByteState
 from crs_cc.ir.types import (
@@ -27,12 +27,32 @@ from crs_cc.ir.types import (
 from crs_cc.runtime.diagnosis.values import Values, bit_field
 
 if TYPE_CHECKING:
-    from crs_cc.debug.data.memory_inspection import Sight
-    from crs_cc.debug.world.state_rows import StateField
+    from crs_cc.debug.world.state_fields import StateField
 
 UNINITIALISED: Final = "uninitialised"
 _VALUED: Final = bytes([ByteState.WITH_VALUE])
 GONE: Final = bytes([ByteState.INACCESSIBLE])
+
+
+class ValueReader(Protocol):
+    """What a value needs of the stopped program: formatting, and the memory behind pointers."""
+
+    @property
+    def short(self) -> Values:
+        """Formats values in at most a line."""
+
+    @property
+    def full(self) -> Values:
+        """Formats values at length."""
+
+    def read(self, address: int, size: int) -> bytes:
+        """Return the bytes at an address, as many as exist."""
+
+    def is_accessible(self, address: int, size: int) -> bool:
+        """Return whether C may access bytes, initialised or not."""
+
+    def value(self, address: int, ctype: CType) -> Value:
+        """Return the object of a type at an address."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +69,7 @@ class Value:
         fields: what the numbers of `State[]` are called and mean, if these are some of them.
     """
 
-    sight: Sight
+    sight: ValueReader
     type: CType
     content: bytes
     states: bytes = b""

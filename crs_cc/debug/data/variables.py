@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from crs_cc.debug.data.memory_inspection import Sight
 from crs_cc.debug.data.prepare import TypeOf
-from crs_cc.debug.data.scope import Frame, Kind, Scopes, concrete
+from crs_cc.debug.data.scope import Frame, Scopes, VariableKind, concrete
 from crs_cc.debug.data.values import Value
 from crs_cc.runtime.diagnosis.inspect import StackFrame
 
@@ -24,7 +24,7 @@ class Variable:
 
     name: str
     value: Value
-    scope: Kind
+    scope: VariableKind
     is_hidden: bool = False
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from crs_cc.debug.commands.command import Line
+from crs_cc.debug.commands.answer import Line
 from crs_cc.debug.commands.scripts import read_script
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.errors import DebugError

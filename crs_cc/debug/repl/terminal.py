@@ -27,10 +27,10 @@ from rich.syntax import Syntax
 from rich.text import Text
 
 from crs_cc.core.file_names import displayed
-from crs_cc.debug.commands.command import Kind, Line, SourceLine
+from crs_cc.debug.commands.answer import Line, LineKind, SourceLine
 
 _LONGEST_LINE: Final = 4096
-_STYLES: Final[dict[Kind, str]] = {
+_STYLES: Final[dict[LineKind, str]] = {
     "text": "", "stop": "bold yellow", "place": "cyan", "log": "green", "error": "bold red",
 }  # fmt: skip
 _THEME: Final = "ansi_dark"

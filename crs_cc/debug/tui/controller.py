@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Final
 from rich.style import Style
 from rich.text import Text
 
-from crs_cc.debug.commands.command import Line, SourceLine
-from crs_cc.debug.commands.complete import complete
+from crs_cc.debug.commands.answer import Line, SourceLine
+from crs_cc.debug.commands.completion import complete
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.commands.table import matching
 from crs_cc.debug.errors import DebugError
@@ -88,7 +88,7 @@ class Desk:
         """Gives what a line may become; while something runs, by the names of commands alone."""
         if self._works:
             return list(matching(line))
-        completion = complete(self.shell, line)
+        completion = complete(self.shell.context, line)
         return [line[: completion.start] + word for word in completion.words]
 
     def do(self, order: Order) -> Done:

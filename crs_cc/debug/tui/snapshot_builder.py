@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from rich.text import Text
 
-from crs_cc.debug.commands.stops import frame_text, standing
+from crs_cc.debug.commands.stop_text import frame_text, selection
 from crs_cc.debug.tui.screen_data import Badge, Breakmark, Choice, Look, SourceLook, Written
 from crs_cc.debug.tui.values import variables
 from crs_cc.debug.world.robot_rows import activity
@@ -66,10 +66,10 @@ def _badge(debugger: Debugger) -> Badge:
 
 def _state(debugger: Debugger) -> str:
     stop = debugger.stop
-    stands = standing(debugger)
-    where = "" if stop.reason == "end" else stands.head(debugger)
-    if stands.frame is not None:
-        file = stands.frame.location.file
+    selected = selection(debugger)
+    where = "" if stop.reason == "end" else selected.head(debugger)
+    if selected.frame is not None:
+        file = selected.frame.location.file
         where = where.replace(file, PurePath(file).name)
     return ": ".join(filter(None, [stop.why, where]))
 

@@ -34,7 +34,7 @@ def variables(shell: Shell, unfolded: frozenset[Key]) -> tuple[Row, ...]:
     groups: list[tuple[str, str, Callable[[Key], Iterable[Row]]]] = []
     if frame is not None:
         groups.append(("locals", frame.function, tree.locals))
-    if shell.displays:
+    if shell.context.displays:
         groups.append(("watched", "displayed", tree.displays))
     groups += [
         ("globals", "globals", tree.globals),
@@ -82,7 +82,7 @@ class _Tree:
 
     def displays(self, group: Key) -> Iterator[Row]:
         """Gives what is shown at every stop; those that mean nothing here without a value."""
-        for number, display in self._shell.displays.items():
+        for number, display in self._shell.context.displays.items():
             key = (*group, str(number))
             try:
                 value = self._debugger.view.look_up(display.expression)

@@ -3,8 +3,8 @@ from __future__ import annotations
 import pytest
 
 from crs_cc.debug.commands.arguments import (
-    Format,
-    Where,
+    BreakpointArguments,
+    OutputFormat,
     split_arguments,
     take_count,
     take_format,
@@ -17,19 +17,19 @@ from crs_cc.debug.errors import DebugError
 
 
 def test_where_has_a_robot_and_a_condition() -> None:
-    assert take_where("12") == Where("12")
-    assert take_where("if x") == Where("", condition="x")
-    assert take_where("turn thread 2") == Where("turn", "2")
-    assert take_where("lift") == Where("lift")
-    assert take_where("turn if iffy == 3") == Where("turn", condition="iffy == 3")
+    assert take_where("12") == BreakpointArguments("12")
+    assert take_where("if x") == BreakpointArguments("", condition="x")
+    assert take_where("turn thread 2") == BreakpointArguments("turn", "2")
+    assert take_where("lift") == BreakpointArguments("lift")
+    assert take_where("turn if iffy == 3") == BreakpointArguments("turn", condition="iffy == 3")
     with pytest.raises(DebugError, match="condition"):
         take_where("turn if ")
 
 
 def test_formats_are_read_as_gdb_reads_them() -> None:
-    assert take_format("x") == (Format(), "x")
-    assert take_format("/x n") == (Format("x"), "n")
-    assert take_format("/8xb&order") == (Format("x", 8, 1), "&order")
+    assert take_format("x") == (OutputFormat(), "x")
+    assert take_format("/x n") == (OutputFormat("x"), "n")
+    assert take_format("/8xb&order") == (OutputFormat("x", 8, 1), "&order")
 
 
 @pytest.mark.parametrize("text", ["/xd 3", "/q 3", "/bw 3", "/0x 3", "/-1x 3"])

@@ -167,7 +167,7 @@ def test_an_internal_error_is_a_line_too(desk: Desk, monkeypatch: pytest.MonkeyP
     def fail() -> None:
         raise ZeroDivisionError("oh")
 
-    monkeypatch.setattr(desk.shell.debugger, "frames", fail)
+    monkeypatch.setattr(desk.shell.debugger.view, "frames", fail)
     done = desk.do(Order())
     assert done.errors == ("internal error: ZeroDivisionError: oh; please report it",)
     assert done.look.source.line == 11

@@ -5,15 +5,16 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.debug.commands.command import Answer, Command, Group
+from crs_cc.debug.commands.answer import Answer
+from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.world.edits import EDITS
 
 if TYPE_CHECKING:
-    from crs_cc.debug.commands.shell import Shell
+    from crs_cc.debug.commands.context import CommandContext
 
 
-def _change(shell: Shell, text: str, *, name: str) -> Answer:
-    yield f"{shell.debugger.edit_world(f'{name} {text}')}."
+def _change(context: CommandContext, text: str, *, name: str) -> Answer:
+    yield f"{context.debugger.edit_world(f'{name} {text}')}."
 
 
 CHANGES: Final = Group(

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.debug.world.state_rows import state_fields
+from crs_cc.debug.world.state_fields import state_fields
 
 INCLUDE = Path(__file__).parents[3] / "crs_cc" / "runtime" / "lib" / "include"
 

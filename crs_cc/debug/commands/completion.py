@@ -20,7 +20,7 @@ from crs_cc.debug.world.events import KINDS
 from crs_cc.sim.model.degradation import DEVICES
 
 if TYPE_CHECKING:
-    from crs_cc.debug.commands.shell import Shell
+    from crs_cc.debug.commands.context import CommandContext
 
 _LAST_WORD: Final = re.compile(r"[\w.]*$")
 _LAST_PART: Final = re.compile(r"\S*$")
@@ -39,7 +39,7 @@ class Completion:
     words: tuple[str, ...]
 
 
-def complete(shell: Shell, text: str) -> Completion:
+def complete(context: CommandContext, text: str) -> Completion:
     """Gives what the last word of a line can become."""
     names = sorted(matching(text.lstrip()))
     start = len(text) - len(text.lstrip())
@@ -57,67 +57,67 @@ def complete(shell: Shell, text: str) -> Completion:
     pattern = _LAST_WORD if command.completes == "expression" else _LAST_PART
     found = pattern.search(text)
     assert found
-    words = set(_ARGUMENTS[command.completes](shell, found[0]))
+    words = set(_ARGUMENTS[command.completes](context, found[0]))
     fitting = sorted(each for each in words if each.startswith(found[0]))
     return Completion(found.start(), tuple(fitting))
 
 
-def _commands(_shell: Shell, word: str) -> Iterable[str]:
+def _commands(_context: CommandContext, word: str) -> Iterable[str]:
     return matching(word)
 
 
-def _places(shell: Shell, word: str) -> Iterator[str]:
+def _places(context: CommandContext, word: str) -> Iterator[str]:
     """Gives functions and files, and behind a file its functions."""
     file, colon, _ = word.rpartition(":")
-    for name, place in functions(shell):
+    for name, place in functions(context):
         if not colon or is_file(place.file, file):
             yield f"{file}{colon}{name}"
-    for path in shell.debugger.run.programs[shell.debugger.view.robot].paths:
+    for path in context.debugger.run.programs[context.debugger.view.robot].paths:
         yield f"{path.name}:"
 
 
-def _expressions(shell: Shell, _word: str) -> Iterator[str]:
+def _expressions(context: CommandContext, _word: str) -> Iterator[str]:
     with contextlib.suppress(DebugError):
-        yield from (each.name for each in shell.debugger.view.variables())
-    yield from (each.name for each in shell.debugger.view.globals_())
-    yield from (name for name, _ in functions(shell))
+        yield from (each.name for each in context.debugger.view.variables())
+    yield from (each.name for each in context.debugger.view.globals_())
+    yield from (name for name, _ in functions(context))
 
 
-def _robots(shell: Shell, _word: str) -> Iterable[str]:
-    return shell.debugger.names
+def _robots(context: CommandContext, _word: str) -> Iterable[str]:
+    return context.debugger.names
 
 
-def _breakpoints(shell: Shell, _word: str) -> Iterable[str]:
-    return [str(each.number) for each in shell.debugger.stop_points.breakpoints]
+def _breakpoints(context: CommandContext, _word: str) -> Iterable[str]:
+    return [str(each.number) for each in context.debugger.stop_points.breakpoints]
 
 
-def _displays(shell: Shell, _word: str) -> Iterable[str]:
-    return map(str, shell.displays)
+def _displays(context: CommandContext, _word: str) -> Iterable[str]:
+    return map(str, context.displays)
 
 
-def _files(_shell: Shell, word: str) -> Iterator[str]:
+def _files(_context: CommandContext, word: str) -> Iterator[str]:
     for path in glob.glob(glob.escape(word) + "*"):  # noqa: PTH207 - as the user writes it
         yield path + "/" * os.path.isdir(path)  # noqa: PTH112
 
 
-def _catches(_shell: Shell, _word: str) -> Iterable[str]:
+def _catches(_context: CommandContext, _word: str) -> Iterable[str]:
     return ("exit", *KINDS)
 
 
-def _checkpoints(shell: Shell, _word: str) -> Iterable[str]:
-    return [str(each.number) for each in shell.debugger.branches.current.checkpoints]
+def _checkpoints(context: CommandContext, _word: str) -> Iterable[str]:
+    return [str(each.number) for each in context.debugger.branches.current.checkpoints]
 
 
-def _branches(shell: Shell, _word: str) -> Iterable[str]:
-    return shell.debugger.branches.names()
+def _branches(context: CommandContext, _word: str) -> Iterable[str]:
+    return context.debugger.branches.names()
 
 
-def _edits(shell: Shell, _word: str) -> Iterable[str]:
+def _edits(context: CommandContext, _word: str) -> Iterable[str]:
     """Gives what changes of the world are about: names, devices and faults."""
-    return (*shell.debugger.session.environment.names, *DEVICES, *FAULTS, "to", "from", "all")
+    return (*context.debugger.session.environment.names, *DEVICES, *FAULTS, "to", "from", "all")
 
 
-_ARGUMENTS: Final[dict[Completes, Callable[[Shell, str], Iterable[str]]]] = {
+_ARGUMENTS: Final[dict[Completes, Callable[[CommandContext, str], Iterable[str]]]] = {
     "command": _commands,
     "place": _places,
     "expression": _expressions,

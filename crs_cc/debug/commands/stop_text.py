@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.debug.commands.breakpoints import name_of
-from crs_cc.debug.commands.command import Answer, Line, SourceLine
+from crs_cc.debug.commands.answer import Answer, Line, SourceLine
+from crs_cc.debug.commands.breakpoint_text import name_of
 from crs_cc.debug.stop import WORDS
 from crs_cc.debug.world.robot_rows import activity
 
@@ -29,7 +29,7 @@ _QUIET: Final = frozenset({"step", "goto"})
 
 
 @dataclass(frozen=True, slots=True)
-class Standing:
+class Selection:
     """Where the user looks: at which function of which robot, and how deep in its calls."""
 
     robot: int
@@ -51,18 +51,18 @@ class Standing:
         yield from current_line(debugger, self.frame)
 
 
-def standing(debugger: Debugger) -> Standing:
+def selection(debugger: Debugger) -> Selection:
     """Gives where the user looks now."""
     frames = debugger.view.frames()
     frame = next((each for each in frames if each.number == debugger.view.frame), None)
-    return Standing(debugger.view.robot, frame.function if frame else "", len(frames), frame)
+    return Selection(debugger.view.robot, frame.function if frame else "", len(frames), frame)
 
 
 def stop_lines(
     debugger: Debugger,
     stop: Stop,
     known: Mapping[int, Breakpoint],
-    before: Standing | None,
+    before: Selection | None,
 ) -> Answer:
     """Says why a run stopped, and where.
 
@@ -72,7 +72,7 @@ def stop_lines(
         known: the breakpoints that there were on the way, by number.
         before: where the user looked before.
     """
-    now = standing(debugger)
+    now = selection(debugger)
     hit = ", ".join(name_of(known[number]) for number in stop.breakpoints if number in known)
     text = stop.text
     if not text and not hit and stop.reason in _SAID:
@@ -107,7 +107,7 @@ def _ends(debugger: Debugger) -> str:
     return ", ".join(ends) + (f", and {more} more" if more else "")
 
 
-def _call(place: Standing) -> tuple[int, str, int]:
+def _call(place: Selection) -> tuple[int, str, int]:
     return place.robot, place.function, place.depth
 
 
