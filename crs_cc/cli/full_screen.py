@@ -71,7 +71,7 @@ def show(
     from crs_cc.debug.repl.repl import Scripts
     from crs_cc.debug.tui.app import DebugApp
     from crs_cc.debug.tui.controller import Desk
-    from crs_cc.debug.tui.streams import Streams
+    from crs_cc.debug.tui.program_streams import Streams
 
     streams = Streams()
     debugger = make(streams.write, file_input or streams.read)

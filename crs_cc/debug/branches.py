@@ -16,7 +16,7 @@ from crs_cc.debug.timeline.position import Position
 if TYPE_CHECKING:
     from crs_cc.debug.timeline.console import Console
     from crs_cc.debug.timeline.history import History
-    from crs_cc.debug.timeline.run import Run
+    from crs_cc.debug.timeline.recorded_run import Run
     from crs_cc.debug.world.event_history import Chronicle
 
 FIRST: Final = "main"

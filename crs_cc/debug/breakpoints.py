@@ -12,8 +12,8 @@ from crs_cc.ir.names import plain_name
 
 if TYPE_CHECKING:
     from crs_cc.debug.locations import Place
-    from crs_cc.debug.timeline.instant import Instant, Touch
-    from crs_cc.debug.timeline.run import Run
+    from crs_cc.debug.timeline.run_event import Instant, Touch
+    from crs_cc.debug.timeline.recorded_run import Run
     from crs_cc.debug.watch import Watched
     from crs_cc.debug.watchpoints import Watchpoint
 

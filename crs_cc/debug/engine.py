@@ -16,7 +16,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.branches import Branch, Branches, Checkpoint
-from crs_cc.debug.comparison import Difference, differences, facts
+from crs_cc.debug.branch_comparison import Difference, differences, facts
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.navigator import Navigator
@@ -26,7 +26,7 @@ from crs_cc.debug.stop_points import StopPoints
 from crs_cc.debug.timeline.console import Console
 from crs_cc.debug.timeline.history import History
 from crs_cc.debug.timeline.position import BEGINNING, Position
-from crs_cc.debug.timeline.run import InterruptedRunError, Run
+from crs_cc.debug.timeline.recorded_run import InterruptedRunError, Run
 from crs_cc.debug.view import BacktraceFrame, View
 from crs_cc.debug.world.edits import edit
 from crs_cc.debug.world.events import Happening

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Final
 from crs_cc.core.file_names import displayed
 from crs_cc.core.source import Location
 from crs_cc.core.suggest import unknown
-from crs_cc.debug.calls import calling
+from crs_cc.debug.call_statements import calling
 from crs_cc.debug.errors import DebugError
 from crs_cc.ir.names import plain_name
 from crs_cc.requests import CODES

@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING, Final
 from crs_cc.debug.breakpoints import Breakpoints, Hit
 from crs_cc.debug.step_conditions import Aim, BackAim, Calls, Spot
 from crs_cc.debug.stop import Reason, Stop
-from crs_cc.debug.timeline.instant import Instant, Marks
+from crs_cc.debug.timeline.run_event import Instant, Marks
 from crs_cc.debug.timeline.position import BEGINNING, Position
-from crs_cc.debug.timeline.run import InterruptedRunError, Run
+from crs_cc.debug.timeline.recorded_run import InterruptedRunError, Run
 from crs_cc.ir.names import in_library
 
 if TYPE_CHECKING:

@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING
 from crs_cc.core.source import Location
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.data.evaluate import Evaluator
-from crs_cc.debug.data.prepare import Names
+from crs_cc.debug.data.expression_compiler import Names
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.data.variables import Variable
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.position import Position
-from crs_cc.debug.timeline.run import Run
+from crs_cc.debug.timeline.recorded_run import Run
 from crs_cc.debug.world.state_fields import StateField, state_fields
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped

@@ -9,7 +9,7 @@ import pytest
 
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
-from tests.debug.debuggee import debugger_of
+from tests.debug.debuggers import debugger_of
 
 COUNT = """\
 #include <stdio.h>

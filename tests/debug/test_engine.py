@@ -11,7 +11,7 @@ from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.stop import Stop
 from crs_cc.sim.engine.step import Step
-from tests.debug.debuggee import debugger_of, line
+from tests.debug.debuggers import debugger_of, line
 
 LOOP = """\
 #include <stdio.h>

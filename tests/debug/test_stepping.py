@@ -13,7 +13,7 @@ import pytest
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.stop import Stop
-from tests.debug.debuggee import debugger_of, line
+from tests.debug.debuggers import debugger_of, line
 
 Move = Callable[[], Stop]
 

@@ -22,7 +22,7 @@ from crs_cc.debug.commands.changes import CHANGES
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.data import DATA
 from crs_cc.debug.commands.help_text import manual, mentions, overview, summaries
-from crs_cc.debug.commands.moving import MOVING
+from crs_cc.debug.commands.running import MOVING
 from crs_cc.debug.commands.scripts import SCRIPTS
 from crs_cc.debug.commands.stack import STACK
 from crs_cc.debug.commands.world import WORLD

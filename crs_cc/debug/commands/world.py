@@ -11,7 +11,7 @@ from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.robot_rows import HEADINGS, robot_rows, summary
 from crs_cc.debug.world.rows import lines
-from crs_cc.debug.world.run_chart import run_chart
+from crs_cc.debug.world.run_map import run_chart
 from crs_cc.debug.world.state_rows import told_state
 from crs_cc.debug.world.world_rows import world_rows
 

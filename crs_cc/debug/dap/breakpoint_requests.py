@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.dap.arguments import RefusalError
 from crs_cc.debug.dap.breakpoints import ACCESS, RequestedBreakpoint, data_id
-from crs_cc.debug.dap.parts import FrameHandle, frame_handle
+from crs_cc.debug.dap.value_messages import FrameHandle, frame_handle
 from crs_cc.debug.dap.variables import expression_of
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.events import KINDS

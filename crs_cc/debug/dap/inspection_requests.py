@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from crs_cc.debug.dap.arguments import RefusalError
-from crs_cc.debug.dap.listing import address_of
+from crs_cc.debug.dap.disassembly import address_of
 from crs_cc.debug.dap.locations import NO_PLACE
-from crs_cc.debug.dap.parts import FrameHandle, frame_handle
-from crs_cc.debug.dap.stops import thread_of
+from crs_cc.debug.dap.value_messages import FrameHandle, frame_handle
+from crs_cc.debug.dap.stop_events import thread_of
 from crs_cc.debug.dap.variables import scopes_at
 from crs_cc.debug.world.robot_rows import activity
 

@@ -17,7 +17,7 @@ from crs_cc.debug.dap.arguments import LARGEST, Arguments, RefusalError
 from crs_cc.debug.dap.connection import NOBODY, ClientGoneError, Connection
 from crs_cc.debug.dap.framing import BadMessageError, BrokenStreamError, Message, read_message
 from crs_cc.debug.dap.inbox import Inbox, Request
-from crs_cc.debug.dap.requests import HANDLERS
+from crs_cc.debug.dap.request_table import HANDLERS
 from crs_cc.debug.dap.server import Server, explain
 from crs_cc.debug.dap.session import EditorSession
 

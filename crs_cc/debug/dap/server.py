@@ -17,7 +17,7 @@ from crs_cc.core.errors import CrsError
 from crs_cc.debug.dap.arguments import Arguments, RefusalError
 from crs_cc.debug.dap.connection import ClientGoneError
 from crs_cc.debug.dap.framing import Message
-from crs_cc.debug.dap.stops import tell_stop
+from crs_cc.debug.dap.stop_events import tell_stop
 from crs_cc.debug.errors import DebugError
 
 if TYPE_CHECKING:

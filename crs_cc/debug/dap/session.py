@@ -13,7 +13,7 @@ from crs_cc.debug.dap.arguments import Arguments, RefusalError
 from crs_cc.debug.dap.breakpoints import EditorBreakpoints
 from crs_cc.debug.dap.handles import Handles
 from crs_cc.debug.dap.locations import ClientLocations
-from crs_cc.debug.dap.output import OutputEvents
+from crs_cc.debug.dap.output_events import OutputEvents
 from crs_cc.debug.engine import Debugger
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.dap.arguments import RefusalError
-from crs_cc.debug.dap.parts import FrameHandle, Parts, part_of, parts_of, shown
+from crs_cc.debug.dap.value_messages import FrameHandle, Parts, part_of, parts_of, shown
 from crs_cc.debug.world.robot_rows import robot_rows
 from crs_cc.debug.world.state_rows import state_rows
 from crs_cc.debug.world.world_rows import world_rows

@@ -22,7 +22,7 @@ from crs_cc.debug.data.memory import Saved, StoppedMemory
 from crs_cc.debug.data.memory_inspection import Sight
 from crs_cc.debug.data.notation import Slice, kept_in, slice_in
 from crs_cc.debug.data.operators import unsigned
-from crs_cc.debug.data.prepare import (
+from crs_cc.debug.data.expression_compiler import (
     Names,
     Preparation,
     Prepared,

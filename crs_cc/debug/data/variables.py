@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from crs_cc.debug.data.memory_inspection import Sight
-from crs_cc.debug.data.prepare import TypeOf
+from crs_cc.debug.data.expression_compiler import TypeOf
 from crs_cc.debug.data.scope import Frame, Scopes, VariableKind, concrete
 from crs_cc.debug.data.values import Value
 from crs_cc.runtime.diagnosis.inspect import StackFrame

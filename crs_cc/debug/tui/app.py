@@ -19,7 +19,7 @@ from textual.timer import Timer
 from textual.widgets import Label
 
 from crs_cc.debug.commands.shell import PROMPT
-from crs_cc.debug.tui.bars import Button, ButtonBar, StatusBar
+from crs_cc.debug.tui.status_bars import Button, ButtonBar, StatusBar
 from crs_cc.debug.tui.choices import Choices
 from crs_cc.debug.tui.command_line import CommandLine
 from crs_cc.debug.tui.help_page import HelpPage
@@ -28,10 +28,10 @@ from crs_cc.debug.tui.map_pane import ChartPane
 from crs_cc.debug.tui.panes import Panes
 from crs_cc.debug.tui.screen_data import OPEN, Look
 from crs_cc.debug.tui.source_pane import SourcePane
-from crs_cc.debug.tui.texts import Console, Output
+from crs_cc.debug.tui.logs import Console, Output
 from crs_cc.debug.tui.time_line import TimeLine
 from crs_cc.debug.tui.variables_pane import VariablesPane
-from crs_cc.debug.tui.work import Done, Order, Work
+from crs_cc.debug.tui.backend import Done, Order, Work
 
 _WAIT_S: Final = 0.15  # before and between the times that it is said that something runs
 

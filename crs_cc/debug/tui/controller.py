@@ -20,8 +20,8 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.debug.tui.printable import printable
 from crs_cc.debug.tui.screen_data import Look, Written
 from crs_cc.debug.tui.snapshot_builder import gather, written
-from crs_cc.debug.tui.streams import Streams
-from crs_cc.debug.tui.work import Done, Order
+from crs_cc.debug.tui.program_streams import Streams
+from crs_cc.debug.tui.backend import Done, Order
 
 if TYPE_CHECKING:
     from crs_cc.debug.engine import Debugger

@@ -12,12 +12,12 @@ from textual.app import ComposeResult
 from textual.containers import Container
 from textual.widget import Widget
 
-from crs_cc.debug.tui.bars import Button, ButtonBar
+from crs_cc.debug.tui.status_bars import Button, ButtonBar
 from crs_cc.debug.tui.choices import Choices
 from crs_cc.debug.tui.map_pane import ChartPane
 from crs_cc.debug.tui.screen_data import Look
 from crs_cc.debug.tui.source_pane import SourcePane
-from crs_cc.debug.tui.texts import Console, Output
+from crs_cc.debug.tui.logs import Console, Output
 from crs_cc.debug.tui.variables_pane import VariablesPane
 
 LOWER: Final = ("variables", "stack", "robots", "chart", "output", "console")

@@ -10,17 +10,17 @@ from rich.text import Text
 
 from crs_cc.debug.commands.stop_text import frame_text, selection
 from crs_cc.debug.tui.screen_data import Badge, Breakmark, Choice, Look, SourceLook, Written
-from crs_cc.debug.tui.values import variables
+from crs_cc.debug.tui.value_rows import variables
 from crs_cc.debug.world.robot_rows import activity
-from crs_cc.debug.world.run_chart import run_chart
+from crs_cc.debug.world.run_map import run_chart
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
     from crs_cc.debug.commands.shell import Shell
     from crs_cc.debug.engine import Debugger
-    from crs_cc.debug.tui.streams import Piece
-    from crs_cc.debug.tui.work import Order
+    from crs_cc.debug.tui.program_streams import Piece
+    from crs_cc.debug.tui.backend import Order
     from crs_cc.session.session import Session
 
 _BLOCK: Final = 1000

@@ -7,7 +7,7 @@ import pytest
 from crs_cc.debug.commands.completion import Completion, complete
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.repl.keyboard import completer
-from tests.debug.debuggee import debugger_at
+from tests.debug.debuggers import debugger_at
 
 PROGRAM = Path(__file__).parents[1] / "programs" / "shapes.c"
 

@@ -10,7 +10,7 @@ import pytest
 from crs_cc.debug.commands.completion import complete
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.commands.table import NAMES
-from tests.debug.debuggee import debugger_at
+from tests.debug.debuggers import debugger_at
 
 PROGRAM = Path(__file__).parents[1] / "programs" / "shapes.c"
 LINES = 200

@@ -10,7 +10,7 @@ from crs_cc.debug.commands import world
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.edits import EDITS
-from tests.debug.debuggee import debugger_at, debugger_of
+from tests.debug.debuggers import debugger_at, debugger_of
 
 DRIVES = """\
 #include "Nclient.h"

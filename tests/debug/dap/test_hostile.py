@@ -12,7 +12,7 @@ import pytest
 from crs_cc.debug.dap import handles
 from crs_cc.debug.dap.framing import LARGEST_MESSAGE
 from crs_cc.debug.dap.inbox import MOST
-from crs_cc.debug.dap.requests import HANDLERS
+from crs_cc.debug.dap.request_table import HANDLERS
 from tests.debug.dap.client import Client
 from tests.debug.dap.programs import LOOP, open_run
 

@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from crs_cc.debug.data.evaluate import Evaluator
-from crs_cc.debug.data.prepare import Names
+from crs_cc.debug.data.expression_compiler import Names
 from crs_cc.debug.errors import DebugError
-from tests.debug.stopping import Stopping
+from tests.debug.stopped_program import Stopping
 
 SOURCE = r"""
 #include <stdlib.h>

@@ -9,7 +9,7 @@ import pytest
 from crs_cc.debug.repl.keyboard import Keyboard
 from crs_cc.debug.repl.repl import Repl, Scripts
 from crs_cc.debug.repl.terminal import Terminal
-from tests.debug.debuggee import debugger_of
+from tests.debug.debuggers import debugger_of
 
 ENDLESS = "int i; int main(void) { for (;;) i++; }\n"
 

@@ -9,7 +9,7 @@ from textual.pilot import Pilot
 
 from crs_cc.debug.tui.app import DebugApp
 from crs_cc.debug.tui.command_line import CommandLine
-from crs_cc.debug.tui.work import Work
+from crs_cc.debug.tui.backend import Work
 
 SMALL, LARGE, TINY = (80, 24), (160, 50), (40, 10)
 

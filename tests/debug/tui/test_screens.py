@@ -16,9 +16,9 @@ from textual.pilot import Pilot
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.tui.app import DebugApp
 from crs_cc.debug.tui.controller import Desk
-from crs_cc.debug.tui.streams import Streams
+from crs_cc.debug.tui.program_streams import Streams
 from crs_cc.sim.files.world_xml import load_world
-from tests.debug.debuggee import ROOT, debug_program
+from tests.debug.debuggers import ROOT, debug_program
 from tests.debug.tui.screen import LARGE, NO_BARS, SMALL, TINY, drive, enter, settle, text_of
 
 SCREENS = Path(__file__).parent / "screens"

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from crs_cc.core.source import Diagnostics
 from crs_cc.debug.data.evaluate import Evaluator
-from crs_cc.debug.data.prepare import Names
+from crs_cc.debug.data.expression_compiler import Names
 from crs_cc.debug.program import DebugProgram
 from crs_cc.debug.world.state_fields import state_fields
 from crs_cc.frontend.preprocess.options import Options

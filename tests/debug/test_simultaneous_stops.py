@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from crs_cc.debug.timeline.history import History
-from tests.debug.debuggee import debugger_of
+from tests.debug.debuggers import debugger_of
 
 NULL = """\
 int main(void)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.dap.arguments import RefusalError
-from crs_cc.debug.dap.listing import Address, CodeLine, code_of
+from crs_cc.debug.dap.disassembly import Address, CodeLine, code_of
 from crs_cc.ir.names import plain_name
 
 if TYPE_CHECKING:

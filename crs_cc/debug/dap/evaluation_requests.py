@@ -8,8 +8,8 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.commands.completion import complete
-from crs_cc.debug.dap.parts import FrameHandle, frame_handle, shown
-from crs_cc.debug.dap.stops import tell_stop
+from crs_cc.debug.dap.value_messages import FrameHandle, frame_handle, shown
+from crs_cc.debug.dap.stop_events import tell_stop
 from crs_cc.debug.dap.variables import expression_of
 from crs_cc.debug.errors import DebugError
 

@@ -11,10 +11,10 @@ from crs_cc.debug.engine import Debugger
 from crs_cc.debug.program import DebugProgram
 from crs_cc.debug.tui.controller import Desk
 from crs_cc.debug.tui.screen_data import OPEN, Row
-from crs_cc.debug.tui.streams import Streams
-from crs_cc.debug.tui.work import Done, Order
+from crs_cc.debug.tui.program_streams import Streams
+from crs_cc.debug.tui.backend import Done, Order
 from crs_cc.sim.files.world_xml import empty_world, load_world
-from tests.debug.debuggee import ROOT, debug_program
+from tests.debug.debuggers import ROOT, debug_program
 
 SOURCE = """\
 #include <stdio.h>

@@ -9,7 +9,7 @@ from crs_cc.debug.timeline.input_log import Tape
 from crs_cc.debug.timeline.position import Position
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.runtime.testing import counting_program
-from tests.debug.debuggee import ROOT, debugger_at
+from tests.debug.debuggers import ROOT, debugger_at
 
 PLATOON = ROOT / "samples" / "scout_c" / "platoon.c"
 

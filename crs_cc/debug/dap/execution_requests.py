@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.dap.arguments import RefusalError
 from crs_cc.debug.dap.session import Motion
-from crs_cc.debug.dap.stops import tell_end
+from crs_cc.debug.dap.stop_events import tell_end
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.locations import find_place
 

@@ -11,7 +11,7 @@ from crs_cc.debug.world.event_history import Chronicle
 from crs_cc.debug.world.events import Happening
 from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files.world_xml import empty_world, parse_world
-from tests.debug.debuggee import debug_program
+from tests.debug.debuggers import debug_program
 
 DRIVE = """\
 #include "Nclient.h"

@@ -15,7 +15,7 @@ import pytest
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.position import Position
-from tests.debug.debuggee import debugger_at
+from tests.debug.debuggers import debugger_at
 
 SAMPLES = Path(__file__).parents[2] / "samples" / "scout_c"
 FAULTS = ("sonar.3 dead", "sonar stuck 1m", "drive gain 0.5", "odometry dropouts 0.3 for 2s")

@@ -22,7 +22,7 @@ from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.program import DebugProgram
 from crs_cc.debug.stop import Stop
-from crs_cc.debug.timeline.instant import Instant
+from crs_cc.debug.timeline.run_event import Instant
 from crs_cc.debug.timeline.position import Position
 from crs_cc.frontend.preprocess.options import Options
 from crs_cc.session.build import build_executable

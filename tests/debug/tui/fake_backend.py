@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from rich.text import Text
 
 from crs_cc.debug.tui.screen_data import Breakmark, Choice, Look, Row, SourceLook, Written
-from crs_cc.debug.tui.work import Done, Order
+from crs_cc.debug.tui.backend import Done, Order
 from crs_cc.debug.world.events import Happening
 
 LINES = (

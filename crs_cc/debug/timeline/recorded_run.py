@@ -22,7 +22,7 @@ from crs_cc.core.arrays import IndexArray, Int32Array
 from crs_cc.debug.timeline.console import Console
 from crs_cc.debug.timeline.history import History, Kept
 from crs_cc.debug.timeline.input_log import Tape
-from crs_cc.debug.timeline.instant import Instant, Marks, Touch
+from crs_cc.debug.timeline.run_event import Instant, Marks, Touch
 from crs_cc.debug.timeline.position import BEGINNING, Position
 from crs_cc.debug.watch import Watches
 from crs_cc.debug.world.event_history import Chronicle
