@@ -15,21 +15,29 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.debug.branches import Branch, Branches, Checkpoint
 from crs_cc.debug.branch_comparison import Difference, differences, facts
+from crs_cc.debug.branches import Branch, Branches, Checkpoint
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.navigator import Navigator
-from crs_cc.debug.step_conditions import Aim, BackAim, Calls, Spot, ToCaller, ToLine, ToStatement
+from crs_cc.debug.step_conditions import (
+    ActiveCalls,
+    ProgramPoint,
+    ReverseStepCondition,
+    StepCondition,
+    StepToCaller,
+    StepToLine,
+    StepToStatement,
+)
 from crs_cc.debug.stop import Stop
 from crs_cc.debug.stop_points import StopPoints
-from crs_cc.debug.timeline.console import Console
+from crs_cc.debug.timeline.console import ReplayConsole
 from crs_cc.debug.timeline.history import History
 from crs_cc.debug.timeline.position import BEGINNING, Position
-from crs_cc.debug.timeline.recorded_run import InterruptedRunError, Run
+from crs_cc.debug.timeline.recorded_run import InterruptedRunError, RecordedRun
 from crs_cc.debug.view import BacktraceFrame, View
 from crs_cc.debug.world.edits import edit
-from crs_cc.debug.world.events import Happening
+from crs_cc.debug.world.events import WorldEvent
 from crs_cc.session.host import Client, Input, Output, discard, no_input
 
 if TYPE_CHECKING:
@@ -40,8 +48,8 @@ if TYPE_CHECKING:
 Move = Callable[[], Stop]
 
 _SLACK_S: Final = 1e-9
-_MOST_STEPS: Final = 1_000_000
-_MOST_LINES: Final = 10
+_MAX_STEPS: Final = 1_000_000
+_MAX_LINES: Final = 10
 _RETURN: Final = re.compile(r"return\b\s*([^;]+);")
 
 
@@ -70,11 +78,11 @@ class Debugger:
         client: Client = "nclient",
     ) -> None:
         """Puts the programs into the robots; nothing has run yet. For the arguments see `Crew`."""
-        self.run = Run(
+        self.run = RecordedRun(
             world,
             programs,
             seed,
-            Console(output, read),
+            ReplayConsole(output, read),
             History(robots=len(programs)),
             arguments=arguments,
             files=files,
@@ -86,7 +94,7 @@ class Debugger:
             self.run,
             self.stop_points.breakpoints,
             self.stop_points.accepts,
-            self.stop_points.told_of,
+            self.stop_points.describe_hit,
         )
         self.branches = Branches(self.run)
         self.stop = self.navigator.stop("start")
@@ -130,8 +138,10 @@ class Debugger:
         """Goes to the next line, into calls; or to the start of the line before."""
         robot = self.view.robot
         if backward:
-            return self._repeat(count, lambda: self.navigator.backward_to(BackAim(robot)))
-        return self._repeat(count, lambda: self._forward(ToLine(robot, self._spot())))
+            return self._repeat(
+                count, lambda: self.navigator.backward_to(ReverseStepCondition(robot))
+            )
+        return self._repeat(count, lambda: self._forward(StepToLine(robot, self._program_point())))
 
     def next(self, count: int = 1, *, backward: bool = False) -> Stop:
         """Goes to the next line, past calls; or to the start of the one before."""
@@ -142,9 +152,9 @@ class Debugger:
         """Goes to the next statement, into calls; or to the one before."""
         robot = self.view.robot
         if backward:
-            aim = partial(BackAim, robot, whole_line=False)
+            aim = partial(ReverseStepCondition, robot, whole_line=False)
             return self._repeat(count, lambda: self.navigator.backward_to(aim()))
-        return self._repeat(count, lambda: self._forward(ToStatement(robot)))
+        return self._repeat(count, lambda: self._forward(StepToStatement(robot)))
 
     def finish(self, *, backward: bool = False) -> Stop:
         """Goes to where the function has returned, and tells what; or back to where it was called.
@@ -158,9 +168,9 @@ class Debugger:
         if frame is None or callers is None or not callers.functions:
             raise DebugError("the outermost function has no caller to go to")
         if backward:
-            aim = BackAim(robot, callers, whole_line=False)
+            aim = ReverseStepCondition(robot, callers, whole_line=False)
             return self._arrive(self.navigator.backward_to(aim))
-        stop = self._go(ToCaller(robot, callers))
+        stop = self._go(StepToCaller(robot, callers))
         if stop.reason != "step":
             return stop
         value = self._returned(frame)
@@ -171,13 +181,13 @@ class Debugger:
     def _returned(self, frame: BacktraceFrame) -> str:
         """Gives what a call that has ended returned, if its last statement tells; else nothing."""
         here, robot = self.position, self.view.robot
-        call = Calls.of([frame.active])
-        spots = self.navigator.spots_back(robot, call.functions)
+        call = ActiveCalls.of([frame.active])
+        spots = self.navigator.program_points_back(robot, call.functions)
         value = ""
         with contextlib.suppress(DebugError, InterruptedRunError):
             last = next(filter(call.include, spots), None)
             if last is not None:
-                lines = self.view.source(last.location.file)[last.location.line - 1 :][:_MOST_LINES]
+                lines = self.view.source(last.location.file)[last.location.line - 1 :][:_MAX_LINES]
                 match = _RETURN.match(" ".join(lines)[last.location.column - 1 :])
                 if match and self.navigator.to_statement(robot, last.statements):
                     value = self.view.evaluator(robot).evaluate(match[1]).value.text
@@ -201,7 +211,7 @@ class Debugger:
             frame = self.view.current_frame()
             if frame is None:
                 return self._go(None)
-            return self._go(ToCaller(robot, self.navigator.calls(robot, frame.active)))
+            return self._go(StepToCaller(robot, self.navigator.calls(robot, frame.active)))
         finally:
             if added in list(self.stop_points.breakpoints):
                 self.stop_points.breakpoints.remove(added.number)
@@ -277,28 +287,28 @@ class Debugger:
         finally:
             self.run.console.shows_new = False
 
-    def _spot(self) -> Spot | None:
-        return self.navigator.spot(self.view.robot)
+    def _program_point(self) -> ProgramPoint | None:
+        return self.navigator.program_point(self.view.robot)
 
     def _next(self, *, onward: bool = False) -> Stop:
         calls = self._own_calls()
-        spot = None if calls is None else self._spot()
-        return self._forward(ToLine(self.view.robot, spot, calls, onward))
+        program_point = None if calls is None else self._program_point()
+        return self._forward(StepToLine(self.view.robot, program_point, calls, onward))
 
     def _next_back(self) -> Stop:
-        return self.navigator.backward_to(BackAim(self.view.robot, self._own_calls()))
+        return self.navigator.backward_to(ReverseStepCondition(self.view.robot, self._own_calls()))
 
-    def _own_calls(self) -> Calls | None:
+    def _own_calls(self) -> ActiveCalls | None:
         """Gives the active calls of the user's functions; None when there are none."""
         if all(each.is_library for each in self.view.frames()):
             return None
         return self.navigator.calls(self.view.robot)
 
-    def _go(self, aim: Aim | None, until: Position | None = None) -> Stop:
+    def _go(self, aim: StepCondition | None, until: Position | None = None) -> Stop:
         return self._arrive(self._forward(aim, until))
 
-    def _forward(self, aim: Aim | None, until: Position | None = None) -> Stop:
-        if aim is not None and self.run.is_over(aim.robot) and self.run.goes_on:
+    def _forward(self, aim: StepCondition | None, until: Position | None = None) -> Stop:
+        if aim is not None and self.run.is_over(aim.robot) and self.run.can_advance:
             raise DebugError(f"{self.names[aim.robot]}'s program has ended; others go on")
         self.run.console.is_live = True
         try:
@@ -307,8 +317,8 @@ class Debugger:
             self.run.console.is_live = False
 
     def _repeat(self, count: int, move: Move) -> Stop:
-        if not 1 <= count <= _MOST_STEPS:
-            raise DebugError(f"a count is from 1 to {_MOST_STEPS:,}")
+        if not 1 <= count <= _MAX_STEPS:
+            raise DebugError(f"a count is from 1 to {_MAX_STEPS:,}")
         for left in reversed(range(count)):
             stop = move()
             if stop.reason != "step":
@@ -337,8 +347,8 @@ class Debugger:
         """Lets time lines show where the run stopped by itself."""
         if stop.breakpoints or stop.reason == "error":
             kind = "error" if stop.reason == "error" else "stop"
-            happening = Happening(stop.time_s, kind, stop.robot, stop.why)
-            self.run.chronicle.note(stop.position.timestep, happening)
+            happening = WorldEvent(stop.time_s, kind, stop.robot, stop.why)
+            self.run.event_history.note(stop.position.timestep, happening)
 
     # -- changing ------------------------------------------------------------------------------
 

@@ -39,7 +39,7 @@ POSTS: Final = {
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class BreakpointLocation:
     """Where programs stop.
 
     Attributes:
@@ -57,9 +57,9 @@ class Place:
     note: str = ""
 
 
-def find_place(
+def find_location(
     text: str, programs: Sequence[DebugProgram], robots: Sequence[int], here: str
-) -> Place:
+) -> BreakpointLocation:
     """Finds a place by what the user calls it.
 
     Args:
@@ -88,7 +88,7 @@ def _sites(program: DebugProgram) -> Sequence[StatementSite]:
     return program.executable.detail().compiled.statements
 
 
-def _line(sites: _Sites, file: str, line: int) -> Place:
+def _line(sites: _Sites, file: str, line: int) -> BreakpointLocation:
     own = {
         robot: [
             (site.location.line, number)
@@ -112,7 +112,9 @@ def _line(sites: _Sites, file: str, line: int) -> Place:
     robot, number = next((each, min(of)) for each, of in statements.items() if of)
     site = sites[robot][number]
     note = "" if found == line else f"line {line} has no code; moved to line {found}"
-    return Place(statements, frozenset(), site.location, plain_name(site.function), note)
+    return BreakpointLocation(
+        statements, frozenset(), site.location, plain_name(site.function), note
+    )
 
 
 def _firsts(sites: Sequence[StatementSite], numbers: Sequence[int]) -> frozenset[int]:
@@ -125,7 +127,7 @@ def _firsts(sites: Sequence[StatementSite], numbers: Sequence[int]) -> frozenset
 
 def _function(
     sites: _Sites, file: str | None, name: str, programs: Sequence[DebugProgram]
-) -> Place:
+) -> BreakpointLocation:
     statements, location = {}, None
     for robot, rows in sites.items():
         numbers = [
@@ -138,12 +140,12 @@ def _function(
         for number in statements[robot]:
             location = location or rows[number].location
     if location is not None:
-        return Place(statements, frozenset(), location, name)
+        return BreakpointLocation(statements, frozenset(), location, name)
     if name in POSTS and file is None:
-        return Place({}, POSTS[name], None, name)
+        return BreakpointLocation({}, POSTS[name], None, name)
     calls = {robot: calling(programs[robot], name) for robot in sites}
     if file is None and any(calls.values()):
-        return Place(
+        return BreakpointLocation(
             calls, frozenset(), None, name, f"stops before each statement that calls '{name}'"
         )
     names = sorted({plain_name(site.function) for rows in sites.values() for site in rows})

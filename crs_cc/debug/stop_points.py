@@ -7,12 +7,12 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, Final
 
 from crs_cc.core.suggest import unknown
-from crs_cc.debug.breakpoints import Breakpoint, BreakpointKind, Breakpoints, Hit
+from crs_cc.debug.breakpoints import Breakpoint, BreakpointHit, BreakpointKind, Breakpoints
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.locations import Place, find_place
-from crs_cc.debug.watch import KINDS, MOST, AccessKind
-from crs_cc.debug.watchpoints import same_activation, told, watchpoint
-from crs_cc.debug.world.events import checked_kind
+from crs_cc.debug.locations import BreakpointLocation, find_location
+from crs_cc.debug.watch import KINDS, MAX, AccessKind
+from crs_cc.debug.watchpoints import change_text, same_activation, watchpoint
+from crs_cc.debug.world.events import check_event_kind
 
 if TYPE_CHECKING:
     from crs_cc.debug.view import View
@@ -48,7 +48,7 @@ class StopPoints:
         robot = options.get("robot")
         here = self._view.current_file(robot)
         robots = range(len(self._run.programs)) if robot is None else [robot]
-        found = find_place(place, self._run.programs, robots, here)
+        found = find_location(place, self._run.programs, robots, here)
         return self._add("breakpoint", place, found, options)
 
     def add_catchpoint(self, what: str, **options: Any) -> Breakpoint:
@@ -59,7 +59,7 @@ class StopPoints:
         """
         if what == "error":
             raise DebugError("nothing is needed for errors: they always stop the run")
-        kind = what if what == "exit" else checked_kind(what)
+        kind = what if what == "exit" else check_event_kind(what)
         return self._add("catchpoint", kind, None, options)
 
     def add_watchpoint(
@@ -94,15 +94,19 @@ class StopPoints:
 
     def _make_room(self, robot: int) -> None:
         """Finds out whether one more object can be watched."""
-        if len(self.breakpoints.watched(robot)) >= MOST:
+        if len(self.breakpoints.watched(robot)) >= MAX:
             name = self._view.names[robot]
             raise DebugError(
-                f"no more than {MOST} objects of {name} can be watched at once: delete a"
+                f"no more than {MAX} objects of {name} can be watched at once: delete a"
                 " watchpoint, or watch a whole struct or array"
             )
 
     def _add(
-        self, kind: BreakpointKind, text: str, place: Place | None, options: Mapping[str, Any]
+        self,
+        kind: BreakpointKind,
+        text: str,
+        place: BreakpointLocation | None,
+        options: Mapping[str, Any],
     ) -> Breakpoint:
         self._check(place, options.get("condition", ""))
         return self.breakpoints.add(lambda number: Breakpoint(number, kind, text, place, **options))
@@ -144,7 +148,7 @@ class StopPoints:
         self._check(own.place, condition)
         own.condition = condition
 
-    def _check(self, place: Place | None, condition: str) -> None:
+    def _check(self, place: BreakpointLocation | None, condition: str) -> None:
         """Finds out whether a condition will mean something where it is asked for."""
         if not condition or place is None:
             return
@@ -154,10 +158,10 @@ class StopPoints:
                 site = sites[number]
                 self._view.evaluator(robot).check(condition, site.function, site.location)
 
-    def accepts(self, hit: Hit, counts: bool) -> tuple[bool, str]:
+    def accepts(self, hit: BreakpointHit, counts: bool) -> tuple[bool, str]:
         """Tells whether a breakpoint that was met stops the run, and what to say then."""
         own = hit.breakpoint
-        if hit.touch and hit.touch.access.what == "return":
+        if hit.watch_hit and hit.watch_hit.access.what == "return":
             return True, ""
         if own.condition:
             try:
@@ -174,7 +178,7 @@ class StopPoints:
                 self.say(self._logged(own.log, self._whose(hit)))
         return not own.log, ""
 
-    def _whose(self, hit: Hit) -> int:
+    def _whose(self, hit: BreakpointHit) -> int:
         """Gives the robot in whose program a breakpoint's expressions are evaluated."""
         if hit.robot >= 0:
             return hit.robot
@@ -188,11 +192,13 @@ class StopPoints:
         same = next((each for each in stack if frame and same_activation(each, frame)), None)
         return self._view.evaluator(robot).holds(own.condition, same)
 
-    def told_of(self, hit: Hit) -> str:
+    def describe_hit(self, hit: BreakpointHit) -> str:
         """Says what happened to what is watched."""
-        assert hit.touch is not None
+        assert hit.watch_hit is not None
         assert hit.breakpoint.watch is not None
-        return told(hit.breakpoint.watch, hit.touch.access, self._view.evaluator(hit.robot).sight())
+        return change_text(
+            hit.breakpoint.watch, hit.watch_hit.access, self._view.evaluator(hit.robot).inspector()
+        )
 
     def _logged(self, text: str, robot: int) -> str:
         """Gives a log point's text with the values of the expressions in braces."""

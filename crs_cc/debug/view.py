@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING
 from crs_cc.core.source import Location
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.data.evaluate import Evaluator
-from crs_cc.debug.data.expression_compiler import Names
+from crs_cc.debug.data.expression_compiler import SourceNames
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.data.variables import Variable
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.position import Position
-from crs_cc.debug.timeline.recorded_run import Run
+from crs_cc.debug.timeline.recorded_run import RecordedRun
 from crs_cc.debug.world.state_fields import StateField, state_fields
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
@@ -52,17 +52,17 @@ class View:
         run: the run.
         robot: the robot that the user looks at.
         frame: the number of the active function that he looks at.
-        kept: values that expressions can use as `$name`, and the last one as `$`.
+        convenience_values: values that expressions can use as `$name`, and the last one as `$`.
     """
 
-    def __init__(self, run: Run) -> None:
+    def __init__(self, run: RecordedRun) -> None:
         """Looks at the first robot."""
         self.run = run
         self.robot = 0
         self.frame = 0
-        self.kept: dict[str, Value] = {}
+        self.convenience_values: dict[str, Value] = {}
         self._seen: tuple[Stopped, list[BacktraceFrame]] | None = None
-        self._names: dict[int, Names] = {}
+        self._names: dict[int, SourceNames] = {}
         self._evaluators: dict[tuple[int, int], Evaluator] = {}
 
     @property
@@ -88,7 +88,7 @@ class View:
     @property
     def is_over(self) -> bool:
         """Whether no program is left."""
-        return not self.run.goes_on
+        return not self.run.can_advance
 
     def frames(self, robot: int | None = None) -> list[BacktraceFrame]:
         """Gives a program's active functions, the innermost first."""
@@ -200,9 +200,9 @@ class View:
         """Gives the global variables of a program, by their names."""
         return self.evaluator(self.robot if robot is None else robot).globals_()
 
-    def told_state(self, robot: int | None = None) -> list[tuple[StateField, Value]]:
+    def vendor_state(self, robot: int | None = None) -> list[tuple[StateField, Value]]:
         """Gives what a program was told in the vendor's `State[]`; nothing when it has it not."""
-        return self.evaluator(self.robot if robot is None else robot).sight().told_state()
+        return self.evaluator(self.robot if robot is None else robot).inspector().vendor_state()
 
     def type_of(self, text: str) -> CType:
         """Gives the type that an expression has, or that it names.
@@ -231,10 +231,10 @@ class View:
         program = self.run.programs[robot]
         memory = id(self.session.fleet.memory(robot))  # another one in another build
         if (robot, memory) not in self._evaluators:
-            names = self._names.setdefault(id(program), Names(program))
+            names = self._names.setdefault(id(program), SourceNames(program))
             stopped = functools.partial(self.run.stopped, robot)
             drive = self.session.environment.world.robots[robot].model.drive
             fields = state_fields(program.options.dialect, synchro=drive.steering is not None)
-            made = Evaluator(stopped, names, self.kept, fields)
+            made = Evaluator(stopped, names, self.convenience_values, fields)
             self._evaluators[robot, memory] = made
         return self._evaluators[robot, memory]

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from crs_cc.core.source import Diagnostics
 from crs_cc.debug.data.evaluate import Evaluator
-from crs_cc.debug.data.expression_compiler import Names
+from crs_cc.debug.data.expression_compiler import SourceNames
 from crs_cc.debug.program import DebugProgram
 from crs_cc.debug.world.state_fields import state_fields
 from crs_cc.frontend.preprocess.options import Options
@@ -67,7 +67,7 @@ class Stopping:
     def evaluator(self) -> Evaluator:
         """Gives what evaluates expressions."""
         fields = state_fields("nomad")
-        return Evaluator(lambda: self.fleet.stopped(0), Names(self.program), fields=fields)
+        return Evaluator(lambda: self.fleet.stopped(0), SourceNames(self.program), fields=fields)
 
     def state(self) -> tuple[bytes, bytes]:
         """Gives all bytes of the program, and of its shadow."""

@@ -22,8 +22,8 @@ from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.program import DebugProgram
 from crs_cc.debug.stop import Stop
-from crs_cc.debug.timeline.run_event import Instant
 from crs_cc.debug.timeline.position import Position
+from crs_cc.debug.timeline.run_event import RunEvent
 from crs_cc.frontend.preprocess.options import Options
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Output
@@ -111,14 +111,14 @@ class Trial:
 def impatient(debugger: Debugger) -> Iterator[None]:
     """Interrupts what is still running at a certain timestep, and what takes long to go back."""
     run = debugger.run
-    hear, again = run.step, run.again
+    hear, again = run.step, run.replay
 
     def step(step: Step) -> None:
         hear(step)
         if run.session.timesteps >= TIMESTEPS:
             debugger.interrupt()
 
-    def again_but_not_for_long(*piece: Any, **options: Any) -> Iterator[Instant]:
+    def again_but_not_for_long(*piece: Any, **options: Any) -> Iterator[RunEvent]:
         for number, instant in enumerate(again(*piece, **options)):
             if number == INSTANTS:
                 debugger.interrupt()

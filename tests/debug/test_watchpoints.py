@@ -9,7 +9,7 @@ import pytest
 
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.watch import MOST
+from crs_cc.debug.watch import MAX
 from tests.debug.debuggers import debugger_of, line
 
 LOOP = """\
@@ -190,14 +190,14 @@ def test_what_cannot_be_watched_is_refused(loop: Debugger) -> None:
             loop.stop_points.add_watchpoint(wrong)
     with pytest.raises(DebugError, match="kind of access"):
         loop.stop_points.add_watchpoint("total", "look")  # type: ignore[arg-type]
-    for _ in range(MOST):
+    for _ in range(MAX):
         loop.stop_points.add_watchpoint("total")
-    with pytest.raises(DebugError, match=f"no more than {MOST} objects"):
+    with pytest.raises(DebugError, match=f"no more than {MAX} objects"):
         loop.stop_points.add_watchpoint("total")
     first = next(iter(loop.stop_points.breakpoints))
     loop.stop_points.enable(first.number, on=False)
     loop.stop_points.add_watchpoint("total")
-    with pytest.raises(DebugError, match=f"no more than {MOST} objects"):
+    with pytest.raises(DebugError, match=f"no more than {MAX} objects"):
         loop.stop_points.enable(first.number)
 
 

@@ -10,7 +10,7 @@ from typing import Final
 from crs_cc.core.suggest import unknown
 from crs_cc.debug.errors import DebugError
 
-MOST: Final = 1_000_000_000
+MAX: Final = 1_000_000_000
 
 _FORMAT: Final = re.compile(r"/(-?\d*)([a-z]*)\s*")
 _LETTERS: Final = "xduotcfsai"
@@ -35,7 +35,7 @@ class OutputFormat:
     size: int = 0
 
 
-def take_format(text: str) -> tuple[OutputFormat, str]:
+def parse_format(text: str) -> tuple[OutputFormat, str]:
     """Takes `/FMT` off the front of an argument.
 
     Raises:
@@ -59,7 +59,7 @@ def take_format(text: str) -> tuple[OutputFormat, str]:
     )
 
 
-def take_count(text: str) -> int:
+def parse_count(text: str) -> int:
     """Gives how often to do something: 1 if nothing is said.
 
     Raises:
@@ -72,12 +72,12 @@ def take_count(text: str) -> int:
 
 
 def _count(digits: str) -> int:
-    if not re.fullmatch(r"0*[1-9]\d{0,9}", digits) or int(digits) > MOST:
-        raise DebugError(f"'{digits}' is no count: say a number from 1 to {MOST:,}")
+    if not re.fullmatch(r"0*[1-9]\d{0,9}", digits) or int(digits) > MAX:
+        raise DebugError(f"'{digits}' is no count: say a number from 1 to {MAX:,}")
     return int(digits)
 
 
-def take_numbers(text: str, newest: int | None = None) -> list[int]:
+def parse_numbers(text: str, newest: int | None = None) -> list[int]:
     """Gives numbers, and those of ranges, in their order; `$` is the newest one.
 
     Raises:
@@ -116,7 +116,7 @@ class BreakpointArguments:
     condition: str = ""
 
 
-def take_where(text: str) -> BreakpointArguments:
+def parse_breakpoint_arguments(text: str) -> BreakpointArguments:
     """Gives place, robot and condition.
 
     >>> take_where("wander.c:12 robot 1 if x > 3")
@@ -133,7 +133,7 @@ def take_where(text: str) -> BreakpointArguments:
     return BreakpointArguments(text.strip(), robot, condition)
 
 
-def take_robot(text: str, names: Sequence[str]) -> int:
+def parse_robot(text: str, names: Sequence[str]) -> int:
     """Gives the number of a robot from its name or number.
 
     Raises:
@@ -150,7 +150,7 @@ def take_robot(text: str, names: Sequence[str]) -> int:
     raise DebugError(unknown("robot", text, names))
 
 
-def demand(text: str, what: str) -> str:
+def require_argument(text: str, what: str) -> str:
     """Gives an argument that has to be there.
 
     Raises:
@@ -162,7 +162,7 @@ def demand(text: str, what: str) -> str:
     return text
 
 
-def demand_none(text: str) -> None:
+def reject_arguments(text: str) -> None:
     """Makes sure that nothing stands behind a command.
 
     Raises:

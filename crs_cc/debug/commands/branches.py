@@ -6,7 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.commands.answer import Answer
-from crs_cc.debug.commands.arguments import demand, demand_none, take_numbers
+from crs_cc.debug.commands.arguments import parse_numbers, reject_arguments, require_argument
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.stop_text import position_text
 from crs_cc.debug.errors import DebugError
@@ -22,14 +22,14 @@ def _checkpoint(context: CommandContext, text: str) -> Answer:
 
 
 def _restart(context: CommandContext, text: str) -> Answer:
-    numbers = take_numbers(demand(text, "a checkpoint's number"))
+    numbers = parse_numbers(require_argument(text, "a checkpoint's number"))
     if len(numbers) != 1:
         raise DebugError("say one checkpoint's number")
     return context.move(partial(context.debugger.restart, numbers[0]))
 
 
 def _info_checkpoints(context: CommandContext, text: str) -> Answer:
-    demand_none(text)
+    reject_arguments(text)
     found = context.debugger.branches.current.checkpoints
     for each in found:
         yield f"{each.number:<3} {_shown(each)}"
@@ -38,17 +38,17 @@ def _info_checkpoints(context: CommandContext, text: str) -> Answer:
 
 
 def _branch(context: CommandContext, text: str) -> Answer:
-    name = demand(text, "a name for the branch")
+    name = require_argument(text, "a name for the branch")
     context.debugger.branch(name)
     yield f"The run goes on as branch '{name}'."
 
 
 def _switch(context: CommandContext, text: str) -> Answer:
-    return context.move(partial(context.debugger.switch, demand(text, "a branch's name")))
+    return context.move(partial(context.debugger.switch, require_argument(text, "a branch's name")))
 
 
 def _compare(context: CommandContext, text: str) -> Answer:
-    found = context.debugger.compare(demand(text, "a branch's name"))
+    found = context.debugger.compare(require_argument(text, "a branch's name"))
     timestep = context.debugger.position.timestep
     if not found:
         yield f"There is no difference at the start of timestep {timestep}."
@@ -59,7 +59,7 @@ def _compare(context: CommandContext, text: str) -> Answer:
 
 
 def _info_branches(context: CommandContext, text: str) -> Answer:
-    demand_none(text)
+    reject_arguments(text)
     branches = context.debugger.branches
     for name in branches.names():
         yield f"{'=>' if name == branches.current.name else '  '} {name}"

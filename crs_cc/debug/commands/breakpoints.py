@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Final
 from crs_cc.debug.breakpoints import Breakpoint
 from crs_cc.debug.commands.answer import Answer
 from crs_cc.debug.commands.arguments import (
-    demand,
+    parse_breakpoint_arguments,
+    parse_count,
+    parse_numbers,
+    parse_robot,
+    require_argument,
     split_arguments,
-    take_count,
-    take_numbers,
-    take_robot,
-    take_where,
 )
 from crs_cc.debug.commands.breakpoint_text import described, name_of
 from crs_cc.debug.commands.command import Command, Group
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 
 def _robot(context: CommandContext, text: str) -> int | None:
-    return take_robot(text, context.debugger.names) if text else None
+    return parse_robot(text, context.debugger.names) if text else None
 
 
 def _made(made: Breakpoint) -> Answer:
@@ -39,7 +39,7 @@ def _made(made: Breakpoint) -> Answer:
 
 
 def _break(context: CommandContext, text: str, *, temporary: bool = False) -> Answer:
-    where = take_where(text)
+    where = parse_breakpoint_arguments(text)
     made = context.debugger.stop_points.add_breakpoint(
         where.place or _here(context),
         condition=where.condition,
@@ -58,7 +58,7 @@ def _here(context: CommandContext) -> str:
 
 
 def _watch(context: CommandContext, text: str, *, kind: AccessKind) -> Answer:
-    where = take_where(demand(text, "an expression such as speed or *p"))
+    where = parse_breakpoint_arguments(require_argument(text, "an expression such as speed or *p"))
     made = context.debugger.stop_points.add_watchpoint(
         where.place, kind, condition=where.condition, robot=_robot(context, where.robot)
     )
@@ -66,7 +66,9 @@ def _watch(context: CommandContext, text: str, *, kind: AccessKind) -> Answer:
 
 
 def _catch(context: CommandContext, text: str) -> Answer:
-    where = take_where(demand(text, "what to stop at, such as error or collision"))
+    where = parse_breakpoint_arguments(
+        require_argument(text, "what to stop at, such as error or collision")
+    )
     made = context.debugger.stop_points.add_catchpoint(
         where.place, condition=where.condition, robot=_robot(context, where.robot)
     )
@@ -74,7 +76,7 @@ def _catch(context: CommandContext, text: str) -> Answer:
 
 
 def _dprintf(context: CommandContext, text: str) -> Answer:
-    place, *rest = split_arguments(demand(text, 'PLACE,"FORMAT",EXPRESSION...'))
+    place, *rest = split_arguments(require_argument(text, 'PLACE,"FORMAT",EXPRESSION...'))
     if not rest:
         raise DebugError('say what to print behind the place: dprintf PLACE,"FORMAT",...')
     made = context.debugger.stop_points.add_breakpoint(
@@ -84,8 +86,10 @@ def _dprintf(context: CommandContext, text: str) -> Answer:
 
 
 def _log(context: CommandContext, text: str) -> Answer:
-    place, _, message = demand(text, "PLACE TEXT").partition(" ")
-    made = context.debugger.stop_points.add_breakpoint(place, log=demand(message, "PLACE TEXT"))
+    place, _, message = require_argument(text, "PLACE TEXT").partition(" ")
+    made = context.debugger.stop_points.add_breakpoint(
+        place, log=require_argument(message, "PLACE TEXT")
+    )
     return _made(made)
 
 
@@ -101,7 +105,7 @@ def _all_or(context: CommandContext, text: str) -> list[int]:
 
 def _numbers(context: CommandContext, text: str) -> list[int]:
     newest = max((each.number for each in context.debugger.stop_points.breakpoints), default=None)
-    return take_numbers(text, newest)
+    return parse_numbers(text, newest)
 
 
 def _delete(context: CommandContext, text: str) -> Answer:
@@ -118,7 +122,9 @@ def _enable(context: CommandContext, text: str, *, on: bool) -> Answer:
 
 
 def _condition(context: CommandContext, text: str) -> Answer:
-    number, _, condition = demand(text, "a breakpoint's number, and a condition").partition(" ")
+    number, _, condition = require_argument(
+        text, "a breakpoint's number, and a condition"
+    ).partition(" ")
     for each in _numbers(context, number):
         context.debugger.stop_points.set_condition(each, condition.strip())
         if not condition.strip():
@@ -126,8 +132,12 @@ def _condition(context: CommandContext, text: str) -> Answer:
 
 
 def _ignore(context: CommandContext, text: str) -> Answer:
-    number, _, count = demand(text, "a breakpoint's number, and how often").partition(" ")
-    times = 0 if count.strip() == "0" else take_count(demand(count, "how often to ignore it"))
+    number, _, count = require_argument(text, "a breakpoint's number, and how often").partition(" ")
+    times = (
+        0
+        if count.strip() == "0"
+        else parse_count(require_argument(count, "how often to ignore it"))
+    )
     for each in _numbers(context, number):
         context.debugger.stop_points.ignore(each, times)
         yield f"Will ignore next {times} crossings of breakpoint {each}."

@@ -98,6 +98,6 @@ class CommandContext:
     def record(self, value: Value) -> int:
         """Append a value to the value history; return its number there."""
         self._value_count += 1
-        saved = self.debugger.view.kept
+        saved = self.debugger.view.convenience_values
         saved[""] = saved[str(self._value_count)] = value
         return self._value_count

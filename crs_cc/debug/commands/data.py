@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, Final
 from crs_cc.debug.commands.answer import Answer
 from crs_cc.debug.commands.arguments import (
     OutputFormat,
-    demand,
-    demand_none,
-    take_format,
-    take_numbers,
+    parse_format,
+    parse_numbers,
+    reject_arguments,
+    require_argument,
 )
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.display import Display
-from crs_cc.debug.commands.formats import LONGEST_TEXT, dump, formatted, quoted
+from crs_cc.debug.commands.formats import MAX_TEXT_LENGTH, dump, formatted, quoted
 from crs_cc.debug.commands.stack import frame
 from crs_cc.debug.commands.type_declaration import declared
 from crs_cc.debug.errors import DebugError
@@ -26,26 +26,28 @@ if TYPE_CHECKING:
     from crs_cc.debug.data.values import Value
     from crs_cc.debug.data.variables import Variable
 
-_MOST_STRINGS: Final = 100
+_MAX_STRINGS: Final = 100
 
 
 def _print(context: CommandContext, text: str) -> Answer:
-    wanted, expression = take_format(text)
-    value = context.debugger.evaluate(demand(expression, "an expression"))
+    wanted, expression = parse_format(text)
+    value = context.debugger.evaluate(require_argument(expression, "an expression"))
     shown = formatted(value, wanted)
     yield shown if isinstance(value.type, VoidType) else f"${context.record(value)} = {shown}"
 
 
 def _call(context: CommandContext, text: str) -> Answer:
-    value = context.debugger.evaluate(demand(text, "an expression"))
+    value = context.debugger.evaluate(require_argument(text, "an expression"))
     if value.text != "void":
         yield value.full
 
 
 def _set(context: CommandContext, text: str) -> Answer:
-    words = demand(text, "an assignment, such as speed = 3").split(maxsplit=1)
+    words = require_argument(text, "an assignment, such as speed = 3").split(maxsplit=1)
     if words[0] in {"var", "variable"}:
-        text = demand(words[1] if len(words) > 1 else "", "an assignment, such as speed = 3")
+        text = require_argument(
+            words[1] if len(words) > 1 else "", "an assignment, such as speed = 3"
+        )
     if "=" not in text:
         raise DebugError("say what it is to be: set VARIABLE = EXPRESSION")
     context.debugger.evaluate(text)
@@ -53,15 +55,17 @@ def _set(context: CommandContext, text: str) -> Answer:
 
 
 def _whatis(context: CommandContext, text: str) -> Answer:
-    yield str(context.debugger.view.type_of(demand(text, "an expression or a type")))
+    yield str(context.debugger.view.type_of(require_argument(text, "an expression or a type")))
 
 
 def _ptype(context: CommandContext, text: str) -> Answer:
-    yield from declared(context.debugger.view.type_of(demand(text, "an expression or a type")))
+    yield from declared(
+        context.debugger.view.type_of(require_argument(text, "an expression or a type"))
+    )
 
 
 def _examine(context: CommandContext, text: str) -> Answer:
-    wanted, expression = take_format(text)
+    wanted, expression = parse_format(text)
     if expression:
         value = context.debugger.view.look_up(expression)
         address = _address(value)
@@ -74,7 +78,7 @@ def _examine(context: CommandContext, text: str) -> Answer:
         yield from _strings(context, address, wanted)
         return
     yield from dump(
-        context.debugger.view.evaluator(context.debugger.view.robot).sight(), address, wanted
+        context.debugger.view.evaluator(context.debugger.view.robot).inspector(), address, wanted
     )
     context.examined = address + (wanted.size or 4) * wanted.count, wanted
 
@@ -91,13 +95,13 @@ def _address(value: Value) -> int:
 
 
 def _strings(context: CommandContext, address: int, wanted: OutputFormat) -> Answer:
-    sight = context.debugger.view.evaluator(context.debugger.view.robot).sight()
-    for _ in range(min(wanted.count, _MOST_STRINGS)):
-        content = sight.read(address, LONGEST_TEXT + 1)
+    inspector = context.debugger.view.evaluator(context.debugger.view.robot).inspector()
+    for _ in range(min(wanted.count, _MAX_STRINGS)):
+        content = inspector.read(address, MAX_TEXT_LENGTH + 1)
         if not content:
             raise DebugError(f"there is no memory at {address:#x}")
         yield f"{address:#010x}: {quoted(content)}"
-        address += min(len(content.partition(b"\0")[0]), LONGEST_TEXT) + 1
+        address += min(len(content.partition(b"\0")[0]), MAX_TEXT_LENGTH) + 1
     context.examined = address, wanted
 
 
@@ -105,8 +109,8 @@ def _display(context: CommandContext, text: str) -> Answer:
     if not text:
         yield from context.show_displays()
         return
-    wanted, expression = take_format(text)
-    display = Display(demand(expression, "an expression"), wanted)
+    wanted, expression = parse_format(text)
+    display = Display(require_argument(expression, "an expression"), wanted)
     shown = display.text(context.debugger)
     number = max(context.displays, default=0) + 1
     context.displays[number] = display
@@ -114,14 +118,14 @@ def _display(context: CommandContext, text: str) -> Answer:
 
 
 def _undisplay(context: CommandContext, text: str) -> Answer:
-    for number in take_numbers(text) or list(context.displays):
+    for number in parse_numbers(text) or list(context.displays):
         if context.displays.pop(number, None) is None:
             raise DebugError(f"there is no display {number}")
     yield from ()
 
 
 def _info_display(context: CommandContext, text: str) -> Answer:
-    demand_none(text)
+    reject_arguments(text)
     if not context.displays:
         yield "There are no displays."
     for number, display in context.displays.items():
@@ -134,7 +138,7 @@ def _variable(each: Variable) -> str:
 
 
 def _info_locals(context: CommandContext, text: str) -> Answer:
-    demand_none(text)
+    reject_arguments(text)
     here = frame(context)
     found = context.debugger.view.variables(frame=here.number)
     if not found:
@@ -143,7 +147,7 @@ def _info_locals(context: CommandContext, text: str) -> Answer:
 
 
 def _info_args(context: CommandContext, text: str) -> Answer:
-    demand_none(text)
+    reject_arguments(text)
     here = frame(context)
     found = [
         each

@@ -7,7 +7,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.commands.answer import Answer
-from crs_cc.debug.commands.arguments import demand, demand_none, take_count
+from crs_cc.debug.commands.arguments import parse_count, reject_arguments, require_argument
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.stop_text import when_text
 from crs_cc.debug.errors import DebugError
@@ -18,19 +18,19 @@ if TYPE_CHECKING:
 
 
 def _start(context: CommandContext, text: str) -> Answer:
-    demand_none(text)
+    reject_arguments(text)
     context.debugger.goto(BEGINNING)
     return context.move(context.debugger.start)
 
 
 def _run(context: CommandContext, text: str) -> Answer:
-    demand_none(text)
+    reject_arguments(text)
     context.debugger.goto(BEGINNING)
     return context.move(context.debugger.resume)
 
 
 def _continue(context: CommandContext, text: str) -> Answer:
-    count = take_count(text)
+    count = parse_count(text)
     if count > 1:
         hit = context.debugger.stop.breakpoints
         if not hit:
@@ -41,30 +41,30 @@ def _continue(context: CommandContext, text: str) -> Answer:
 
 
 def _reverse_continue(context: CommandContext, text: str) -> Answer:
-    demand_none(text)
+    reject_arguments(text)
     return context.move(partial(context.debugger.resume, backward=True))
 
 
 def _step(context: CommandContext, text: str, *, backward: bool = False) -> Answer:
-    return context.move(partial(context.debugger.step, take_count(text), backward=backward))
+    return context.move(partial(context.debugger.step, parse_count(text), backward=backward))
 
 
 def _next(context: CommandContext, text: str, *, backward: bool = False) -> Answer:
-    return context.move(partial(context.debugger.next, take_count(text), backward=backward))
+    return context.move(partial(context.debugger.next, parse_count(text), backward=backward))
 
 
 def _stepi(context: CommandContext, text: str, *, backward: bool = False) -> Answer:
     return context.move(
-        partial(context.debugger.step_statement, take_count(text), backward=backward)
+        partial(context.debugger.step_statement, parse_count(text), backward=backward)
     )
 
 
 def _tick(context: CommandContext, text: str, *, backward: bool = False) -> Answer:
-    return context.move(partial(context.debugger.tick, take_count(text), backward=backward))
+    return context.move(partial(context.debugger.tick, parse_count(text), backward=backward))
 
 
 def _finish(context: CommandContext, text: str, *, backward: bool = False) -> Answer:
-    demand_none(text)
+    reject_arguments(text)
     return context.move(partial(context.debugger.finish, backward=backward))
 
 
@@ -75,7 +75,9 @@ def _until(context: CommandContext, text: str) -> Answer:
 
 
 def _advance(context: CommandContext, text: str) -> Answer:
-    return context.move(partial(context.debugger.advance, demand(text, "a line or a function")))
+    return context.move(
+        partial(context.debugger.advance, require_argument(text, "a line or a function"))
+    )
 
 
 _INSTANT: Final = re.compile(
@@ -84,7 +86,7 @@ _INSTANT: Final = re.compile(
 
 
 def _goto(context: CommandContext, text: str) -> Answer:
-    text = demand(text, "an instant, such as 12.3 or tick 120")
+    text = require_argument(text, "an instant, such as 12.3 or tick 120")
     if text == "start":
         return context.move(partial(context.debugger.goto, BEGINNING))
     found = _INSTANT.fullmatch(text)
@@ -103,7 +105,7 @@ def _goto(context: CommandContext, text: str) -> Answer:
 
 
 def _when(context: CommandContext, text: str) -> Answer:
-    demand_none(text)
+    reject_arguments(text)
     yield when_text(context.debugger)
 
 

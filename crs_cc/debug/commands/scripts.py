@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 
 from crs_cc.core.file_names import from_text
 from crs_cc.debug.commands.answer import Answer
-from crs_cc.debug.commands.arguments import demand
+from crs_cc.debug.commands.arguments import require_argument
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.errors import DebugError
 
@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from crs_cc.debug.breakpoints import Breakpoint
     from crs_cc.debug.commands.context import CommandContext
 
-LARGEST_SCRIPT: Final = 1 << 20
-_DEEPEST: Final = 16
+MAX_SCRIPT_BYTES: Final = 1 << 20
+_MAX_DEPTH: Final = 16
 _HEAD: Final = "# breakpoints of crs debug"
 _ENDING: Final = ".dbg"
 _WATCHES: Final = {"change": "watch", "write": "wwatch", "read": "rwatch", "access": "awatch"}
@@ -35,9 +35,9 @@ def read_script(path: Path) -> list[str]:
         with os.fdopen(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as file:  # or a pipe waits
             if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
                 raise DebugError(f"'{path}' is no file of commands")
-            content = file.read(LARGEST_SCRIPT + 1)
-        if len(content) > LARGEST_SCRIPT:
-            raise DebugError(f"'{path}' is larger than {LARGEST_SCRIPT >> 20} MiB")
+            content = file.read(MAX_SCRIPT_BYTES + 1)
+        if len(content) > MAX_SCRIPT_BYTES:
+            raise DebugError(f"'{path}' is larger than {MAX_SCRIPT_BYTES >> 20} MiB")
         return content.decode().splitlines()
     except OSError as error:
         raise DebugError(f"'{path}' cannot be read: {error.strerror}") from None
@@ -46,9 +46,9 @@ def read_script(path: Path) -> list[str]:
 
 
 def _source(context: CommandContext, text: str) -> Answer:
-    if context.depth >= _DEEPEST:
-        raise DebugError(f"scripts read each other {_DEEPEST} times: that has no end")
-    lines = read_script(Path(from_text(demand(text, "a file of commands"))))
+    if context.depth >= _MAX_DEPTH:
+        raise DebugError(f"scripts read each other {_MAX_DEPTH} times: that has no end")
+    lines = read_script(Path(from_text(require_argument(text, "a file of commands"))))
     context.depth += 1
     before = context.debugger.stop
     try:
@@ -64,7 +64,7 @@ def _source(context: CommandContext, text: str) -> Answer:
 
 
 def _save_breakpoints(context: CommandContext, text: str) -> Answer:
-    path = Path(from_text(demand(text, "a file")))
+    path = Path(from_text(require_argument(text, "a file")))
     breakpoints = list(context.debugger.stop_points.breakpoints)
     lines = [_HEAD, *(line for each in breakpoints for line in _written(context, each))]
     _write(path, "\n".join(lines) + "\n")

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Final
 
 from crs_cc.core.source import Location
 from crs_cc.debug.commands.answer import Answer, SourceLine
-from crs_cc.debug.commands.arguments import demand, demand_none, take_count
+from crs_cc.debug.commands.arguments import parse_count, reject_arguments, require_argument
 from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.context import Listing
 from crs_cc.debug.commands.stop_text import frame_text
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.locations import find_place, is_file
+from crs_cc.debug.locations import find_location, is_file
 from crs_cc.ir.names import in_library, plain_name
 
 if TYPE_CHECKING:
@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from crs_cc.debug.view import BacktraceFrame
 
 _LINES: Final = 10
-_MOST_FRAMES: Final = 100
-_MOST_FUNCTIONS: Final = 200
+_MAX_FRAMES: Final = 100
+_MAX_FUNCTIONS: Final = 200
 
 
 def frames(context: CommandContext) -> list[BacktraceFrame]:
@@ -50,7 +50,7 @@ def frame(context: CommandContext) -> BacktraceFrame:
 def _backtrace(context: CommandContext, text: str) -> Answer:
     here = frame(context).number
     found = list(_shown(frames(context)))
-    most = take_count(text) if text else _MOST_FRAMES
+    most = parse_count(text) if text else _MAX_FRAMES
     for each in found[:most]:
         mark = "=>" if each.number == here else "  "
         yield f"{mark} #{each.number}  {frame_text(context.debugger, each)}"
@@ -76,11 +76,11 @@ def _frame(context: CommandContext, text: str) -> Answer:
 
 
 def _up(context: CommandContext, text: str) -> Answer:
-    return _move_frame(context, take_count(text))
+    return _move_frame(context, parse_count(text))
 
 
 def _down(context: CommandContext, text: str) -> Answer:
-    return _move_frame(context, -take_count(text))
+    return _move_frame(context, -parse_count(text))
 
 
 def _move_frame(context: CommandContext, by: int) -> Answer:
@@ -95,7 +95,7 @@ def _move_frame(context: CommandContext, by: int) -> Answer:
 
 
 def _info_frame(context: CommandContext, text: str) -> Answer:
-    demand_none(text)
+    reject_arguments(text)
     found, here = frames(context), frame(context)
     yield f"#{here.number}  {frame_text(context.debugger, here)}"
     place = [each.number for each in found].index(here.number)
@@ -185,7 +185,7 @@ def find_line(context: CommandContext, text: str) -> Location:
     """
     debugger = context.debugger
     file = debugger.view.current_file()
-    found = find_place(text, debugger.run.programs, [debugger.view.robot], file).location
+    found = find_location(text, debugger.run.programs, [debugger.view.robot], file).location
     if found is None:
         raise DebugError(f"'{text}' is the robot's, and stands in no file of the program")
     return found
@@ -203,14 +203,14 @@ def _info_functions(context: CommandContext, text: str) -> Answer:
     found = sorted((place, name) for name, place in functions(context) if text in name)
     if not found:
         raise DebugError(f"no function has '{text}' in its name")
-    for place, name in found[:_MOST_FUNCTIONS]:
+    for place, name in found[:_MAX_FUNCTIONS]:
         yield f"{place.file}:{place.line}: {name}"
-    if len(found) > _MOST_FUNCTIONS:
-        yield f"(and {len(found) - _MOST_FUNCTIONS} more)"
+    if len(found) > _MAX_FUNCTIONS:
+        yield f"(and {len(found) - _MAX_FUNCTIONS} more)"
 
 
 def _info_line(context: CommandContext, text: str) -> Answer:
-    place = find_line(context, demand(text, "a line or a function"))
+    place = find_line(context, require_argument(text, "a line or a function"))
     lines = context.debugger.view.source(place.file)
     yield f"{place.file}:{place.line}"
     if 0 < place.line <= len(lines):
@@ -218,7 +218,7 @@ def _info_line(context: CommandContext, text: str) -> Answer:
 
 
 def _info_source(context: CommandContext, text: str) -> Answer:
-    demand_none(text)
+    reject_arguments(text)
     robot = context.debugger.view.robot
     here = context.debugger.view.location()
     for path in context.debugger.run.programs[robot].paths:

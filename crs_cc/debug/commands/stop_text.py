@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 _SAID: Final = frozenset({"start", "beginning", "interrupt"})
 """Reasons that are said in words where a stop has no text of its own."""
 
-_MOST_ENDS: Final = 5
-_LONGEST_ARGUMENT: Final = 40  # characters
+_MAX_ENDS: Final = 5
+_MAX_ARGUMENT_LENGTH: Final = 40  # characters
 
 _QUIET: Final = frozenset({"step", "goto"})
 """Reasons of which nothing is said: the user asked for just this."""
@@ -101,7 +101,7 @@ def _ends(debugger: Debugger) -> str:
     """Gives what became of the programs."""
     ends = [
         f"{name} {activity(debugger.session, robot)}"
-        for robot, name in enumerate(debugger.names[:_MOST_ENDS])
+        for robot, name in enumerate(debugger.names[:_MAX_ENDS])
     ]
     more = len(debugger.names) - len(ends)
     return ", ".join(ends) + (f", and {more} more" if more else "")
@@ -128,7 +128,7 @@ def _brief(value: str) -> str:
     """Gives a value in a few words: without what is told of an address."""
     if value.startswith("0x"):
         value = value.split(maxsplit=1)[0]
-    return value if len(value) <= _LONGEST_ARGUMENT else f"{value[:_LONGEST_ARGUMENT]}..."
+    return value if len(value) <= _MAX_ARGUMENT_LENGTH else f"{value[:_MAX_ARGUMENT_LENGTH]}..."
 
 
 def current_line(debugger: Debugger, frame: BacktraceFrame) -> Answer:
@@ -140,7 +140,7 @@ def current_line(debugger: Debugger, frame: BacktraceFrame) -> Answer:
 
 def when_text(debugger: Debugger) -> str:
     """Gives the instant where a run is."""
-    begun = debugger.run.begun(debugger.view.robot)
+    begun = debugger.run.statements_begun(debugger.view.robot)
     stmt = f"{debugger.names[debugger.view.robot]} before stmt {begun + 1}"
     return f"t = {debugger.view.time_s:.3f} s, {position_text(debugger.position)}, {stmt}"
 

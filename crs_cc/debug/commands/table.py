@@ -15,7 +15,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.commands.answer import Answer
-from crs_cc.debug.commands.arguments import demand, demand_none
+from crs_cc.debug.commands.arguments import reject_arguments, require_argument
 from crs_cc.debug.commands.branches import BRANCHES
 from crs_cc.debug.commands.breakpoints import BREAKPOINTS
 from crs_cc.debug.commands.changes import CHANGES
@@ -50,7 +50,7 @@ def _help(_context: CommandContext, text: str) -> Answer:
 
 
 def _apropos(_context: CommandContext, text: str) -> Answer:
-    word = demand(text, "a word").lower()
+    word = require_argument(text, "a word").lower()
     found = [each for each in COMMANDS if mentions(each, word)]
     if not found:
         raise DebugError(f'no help text contains "{text}"')
@@ -59,7 +59,7 @@ def _apropos(_context: CommandContext, text: str) -> Answer:
 
 
 def _quit(context: CommandContext, text: str) -> Answer:
-    demand_none(text)
+    reject_arguments(text)
     context.has_ended = True
     yield from ()
 

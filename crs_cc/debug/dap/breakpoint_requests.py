@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.dap.arguments import RefusalError
 from crs_cc.debug.dap.breakpoints import ACCESS, RequestedBreakpoint, data_id
-from crs_cc.debug.dap.value_messages import FrameHandle, frame_handle
+from crs_cc.debug.dap.value_messages import FrameHandle, requested_frame
 from crs_cc.debug.dap.variables import expression_of
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.events import KINDS
@@ -40,7 +40,7 @@ def set_breakpoints(session: EditorSession, arguments: Arguments) -> Message:
         RequestedBreakpoint(
             "line",
             file,
-            session.locations.our_line(each.natural("line")),
+            session.locations.to_line(each.natural("line")),
             condition=each.text("condition", ""),
             hits=each.text("hitCondition", ""),
             log=each.text("logMessage", ""),
@@ -116,7 +116,7 @@ def _meant(session: EditorSession, arguments: Arguments) -> tuple[FrameHandle, s
     """
     if "variablesReference" in arguments and arguments.integer("variablesReference"):
         return expression_of(session, arguments)
-    return frame_handle(session, arguments), arguments.text("name")
+    return requested_frame(session, arguments), arguments.text("name")
 
 
 def _demand_object(session: EditorSession, at: FrameHandle, expression: str) -> None:

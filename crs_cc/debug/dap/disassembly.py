@@ -31,7 +31,7 @@ _PLACE: Final = re.compile(r"(?:(.+):)?(\d+):(\d+)$")
 
 
 @dataclass(frozen=True, slots=True)
-class Address:
+class CodeAddress:
     """The address of a line of code.
 
     Attributes:
@@ -113,4 +113,4 @@ def address_of(program: DebugProgram, robot: int, name: str, location: Location)
     functions = program.executable.program.functions
     rows = code_of(functions[name])
     line = next((n for n, each in enumerate(rows) if each.location == location), 0)
-    return Address(robot, list(functions).index(name), line).encode()
+    return CodeAddress(robot, list(functions).index(name), line).encode()

@@ -8,8 +8,8 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.commands.completion import complete
-from crs_cc.debug.dap.value_messages import FrameHandle, frame_handle, shown
-from crs_cc.debug.dap.stop_events import tell_stop
+from crs_cc.debug.dap.stop_events import report_stop
+from crs_cc.debug.dap.value_messages import FrameHandle, requested_frame, value_message
 from crs_cc.debug.dap.variables import expression_of
 from crs_cc.debug.errors import DebugError
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from crs_cc.debug.dap.session import EditorSession
     from crs_cc.debug.engine import Debugger
 
-_MOST_COMPLETIONS: Final = 1000  # chosen by us
+_MAX_COMPLETIONS: Final = 1000  # chosen by us
 _WORD: Final = re.compile(r"(?<![\w.>])[A-Za-z_]\w*$")
 """A name that is being written, and none of a member."""
 
@@ -31,19 +31,19 @@ def evaluate(session: EditorSession, arguments: Arguments) -> Message:
     line is an expression if it means something as one, and else a command: with a variable `n`
     that is its value, and the command has to be written `next`.
     """
-    debugger, at = session.standing(), frame_handle(session, arguments)
+    debugger, at = session.standing(), requested_frame(session, arguments)
     text, context = arguments.text("expression"), arguments.text("context", "watch")
     if context != "repl":
         value = debugger.view.look_up(text, robot=at.robot, frame=at.frame)
         line = value.full if context == "clipboard" else value.text
-        return shown(session, value, text, at, text=line, key="result")
+        return value_message(session, value, text, at, text=line, key="result")
     _look_from(debugger, at)
     assert session.shell is not None
     if session.shell.is_collecting or not _is_expression(debugger, at, text):
         return _command(session, text)
     value = debugger.evaluate(text, robot=at.robot, frame=at.frame)
-    session.afterwards = session.tell_changed
-    return shown(session, value, text, at, text=value.full, key="result")
+    session.afterwards = session.report_invalidated
+    return value_message(session, value, text, at, text=value.full, key="result")
 
 
 def _look_from(debugger: Debugger, at: FrameHandle) -> None:
@@ -77,10 +77,10 @@ def _command(session: EditorSession, text: str) -> Message:
     elif debugger.stop is not before:
         session.handles.clear()
         session.output.flush()
-        session.afterwards = partial(tell_stop, session, debugger.stop)
+        session.afterwards = partial(report_stop, session, debugger.stop)
     else:
         session.breakpoints.synchronize(session.opened())
-        session.afterwards = session.tell_changed
+        session.afterwards = session.report_invalidated
     return {"result": said, "variablesReference": 0}
 
 
@@ -94,7 +94,7 @@ def set_variable(session: EditorSession, arguments: Arguments) -> Message:
 def set_expression(session: EditorSession, arguments: Arguments) -> Message:
     """Changes what an expression names."""
     session.standing()
-    at = frame_handle(session, arguments)
+    at = requested_frame(session, arguments)
     return _assign(session, at, arguments.text("expression"), arguments.text("value"))
 
 
@@ -102,18 +102,18 @@ def _assign(session: EditorSession, at: FrameHandle, expression: str, value: str
     debugger = session.opened()
     debugger.evaluate(f"({expression}) = ({value})", robot=at.robot, frame=at.frame)
     now = debugger.view.look_up(expression, robot=at.robot, frame=at.frame)
-    session.afterwards = session.tell_changed
-    body = shown(session, now, expression, at)
+    session.afterwards = session.report_invalidated
+    body = value_message(session, now, expression, at)
     del body["evaluateName"]
     return body
 
 
 def completions(session: EditorSession, arguments: Arguments) -> Message:
     """Gives what the word at the end of a line in the console can become."""
-    debugger, at = session.standing(), frame_handle(session, arguments)
+    debugger, at = session.standing(), requested_frame(session, arguments)
     assert session.shell is not None
     _look_from(debugger, at)
-    end = session.locations.our_column(arguments.natural("column")) - 1
+    end = session.locations.to_column(arguments.natural("column")) - 1
     text = arguments.text("text")[: max(end, 0)]
     found = complete(session.shell.context, text)
     words = dict.fromkeys((word, found.start) for word in found.words)
@@ -124,7 +124,7 @@ def completions(session: EditorSession, arguments: Arguments) -> Message:
             "start": session.locations.column(start + 1),
             "length": len(text) - start,
         }
-        for word, start in list(words)[:_MOST_COMPLETIONS]
+        for word, start in list(words)[:_MAX_COMPLETIONS]
     ]
     return {"targets": items}
 

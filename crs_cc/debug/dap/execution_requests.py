@@ -8,10 +8,10 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.dap.arguments import RefusalError
-from crs_cc.debug.dap.session import Motion
-from crs_cc.debug.dap.stop_events import tell_end
+from crs_cc.debug.dap.session import Execution
+from crs_cc.debug.dap.stop_events import report_end
 from crs_cc.debug.engine import Debugger
-from crs_cc.debug.locations import find_place
+from crs_cc.debug.locations import find_location
 
 if TYPE_CHECKING:
     from crs_cc.debug.dap.arguments import Arguments
@@ -26,15 +26,15 @@ def continue_(session: EditorSession, _arguments: Arguments) -> Message:
     """Goes on to the next breakpoint; behind the end of the run the session ends."""
     debugger = session.standing()
     if debugger.view.is_over:
-        session.afterwards = partial(tell_end, session)
+        session.afterwards = partial(report_end, session)
     else:
-        session.motion = Motion(debugger.resume, go_on=debugger.resume)
+        session.motion = Execution(debugger.resume, go_on=debugger.resume)
     return {"allThreadsContinued": True}
 
 
 def reverse_continue(session: EditorSession, _arguments: Arguments) -> None:
     """Goes back to the breakpoint before."""
-    session.motion = Motion(partial(session.standing().resume, backward=True))
+    session.motion = Execution(partial(session.standing().resume, backward=True))
 
 
 def next_(session: EditorSession, arguments: Arguments) -> None:
@@ -65,12 +65,12 @@ def _step(
         raise RefusalError(f"'granularity' must be {', '.join(_GRANULARITIES)}")
     debugger = _look_at(session, arguments)
     move = Debugger.step_statement if granularity == "instruction" else by_line
-    session.motion = Motion(partial(move, debugger, backward=backward))
+    session.motion = Execution(partial(move, debugger, backward=backward))
 
 
 def step_out(session: EditorSession, arguments: Arguments) -> None:
     """Goes to where the function has returned."""
-    session.motion = Motion(_look_at(session, arguments).finish)
+    session.motion = Execution(_look_at(session, arguments).finish)
 
 
 def _look_at(session: EditorSession, arguments: Arguments) -> Debugger:
@@ -87,7 +87,7 @@ def pause(session: EditorSession, _arguments: Arguments) -> None:
 
 
 @dataclass(frozen=True, slots=True)
-class _Visit:
+class _GotoTarget:
     """An instant at which a program comes to a line: the next one, or the last one before now."""
 
     place: str
@@ -101,13 +101,13 @@ def goto_targets(session: EditorSession, arguments: Arguments) -> Message:
     file = session.locations.file_at(key)
     if file is None:
         raise RefusalError("no program of this run is made of this file")
-    line = session.locations.our_line(arguments.natural("line"))
+    line = session.locations.to_line(arguments.natural("line"))
     robots = range(len(debugger.names))
-    place = find_place(f"{file}:{line}", debugger.run.programs, robots, file)
+    place = find_location(f"{file}:{line}", debugger.run.programs, robots, file)
     assert place.location is not None
     targets = []
     for backward, label in ((False, "the next time it gets here"), (True, "the last time it did")):
-        number = session.handles.give(_Visit(f"{file}:{line}", backward))
+        number = session.handles.give(_GotoTarget(f"{file}:{line}", backward))
         at = session.locations.line(place.location.line)
         targets.append({"id": number, "label": label, "line": at})
     return {"targets": targets}
@@ -117,12 +117,12 @@ def goto(session: EditorSession, arguments: Arguments) -> None:
     """Goes to an instant at which a program is at a line, by running there."""
     debugger = _look_at(session, arguments)
     visit = session.handles.take(arguments.integer("targetId"))
-    if not isinstance(visit, _Visit):
+    if not isinstance(visit, _GotoTarget):
         raise RefusalError("'targetId' is none")
-    session.motion = Motion(partial(_visit, debugger, debugger.view.robot, visit))
+    session.motion = Execution(partial(_visit, debugger, debugger.view.robot, visit))
 
 
-def _visit(debugger: Debugger, robot: int, visit: _Visit) -> Stop:
+def _visit(debugger: Debugger, robot: int, visit: _GotoTarget) -> Stop:
     made = debugger.stop_points.add_breakpoint(visit.place, temporary=True, robot=robot)
     try:
         stop = debugger.resume(backward=visit.backward)

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from crs_cc.debug.dap.arguments import RefusalError
 from crs_cc.debug.dap.disassembly import address_of
 from crs_cc.debug.dap.locations import NO_PLACE
-from crs_cc.debug.dap.value_messages import FrameHandle, frame_handle
 from crs_cc.debug.dap.stop_events import thread_of
+from crs_cc.debug.dap.value_messages import FrameHandle, requested_frame
 from crs_cc.debug.dap.variables import scopes_at
 from crs_cc.debug.world.robot_rows import activity
 
@@ -67,7 +67,7 @@ def scopes(session: EditorSession, arguments: Arguments) -> Message:
     """Gives what can be looked at from an active function."""
     session.standing()
     arguments.integer("frameId")
-    return {"scopes": list(scopes_at(session, frame_handle(session, arguments)))}
+    return {"scopes": list(scopes_at(session, requested_frame(session, arguments)))}
 
 
 def exception_info(session: EditorSession, arguments: Arguments) -> Message:

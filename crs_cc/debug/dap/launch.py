@@ -20,7 +20,7 @@ Kind = Literal["string", "integer", "boolean", "array"]
 
 
 @dataclass(frozen=True, slots=True)
-class Attribute:
+class LaunchAttribute:
     """An attribute of `launch`.
 
     Attributes:
@@ -42,70 +42,76 @@ class Attribute:
 
 
 ATTRIBUTES: Final = (
-    Attribute(
+    LaunchAttribute(
         "program",
         "array",
         "The C file, or several that make one program. It can be left out where the world names "
         "a program for each robot.",
     ),
-    Attribute("world", "string", "The world file; an empty world by default."),
-    Attribute("args", "array", "What the program's `main` finds behind `argv[0]`."),
-    Attribute(
+    LaunchAttribute("world", "string", "The world file; an empty world by default."),
+    LaunchAttribute("args", "array", "What the program's `main` finds behind `argv[0]`."),
+    LaunchAttribute(
         "cwd", "string", "The folder in which files are looked for; by default where `crs` runs."
     ),
-    Attribute(
+    LaunchAttribute(
         "stopOnEntry", "boolean", "Stop before the first statement of the program.", default=False
     ),
-    Attribute(
+    LaunchAttribute(
         "stopAtEnd",
         "boolean",
         "Stop when all programs have ended, so that one can step back; to continue then ends the "
         "session.",
         default=True,
     ),
-    Attribute("seed", "integer", "Start of all random numbers; by default the world's.", "--seed"),
-    Attribute("robot", "string", "The kind of robot where the world says none.", "--robot"),
-    Attribute("setup", "string", "The setup of all robots, such as `noisy`.", "--setup"),
-    Attribute(
+    LaunchAttribute(
+        "seed", "integer", "Start of all random numbers; by default the world's.", "--seed"
+    ),
+    LaunchAttribute("robot", "string", "The kind of robot where the world says none.", "--robot"),
+    LaunchAttribute("setup", "string", "The setup of all robots, such as `noisy`.", "--setup"),
+    LaunchAttribute(
         "link",
         "string",
         "Let commands take their time on the line to the robot, or next to none.",
         "--link",
         choices=("serial", "ideal"),
     ),
-    Attribute(
+    LaunchAttribute(
         "client",
         "string",
         "Behave like the vendor's library for the simulator, or for the robot itself.",
         "--client",
         choices=("nclient", "ndirect"),
     ),
-    Attribute(
+    LaunchAttribute(
         "files",
         "array",
         "Files that the programs can read, each as `FILE` or `NAME=FILE`.",
         "--file",
     ),
-    Attribute("input", "string", "The file that the programs read as standard input.", "--input"),
-    Attribute("include", "array", "Folders in which `#include` looks.", "--include"),
-    Attribute("define", "array", "Macros, each as `NAME` or `NAME=VALUE`.", "--define"),
-    Attribute("undefine", "array", "Macros that are not to be defined.", "--undefine"),
-    Attribute("standard", "string", "The C that the program is written in, as `gnu17`.", "-std"),
-    Attribute(
+    LaunchAttribute(
+        "input", "string", "The file that the programs read as standard input.", "--input"
+    ),
+    LaunchAttribute("include", "array", "Folders in which `#include` looks.", "--include"),
+    LaunchAttribute("define", "array", "Macros, each as `NAME` or `NAME=VALUE`.", "--define"),
+    LaunchAttribute("undefine", "array", "Macros that are not to be defined.", "--undefine"),
+    LaunchAttribute(
+        "standard", "string", "The C that the program is written in, as `gnu17`.", "-std"
+    ),
+    LaunchAttribute(
         "dialect",
         "string",
         "Whose functions the program calls.",
         "--dialect",
         choices=("nomad", "report"),
     ),
-    Attribute(
+    LaunchAttribute(
         "unchecked",
         "boolean",
         "Leave out the checks of memory accesses.",
         "--unchecked",
         default=False,
     ),
-    Attribute(
+    LaunchAttribute(
         "trapOverflow",
         "boolean",
         "Stop a program whose signed arithmetic overflows.",
@@ -177,7 +183,7 @@ def read_launch(arguments: Arguments) -> Launch:
     )
 
 
-def _values(arguments: Arguments, attribute: Attribute) -> list[str]:
+def _values(arguments: Arguments, attribute: LaunchAttribute) -> list[str]:
     """Gives what an attribute says, as words of a command line."""
     name = attribute.name
     if name not in arguments:

@@ -107,11 +107,11 @@ class ClientLocations:
         """Gives a column as the client counts; unknown ones are at the beginning."""
         return max(column, 1) - 1 + self._first_column
 
-    def our_line(self, line: int) -> int:
+    def to_line(self, line: int) -> int:
         """Gives a client's line as we count."""
         return line + 1 - self._first_line
 
-    def our_column(self, column: int) -> int:
+    def to_column(self, column: int) -> int:
         """Gives a client's column as we count."""
         return column + 1 - self._first_column
 

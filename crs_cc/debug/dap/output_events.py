@@ -18,7 +18,7 @@ from typing import Final
 
 from crs_cc.debug.dap.connection import Connection
 
-_LONGEST: Final = 4096  # of what is kept back until its line ends [characters]; chosen by us
+_MAX_LENGTH: Final = 4096  # of what is kept back until its line ends [characters]; chosen by us
 _CATEGORIES: Final = {1: "stdout", 2: "stderr"}
 
 
@@ -43,7 +43,7 @@ class OutputEvents:
         decoder = self._decoders.setdefault(which, codecs.getincrementaldecoder("utf-8")("replace"))
         text = self._begun.get(which, "") + decoder.decode(content)
         whole, newline, rest = text.rpartition("\n")
-        if len(rest) > _LONGEST:
+        if len(rest) > _MAX_LENGTH:
             whole, newline, rest = text, "", ""
         self._begun[which] = rest
         if whole or newline:

@@ -18,7 +18,7 @@ from crs_cc.debug.engine import Debugger
 
 if TYPE_CHECKING:
     from crs_cc.debug.dap.connection import Connection
-    from crs_cc.debug.dap.inbox import Inbox, Request
+    from crs_cc.debug.dap.inbox import ClientRequest, Inbox
     from crs_cc.debug.dap.launch import Launch
     from crs_cc.debug.stop import Stop
     from crs_cc.session.host import Output
@@ -33,7 +33,7 @@ command line is wrong."""
 
 
 @dataclass(frozen=True, slots=True)
-class Motion:
+class Execution:
     """Something that lets the programs run, forward or backward.
 
     Attributes:
@@ -74,7 +74,7 @@ class EditorSession:
         self.breakpoints = EditorBreakpoints(connection, self.locations)
         self.handles = Handles()
         self.output = OutputEvents(connection)
-        self.motion: Motion | None = None
+        self.motion: Execution | None = None
         self.afterwards: Callable[[], None] | None = None
         self.has_begun = False
         self.moves = False
@@ -162,9 +162,9 @@ class EditorSession:
         assert launch is not None
         self.has_begun = True
         if launch.stop_on_entry and launch.debugs:
-            self.motion = Motion(lambda: replace(debugger.start(), reason="start"))
+            self.motion = Execution(lambda: replace(debugger.start(), reason="start"))
         else:
-            self.motion = Motion(debugger.resume, go_on=debugger.resume)
+            self.motion = Execution(debugger.resume, go_on=debugger.resume)
 
     def close(self) -> None:
         """Forgets the run."""
@@ -180,7 +180,7 @@ class EditorSession:
         """
         debugger = self.opened()
 
-        def interrupt(request: Request | None) -> None:
+        def interrupt(request: ClientRequest | None) -> None:
             if request is None or by_all or request.command in ENDING:
                 debugger.interrupt()
 
@@ -188,14 +188,14 @@ class EditorSession:
             yield
         debugger.forget_interrupt()  # by what came when it had stopped
 
-    def tell_changed(self) -> None:
+    def report_invalidated(self) -> None:
         """Tells that whatever the client knows of the programs may be another now."""
         if self.client.flag("supportsInvalidatedEvent", default=False):
             self.connection.event("invalidated", {"areas": ["all"]})
 
-    def tell_written(self, reference: str, count: int) -> None:
+    def report_memory_written(self, reference: str, count: int) -> None:
         """Tells that bytes of a program's memory are others now."""
         if self.client.flag("supportsMemoryEvent", default=False):
             where = {"memoryReference": reference, "offset": 0, "count": count}
             self.connection.event("memory", where)
-        self.tell_changed()
+        self.report_invalidated()

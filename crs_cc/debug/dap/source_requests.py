@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.dap.arguments import RefusalError
-from crs_cc.debug.dap.disassembly import Address, CodeLine, code_of
+from crs_cc.debug.dap.disassembly import CodeAddress, CodeLine, code_of
 from crs_cc.ir.names import plain_name
 
 if TYPE_CHECKING:
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from crs_cc.debug.dap.session import EditorSession
     from crs_cc.ir.program import Function
 
-_MOST_INSTRUCTIONS: Final = 10_000  # in one answer; chosen by us
+_MAX_INSTRUCTIONS: Final = 10_000  # in one answer; chosen by us
 
 
 def loaded_sources(session: EditorSession, _arguments: Arguments) -> Message:
@@ -35,10 +35,10 @@ def source(session: EditorSession, arguments: Arguments) -> Message:
 
 def disassemble(session: EditorSession, arguments: Arguments) -> Message:
     """Gives lines of code, as many as are wanted: those outside of the function are said to be."""
-    start = Address.read(arguments.text("memoryReference"))
+    start = CodeAddress.read(arguments.text("memoryReference"))
     count = arguments.natural("instructionCount")
-    if count > _MOST_INSTRUCTIONS:
-        raise RefusalError(f"'instructionCount' is more than {_MOST_INSTRUCTIONS}")
+    if count > _MAX_INSTRUCTIONS:
+        raise RefusalError(f"'instructionCount' is more than {_MAX_INSTRUCTIONS}")
     function = _function(session, start)
     first = start.line + arguments.integer("offset", 0) + arguments.integer("instructionOffset", 0)
     if not start.reaches(first) or not start.reaches(first + count):
@@ -48,7 +48,7 @@ def disassemble(session: EditorSession, arguments: Arguments) -> Message:
     made = []
     for line in range(first, first + count):
         row = rows[line] if 0 <= line < len(rows) else None
-        address = Address(start.robot, start.function, line).encode()
+        address = CodeAddress(start.robot, start.function, line).encode()
         made.append(_instruction(session, address, row) | ({"symbol": symbol} if row else {}))
     return {"instructions": made}
 
@@ -63,7 +63,7 @@ def _instruction(session: EditorSession, address: int, row: CodeLine | None) -> 
     return said | {"location": place["source"], "line": place["line"], "column": place["column"]}
 
 
-def _function(session: EditorSession, address: Address) -> Function:
+def _function(session: EditorSession, address: CodeAddress) -> Function:
     """Gives the function that an address lies in.
 
     Raises:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.core.errors import ProgramError
-from crs_cc.debug.dap.session import Motion
+from crs_cc.debug.dap.session import Execution
 from crs_cc.debug.stop import WORDS
 from crs_cc.debug.world.rows import instant
 
@@ -46,15 +46,15 @@ def thread_of(robot: int) -> int:
     return robot + 1
 
 
-def tell_stop(session: EditorSession, stop: Stop) -> None:
+def report_stop(session: EditorSession, stop: Stop) -> None:
     """Tells that a run has stopped; or that it has ended, when nobody wants to look at that."""
     launch, debugger = session.launch, session.opened()
     assert launch is not None
     if stop.reason == "end" and not (launch.stop_at_end and launch.debugs):
-        tell_end(session)
+        report_end(session)
         return
     if not launch.debugs and stop.reason in {"error", "exit"}:
-        session.motion = Motion(debugger.resume, go_on=debugger.resume)
+        session.motion = Execution(debugger.resume, go_on=debugger.resume)
         return
     said = stop.text or _SAID.get(stop.reason, stop.reason)
     robot = stop.robot if stop.robot >= 0 else debugger.view.robot
@@ -79,7 +79,7 @@ def _reason(session: EditorSession, stop: Stop) -> str:
     return _REASONS[stop.reason]
 
 
-def tell_end(session: EditorSession) -> None:
+def report_end(session: EditorSession) -> None:
     """Tells that the run is over; the client will end the session."""
     session.output.flush()
     session.connection.event("exited", {"exitCode": exit_code(session.opened())})

@@ -36,7 +36,7 @@ class FrameHandle:
     function: str = ""
 
 
-def frame_handle(session: EditorSession, arguments: Arguments) -> FrameHandle:
+def requested_frame(session: EditorSession, arguments: Arguments) -> FrameHandle:
     """Gives the active function that a request means; the one looked at where it means none.
 
     Raises:
@@ -55,7 +55,7 @@ def frame_handle(session: EditorSession, arguments: Arguments) -> FrameHandle:
 
 
 @dataclass(frozen=True, slots=True)
-class Parts:
+class ExpandableValue:
     """A value with parts.
 
     Attributes:
@@ -69,7 +69,9 @@ class Parts:
     at: FrameHandle
 
 
-def parts_of(session: EditorSession, parts: Parts, start: int, count: int) -> Iterator[Message]:
+def child_messages(
+    session: EditorSession, parts: ExpandableValue, start: int, count: int
+) -> Iterator[Message]:
     """Gives some parts of a value, as the client takes them.
 
     Args:
@@ -79,19 +81,19 @@ def parts_of(session: EditorSession, parts: Parts, start: int, count: int) -> It
         count: how many, at most.
     """
     for name, value in parts.value.children(start, count):
-        expression = part_of(parts.expression, name)
-        yield {"name": name, **shown(session, value, expression, parts.at)}
+        expression = child_expression(parts.expression, name)
+        yield {"name": name, **value_message(session, value, expression, parts.at)}
 
 
 def _unfolded(value: Value, expression: str) -> tuple[Value, str]:
     """Gives the value whose parts are shown: of a pointer to a struct, the struct."""
     if isinstance(value.type, PointerType) and isinstance(value.type.target, RecordType):
         for name, target in value.children():
-            return target, part_of(expression, name)
+            return target, child_expression(expression, name)
     return value, expression
 
 
-def part_of(expression: str, name: str) -> str:
+def child_expression(expression: str, name: str) -> str:
     """Gives the C expression for a part of a value.
 
     >>> part_of("row", "[2]"), part_of("*here", "x"), part_of("next", "*"), part_of("", "x")
@@ -110,7 +112,7 @@ def part_of(expression: str, name: str) -> str:
     return f"{pointer[1]}->{name}" if pointer else f"{whole}.{name}"
 
 
-def shown(
+def value_message(
     session: EditorSession,
     value: Value,
     expression: str,
@@ -138,7 +140,9 @@ def shown(
     if session.client.flag("supportsVariableType", default=False):
         body["type"] = str(value.type)
     if count:
-        body["variablesReference"] = session.handles.give(Parts(whole, its_expression, at))
+        body["variablesReference"] = session.handles.give(
+            ExpandableValue(whole, its_expression, at)
+        )
         indexed = isinstance(whole.type, ArrayType)
         body["indexedVariables" if indexed else "namedVariables"] = count
     if expression and key == "value":

@@ -12,8 +12,8 @@ from typing import Any, Final
 
 from crs_cc.core.errors import CompileError
 from crs_cc.core.source import Diagnostics, Location
-from crs_cc.debug.data.notation import NAME, Kept, Outer, restored, rewritten
-from crs_cc.debug.data.scope import Home, Scopes, concrete
+from crs_cc.debug.data.notation import NAME, ConvenienceVariable, QualifiedName, restored, rewritten
+from crs_cc.debug.data.scope import Scopes, Storage, concrete
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.program import DebugProgram
@@ -22,9 +22,9 @@ from crs_cc.ir.names import in_library, plain_name
 from crs_cc.ir.program import Variable
 from crs_cc.ir.types import CType, PointerType, is_variably_modified
 
-LONGEST: Final = 10_000
+MAX_LENGTH: Final = 10_000
 """Longer expressions are refused [characters]."""
-_MOST: Final = 1000
+_MAX: Final = 1000
 """So many expressions are kept compiled."""
 
 _WORD: Final = re.compile(r"[A-Za-z_$][\w$]*")
@@ -41,7 +41,7 @@ class UnknownSizeError(DebugError):
 
 
 @dataclass(frozen=True, slots=True)
-class Standing:
+class ExpressionContext:
     """Where an expression is looked at from.
 
     Attributes:
@@ -60,16 +60,16 @@ class Use:
     """A variable that an expression uses.
 
     Attributes:
-        home: where it lies.
+        storage: where it lies.
         inside: the function in whose innermost frame it lies; "" for the one that is looked at.
     """
 
-    home: Home
+    storage: Storage
     inside: str = ""
 
 
 @dataclass(frozen=True, slots=True)
-class Prepared:
+class PreparedExpression:
     """A compiled expression.
 
     Attributes:
@@ -83,7 +83,7 @@ class Prepared:
     sizes: Sizes
 
 
-class Names:
+class SourceNames:
     """What the names in a program's files mean; read from the files when first asked for."""
 
     def __init__(self, program: DebugProgram) -> None:
@@ -142,17 +142,17 @@ class Names:
         return ""
 
 
-class Preparation:
+class ExpressionCompiler:
     """Compiles expressions and keeps them."""
 
-    def __init__(self, names: Names, scopes: Scopes, kept: Mapping[str, Value]) -> None:
+    def __init__(self, names: SourceNames, scopes: Scopes, kept: Mapping[str, Value]) -> None:
         """Takes what names mean in files and in functions, and the values that users keep."""
         self._names = names
         self._scopes = scopes
         self._kept = kept
-        self._known: dict[tuple[Any, ...], Prepared] = {}
+        self._known: dict[tuple[Any, ...], PreparedExpression] = {}
 
-    def of(self, text: str, standing: Standing) -> Prepared:
+    def of(self, text: str, standing: ExpressionContext) -> PreparedExpression:
         """Compiles an expression.
 
         Raises:
@@ -162,27 +162,27 @@ class Preparation:
         found = self._known.get(key)
         if found is not None and found.sizes == standing.sizes:
             return found
-        if len(text) > LONGEST:
+        if len(text) > MAX_LENGTH:
             raise DebugError("the expression is too long")
         found = self._compile(text, standing)
         if not any(isinstance(each, bytes) for each in found.uses):
-            if len(self._known) >= _MOST:
+            if len(self._known) >= _MAX:
                 self._known.clear()
             self._known[key] = found
         return found
 
-    def _compile(self, text: str, standing: Standing) -> Prepared:
+    def _compile(self, text: str, standing: ExpressionContext) -> PreparedExpression:
         names = self._names.of(standing.function, standing.place.file)
         rest, special = rewritten(text)
         known = self._visible(standing, names, set(_WORD.findall(rest)))
         found: list[tuple[str, Use | bytes, CType]] = [
-            (name, Use(home), self._type(names, home, standing)) for name, home in known
+            (name, Use(storage), self._type(names, storage, standing)) for name, storage in known
         ]
         for number, each in enumerate(special):
             name = NAME.format(number)
-            if isinstance(each, Outer):
+            if isinstance(each, QualifiedName):
                 use = self._outer(each)
-                found.append((name, use, self._type(names, use.home, standing)))
+                found.append((name, use, self._type(names, use.storage, standing)))
             else:
                 value = self._value(each)
                 found.append((name, value.content, value.type))
@@ -195,11 +195,11 @@ class Preparation:
             raise DebugError(restored(f"{first.text}{hint}", special)) from None
         except RecursionError:
             raise DebugError("the expression is nested too deeply") from None
-        return Prepared(compiled, tuple(use for _, use, _ in found), standing.sizes)
+        return PreparedExpression(compiled, tuple(use for _, use, _ in found), standing.sizes)
 
-    def _type(self, names: FileNames, home: Home, standing: Standing) -> CType:
+    def _type(self, names: FileNames, storage: Storage, standing: ExpressionContext) -> CType:
         """Gives the type of what a name means."""
-        variable = home.variable
+        variable = storage.variable
         ctype = names.type_of(variable)
         if is_variably_modified(ctype):
             made = concrete(ctype, standing.sizes)
@@ -213,8 +213,8 @@ class Preparation:
         return ctype
 
     def _visible(
-        self, standing: Standing, names: FileNames, used: set[str]
-    ) -> list[tuple[str, Home]]:
+        self, standing: ExpressionContext, names: FileNames, used: set[str]
+    ) -> list[tuple[str, Storage]]:
         """Gives the variables that names mean at a place.
 
         One whose declaration is still to come counts if its name means nothing else.
@@ -222,35 +222,35 @@ class Preparation:
         place = standing.place
         if not standing.function or in_library(place):
             return []
-        found: dict[str, Home] = {}
-        later: dict[str, Home] = {}
-        for home in self._scopes.of(standing.function):
-            variable = home.variable
+        found: dict[str, Storage] = {}
+        later: dict[str, Storage] = {}
+        for storage in self._scopes.of(standing.function):
+            variable = storage.variable
             if variable.name not in used or not variable.reaches(place):
                 continue
-            if home.is_visible(place):
-                found.setdefault(variable.name, home)
+            if storage.is_visible(place):
+                found.setdefault(variable.name, storage)
             elif not names.knows(variable.name):
-                later.setdefault(variable.name, home)
+                later.setdefault(variable.name, storage)
         return list((later | found).items())
 
-    def _outer(self, wanted: Outer) -> Use:
+    def _outer(self, wanted: QualifiedName) -> Use:
         """Finds `file::name` or `function::name`."""
         if "." in wanted.inside:
-            home = self._scopes.static(wanted.name, wanted.inside)
-            if home is None:
+            storage = self._scopes.static(wanted.name, wanted.inside)
+            if storage is None:
                 raise DebugError(f"there is no variable '{wanted.name}' in {wanted.inside}")
-            return Use(home)
+            return Use(storage)
         functions = self._scopes.functions(wanted.inside)
         if not functions:
             raise DebugError(f"there is no function '{wanted.inside}'")
         for function in functions:
-            for home in self._scopes.of(function):
-                if home.variable.name == wanted.name:
-                    return Use(home, function if home.in_frame else "")
+            for storage in self._scopes.of(function):
+                if storage.variable.name == wanted.name:
+                    return Use(storage, function if storage.in_frame else "")
         raise DebugError(f"'{wanted.inside}' has no variable '{wanted.name}'")
 
-    def _value(self, wanted: Kept) -> Value:
+    def _value(self, wanted: ConvenienceVariable) -> Value:
         value = self._kept.get(wanted.name)
         if value is None:
             raise DebugError(f"no value is kept as ${wanted.name}")

@@ -19,13 +19,13 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from crs_cc.core.arrays import IndexArray, Int32Array
-from crs_cc.debug.timeline.console import Console
-from crs_cc.debug.timeline.history import History, Kept
-from crs_cc.debug.timeline.input_log import Tape
-from crs_cc.debug.timeline.run_event import Instant, Marks, Touch
+from crs_cc.debug.timeline.console import ReplayConsole
+from crs_cc.debug.timeline.history import History, RunSnapshot
+from crs_cc.debug.timeline.input_log import InputLog
 from crs_cc.debug.timeline.position import BEGINNING, Position
-from crs_cc.debug.watch import Watches
-from crs_cc.debug.world.event_history import Chronicle
+from crs_cc.debug.timeline.run_event import RunEvent, StopRequest, WatchHit
+from crs_cc.debug.watch import WatchSet
+from crs_cc.debug.world.event_history import EventHistory
 from crs_cc.requests import CODES, FAILED, SUSPENDED
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 from crs_cc.session.build import build_watching
@@ -43,22 +43,22 @@ class InterruptedRunError(Exception):
     """The user does not want to wait any longer."""
 
 
-_STATEMENT: Final = Instant("statement")
-_LIMIT: Final = Instant("limit")
+_STATEMENT: Final = RunEvent("statement")
+_LIMIT: Final = RunEvent("limit")
 
 
-class Run:
+class RecordedRun:
     """A run of programs in a world.
 
     Attributes:
         session: the run as it is now; nothing but this class makes it go on.
         console: what the programs wrote and read.
         history: snapshots of it.
-        chronicle: what happened in it.
-        tape: what the programs were given in it.
+        event_history: what happened in it.
+        input_log: what the programs were given in it.
         programs: by robot, its program.
         interrupted: set by whoever wants `advance` to raise `InterruptedRunError`.
-        is_astray: whether this is no instant of the run: programs ran past where they should, or
+        is_off_timeline: whether this is no instant of the run: programs ran past where they should, or
             without the world. Then only `seek` or `restore` lead on.
     """
 
@@ -67,7 +67,7 @@ class Run:
         world: WorldModel,
         programs: Sequence[DebugProgram],
         seed: int,
-        console: Console,
+        console: ReplayConsole,
         history: History,
         **options: Any,
     ) -> None:
@@ -84,13 +84,13 @@ class Run:
         self.programs = programs
         self.console = console
         self.history = history
-        self.chronicle = Chronicle()
-        self.tape = Tape()
+        self.event_history = EventHistory()
+        self.input_log = InputLog()
         self.interrupted = False
         self._step: Step | None = None
-        self._marks = Marks()
+        self._marks = StopRequest()
         self._stopped: dict[int, Stopped] = {}  # by robot, as long as nothing moves
-        self.is_astray = False
+        self.is_off_timeline = False
         self.session = Session(
             world,
             [program.executable for program in programs],
@@ -101,7 +101,7 @@ class Run:
             **options,
         )
         fleet = self.session.fleet
-        self._watches = [Watches(fleet, robot, self._watching) for robot in range(len(programs))]
+        self._watches = [WatchSet(fleet, robot, self._watching) for robot in range(len(programs))]
         self._watching_builds: dict[int, Executable] = {}
         self._note_begun()  # by robot, when the round began
         self.history.keep(BEGINNING, self._kept())
@@ -126,7 +126,7 @@ class Run:
         return Position(session.timesteps, session.rounds, session.halted, statements)
 
     @property
-    def goes_on(self) -> bool:
+    def can_advance(self) -> bool:
         """Whether there are programs that run, or robots to come."""
         return self.session.running > 0 or self.session.environment.awaits
 
@@ -144,13 +144,13 @@ class Run:
         now_s = session.now_s(robot)
         return now_s if math.isfinite(now_s) else session.time_s
 
-    def begun(self, robot: int) -> int:
+    def statements_begun(self, robot: int) -> int:
         """Gives how many statements of a robot's program have begun."""
         return int(self.session.fleet.slots["statements"][robot])
 
     # -- where programs stop -----------------------------------------------------------------
 
-    def arm(self, marks: Marks) -> None:
+    def arm(self, marks: StopRequest) -> None:
         """Lets programs stop at these places, and at no others.
 
         Accesses to what goes on being watched are told, even if they were made before; but not if
@@ -181,7 +181,7 @@ class Run:
 
     # -- going on ----------------------------------------------------------------------------
 
-    def advance(self, limit: Position | None = None) -> Instant:
+    def advance(self, limit: Position | None = None) -> RunEvent:
         """Goes on to the next instant at which something can be asked.
 
         Args:
@@ -194,7 +194,7 @@ class Run:
         self._answer_interrupt()
         return self._advance(limit)
 
-    def _advance(self, limit: Position | None) -> Instant:
+    def _advance(self, limit: Position | None) -> RunEvent:
         before = self.position
         self._stopped.clear()
         edit = self.history.next_edit(before)
@@ -202,7 +202,7 @@ class Run:
             instant = self._end_cycle()
         else:
             if before.robot < 0:
-                self.tape.note(before, self.session.pending, self.session.fleet)
+                self.input_log.note(before, self.session.pending, self.session.fleet)
                 self._note_begun()
             self.session.run_programs()
             if edit is not None and self._has_passed(edit):
@@ -212,7 +212,7 @@ class Run:
                 self.restore(self.history.at(edit))
                 return instant
             if limit is not None and self._has_passed(limit) and self.position != limit:
-                self.is_astray = True
+                self.is_off_timeline = True
                 return _LIMIT
             instant = self._end_round() if self.session.halted is None else _STATEMENT
             instant = self._with_accesses(instant)
@@ -223,9 +223,9 @@ class Run:
             self.history.keep(position, self._kept())
         return instant
 
-    def again(
+    def replay(
         self, begin: Position, limit: Position, *, needs_world: bool = False
-    ) -> Iterator[Instant]:
+    ) -> Iterator[RunEvent]:
         """Goes through a piece of the past again, up to an instant.
 
         As far as it is known what the programs were given, only they run, and the world stays where
@@ -241,16 +241,16 @@ class Run:
         """
         edit = self.history.next_edit(begin)
         is_plain = edit is None or edit >= limit
-        if needs_world or not is_plain or not self.tape.knows(begin, limit):
+        if needs_world or not is_plain or not self.input_log.knows(begin, limit):
             self.restore(self.history.at(begin))
             while self.position < limit:
                 ahead = self.advance(limit)
                 if ahead.kind == "limit":
                     break
                 yield ahead
-            self.is_astray = True
+            self.is_off_timeline = True
             return
-        self.is_astray = True
+        self.is_off_timeline = True
         self._recall(begin)
         while self.position < limit:
             self._answer_interrupt()
@@ -270,15 +270,15 @@ class Run:
         self._set_slots()
         self._look_anew()
 
-    def _again(self, limit: Position) -> Instant | None:
+    def _again(self, limit: Position) -> RunEvent | None:
         """Lets programs go through one more round, or a piece of it; None at the limit."""
         session, place = self.session, self.position
         self._stopped.clear()
-        round_ = self.tape.round_at(place)
+        round_ = self.input_log.round_at(place)
         if place.robot < 0:
-            if place.round == self.tape.rounds_in(place.timestep):
+            if place.round == self.input_log.rounds_in(place.timestep):
                 session.timesteps, session.rounds = place.timestep + 1, 0
-                return Instant("timestep", ended=self.tape.ended_in(place.timestep))
+                return RunEvent("timestep", ended=self.input_log.ended_in(place.timestep))
             assert round_ is not None
             round_.give(session.fleet)
             self._note_begun()
@@ -291,33 +291,33 @@ class Run:
         assert round_ is not None
         return self._with_accesses(self._answered(round_.robots))
 
-    def _answered(self, robots: IndexArray) -> Instant:
+    def _answered(self, robots: IndexArray) -> RunEvent:
         """Gives what came of a round of which only the programs have run."""
         slots = self.session.fleet.slots
         codes = slots["code"][robots]
         over = (slots["status"][robots] != SUSPENDED) | (codes == CODES["EXIT"])
-        return Instant("round", _posted(robots, codes), tuple(robots[over].tolist()))
+        return RunEvent("round", _posted(robots, codes), tuple(robots[over].tolist()))
 
     def _answer_interrupt(self) -> None:
         if self.interrupted:
             self.interrupted = False
             raise InterruptedRunError
 
-    def _with_accesses(self, instant: Instant) -> Instant:
+    def _with_accesses(self, instant: RunEvent) -> RunEvent:
         """Adds to an instant what was done to what is watched, as far as it is to be told."""
         found = [
-            Touch(robot, access, self._last_before(instant, robot))
+            WatchHit(robot, access, self._last_before(instant, robot))
             for robot in self._marks.watched
             if self._marks.at_once or robot == self.session.halted or robot in instant.ended
             for access in self._watches[robot].take()
         ]
         return replace(instant, accesses=tuple(found)) if found else instant
 
-    def _last_before(self, instant: Instant, robot: int) -> Position:
+    def _last_before(self, instant: RunEvent, robot: int) -> Position:
         """Gives the last instant before what a program did in the round that is told of."""
         session = self.session
         round_ = session.rounds - (instant.kind == "round")
-        begun = self.begun(robot) - 1
+        begun = self.statements_begun(robot) - 1
         if begun < self._begun[robot]:
             return Position(session.timesteps, round_)
         return Position(session.timesteps, round_, robot, begun)
@@ -340,63 +340,66 @@ class Run:
         if place.robot < 0:
             return False
         halted = session.halted
-        return halted is None or (halted, self.begun(halted)) >= (place.robot, place.statements)
+        return halted is None or (halted, self.statements_begun(halted)) >= (
+            place.robot,
+            place.statements,
+        )
 
-    def _end_round(self) -> Instant:
+    def _end_round(self) -> RunEvent:
         session = self.session
         slots = session.fleet.slots
         ran = np.flatnonzero(session.pending)
         posted = _posted(ran, slots["code"][ran])
         session.end_round()
         ended = ran[~session.alive[ran]]
-        return Instant("round", posted, tuple(ended.tolist()))
+        return RunEvent("round", posted, tuple(ended.tolist()))
 
-    def _end_cycle(self) -> Instant:
+    def _end_cycle(self) -> RunEvent:
         session = self.session
         timestep, rounds, alive = session.timesteps, session.rounds, session.alive.copy()
-        goes_on = session.end_cycle()
+        can_advance = session.end_cycle()
         ended = tuple(np.flatnonzero(alive & ~session.alive).tolist())
-        self.tape.end(timestep, rounds, ended)
+        self.input_log.end(timestep, rounds, ended)
         assert self._step is not None
-        self.chronicle.hear(self._step, session.environment)
-        return Instant("timestep", ended=ended, step=self._step, over=not goes_on)
+        self.event_history.hear(self._step, session.environment)
+        return RunEvent("timestep", ended=ended, step=self._step, over=not can_advance)
 
     # -- going anywhere ----------------------------------------------------------------------
 
     def seek(self, target: Position) -> None:
         """Goes to an instant that the run has been at; nothing interrupts that."""
         position, kept = self.history.before(target)
-        if self.is_astray or not position <= self.position <= target:
+        if self.is_off_timeline or not position <= self.position <= target:
             self.restore(kept)
         everywhere, since = frozenset[int](), {}
         if target.robot >= 0:
             everywhere, since = frozenset({target.robot}), {target.robot: target.statements}
-        self.arm(Marks(all=everywhere, since=since))
-        while self.position < target and self.goes_on:
+        self.arm(StopRequest(all=everywhere, since=since))
+        while self.position < target and self.can_advance:
             self._advance(target)
 
-    def restore(self, kept: Kept) -> None:
+    def restore(self, kept: RunSnapshot) -> None:
         """Goes to where a snapshot was made."""
-        self.is_astray = False
+        self.is_off_timeline = False
         self._stopped.clear()
         self.session.restore(kept.session)
         self.console.restore(kept.console)
         self._set_slots()
         self._look_anew()
 
-    def enter(self, history: History, console: Console, chronicle: Chronicle) -> None:
+    def enter(self, history: History, console: ReplayConsole, event_history: EventHistory) -> None:
         """Takes up another course of events; where in it, is said by `seek`."""
         console.is_live = self.console.is_live
-        self.history, self.console, self.chronicle = history, console, chronicle
-        self.tape = Tape()
-        self.is_astray = True
+        self.history, self.console, self.event_history = history, console, event_history
+        self.input_log = InputLog()
+        self.is_off_timeline = True
 
     def changed(self) -> None:
         """Takes note that the user has changed something: from here on the run is another."""
         self._look_anew()
         self.console.truncate()
-        self.chronicle.forget(self.position.timestep)
-        self.tape.forget(self.position)
+        self.event_history.forget(self.position.timestep)
+        self.input_log.forget(self.position)
         self.history.branch(self.position, self._kept())
 
     def _look_anew(self) -> None:
@@ -405,8 +408,8 @@ class Run:
         for watches in self._watches:
             watches.forget()
 
-    def _kept(self) -> Kept:
-        return Kept(self.session.snapshot(), self.console.snapshot())
+    def _kept(self) -> RunSnapshot:
+        return RunSnapshot(self.session.snapshot(), self.console.snapshot())
 
     # -- where a program stands ---------------------------------------------------------------
 

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Literal
 
 if TYPE_CHECKING:
     from crs_cc.debug.timeline.position import Position
-    from crs_cc.debug.watch import Access, Watched
+    from crs_cc.debug.watch import MemoryAccess, WatchedObject
     from crs_cc.sim.engine.step import Step
 
 
 @dataclass(frozen=True, slots=True)
-class Marks:
+class StopRequest:
     """Where programs stop.
 
     Attributes:
@@ -28,12 +28,12 @@ class Marks:
     statements: Mapping[int, Iterable[int]] = field(default_factory=dict)
     all: frozenset[int] = frozenset()
     since: Mapping[int, int] = field(default_factory=dict)
-    watched: Mapping[int, Sequence[Watched]] = field(default_factory=dict)
+    watched: Mapping[int, Sequence[WatchedObject]] = field(default_factory=dict)
     at_once: bool = False
 
 
 @dataclass(frozen=True, slots=True)
-class Touch:
+class WatchHit:
     """What a program did to what is watched.
 
     Attributes:
@@ -43,12 +43,12 @@ class Touch:
     """
 
     robot: int
-    access: Access
+    access: MemoryAccess
     before: Position
 
 
 @dataclass(frozen=True, slots=True)
-class Instant:
+class RunEvent:
     """What a run has come to.
 
     Attributes:
@@ -67,4 +67,4 @@ class Instant:
     ended: tuple[int, ...] = ()
     step: Step | None = None
     over: bool = False
-    accesses: tuple[Touch, ...] = ()
+    accesses: tuple[WatchHit, ...] = ()

@@ -9,11 +9,11 @@ from typing import Protocol
 from rich.text import Text
 
 from crs_cc.debug.commands.shell import PROMPT
-from crs_cc.debug.tui.screen_data import Key, Look, Written
+from crs_cc.debug.tui.screen_data import Key, OutputLine, ScreenData
 
 
 @dataclass(frozen=True, slots=True)
-class Order:
+class BackendRequest:
     """Something to be done.
 
     Attributes:
@@ -32,7 +32,7 @@ class Order:
 
 
 @dataclass(frozen=True, slots=True)
-class Done:
+class BackendReply:
     """What came of it.
 
     Attributes:
@@ -44,7 +44,7 @@ class Done:
         prompt: what asks for the next line.
     """
 
-    look: Look
+    look: ScreenData
     answer: Text = field(default_factory=Text)
     errors: tuple[str, ...] = ()
     moved: bool = False
@@ -52,10 +52,10 @@ class Done:
     prompt: str = PROMPT
 
 
-class Work(Protocol):
+class Backend(Protocol):
     """The debugger's side of the screen; `do` is called in a thread of its own."""
 
-    def do(self, order: Order) -> Done:
+    def do(self, order: BackendRequest) -> BackendReply:
         """Does an order; raises nothing."""
 
     def interrupt(self) -> None:
@@ -71,7 +71,7 @@ class Work(Protocol):
     def give(self, line: str | None) -> None:
         """Gives the program that waits a line; None for the end of its input."""
 
-    def take_output(self) -> tuple[Written, ...]:
+    def take_output(self) -> tuple[OutputLine, ...]:
         """Gives what programs have written since this was last asked for."""
 
     def complete(self, line: str) -> Sequence[str]:

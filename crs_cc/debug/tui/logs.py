@@ -12,26 +12,26 @@ from textual.widgets import RichLog
 
 from crs_cc.debug.commands.shell import PROMPT
 from crs_cc.debug.tui.printable import printable
-from crs_cc.debug.tui.screen_data import Written
+from crs_cc.debug.tui.screen_data import OutputLine
 
-_MOST_LINES: Final = 2000
+_MAX_LINES: Final = 2000
 _ERROR: Final = Style(color="red")
 _WHO: Final = Style(color="cyan")
 _ECHO: Final = Style(dim=True)
 
 
-class Console(RichLog):
+class ConsoleLog(RichLog):
     """Commands and their answers."""
 
     def __init__(self, **arguments: str) -> None:
         super().__init__(
-            max_lines=_MOST_LINES,
+            max_lines=_MAX_LINES,
             wrap=True,
             min_width=1,
             **arguments,  # type: ignore[arg-type]
         )
         self.border_title = "console"
-        self._texts: deque[Text] = deque(maxlen=_MOST_LINES)
+        self._texts: deque[Text] = deque(maxlen=_MAX_LINES)
         self._wrapped_at = 0
 
     def echo(self, line: str, prompt: str = PROMPT) -> None:
@@ -61,19 +61,19 @@ class Console(RichLog):
         self._wrapped_at = width
 
 
-class Output(RichLog):
+class OutputLog(RichLog):
     """What the programs have written up to where the run stands."""
 
     def __init__(self, **arguments: str) -> None:
         super().__init__(
-            max_lines=_MOST_LINES,
+            max_lines=_MAX_LINES,
             min_width=1,
             **arguments,  # type: ignore[arg-type]
         )
         self.border_title = "output"
-        self._lines: tuple[Written, ...] = ()
+        self._lines: tuple[OutputLine, ...] = ()
 
-    def show(self, lines: tuple[Written, ...]) -> None:
+    def show(self, lines: tuple[OutputLine, ...]) -> None:
         """Shows what was written; less than before when the run has gone back."""
         known = len(self._lines)
         if lines[:known] != self._lines:
@@ -82,14 +82,14 @@ class Output(RichLog):
         self.add(lines[known:])
         self._lines = lines
 
-    def add(self, lines: tuple[Written, ...]) -> None:
+    def add(self, lines: tuple[OutputLine, ...]) -> None:
         """Shows what is being written."""
-        for line in lines[-_MOST_LINES:]:
+        for line in lines[-_MAX_LINES:]:
             self.write(_written(line))
         self._lines += lines
 
 
-def _written(line: Written) -> Text:
+def _written(line: OutputLine) -> Text:
     text = Text(no_wrap=True)
     text.append(f"{line.who}: " if line.who else "", _WHO)
     return text.append(printable(line.text.expandtabs()), _ERROR if line.is_error else "")

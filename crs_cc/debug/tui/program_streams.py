@@ -10,14 +10,14 @@ from collections.abc import Callable
 from queue import SimpleQueue
 from typing import Final
 
-_MOST: Final = 1000
+_MAX: Final = 1000
 """So many pieces of output are kept for the screen, the newest; it shows no more at once."""
 
 Piece = tuple[int, int, bytes]
 """A robot, a stream, and what its program has written there."""
 
 
-class Streams:
+class ProgramStreams:
     """The standard streams of the programs.
 
     Attributes:
@@ -29,7 +29,7 @@ class Streams:
         self._lines: SimpleQueue[bytes] = SimpleQueue()
         self._left: dict[int, bytes] = {}
         self._is_asking = False
-        self._written: deque[Piece] = deque(maxlen=_MOST)
+        self._written: deque[Piece] = deque(maxlen=_MAX)
 
     def write(self, robot: int, stream: int, content: bytes) -> None:
         """Takes what a program writes."""

@@ -15,7 +15,7 @@ from textual.strip import Strip
 from textual.widget import Widget
 
 from crs_cc.debug.tui.printable import printable
-from crs_cc.debug.tui.screen_data import Look
+from crs_cc.debug.tui.screen_data import ScreenData
 
 _WIDE: Final = 110  # columns; in less there is no room for counts of timesteps
 _KEY: Final = Style(bold=True, color="yellow")
@@ -81,7 +81,7 @@ def _button(button: Button) -> Sequence[Segment]:
 class StatusBar(Widget):
     """Says what runs, or why it stands, and when."""
 
-    look: reactive[Look] = reactive(Look())
+    look: reactive[ScreenData] = reactive(ScreenData())
     running: reactive[str] = reactive("")
 
     def render(self) -> Text:

@@ -25,14 +25,14 @@ def state_rows(told: Iterable[tuple[StateField, Value]]) -> list[Row]:
     ]
 
 
-def told_state(view: View, robot: int) -> list[Row]:
+def vendor_state_rows(view: View, robot: int) -> list[Row]:
     """Gives what a robot's program has in its `State[]`; nothing for a program without one.
 
     What the robot has no device for is left out, unless it is not 0.
     """
     model = view.session.environment.world.robots[robot].model
     missing = [name for name, device in _devices(model).items() if not device]
-    told = view.told_state(robot)
+    told = view.vendor_state(robot)
     return [
         row
         for row, (_, value) in zip(state_rows(told), told, strict=True)

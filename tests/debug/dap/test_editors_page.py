@@ -17,7 +17,7 @@ from crs_cc import __version__
 from crs_cc.debug.commands.table import NAMES
 from crs_cc.debug.dap.arguments import Arguments
 from crs_cc.debug.dap.breakpoint_requests import FILTERS
-from crs_cc.debug.dap.launch import ATTRIBUTES, Attribute, read_launch
+from crs_cc.debug.dap.launch import ATTRIBUTES, LaunchAttribute, read_launch
 from tests.debug.dap.client import Client
 from tests.debug.dap.programs import open_run
 
@@ -187,7 +187,7 @@ def page() -> str:
     )
 
 
-def schema_of(attribute: Attribute) -> dict[str, Any]:
+def schema_of(attribute: LaunchAttribute) -> dict[str, Any]:
     """Gives the JSON schema of an attribute."""
     made: dict[str, Any] = {"type": attribute.kind, "description": attribute.meaning}
     if attribute.kind == "array":

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.debug.timeline.chunk_store import Store
+from crs_cc.debug.timeline.chunk_store import ChunkStore
 from crs_cc.runtime.pages import CHUNK
 
 
@@ -18,7 +18,7 @@ class Part:
 
 
 def test_what_is_given_back_is_what_was_taken() -> None:
-    store = Store()
+    store = ChunkStore()
     content = np.arange(3 * CHUNK + 5, dtype=np.uint8).reshape(-1, 1)
     files = {b"log": b"x" * 10_000, b"short": b"y"}
     part = Part(np.array([1, 2], np.uint8), "two")
@@ -31,7 +31,7 @@ def test_what_is_given_back_is_what_was_taken() -> None:
 
 
 def test_a_chunk_that_changed_is_all_that_a_further_snapshot_takes() -> None:
-    store = Store()
+    store = ChunkStore()
     memory = np.random.default_rng(1).integers(0, 256, 50 * CHUNK, np.uint8)
     store.take(Part(memory.copy(), "a"))
     before = store.size
@@ -42,14 +42,14 @@ def test_a_chunk_that_changed_is_all_that_a_further_snapshot_takes() -> None:
 
 
 def test_equal_chunks_of_many_robots_are_one() -> None:
-    store = Store()
+    store = ChunkStore()
     memory = np.random.default_rng(1).integers(0, 256, 10 * CHUNK, np.uint8)
     store.take(tuple(Part(memory.copy(), str(robot)) for robot in range(100)))
     assert store.size < 11 * CHUNK + 100 * 1500
 
 
 def test_shared_objects_stay_shared_and_are_counted_once() -> None:
-    store = Store()
+    store = ChunkStore()
     part = Part(np.zeros(1000, np.uint8), "shared")
     first = store.take((part,))
     before = store.size
@@ -60,7 +60,7 @@ def test_shared_objects_stay_shared_and_are_counted_once() -> None:
 
 def test_in_whatever_order_snapshots_go_nothing_is_left() -> None:
     random = np.random.default_rng(3)
-    store, taken, shared = Store(), [], Part(np.ones(9 * CHUNK, np.uint8), "all")
+    store, taken, shared = ChunkStore(), [], Part(np.ones(9 * CHUNK, np.uint8), "all")
     for number in range(20):
         memory = np.zeros(4 * CHUNK, np.uint8)
         memory[number % 4 * CHUNK] = number

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from crs_cc.debug.engine import Debugger
-from crs_cc.debug.timeline.input_log import Tape
+from crs_cc.debug.timeline.input_log import InputLog
 from crs_cc.debug.timeline.position import Position
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.runtime.testing import counting_program
@@ -29,19 +29,19 @@ def test_what_is_found_without_the_world_is_what_is_found_with_it() -> None:
     end = debugger.position
     without = hits_back(debugger)
     debugger.goto(end)
-    debugger.run.tape = Tape()
+    debugger.run.input_log = InputLog()
     assert hits_back(debugger) == without
     assert len(without) > 5
 
 
 def test_the_oldest_rounds_are_forgotten_when_there_is_no_memory() -> None:
     fleet = Fleet([counting_program()] * 2)
-    tape = Tape(most_bytes=3000)
+    input_log = InputLog(most_bytes=3000)
     for timestep in range(4):
-        tape.note(Position(timestep, 0), np.array([10, 0]), fleet)
-        tape.end(timestep, 1)
-    assert not tape.knows(Position(0, 0), Position(4, 0))
-    assert tape.knows(Position(2, 0), Position(4, 0))
-    tape.forget(Position(3, 0))
-    assert tape.knows(Position(2, 0), Position(3, 0))
-    assert not tape.knows(Position(2, 0), Position(4, 0))
+        input_log.note(Position(timestep, 0), np.array([10, 0]), fleet)
+        input_log.end(timestep, 1)
+    assert not input_log.knows(Position(0, 0), Position(4, 0))
+    assert input_log.knows(Position(2, 0), Position(4, 0))
+    input_log.forget(Position(3, 0))
+    assert input_log.knows(Position(2, 0), Position(3, 0))
+    assert not input_log.knows(Position(2, 0), Position(4, 0))

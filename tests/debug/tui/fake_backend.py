@@ -7,9 +7,16 @@ from collections.abc import Callable, Sequence
 
 from rich.text import Text
 
-from crs_cc.debug.tui.screen_data import Breakmark, Choice, Look, Row, SourceLook, Written
-from crs_cc.debug.tui.backend import Done, Order
-from crs_cc.debug.world.events import Happening
+from crs_cc.debug.tui.backend import BackendReply, BackendRequest
+from crs_cc.debug.tui.screen_data import (
+    BreakpointMark,
+    ListEntry,
+    OutputLine,
+    ScreenData,
+    SourceData,
+    ValueRow,
+)
+from crs_cc.debug.world.events import WorldEvent
 
 LINES = (
     "/* Sum of squares. */",
@@ -30,10 +37,10 @@ class FakeWork:
     """Steps through a program that is not there; keeps the orders that it got."""
 
     def __init__(self) -> None:
-        self.orders: list[Order] = []
+        self.orders: list[BackendRequest] = []
         self.line = 8
         self.count = 0
-        self.breakpoints = {9: Breakmark(1)}
+        self.breakpoints = {9: BreakpointMark(1)}
         self.go_on = threading.Event()
         self.given: list[str | None] = []
 
@@ -41,30 +48,32 @@ class FakeWork:
     def lines(self) -> list[str]:
         return [each.line for each in self.orders if each.line is not None]
 
-    def do(self, order: Order) -> Done:
+    def do(self, order: BackendRequest) -> BackendReply:
         self.orders.append(order)
         line = order.line
         if line == "step":
             self.line, self.count = 17 - self.line, self.count + 1
-            return Done(self.look(order), moved=True)
+            return BackendReply(self.look(order), moved=True)
         if line == "print sum":
-            return Done(self.look(order), Text("$1 = 285"))
+            return BackendReply(self.look(order), Text("$1 = 285"))
         if line == "until":
             self.asked("scout")
         if line in {"continue", "until"}:
             self.go_on.wait(5.0)
             self.go_on.clear()
-            return Done(self.look(order), Text("interrupted"), moved=True)
+            return BackendReply(self.look(order), Text("interrupted"), moved=True)
         if line is not None and line.startswith("break"):
             number = len(self.breakpoints) + 1
-            self.breakpoints[int(line.rpartition(":")[2])] = Breakmark(number)
+            self.breakpoints[int(line.rpartition(":")[2])] = BreakpointMark(number)
         if line == "delete 1":
             del self.breakpoints[9]
         if line == "quit":
-            return Done(self.look(order), leaves=True)
+            return BackendReply(self.look(order), leaves=True)
         if line == "foo":
-            return Done(self.look(order), errors=('Undefined command: "foo".  Try "help".',))
-        return Done(self.look(order))
+            return BackendReply(
+                self.look(order), errors=('Undefined command: "foo".  Try "help".',)
+            )
+        return BackendReply(self.look(order))
 
     def interrupt(self) -> None:
         self.go_on.set()
@@ -80,36 +89,36 @@ class FakeWork:
         self.given.append(line)
         self.go_on.set()
 
-    def take_output(self) -> tuple[Written, ...]:
-        return (Written("", "2 2"),)
+    def take_output(self) -> tuple[OutputLine, ...]:
+        return (OutputLine("", "2 2"),)
 
     def complete(self, line: str) -> Sequence[str]:
         words = ["continue", "reverse-next", "reverse-step", "step"]
         return [each for each in words if each.startswith(line)]
 
-    def look(self, order: Order) -> Look:
+    def look(self, order: BackendRequest) -> ScreenData:
         where = ("0", "main", "p")
-        parts = (Row((*where, "x"), "x", "1.5"), Row((*where, "y"), "y", "-2"))
+        parts = (ValueRow((*where, "x"), "x", "1.5"), ValueRow((*where, "y"), "y", "-2"))
         width, height = order.chart_size
-        return Look(
+        return ScreenData(
             state="breakpoint 1, main () at sum.c:9",
             time_s=3.25,
             end_s=10.0,
             place="timestep 32, before stmt 121",
             source=self.source(order),
             frames=(
-                Choice(0, "main ()", f"sum.c:{self.line}", True),
-                Choice(1, "start ()", "start.c:3"),
+                ListEntry(0, "main ()", f"sum.c:{self.line}", True),
+                ListEntry(1, "start ()", "start.c:3"),
             ),
-            robots=(Choice(0, "scout", "1.00, 2.00 m, 45.0 deg", True),),
+            robots=(ListEntry(0, "scout", "1.00, 2.00 m, 45.0 deg", True),),
             variables=(
-                Row(
+                ValueRow(
                     ("main",),
                     "main",
                     has_parts=True,
                     parts=(
-                        Row(("0", "main", "i"), "i", str(self.count)),
-                        Row(
+                        ValueRow(("0", "main", "i"), "i", str(self.count)),
+                        ValueRow(
                             where,
                             "p",
                             "{x = 1.5, y = -2}",
@@ -120,15 +129,15 @@ class FakeWork:
                 ),
             ),
             chart=Text("\n".join(["#" * width] * height)),
-            output=(Written("", "0 0"), *[Written("", "1 1")] * self.count),
+            output=(OutputLine("", "0 0"), *[OutputLine("", "1 1")] * self.count),
             events=(
-                Happening(3.25, "stop", 0, "breakpoint 1"),
-                Happening(7.0, "collision", 0, "scout touched wall 3"),
+                WorldEvent(3.25, "stop", 0, "breakpoint 1"),
+                WorldEvent(7.0, "collision", 0, "scout touched wall 3"),
             ),
         )
 
-    def source(self, order: Order) -> SourceLook:
+    def source(self, order: BackendRequest) -> SourceData:
         files = ("sum.c", "square.c")
         if order.file == "square.c" and order.line is None:
-            return SourceLook("square.c", ("double square(double x)",), files=files)
-        return SourceLook("sum.c", LINES, self.line, True, dict(self.breakpoints), files)
+            return SourceData("square.c", ("double square(double x)",), files=files)
+        return SourceData("sum.c", LINES, self.line, True, dict(self.breakpoints), files)

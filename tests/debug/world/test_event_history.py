@@ -7,8 +7,8 @@ import pytest
 
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.program import DebugProgram
-from crs_cc.debug.world.event_history import Chronicle
-from crs_cc.debug.world.events import Happening
+from crs_cc.debug.world.event_history import EventHistory
+from crs_cc.debug.world.events import WorldEvent
 from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.files.world_xml import empty_world, parse_world
 from tests.debug.debuggers import debug_program
@@ -45,7 +45,7 @@ def crashed(program: DebugProgram) -> Debugger:
 
 
 def kinds(debugger: Debugger) -> list[str]:
-    return [each.kind for each in debugger.run.chronicle.happenings()]
+    return [each.kind for each in debugger.run.event_history.world_events()]
 
 
 def test_stops_are_known_whatever_screen_there_is(program: DebugProgram) -> None:
@@ -54,73 +54,75 @@ def test_stops_are_known_whatever_screen_there_is(program: DebugProgram) -> None
     debugger.resume()
     debugger.goto_timestep(0)
     debugger.resume()
-    told = [each.text for each in debugger.run.chronicle.happenings() if each.kind == "stop"]
+    told = [each.text for each in debugger.run.event_history.world_events() if each.kind == "stop"]
     assert told == ["breakpoint 1"]
 
 
 def test_what_happened_stays_known_when_the_run_goes_back_and_comes_once(
     crashed: Debugger,
 ) -> None:
-    known = crashed.run.chronicle.happenings()
+    known = crashed.run.event_history.world_events()
     assert "collision" in kinds(crashed)
     assert [each.time_s for each in known] == sorted(each.time_s for each in known)
-    timesteps = crashed.run.chronicle.timesteps
+    timesteps = crashed.run.event_history.timesteps
     crashed.goto_time(0.5)
     crashed.resume()
-    assert crashed.run.chronicle.happenings() == known
-    assert crashed.run.chronicle.timesteps == timesteps
+    assert crashed.run.event_history.world_events() == known
+    assert crashed.run.event_history.timesteps == timesteps
 
 
 def test_paths_end_where_the_run_stands(crashed: Debugger) -> None:
-    chronicle = crashed.run.chronicle
-    (path,) = chronicle.paths(10)
+    event_history = crashed.run.event_history
+    (path,) = event_history.paths(10)
     assert path.shape == (10, 2)
     assert (np.diff(path[:, 0]) >= 0).all()
-    assert chronicle.paths(0) == []
+    assert event_history.paths(0) == []
 
 
 def test_what_lies_behind_a_change_is_forgotten_and_a_branch_keeps_its_own(
     crashed: Debugger,
 ) -> None:
-    known = crashed.run.chronicle.happenings()
+    known = crashed.run.event_history.world_events()
     crashed.goto_timestep(3)
     crashed.branches.add("other")
     assert kinds(crashed) == []
-    assert crashed.run.chronicle.timesteps == 3
+    assert crashed.run.event_history.timesteps == 3
     crashed.branches.switch("main")
-    assert crashed.run.chronicle.happenings() == known
+    assert crashed.run.event_history.world_events() == known
     crashed.run.changed()
     assert kinds(crashed) == []
 
 
 def test_memory_is_bounded() -> None:
-    chronicle, environment = Chronicle(), Environment(empty_world(), seed=1)
+    event_history, environment = EventHistory(), Environment(empty_world(), seed=1)
     step = environment.step()
     for timestep in range(9_000):
-        chronicle._take_poses(timestep, environment) if timestep % chronicle._stride == 0 else None
-    assert len(chronicle.paths(9_000)[0]) <= 2_000
+        event_history._take_poses(
+            timestep, environment
+        ) if timestep % event_history._stride == 0 else None
+    assert len(event_history.paths(9_000)[0]) <= 2_000
     for number in range(25_000):
-        chronicle._add(number, Happening(float(number), "collision", 0, "it touched a wall"))
-    assert len(chronicle.happenings()) <= 20_000
-    chronicle.hear(step, environment)
-    assert chronicle.timesteps == 1
+        event_history._add(number, WorldEvent(float(number), "collision", 0, "it touched a wall"))
+    assert len(event_history.world_events()) <= 20_000
+    event_history.hear(step, environment)
+    assert event_history.timesteps == 1
 
 
 def test_what_is_noted_again_is_known() -> None:
-    chronicle = Chronicle()
+    event_history = EventHistory()
     for _ in range(2):
-        chronicle.note(3, Happening(0.15, "stop", 0, "breakpoint 1"))
-    assert len(chronicle.happenings()) == 1
+        event_history.note(3, WorldEvent(0.15, "stop", 0, "breakpoint 1"))
+    assert len(event_history.world_events()) == 1
 
 
 def test_contacts_are_known_with_their_places_up_to_where_the_run_stands(
     crashed: Debugger,
 ) -> None:
-    chronicle, timestep = crashed.run.chronicle, crashed.position.timestep
-    ((robot, x_m, y_m), *_) = chronicle.contacts(timestep)
+    event_history, timestep = crashed.run.event_history, crashed.position.timestep
+    ((robot, x_m, y_m), *_) = event_history.contacts(timestep)
     assert robot == 0
     assert (x_m, y_m) == pytest.approx((2.55, 2.0), abs=0.01)  # the wall is 10 cm thick
-    assert chronicle.contacts(3) == []
+    assert event_history.contacts(3) == []
 
 
 def test_a_path_does_not_lead_to_where_the_robot_was_carried(program: DebugProgram) -> None:
@@ -128,7 +130,7 @@ def test_a_path_does_not_lead_to_where_the_robot_was_carried(program: DebugProgr
     debugger.goto_timestep(10)
     debugger.edit_world("move scout to 1 1")
     debugger.goto_timestep(12)
-    (path,) = debugger.run.chronicle.paths(12)
+    (path,) = debugger.run.event_history.paths(12)
     assert np.isnan(path[:, 0]).tolist() == [False] * 10 + [True] + [False] * 2
     assert path[9] == pytest.approx([2.0, 2.0], abs=0.1)
     assert path[11] == pytest.approx([1.0, 1.0], abs=0.1)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.world.events import KINDS, checked_kind, happenings
+from crs_cc.debug.world.events import KINDS, check_event_kind, world_events
 from crs_cc.sim.model.degradation import Degradation
 from crs_cc.sim.state.events import KINDS as EVENT_KINDS
 from tests.sim.driver import Driver, open_world, world_of
@@ -16,7 +16,7 @@ def told(driver, wanted, most=200):
     """Runs on until something happens that is wanted; gives it and its instants."""
     for _ in range(most):
         step = driver.environment.step()
-        if found := happenings(step, driver.environment.world, wanted):
+        if found := world_events(step, driver.environment.world, wanted):
             return [(round(each.time_s, 9), each.kind, each.robot, each.text) for each in found]
     return []
 
@@ -77,14 +77,14 @@ def test_degradations_and_those_who_come_and_go_are_told_with_their_robot() -> N
 def test_what_is_not_wanted_is_not_told() -> None:
     driver = Driver.of(open_world())
     step = driver.environment.step()
-    assert happenings(step, driver.environment.world, []) == []
-    assert [each.kind for each in happenings(step, driver.environment.world, ALL)] == ["tick"]
+    assert world_events(step, driver.environment.world, []) == []
+    assert [each.kind for each in world_events(step, driver.environment.world, ALL)] == ["tick"]
 
 
 def test_the_table_has_every_kind_of_event_and_nothing_else_can_be_caught() -> None:
     assert {kind.partition("-")[0] for kind in KINDS} >= EVENT_KINDS.keys()
     with pytest.raises(DebugError, match=r"'crash' \(known: exit, tick"):
-        checked_kind("crash")
+        check_event_kind("crash")
 
 
 def test_steps_tell_presses_and_releases_whatever_is_asked() -> None:
