@@ -156,7 +156,7 @@ def forward(bench: Bench, table: Table) -> tuple[Debugger, float]:
     over = plain_s * few / bench.timesteps
     table.row("watchpoint not hit", seconds, seconds / over, "x run build (a tenth of the way)")
     debugger = bench.debugger()
-    debugger.add_breakpoint("never")
+    debugger.stop_points.add_breakpoint("never")
     seconds = timed(lambda: debugger.tick(bench.timesteps))
     if debugger.stop.reason != "tick":
         sys.exit(f"stopped: {debugger.stop}")
@@ -179,7 +179,7 @@ def backward(bench: Bench, table: Table, debugger: Debugger, minute_s: float) ->
     again("reverse-next", lambda: debugger.next(backward=True))
     again("tick backward", lambda: debugger.tick(backward=True))
     minute = round(bench.minute_s / bench.world.timestep_s)
-    debugger.add_breakpoint("minute", robot=0)
+    debugger.stop_points.add_breakpoint("minute", robot=0)
     debugger.goto_timestep(bench.timesteps - 1)
     seconds = timed(lambda: debugger.resume(backward=True))
     back = bench.timesteps - debugger.position.timestep

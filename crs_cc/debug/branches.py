@@ -14,10 +14,10 @@ from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.position import Position
 
 if TYPE_CHECKING:
-    from crs_cc.debug.timeline.console import Console
+    from crs_cc.debug.timeline.console import ReplayConsole
     from crs_cc.debug.timeline.history import History
-    from crs_cc.debug.timeline.run import Run
-    from crs_cc.debug.world.event_history import Chronicle
+    from crs_cc.debug.timeline.recorded_run import RecordedRun
+    from crs_cc.debug.world.event_history import EventHistory
 
 FIRST: Final = "main"
 """The name of the branch that a run begins as."""
@@ -48,15 +48,15 @@ class Branch:
         name: what the user calls it.
         history: its snapshots.
         console: what was written and read.
-        chronicle: what happened.
+        event_history: what happened.
         position: where the user was in it, unless he is in it now.
         checkpoints: instants in it.
     """
 
     name: str
     history: History
-    console: Console
-    chronicle: Chronicle
+    console: ReplayConsole
+    event_history: EventHistory
     position: Position
     checkpoints: list[Checkpoint] = field(default_factory=list)
 
@@ -68,9 +68,9 @@ class Branches:
         current: the one that the run is in.
     """
 
-    def __init__(self, run: Run) -> None:
+    def __init__(self, run: RecordedRun) -> None:
         self._run = run
-        self.current = Branch(FIRST, run.history, run.console, run.chronicle, run.position)
+        self.current = Branch(FIRST, run.history, run.console, run.event_history, run.position)
         self._all = {FIRST: self.current}
 
     def names(self) -> tuple[str, ...]:
@@ -87,13 +87,13 @@ class Branches:
             raise DebugError(f"there is a branch '{name}' already" if name else "it needs a name")
         run, here = self._run, self._run.position
         history, console = run.history.fork(here), run.console.fork()
-        chronicle = run.chronicle.fork(here.timestep)
+        event_history = run.event_history.fork(here.timestep)
         checkpoints = [each for each in self.current.checkpoints if each.position <= here]
         self.current.position = here
         self.current = self._all[name] = Branch(
-            name, history, console, chronicle, here, checkpoints
+            name, history, console, event_history, here, checkpoints
         )
-        run.enter(history, console, chronicle)
+        run.enter(history, console, event_history)
         return self.current
 
     def switch(self, name: str) -> Branch:
@@ -117,7 +117,7 @@ class Branches:
         self.current.position = self._run.position
         self.current = self._all[name]
         own = self.current
-        self._run.enter(own.history, own.console, own.chronicle)
+        self._run.enter(own.history, own.console, own.event_history)
 
     def changed(self) -> None:
         """Forgets checkpoints behind a change."""

@@ -7,17 +7,17 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.world.events import happenings, is_of
+from crs_cc.debug.world.events import is_of, world_events
 from crs_cc.ir.names import plain_name
 
 if TYPE_CHECKING:
-    from crs_cc.debug.locations import Place
-    from crs_cc.debug.timeline.instant import Instant, Touch
-    from crs_cc.debug.timeline.run import Run
-    from crs_cc.debug.watch import Watched
+    from crs_cc.debug.locations import BreakpointLocation
+    from crs_cc.debug.timeline.recorded_run import RecordedRun
+    from crs_cc.debug.timeline.run_event import RunEvent, WatchHit
+    from crs_cc.debug.watch import WatchedObject
     from crs_cc.debug.watchpoints import Watchpoint
 
-Kind = Literal["breakpoint", "watchpoint", "catchpoint"]
+BreakpointKind = Literal["breakpoint", "watchpoint", "catchpoint"]
 
 
 @dataclass(slots=True)
@@ -40,9 +40,9 @@ class Breakpoint:
     """
 
     number: int
-    kind: Kind
+    kind: BreakpointKind
     text: str
-    place: Place | None = None
+    place: BreakpointLocation | None = None
     watch: Watchpoint | None = None
     condition: str = ""
     ignore: int = 0
@@ -58,20 +58,20 @@ class Breakpoint:
 
 
 @dataclass(frozen=True, slots=True)
-class Hit:
+class BreakpointHit:
     """A breakpoint that was met.
 
     Attributes:
         breakpoint: the breakpoint.
         robot: by which robot; -1 for none.
         text: what there is to say.
-        touch: what the robot did to what is watched.
+        watch_hit: what the robot did to what is watched.
     """
 
     breakpoint: Breakpoint
     robot: int
     text: str = ""
-    touch: Touch | None = None
+    watch_hit: WatchHit | None = None
 
 
 class Breakpoints:
@@ -126,19 +126,19 @@ class Breakpoints:
             for each in self._all.values()
         )
 
-    def watched(self, robot: int) -> tuple[Watched, ...]:
+    def watched(self, robot: int) -> tuple[WatchedObject, ...]:
         """Gives what is watched in a robot's memory."""
         points = [each.watch for each in self._all.values() if each.concerns(robot)]
         return tuple(each.watched for each in points if each)
 
-    def touched(self, instant: Instant) -> list[Hit]:
+    def watchpoint_hits(self, instant: RunEvent) -> list[BreakpointHit]:
         """Gives the watchpoints that an instant tells of, whatever their conditions."""
         return [
-            Hit(self._all[each.access.watched.number], each.robot, touch=each)
+            BreakpointHit(self._all[each.access.watched.number], each.robot, watch_hit=each)
             for each in instant.accesses
         ]
 
-    def met(self, run: Run, instant: Instant) -> list[Hit]:
+    def breakpoint_hits(self, run: RecordedRun, instant: RunEvent) -> list[BreakpointHit]:
         """Gives the other breakpoints that an instant meets, whatever their conditions."""
         match instant.kind:
             case "statement":
@@ -149,19 +149,19 @@ class Breakpoints:
                 return self._at_timestep(run, instant)
         return []
 
-    def _at_statement(self, run: Run) -> list[Hit]:
+    def _at_statement(self, run: RecordedRun) -> list[BreakpointHit]:
         robot = run.session.halted
         assert robot is not None
         number = int(run.session.fleet.slots["stopped"][robot]) - 1
         return [
-            Hit(each, robot)
+            BreakpointHit(each, robot)
             for each in self._all.values()
             if each.place
             and each.concerns(robot)
             and number in each.place.statements.get(robot, ())
         ]
 
-    def _at_requests(self, run: Run, instant: Instant) -> list[Hit]:
+    def _at_requests(self, run: RecordedRun, instant: RunEvent) -> list[BreakpointHit]:
         hits = []
         for each in self._all.values():
             if each.place is None or not each.place.codes:
@@ -171,26 +171,28 @@ class Breakpoints:
                     stack = run.stopped(robot).stack
                     if any(plain_name(frame.function) == each.place.function for frame in stack):
                         name = run.name(robot)
-                        hits.append(Hit(each, robot, f"{name} called '{each.place.function}'"))
+                        hits.append(
+                            BreakpointHit(each, robot, f"{name} called '{each.place.function}'")
+                        )
         return hits + self._at_ends(run, instant.ended)
 
-    def _at_ends(self, run: Run, ended: Sequence[int]) -> list[Hit]:
+    def _at_ends(self, run: RecordedRun, ended: Sequence[int]) -> list[BreakpointHit]:
         return [
-            Hit(each, robot, f"the program of {run.name(robot)} ended")
+            BreakpointHit(each, robot, f"the program of {run.name(robot)} ended")
             for each in self._all.values()
             for robot in ended
             if each.kind == "catchpoint" and each.text == "exit" and each.concerns(robot)
         ]
 
-    def _at_timestep(self, run: Run, instant: Instant) -> list[Hit]:
+    def _at_timestep(self, run: RecordedRun, instant: RunEvent) -> list[BreakpointHit]:
         ends = self._at_ends(run, instant.ended)
         wanted = [each for each in self._all.values() if each.kind == "catchpoint" and each.enabled]
         kinds = tuple(dict.fromkeys(each.text for each in wanted if each.text != "exit"))
         if not kinds or instant.step is None:
             return ends
-        happened = happenings(instant.step, run.session.environment.world, kinds)
+        happened = world_events(instant.step, run.session.environment.world, kinds)
         return ends + [
-            Hit(each, one.robot, one.text)
+            BreakpointHit(each, one.robot, one.text)
             for each in wanted
             for one in happened
             if is_of(one.kind, [each.text]) and each.robot in {None, one.robot}

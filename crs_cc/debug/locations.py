@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Final
 from crs_cc.core.file_names import displayed
 from crs_cc.core.source import Location
 from crs_cc.core.suggest import unknown
-from crs_cc.debug.calls import calling
+from crs_cc.debug.call_statements import calling
 from crs_cc.debug.errors import DebugError
 from crs_cc.ir.names import plain_name
 from crs_cc.requests import CODES
@@ -40,7 +40,7 @@ POSTS: Final = {
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class BreakpointLocation:
     """Where programs stop.
 
     Attributes:
@@ -58,9 +58,9 @@ class Place:
     note: str = ""
 
 
-def find_place(
+def find_location(
     text: str, programs: Sequence[DebugProgram], robots: Sequence[int], here: str
-) -> Place:
+) -> BreakpointLocation:
     """Finds a place by what the user calls it.
 
     Args:
@@ -89,7 +89,7 @@ def _sites(program: DebugProgram) -> Sequence[StatementSite]:
     return program.executable.detail().compiled.statements
 
 
-def _line(sites: _Sites, file: str, line: int) -> Place:
+def _line(sites: _Sites, file: str, line: int) -> BreakpointLocation:
     own = {
         robot: [
             (site.location.line, number)
@@ -113,7 +113,9 @@ def _line(sites: _Sites, file: str, line: int) -> Place:
     robot, number = next((each, min(of)) for each, of in statements.items() if of)
     site = sites[robot][number]
     note = "" if found == line else f"line {line} has no code; moved to line {found}"
-    return Place(statements, frozenset(), site.location, plain_name(site.function), note)
+    return BreakpointLocation(
+        statements, frozenset(), site.location, plain_name(site.function), note
+    )
 
 
 def _firsts(sites: Sequence[StatementSite], numbers: Sequence[int]) -> frozenset[int]:
@@ -126,7 +128,7 @@ def _firsts(sites: Sequence[StatementSite], numbers: Sequence[int]) -> frozenset
 
 def _function(
     sites: _Sites, file: str | None, name: str, programs: Sequence[DebugProgram]
-) -> Place:
+) -> BreakpointLocation:
     statements, location = {}, None
     for robot, rows in sites.items():
         numbers = [
@@ -139,12 +141,12 @@ def _function(
         for number in statements[robot]:
             location = location or rows[number].location
     if location is not None:
-        return Place(statements, frozenset(), location, name)
+        return BreakpointLocation(statements, frozenset(), location, name)
     if name in POSTS and file is None:
-        return Place({}, POSTS[name], None, name)
+        return BreakpointLocation({}, POSTS[name], None, name)
     calls = {robot: calling(programs[robot], name) for robot in sites}
     if file is None and any(calls.values()):
-        return Place(
+        return BreakpointLocation(
             calls, frozenset(), None, name, f"stops before each statement that calls '{name}'"
         )
     names = sorted({plain_name(site.function) for rows in sites.values() for site in rows})

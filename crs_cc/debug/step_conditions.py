@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Spot:
+class ProgramPoint:
     """Where a program stands that has stopped before a statement.
 
     Attributes:
@@ -37,7 +37,7 @@ class Spot:
     location: Location
     statements: int
 
-    def shares_line(self, other: Spot) -> bool:
+    def shares_line(self, other: ProgramPoint) -> bool:
         """Tells whether both are in the same line of the same call."""
         mine, theirs = self.location, other.location
         here = (self.fp, self.entered, mine.file, mine.line)
@@ -45,7 +45,7 @@ class Spot:
 
 
 @dataclass(frozen=True, slots=True)
-class Calls:
+class ActiveCalls:
     """Some active calls of a program's functions.
 
     Attributes:
@@ -58,17 +58,20 @@ class Calls:
     frames: frozenset[tuple[int, int]]
 
     @classmethod
-    def of(cls, stack: Iterable[StackFrame]) -> Calls:
+    def of(cls, stack: Iterable[StackFrame]) -> ActiveCalls:
         """Gives those of some frames."""
         rows = [(each.function, (each.fp, each.entered)) for each in stack]
         return cls(frozenset(name for name, _ in rows), frozenset(frame for _, frame in rows))
 
-    def include(self, spot: Spot) -> bool:
+    def include(self, program_point: ProgramPoint) -> bool:
         """Tells whether a statement belongs to one of them."""
-        return (spot.fp, spot.entered) in self.frames or (spot.fp, -1) in self.frames
+        return (program_point.fp, program_point.entered) in self.frames or (
+            program_point.fp,
+            -1,
+        ) in self.frames
 
 
-class Aim(Protocol):
+class StepCondition(Protocol):
     """What one robot's program is to come to.
 
     Attributes:
@@ -77,26 +80,26 @@ class Aim(Protocol):
     """
 
     robot: int
-    calls: Calls | None
+    calls: ActiveCalls | None
 
-    def reached(self, spot: Spot) -> bool:
+    def reached(self, program_point: ProgramPoint) -> bool:
         """Tells of one statement after the other whether it is what was wanted."""
 
 
 @dataclass(slots=True)
-class ToStatement:
+class StepToStatement:
     """The next statement, whatever its line."""
 
     robot: int
-    calls: Calls | None = None
+    calls: ActiveCalls | None = None
 
-    def reached(self, spot: Spot) -> bool:
+    def reached(self, program_point: ProgramPoint) -> bool:
         """Tells that it is."""
-        return spot is not None
+        return program_point is not None
 
 
 @dataclass(slots=True)
-class ToLine:
+class StepToLine:
     """The next line: of any call for `step`; for `next` of this call, or of a caller.
 
     Attributes:
@@ -105,8 +108,8 @@ class ToLine:
     """
 
     robot: int
-    start: Spot | None
-    calls: Calls | None = None
+    start: ProgramPoint | None
+    calls: ActiveCalls | None = None
     onward: bool = False
     _seen: set[int] = field(default_factory=set)
 
@@ -114,34 +117,34 @@ class ToLine:
         if self.start is not None:
             self._seen.add(self.start.site)
 
-    def reached(self, spot: Spot) -> bool:
+    def reached(self, program_point: ProgramPoint) -> bool:
         """Tells whether a new line begins."""
         start = self.start
-        if self.calls is not None and not self.calls.include(spot):
+        if self.calls is not None and not self.calls.include(program_point):
             return False
         if start is None:
             return True
-        if self.onward and (spot.fp, spot.entered) == (start.fp, start.entered):
-            return spot.location.line > start.location.line
-        if start.shares_line(spot) and spot.site not in self._seen:
-            self._seen.add(spot.site)
+        if self.onward and (program_point.fp, program_point.entered) == (start.fp, start.entered):
+            return program_point.location.line > start.location.line
+        if start.shares_line(program_point) and program_point.site not in self._seen:
+            self._seen.add(program_point.site)
             return False
         return True
 
 
 @dataclass(slots=True)
-class ToCaller:
+class StepToCaller:
     """The next statement of a caller."""
 
     robot: int
-    calls: Calls | None
+    calls: ActiveCalls | None
 
-    def reached(self, spot: Spot) -> bool:
+    def reached(self, program_point: ProgramPoint) -> bool:
         """Tells whether the call has ended."""
-        return self.calls is None or self.calls.include(spot)
+        return self.calls is None or self.calls.include(program_point)
 
 
-class BackAim:
+class ReverseStepCondition:
     """What one robot's program is to go back to: the first of some statements in a row.
 
     Attributes:
@@ -149,23 +152,28 @@ class BackAim:
         calls: the calls of functions in which they may be; None for all.
     """
 
-    def __init__(self, robot: int, calls: Calls | None = None, *, whole_line: bool = True) -> None:
+    def __init__(
+        self, robot: int, calls: ActiveCalls | None = None, *, whole_line: bool = True
+    ) -> None:
         """Takes whose program it is, the calls that count, and whether lines count."""
         self.robot = robot
         self.calls = calls
         self._whole_line = whole_line
-        self._last: Spot | None = None
+        self._last: ProgramPoint | None = None
         self._seen: set[int] = set()
 
-    def belongs(self, spot: Spot) -> bool:
+    def belongs(self, program_point: ProgramPoint) -> bool:
         """Tells whether a statement counts."""
-        return self.calls is None or self.calls.include(spot)
+        return self.calls is None or self.calls.include(program_point)
 
-    def goes_on(self, spot: Spot) -> bool:
+    def can_advance(self, program_point: ProgramPoint) -> bool:
         """Tells whether a statement belongs to those that are wanted, from the last one back."""
         if self._last is None:
-            self._last = spot
-        elif not (self._whole_line and self._last.shares_line(spot)) or spot.site in self._seen:
+            self._last = program_point
+        elif (
+            not (self._whole_line and self._last.shares_line(program_point))
+            or program_point.site in self._seen
+        ):
             return False
-        self._seen.add(spot.site)
+        self._seen.add(program_point.site)
         return True

@@ -7,22 +7,20 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, Final
 
 from crs_cc.core.suggest import unknown
-from crs_cc.debug.breakpoints import Breakpoint, Breakpoints, Hit, Kind
+from crs_cc.debug.breakpoints import Breakpoint, BreakpointHit, BreakpointKind, Breakpoints
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.locations import Place, find_place
-from crs_cc.debug.view import View
-from crs_cc.debug.watch import KINDS, MOST
-from crs_cc.debug.watch import Kind as Access
-from crs_cc.debug.watchpoints import same_activation, told, watchpoint
-from crs_cc.debug.world.events import checked_kind
+from crs_cc.debug.locations import BreakpointLocation, find_location
+from crs_cc.debug.watch import KINDS, MAX, AccessKind
+from crs_cc.debug.watchpoints import change_text, same_activation, watchpoint
+from crs_cc.debug.world.events import check_event_kind
 
 if TYPE_CHECKING:
-    from crs_cc.debug.timeline.run import Run
+    from crs_cc.debug.view import View
 
 _BRACES: Final = re.compile(r"\{([^{}]*)\}")
 
 
-class Points(View):
+class StopPoints:
     """A run with all that the user wants it to stop at.
 
     Attributes:
@@ -30,9 +28,9 @@ class Points(View):
         say: takes what log points say.
     """
 
-    def __init__(self, run: Run) -> None:
-        """Begins without any."""
-        super().__init__(run)
+    def __init__(self, view: View) -> None:
+        self._view = view
+        self._run = view.run
         self.breakpoints = Breakpoints()
         self.say: Callable[[str], None] = _unheard
 
@@ -48,9 +46,9 @@ class Points(View):
             DebugError: there is no such place, or the condition is no expression there.
         """
         robot = options.get("robot")
-        here = self.current_file(robot)
-        robots = range(len(self.run.programs)) if robot is None else [robot]
-        found = find_place(place, self.run.programs, robots, here)
+        here = self._view.current_file(robot)
+        robots = range(len(self._run.programs)) if robot is None else [robot]
+        found = find_location(place, self._run.programs, robots, here)
         return self._add("breakpoint", place, found, options)
 
     def add_catchpoint(self, what: str, **options: Any) -> Breakpoint:
@@ -61,11 +59,11 @@ class Points(View):
         """
         if what == "error":
             raise DebugError("nothing is needed for errors: they always stop the run")
-        kind = what if what == "exit" else checked_kind(what)
+        kind = what if what == "exit" else check_event_kind(what)
         return self._add("catchpoint", kind, None, options)
 
     def add_watchpoint(
-        self, expression: str, kind: Access = "change", **options: Any
+        self, expression: str, kind: AccessKind = "change", **options: Any
     ) -> Breakpoint:
         """Adds a watchpoint for an object in the memory of a robot.
 
@@ -80,10 +78,10 @@ class Points(View):
         Raises:
             DebugError: it names no object, or there are too many to be watched.
         """
-        robot = self.robot if options.get("robot") is None else options["robot"]
+        robot = self._view.robot if options.get("robot") is None else options["robot"]
         if kind not in KINDS:
             raise DebugError(unknown("kind of access", kind, list(KINDS)))
-        active, evaluator = self._active(robot, None), self.evaluator(robot)
+        active, evaluator = self._view.active_frame(robot), self._view.evaluator(robot)
         if active is not None and options.get("condition"):
             evaluator.check(options["condition"], active.function, active.location)
         made = watchpoint(self.breakpoints.next_number, expression, kind, evaluator, active)
@@ -96,15 +94,19 @@ class Points(View):
 
     def _make_room(self, robot: int) -> None:
         """Finds out whether one more object can be watched."""
-        if len(self.breakpoints.watched(robot)) >= MOST:
-            name = self.names[robot]
+        if len(self.breakpoints.watched(robot)) >= MAX:
+            name = self._view.names[robot]
             raise DebugError(
-                f"no more than {MOST} objects of {name} can be watched at once: delete a"
+                f"no more than {MAX} objects of {name} can be watched at once: delete a"
                 " watchpoint, or watch a whole struct or array"
             )
 
     def _add(
-        self, kind: Kind, text: str, place: Place | None, options: Mapping[str, Any]
+        self,
+        kind: BreakpointKind,
+        text: str,
+        place: BreakpointLocation | None,
+        options: Mapping[str, Any],
     ) -> Breakpoint:
         self._check(place, options.get("condition", ""))
         return self.breakpoints.add(lambda number: Breakpoint(number, kind, text, place, **options))
@@ -146,20 +148,20 @@ class Points(View):
         self._check(own.place, condition)
         own.condition = condition
 
-    def _check(self, place: Place | None, condition: str) -> None:
+    def _check(self, place: BreakpointLocation | None, condition: str) -> None:
         """Finds out whether a condition will mean something where it is asked for."""
         if not condition or place is None:
             return
         for robot, numbers in place.statements.items():
-            sites = self.run.programs[robot].executable.detail().compiled.statements
+            sites = self._run.programs[robot].executable.detail().compiled.statements
             for number in numbers:
                 site = sites[number]
-                self.evaluator(robot).check(condition, site.function, site.location)
+                self._view.evaluator(robot).check(condition, site.function, site.location)
 
-    def accepts(self, hit: Hit, counts: bool) -> tuple[bool, str]:
+    def accepts(self, hit: BreakpointHit, counts: bool) -> tuple[bool, str]:
         """Tells whether a breakpoint that was met stops the run, and what to say then."""
         own = hit.breakpoint
-        if hit.touch and hit.touch.access.what == "return":
+        if hit.watch_hit and hit.watch_hit.access.what == "return":
             return True, ""
         if own.condition:
             try:
@@ -176,33 +178,35 @@ class Points(View):
                 self.say(self._logged(own.log, self._whose(hit)))
         return not own.log, ""
 
-    def _whose(self, hit: Hit) -> int:
+    def _whose(self, hit: BreakpointHit) -> int:
         """Gives the robot in whose program a breakpoint's expressions are evaluated."""
         if hit.robot >= 0:
             return hit.robot
         own = hit.breakpoint.robot  # what was met is of no robot
-        return self.robot if own is None else own
+        return self._view.robot if own is None else own
 
     def _holds(self, own: Breakpoint, robot: int) -> bool:
         """Tells whether a condition is true: that of a variable's watchpoint in its function."""
         frame = own.watch.watched.frame if own.watch else None
-        stack = self.run.stopped(robot).stack if frame else ()
+        stack = self._run.stopped(robot).stack if frame else ()
         same = next((each for each in stack if frame and same_activation(each, frame)), None)
-        return self.evaluator(robot).holds(own.condition, same)
+        return self._view.evaluator(robot).holds(own.condition, same)
 
-    def told_of(self, hit: Hit) -> str:
+    def describe_hit(self, hit: BreakpointHit) -> str:
         """Says what happened to what is watched."""
-        assert hit.touch is not None
+        assert hit.watch_hit is not None
         assert hit.breakpoint.watch is not None
-        return told(hit.breakpoint.watch, hit.touch.access, self.evaluator(hit.robot).sight())
+        return change_text(
+            hit.breakpoint.watch, hit.watch_hit.access, self._view.evaluator(hit.robot).inspector()
+        )
 
     def _logged(self, text: str, robot: int) -> str:
         """Gives a log point's text with the values of the expressions in braces."""
 
         def value(match: re.Match[str]) -> str:
             try:
-                frame = self.first_own_frame(robot)
-                return self.look_up(match[1], robot=robot, frame=frame).text
+                frame = self._view.first_own_frame(robot)
+                return self._view.look_up(match[1], robot=robot, frame=frame).text
             except DebugError as error:
                 return f"<{error}>"
 

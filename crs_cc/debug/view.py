@@ -9,14 +9,15 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from crs_cc.core.source import Location
+from crs_cc.core.suggest import unknown
 from crs_cc.debug.data.evaluate import Evaluator
-from crs_cc.debug.data.prepare import Names
+from crs_cc.debug.data.expression_compiler import SourceNames
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.data.variables import Variable
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.timeline.position import Position
-from crs_cc.debug.timeline.run import Run
-from crs_cc.debug.world.state_rows import StateField, state_fields
+from crs_cc.debug.timeline.recorded_run import RecordedRun
+from crs_cc.debug.world.state_fields import StateField, state_fields
 from crs_cc.ir.names import in_library, plain_name
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Frame:
+class BacktraceFrame:
     """An active function of a program.
 
     Attributes:
@@ -51,17 +52,17 @@ class View:
         run: the run.
         robot: the robot that the user looks at.
         frame: the number of the active function that he looks at.
-        kept: values that expressions can use as `$name`, and the last one as `$`.
+        convenience_values: values that expressions can use as `$name`, and the last one as `$`.
     """
 
-    def __init__(self, run: Run) -> None:
+    def __init__(self, run: RecordedRun) -> None:
         """Looks at the first robot."""
         self.run = run
         self.robot = 0
         self.frame = 0
-        self.kept: dict[str, Value] = {}
-        self._seen: tuple[Stopped, list[Frame]] | None = None
-        self._names: dict[int, Names] = {}
+        self.convenience_values: dict[str, Value] = {}
+        self._seen: tuple[Stopped, list[BacktraceFrame]] | None = None
+        self._names: dict[int, SourceNames] = {}
         self._evaluators: dict[tuple[int, int], Evaluator] = {}
 
     @property
@@ -87,9 +88,9 @@ class View:
     @property
     def is_over(self) -> bool:
         """Whether no program is left."""
-        return not self.run.goes_on
+        return not self.run.can_advance
 
-    def frames(self, robot: int | None = None) -> list[Frame]:
+    def frames(self, robot: int | None = None) -> list[BacktraceFrame]:
         """Gives a program's active functions, the innermost first."""
         robot = self.robot if robot is None else robot
         if not self.session.alive[robot] and not self.run.has_failed(robot):
@@ -99,20 +100,20 @@ class View:
             self._seen = stopped, self._frames(robot, stopped)
         return self._seen[1]
 
-    def _frames(self, robot: int, stopped: Stopped) -> list[Frame]:
+    def _frames(self, robot: int, stopped: Stopped) -> list[BacktraceFrame]:
         site = self.run.site(robot)
-        frames: list[Frame] = []
+        frames: list[BacktraceFrame] = []
         for active in stopped.stack:
             location, is_library = active.location, in_library(active.location)
             if site is not None and not frames:
                 location = site.location
             name = plain_name(active.function)
-            frames.append(Frame(len(frames), name, location, is_library, active))
+            frames.append(BacktraceFrame(len(frames), name, location, is_library, active))
         while frames and frames[-1].is_library:
             frames.pop()
         return frames
 
-    def current_frame(self) -> Frame | None:
+    def current_frame(self) -> BacktraceFrame | None:
         """Gives the active function that the user looks at; None when there is none."""
         frames = self.frames()
         return frames[self.frame] if self.frame < len(frames) else None
@@ -145,8 +146,7 @@ class View:
         names = self.names
         number = names.index(robot) if robot in names else robot
         if not isinstance(number, int) or not 0 <= number < len(names):
-            known = ", ".join(names[:20])
-            raise DebugError(f"there is no robot '{robot}': there are {known}")
+            raise DebugError(unknown("robot", str(robot), names))
         self.robot = number
         self.frame = self.first_own_frame()
 
@@ -159,6 +159,17 @@ class View:
         if not 0 <= number < len(self.frames()):
             raise DebugError(f"there is no frame {number}")
         self.frame = number
+
+    def active_frame(self, robot: int, frame: int | None = None) -> StackFrame | None:
+        """Gives an active function by its number; by default the one that is looked at."""
+        frames = self.frames(robot)
+        if frame is None:
+            frame = self.frame if robot == self.robot else self.first_own_frame(robot)
+        if not frames:
+            return None
+        if not 0 <= frame < len(frames):
+            raise DebugError(f"there is no frame {frame}")
+        return frames[frame].active
 
     def first_own_frame(self, robot: int | None = None) -> int:
         """Gives the number of the innermost active function of the user's own."""
@@ -173,7 +184,7 @@ class View:
         """
         robot = self.robot if robot is None else robot
         evaluator = self.evaluator(robot)
-        found = evaluator.evaluate(text, self._active(robot, frame))
+        found = evaluator.evaluate(text, self.active_frame(robot, frame))
         if found.changed:
             evaluator.undo()
             raise DebugError(f"'{text}' would change the program")
@@ -182,16 +193,16 @@ class View:
     def variables(self, *, robot: int | None = None, frame: int | None = None) -> list[Variable]:
         """Gives the variables of an active function, those of the innermost block first."""
         robot = self.robot if robot is None else robot
-        active = self._active(robot, frame)
+        active = self.active_frame(robot, frame)
         return [] if active is None else self.evaluator(robot).variables(active)
 
     def globals_(self, *, robot: int | None = None) -> list[Variable]:
         """Gives the global variables of a program, by their names."""
         return self.evaluator(self.robot if robot is None else robot).globals_()
 
-    def told_state(self, robot: int | None = None) -> list[tuple[StateField, Value]]:
+    def vendor_state(self, robot: int | None = None) -> list[tuple[StateField, Value]]:
         """Gives what a program was told in the vendor's `State[]`; nothing when it has it not."""
-        return self.evaluator(self.robot if robot is None else robot).sight().told_state()
+        return self.evaluator(self.robot if robot is None else robot).inspector().vendor_state()
 
     def type_of(self, text: str) -> CType:
         """Gives the type that an expression has, or that it names.
@@ -199,7 +210,7 @@ class View:
         Raises:
             DebugError: it is neither an expression nor a type here.
         """
-        evaluator, frame = self.evaluator(self.robot), self._active(self.robot, None)
+        evaluator, frame = self.evaluator(self.robot), self.active_frame(self.robot, None)
         try:
             return evaluator.type_of(text, frame)
         except DebugError:
@@ -220,21 +231,10 @@ class View:
         program = self.run.programs[robot]
         memory = id(self.session.fleet.memory(robot))  # another one in another build
         if (robot, memory) not in self._evaluators:
-            names = self._names.setdefault(id(program), Names(program))
+            names = self._names.setdefault(id(program), SourceNames(program))
             stopped = functools.partial(self.run.stopped, robot)
             drive = self.session.environment.world.robots[robot].model.drive
             fields = state_fields(program.options.dialect, synchro=drive.steering is not None)
-            made = Evaluator(stopped, names, self.kept, fields)
+            made = Evaluator(stopped, names, self.convenience_values, fields)
             self._evaluators[robot, memory] = made
         return self._evaluators[robot, memory]
-
-    def _active(self, robot: int, frame: int | None) -> StackFrame | None:
-        """Gives an active function by its number; by default the one that is looked at."""
-        frames = self.frames(robot)
-        if frame is None:
-            frame = self.frame if robot == self.robot else self.first_own_frame(robot)
-        if not frames:
-            return None
-        if not 0 <= frame < len(frames):
-            raise DebugError(f"there is no frame {frame}")
-        return frames[frame].active

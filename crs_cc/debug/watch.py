@@ -1,7 +1,7 @@
 """Watches objects in one robot's memory: which accesses there were since the program stopped last.
 
 While something is watched, the robot's program runs in its watching build (`codegen.watching`),
-else in the debug build; the frames are the same, and `Watches.arm` moves it from one to the other.
+else in the debug build; the frames are the same, and `WatchSet.arm` moves it from one to the other.
 What is watched, and what was found, lies outside of the program's state: no snapshot has it, and
 slots are left alone. So `stop_before_all`, `stop_from` and the marks belong to who steps. A program
 that touches what is watched stops before its next statement even if its slot does not ask for that;
@@ -11,7 +11,7 @@ lets it go on, unless he wanted to stop there.
 
 The program stops before the first statement that begins after the access. So the statement that
 began last, one before, is the place to go back to; where it was the last one of a function whose
-value the access took, `Access.location` tells of the access itself.
+value the access took, `MemoryAccess.location` tells of the access itself.
 
 A watch on a variable of a function lasts as long as the function's activation, which is known by
 its frame and by how many statements had begun when it was entered (`StackFrame.entered`). So it is
@@ -49,11 +49,11 @@ if TYPE_CHECKING:
     from crs_cc.runtime.executable import Executable
     from crs_cc.runtime.fleet import Fleet
 
-MOST: Final = RANGES // 2
+MAX: Final = RANGES // 2
 """Most objects of one robot that can be watched at once: each needs a range, some one more."""
 
-Kind = Literal["write", "read", "access", "change"]
-KINDS: Final[dict[Kind, int]] = {
+AccessKind = Literal["write", "read", "access", "change"]
+KINDS: Final[dict[AccessKind, int]] = {
     "write": WRITE,
     "read": READ,
     "access": READ | WRITE,
@@ -65,7 +65,7 @@ Content: TypeAlias = tuple[bytes, bytes]
 
 
 @dataclass(frozen=True, slots=True)
-class Watched:
+class WatchedObject:
     """An object that is watched.
 
     Attributes:
@@ -77,14 +77,14 @@ class Watched:
     """
 
     number: int
-    kind: Kind
+    kind: AccessKind
     address: int
     size: int
     frame: StackFrame | None = None
 
 
 @dataclass(frozen=True, slots=True)
-class Access:
+class MemoryAccess:
     """What happened to an object that is watched.
 
     Attributes:
@@ -97,7 +97,7 @@ class Access:
         library: the C name of the library's function that was called there, if it was one.
     """
 
-    watched: Watched
+    watched: WatchedObject
     what: Literal["write", "read", "return"]
     old: Content
     new: Content
@@ -106,7 +106,7 @@ class Access:
     library: str = ""
 
 
-class Watches:
+class WatchSet:
     """What is watched in one robot's memory."""
 
     def __init__(
@@ -117,7 +117,7 @@ class Watches:
         self._robot = robot
         self._plain = fleet.executable(robot)
         self._watching = watching
-        self._wanted: tuple[Watched, ...] = ()
+        self._wanted: tuple[WatchedObject, ...] = ()
         self._over: set[int] = set()
         self._before: dict[int, Content] = {}
         self._rows: dict[
@@ -125,14 +125,14 @@ class Watches:
         ] = {}  # by number, and whether of a header: its range
         self._places: list[tuple[Location, str]] = []
 
-    def arm(self, wanted: Sequence[Watched]) -> None:
+    def arm(self, wanted: Sequence[WatchedObject]) -> None:
         """Watches these objects and no others; what was found of the same ones before is kept.
 
         Raises:
             DebugError: there are too many, or the system gives no memory.
         """
-        if len(wanted) > MOST:
-            raise DebugError(f"at most {MOST} objects of a robot's program can be watched at once")
+        if len(wanted) > MAX:
+            raise DebugError(f"at most {MAX} objects of a robot's program can be watched at once")
         if tuple(wanted) == self._wanted:
             return
         self._wanted = tuple(wanted)
@@ -156,7 +156,7 @@ class Watches:
         """Tells whether there is something to `take`."""
         return bool(self._rows) and bool(self._ranges()["hits"].any())
 
-    def take(self) -> list[Access]:
+    def take(self) -> list[MemoryAccess]:
         """Gives what happened since the last time, and forgets it."""
         if not self.is_pending():
             return []
@@ -221,7 +221,7 @@ class Watches:
 
     # -- what happened -------------------------------------------------------------------------
 
-    def _access(self, watched: Watched) -> Access | None:
+    def _access(self, watched: WatchedObject) -> MemoryAccess | None:
         """Gives what happened to an object, None for nothing that counts."""
         number, frame = watched.number, watched.frame
         old, new = self._before[number], self._content(watched)
@@ -231,7 +231,7 @@ class Watches:
                 return None
             header = self._hits(number, header=True)
             if header is not None and int(header["hits"]) & RETURN:
-                return Access(watched, "return", old, new, *self._place(header))
+                return MemoryAccess(watched, "return", old, new, *self._place(header))
         row = self._hits(number, header=False)
         if row is None:
             return None
@@ -239,7 +239,7 @@ class Watches:
         if watched.kind == "change" and old == new:
             return None
         what: Literal["write", "read"] = "write" if int(row["hits"]) & WRITE else "read"
-        return Access(watched, what, old, new, *self._place(row))
+        return MemoryAccess(watched, what, old, new, *self._place(row))
 
     def _place(self, row: Records) -> tuple[Location | None, str, str]:
         """Gives where an access was made: the place, the function, and the library's function."""
@@ -264,7 +264,7 @@ class Watches:
     def _begun(self) -> int:
         return int(self._fleet.slots["statements"][self._robot])
 
-    def _content(self, watched: Watched) -> Content:
+    def _content(self, watched: WatchedObject) -> Content:
         part = slice(watched.address, watched.address + watched.size)
         robot = self._robot
         return self._fleet.memory(robot)[part].tobytes(), self._fleet.shadow(robot)[part].tobytes()

@@ -13,19 +13,19 @@ from typing import TYPE_CHECKING, Final
 
 from crs_cc.debug.data.values import GONE, Value
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.watch import Access, Content, Watched
+from crs_cc.debug.watch import Content, MemoryAccess, WatchedObject
 from crs_cc.ir.names import plain_name
 from crs_cc.runtime.layout import HEADER_SIZE, STACK_TOP
 
 if TYPE_CHECKING:
     from crs_cc.debug.data.evaluate import Evaluator
-    from crs_cc.debug.data.memory_inspection import Sight
-    from crs_cc.debug.watch import Kind
+    from crs_cc.debug.data.memory_inspection import MemoryInspector
+    from crs_cc.debug.watch import AccessKind
     from crs_cc.ir.types import CType
     from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 
 _SIMPLE: Final = re.compile(r"[\w.\[\]]+|\w+->[\w.\[\]]+")
-_DEEPEST: Final = 20
+_MAX_DEPTH: Final = 20
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +40,7 @@ class Watchpoint:
 
     text: str
     type: CType
-    watched: Watched
+    watched: WatchedObject
 
     @property
     def note(self) -> str:
@@ -50,7 +50,7 @@ class Watchpoint:
 
 
 def watchpoint(
-    number: int, text: str, kind: Kind, evaluator: Evaluator, frame: StackFrame | None
+    number: int, text: str, kind: AccessKind, evaluator: Evaluator, frame: StackFrame | None
 ) -> Watchpoint:
     """Finds what an expression names.
 
@@ -67,11 +67,13 @@ def watchpoint(
     place = evaluator.place(text, frame)
     if not place.size:
         raise DebugError(f"'{text}' has no bytes that could be watched")
-    sight = evaluator.sight()
-    if not sight.is_accessible(place.address, place.size):
-        raise DebugError(sight.explain(place.address, place.size, False))
-    owner = _owner(sight.stopped, place.address)
-    return Watchpoint(text, place.type, Watched(number, kind, place.address, place.size, owner))
+    inspector = evaluator.inspector()
+    if not inspector.is_accessible(place.address, place.size):
+        raise DebugError(inspector.explain(place.address, place.size, False))
+    owner = _owner(inspector.stopped, place.address)
+    return Watchpoint(
+        text, place.type, WatchedObject(number, kind, place.address, place.size, owner)
+    )
 
 
 def _owner(stopped: Stopped, address: int) -> StackFrame | None:
@@ -90,7 +92,7 @@ def same_activation(one: StackFrame, other: StackFrame) -> bool:
     return (one.fp, one.function, one.entered) == (other.fp, other.function, other.entered)
 
 
-def told(watchpoint: Watchpoint, access: Access, sight: Sight) -> str:
+def change_text(watchpoint: Watchpoint, access: MemoryAccess, inspector: MemoryInspector) -> str:
     """Says what happened to what is watched."""
     place = access.location
     where = f" at {PurePath(place.file).name}:{place.line}" if place else ""
@@ -98,7 +100,7 @@ def told(watchpoint: Watchpoint, access: Access, sight: Sight) -> str:
     if access.what == "return":
         function = plain_name(watchpoint.watched.frame.function) if watchpoint.watched.frame else ""
         return f"{watchpoint.text} is gone: '{function}' has returned{where}"
-    old, new = (_value(sight, watchpoint, each) for each in (access.old, access.new))
+    old, new = (_value(inspector, watchpoint, each) for each in (access.old, access.new))
     if access.what == "read":
         return f"{watchpoint.text} = {new.text}, read{by}{where}"
     if access.old == access.new:
@@ -107,15 +109,15 @@ def told(watchpoint: Watchpoint, access: Access, sight: Sight) -> str:
     return f"{name}: {old.text} -> {new.text}, written{by}{where}"
 
 
-def _value(sight: Sight, watchpoint: Watchpoint, content: Content) -> Value:
+def _value(inspector: MemoryInspector, watchpoint: Watchpoint, content: Content) -> Value:
     there, states = content
     known = states if states.strip(GONE) else b""  # of a register nobody keeps the states
-    return Value(sight, watchpoint.type, there, known, watchpoint.watched.address)
+    return Value(inspector, watchpoint.type, there, known, watchpoint.watched.address)
 
 
 def _narrowed(name: str, old: Value, new: Value) -> tuple[str, Value, Value]:
     """Gives the only part of an array or struct that has changed, if it is one."""
-    for _ in range(_DEEPEST):
+    for _ in range(_MAX_DEPTH):
         if not (old.child_count > 1 and old.child_count == new.child_count):
             break
         pairs = zip(old.children(), new.children(), strict=True)

@@ -10,7 +10,7 @@ from typing import Any, Final
 
 from crs_cc import __version__
 from crs_cc.debug.dap.breakpoint_requests import FILTERS
-from crs_cc.debug.dap.launch import ATTRIBUTES, Attribute
+from crs_cc.debug.dap.launch import ATTRIBUTES, LaunchAttribute
 from docs.generate import ROOT, Fillers, cell, table
 
 EXTENSION: Final = ROOT / "editors" / "vscode" / "package.json"
@@ -44,7 +44,7 @@ def attributes() -> str:
     return table(titles, [_row(each) for each in ATTRIBUTES])
 
 
-def _row(each: Attribute) -> tuple[str, ...]:
+def _row(each: LaunchAttribute) -> tuple[str, ...]:
     kind: str = "strings" if each.kind == "array" else each.kind
     if each.choices:
         kind = " or ".join(f"`{choice}`" for choice in each.choices)
@@ -101,7 +101,7 @@ def extension() -> dict[str, Any]:
     }
 
 
-def _schema(attribute: Attribute) -> dict[str, Any]:
+def _schema(attribute: LaunchAttribute) -> dict[str, Any]:
     """Return the JSON schema of an attribute."""
     made: dict[str, Any] = {"type": attribute.kind, "description": attribute.meaning}
     if attribute.kind == "array":

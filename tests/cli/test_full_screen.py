@@ -14,7 +14,7 @@ import pytest
 from crs_cc.cli import full_screen
 from crs_cc.cli.debug import read_options
 from crs_cc.cli.main import main
-from tests.debug.debuggee import ROOT
+from tests.debug.debuggers import ROOT
 
 PROGRAM = str(ROOT / "samples" / "scout_c" / "square.c")
 

@@ -9,7 +9,7 @@ import pytest
 
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
-from tests.debug.debuggee import debugger_of
+from tests.debug.debuggers import debugger_of
 
 COUNT = """\
 #include <stdio.h>
@@ -27,7 +27,7 @@ int main(void)
 def counting(tmp_path: Path) -> Debugger:
     debugger = debugger_of(COUNT, folder=tmp_path)
     debugger.start()
-    debugger.add_breakpoint("6")
+    debugger.stop_points.add_breakpoint("6")
     debugger.resume()
     debugger.resume()
     return debugger
@@ -38,10 +38,10 @@ def text(debugger: Debugger) -> bytes:
 
 
 def test_a_change_makes_another_future_and_the_past_stays(counting: Debugger) -> None:
-    counting.add_breakpoint("7")
+    counting.stop_points.add_breakpoint("7")
     here = counting.position
     counting.evaluate("i = 4")
-    counting.enable(1, on=False)
+    counting.stop_points.enable(1, on=False)
     counting.resume()
     assert text(counting) == b"0\n4\n"
     counting.goto_statement(1)
@@ -55,10 +55,10 @@ def test_a_change_makes_another_future_and_the_past_stays(counting: Debugger) ->
 
 
 def test_a_branch_leaves_the_other_as_it_was(counting: Debugger) -> None:
-    counting.add_breakpoint("7")
+    counting.stop_points.add_breakpoint("7")
     counting.branch("short")
     counting.evaluate("i = 4")
-    counting.enable(1, on=False)
+    counting.stop_points.enable(1, on=False)
     counting.resume()
     assert text(counting) == b"0\n4\n"
     counting.switch("main")
@@ -105,9 +105,9 @@ int main(void)
 
 def test_branches_are_compared_at_the_same_instant(tmp_path: Path) -> None:
     debugger = debugger_of(DRIVE, folder=tmp_path)
-    debugger.add_breakpoint("8")
+    debugger.stop_points.add_breakpoint("8")
     debugger.resume()
-    debugger.enable(1, on=False)
+    debugger.stop_points.enable(1, on=False)
     debugger.branch("fast")
     assert debugger.compare("main") == []
     debugger.evaluate("speed = 100")
@@ -160,8 +160,8 @@ def test_back_to_the_very_statement_where_something_was_changed(counting: Debugg
 
 def test_to_compare_leaves_what_is_looked_at(tmp_path: Path) -> None:
     debugger = debugger_of(DRIVE, folder=tmp_path, world="pair.xml")
-    debugger.add_breakpoint("8", robot=1)
+    debugger.stop_points.add_breakpoint("8", robot=1)
     stop = debugger.resume()
     debugger.branch("other")
     debugger.compare("main")
-    assert (debugger.robot, debugger.stop) == (1, stop)
+    assert (debugger.view.robot, debugger.stop) == (1, stop)

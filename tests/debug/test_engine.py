@@ -11,7 +11,7 @@ from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.stop import Stop
 from crs_cc.sim.engine.step import Step
-from tests.debug.debuggee import debugger_of, line
+from tests.debug.debuggers import debugger_of, line
 
 LOOP = """\
 #include <stdio.h>
@@ -75,10 +75,10 @@ def test_backward_comes_by_the_same_places(loop: Debugger, verb: str) -> None:
 
 
 def test_finish_goes_to_the_caller_and_back(loop: Debugger) -> None:
-    loop.add_breakpoint("twice")
+    loop.stop_points.add_breakpoint("twice")
     loop.resume()
     before = loop.position
-    assert [each.function for each in loop.frames()] == ["twice", "main"]
+    assert [each.function for each in loop.view.frames()] == ["twice", "main"]
     loop.resume()
     assert loop.finish().text == "twice returned 2"
     assert line(loop) == 14
@@ -88,7 +88,7 @@ def test_finish_goes_to_the_caller_and_back(loop: Debugger) -> None:
 
 
 def test_breakpoints_are_met_forward_and_backward(loop: Debugger) -> None:
-    point = loop.add_breakpoint("6")
+    point = loop.stop_points.add_breakpoint("6")
     places = []
     while loop.resume().reason == "breakpoint":
         assert loop.stop.breakpoints == (point.number,)
@@ -102,7 +102,7 @@ def test_breakpoints_are_met_forward_and_backward(loop: Debugger) -> None:
 
 
 def test_a_line_without_code_is_the_next_one_with_some(loop: Debugger) -> None:
-    point = loop.add_breakpoint("8")
+    point = loop.stop_points.add_breakpoint("8")
     assert point.place
     assert point.place.note == "line 8 has no code; moved to line 12"
 
@@ -110,7 +110,7 @@ def test_a_line_without_code_is_the_next_one_with_some(loop: Debugger) -> None:
 def test_a_breakpoint_that_cannot_be_is_refused(loop: Debugger) -> None:
     for place in ("99", "nowhere", "other.c:3", "", "3x", ":", "-1"):
         with pytest.raises(DebugError):
-            loop.add_breakpoint(place)
+            loop.stop_points.add_breakpoint(place)
 
 
 PRINTS = """\
@@ -166,7 +166,7 @@ def test_comparing_shows_nothing_of_the_other_branch(tmp_path: Path) -> None:
 
 
 def test_output_goes_back_with_the_run(loop: Debugger) -> None:
-    loop.add_breakpoint("16")
+    loop.stop_points.add_breakpoint("16")
     loop.resume()
     assert loop.run.console.text() == b"0\n2\n6\n"
     loop.goto_statement(4)
@@ -193,15 +193,15 @@ def test_until_leaves_loops(loop: Debugger) -> None:
 def test_advance_stops_at_its_place_or_in_the_caller(loop: Debugger) -> None:
     loop.advance("6")
     assert line(loop) == 6
-    assert not list(loop.breakpoints)
+    assert not list(loop.stop_points.breakpoints)
     loop.advance("16")
     assert line(loop) == 14
 
 
 def test_a_condition_decides_forward_and_backward(loop: Debugger) -> None:
-    loop.add_breakpoint("6", condition="what == 1 && total < 10")
+    loop.stop_points.add_breakpoint("6", condition="what == 1 && total < 10")
     assert loop.resume().reason == "breakpoint"
-    assert loop.look_up("what").number == 1
+    assert loop.view.look_up("what").number == 1
     here = loop.position
     assert loop.resume().reason == "end"
     assert loop.resume(backward=True).position == here
@@ -210,51 +210,51 @@ def test_a_condition_decides_forward_and_backward(loop: Debugger) -> None:
 
 def test_a_condition_must_mean_something_at_its_place(loop: Debugger) -> None:
     with pytest.raises(DebugError):
-        loop.add_breakpoint("6", condition="i == 1")
-    point = loop.add_breakpoint("13", condition="i == 1")
+        loop.stop_points.add_breakpoint("6", condition="i == 1")
+    point = loop.stop_points.add_breakpoint("13", condition="i == 1")
     with pytest.raises(DebugError):
-        loop.set_condition(point.number, "what")
+        loop.stop_points.set_condition(point.number, "what")
     assert loop.resume().reason == "breakpoint"
-    assert loop.look_up("i").number == 1
+    assert loop.view.look_up("i").number == 1
 
 
 def test_hits_are_passed_over_and_log_points_speak(loop: Debugger) -> None:
     said: list[str] = []
-    loop.say = said.append
-    loop.add_breakpoint("14", ignore=1)
-    loop.add_breakpoint("7", log="{what} twice is {result}, not {nothing}")
+    loop.stop_points.say = said.append
+    loop.stop_points.add_breakpoint("14", ignore=1)
+    loop.stop_points.add_breakpoint("7", log="{what} twice is {result}, not {nothing}")
     loop.resume()
-    assert loop.look_up("i").number == 1
+    assert loop.view.look_up("i").number == 1
     assert [text.partition(", ")[0] for text in said] == ["0 twice is 0", "1 twice is 2"]
 
 
 def test_looking_changes_nothing(loop: Debugger) -> None:
     with pytest.raises(DebugError):
-        loop.look_up("total = 3")
-    assert loop.look_up("total").number == 0
+        loop.view.look_up("total = 3")
+    assert loop.view.look_up("total").number == 0
     loop.evaluate("total = 3")
-    assert loop.look_up("total").number == 3
+    assert loop.view.look_up("total").number == 3
 
 
 def test_an_expression_that_is_refused_keeps_no_value(loop: Debugger) -> None:
-    loop.look_up("$old = 7")
+    loop.view.look_up("$old = 7")
     for name in ("new", "old"):
         with pytest.raises(DebugError):
-            loop.look_up(f"${name} = total = 5")
-    assert loop.look_up("$old").number == 7
+            loop.view.look_up(f"${name} = total = 5")
+    assert loop.view.look_up("$old").number == 7
     with pytest.raises(DebugError):
-        loop.look_up("$new")
+        loop.view.look_up("$new")
 
 
 def test_a_function_of_the_library_stops_before_the_statements_that_call_it(
     loop: Debugger,
 ) -> None:
-    point = loop.add_breakpoint("printf")
+    point = loop.stop_points.add_breakpoint("printf")
     assert loop.resume().breakpoints == (point.number,)
     assert line(loop) == 14
     assert [loop.resume().reason for _ in range(3)] == ["breakpoint", "breakpoint", "end"]
     with pytest.raises(DebugError):
-        loop.add_breakpoint("scanf")
+        loop.stop_points.add_breakpoint("scanf")
 
 
 ENDLESS = """\
@@ -311,9 +311,9 @@ def test_an_interrupt_between_two_of_many_steps_is_heard(
     verb: str, backward: bool, loop: Debugger, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     loop.goto_statement(8)
-    traveller = loop._traveller
+    navigator = loop.navigator
     way = "backward_to" if backward else "forward"
-    go, moves = getattr(traveller, way), 0
+    go, moves = getattr(navigator, way), 0
 
     def move(*arguments: object) -> Stop:
         nonlocal moves
@@ -323,7 +323,7 @@ def test_an_interrupt_between_two_of_many_steps_is_heard(
             loop.interrupt()  # when the move is done, but before its end is noticed
         return stop
 
-    monkeypatch.setattr(traveller, way, move)
+    monkeypatch.setattr(navigator, way, move)
     stop = getattr(loop, verb)(5, backward=backward)
     assert (stop.reason, moves) == ("interrupt", 2)
     assert not loop.run.interrupted
@@ -331,7 +331,7 @@ def test_an_interrupt_between_two_of_many_steps_is_heard(
 
 
 def test_backward_from_the_middle_of_a_round_with_the_world_asked_for(loop: Debugger) -> None:
-    loop.add_catchpoint("collision")
+    loop.stop_points.add_catchpoint("collision")
     loop.next(3)
     assert loop.resume(backward=True).reason == "beginning"
 
@@ -343,10 +343,10 @@ def test_the_condition_on_what_is_of_no_robot_is_not_of_the_last_robots_program(
     sources = [source.format(number) for number in (1, 2, 3)]
     debugger = debugger_of(*sources, folder=tmp_path, world="platoon.xml")
     said: list[str] = []
-    debugger.say = said.append
+    debugger.stop_points.say = said.append
     debugger.start()
-    point = debugger.add_catchpoint("tick", condition="mine == 1")
-    debugger.add_catchpoint("tick", log="{mine}", robot=None)
+    point = debugger.stop_points.add_catchpoint("tick", condition="mine == 1")
+    debugger.stop_points.add_catchpoint("tick", log="{mine}", robot=None)
     assert debugger.tick(1).breakpoints == (point.number,)
     assert said == ["1"]
 
@@ -398,8 +398,8 @@ int main(void)
 
 def test_a_breakpoint_that_is_met_very_often_is_gone_back_to(tmp_path: Path) -> None:
     debugger = debugger_of(OFTEN, folder=tmp_path)
-    debugger.add_breakpoint("6", temporary=True)
+    debugger.stop_points.add_breakpoint("6", temporary=True)
     debugger.resume()
-    debugger.add_breakpoint("5")
+    debugger.stop_points.add_breakpoint("5")
     debugger.resume(backward=True)
-    assert (line(debugger), debugger.look_up("i").number) == (5, 19999)
+    assert (line(debugger), debugger.view.look_up("i").number) == (5, 19999)

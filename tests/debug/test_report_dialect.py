@@ -9,7 +9,7 @@ import pytest
 from crs_cc.core.source import Diagnostics
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.program import DebugProgram
-from crs_cc.debug.world.state_rows import told_state
+from crs_cc.debug.world.state_rows import vendor_state_rows
 from crs_cc.frontend.preprocess.options import Options
 from crs_cc.requests import REQUESTS
 from crs_cc.session.build import build_executable
@@ -30,13 +30,13 @@ def program() -> DebugProgram:
 def test_breakpoints_on_the_reports_functions_stop_by_the_reports_names(program, name) -> None:
     debugger = Debugger(load_world(ROOT / "worlds" / "stove.xml"), [program])
     debugger.start()
-    debugger.add_breakpoint(name)
+    debugger.stop_points.add_breakpoint(name)
     stop = debugger.resume()
     assert stop.breakpoints == (1,)
-    place = debugger.location()
+    place = debugger.view.location()
     assert place is not None
     assert name in TABLE_2.read_text().splitlines()[place.line - 1]
-    assert not any(frame.function.startswith("__report") for frame in debugger.frames())
+    assert not any(frame.function.startswith("__report") for frame in debugger.view.frames())
 
 
 def test_a_function_breakpoint_stops_at_its_own_requests_only(tmp_path: Path) -> None:
@@ -59,7 +59,7 @@ def test_a_function_breakpoint_stops_at_its_own_requests_only(tmp_path: Path) ->
 def test_state_has_the_reports_units(program) -> None:
     debugger = Debugger(load_world(ROOT / "worlds" / "stove.xml"), [program])
     debugger.resume()
-    rows = {row.name.split()[1]: row.text for row in told_state(debugger, 0)}
+    rows = {row.name.split()[1]: row.text for row in vendor_state_rows(debugger.view, 0)}
     assert rows["STATE_HEAT"] == "1"
     assert rows["STATE_SONAR_2"] == "no echo"
     assert rows["STATE_SONAR_0"].split()[1] == "0.1in"

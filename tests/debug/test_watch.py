@@ -11,7 +11,7 @@ import pytest
 
 from crs_cc.core.source import Diagnostics
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.watch import MOST, Access, Kind, Watched, Watches
+from crs_cc.debug.watch import MAX, AccessKind, MemoryAccess, WatchedObject, WatchSet
 from crs_cc.ir.names import plain_name
 from crs_cc.requests import SUSPENDED
 from crs_cc.runtime.diagnosis.inspect import StackFrame
@@ -87,7 +87,7 @@ class Found:
 
     line: str
     begun: int
-    access: Access
+    access: MemoryAccess
 
     @property
     def by(self) -> tuple[str, str, str]:
@@ -121,7 +121,7 @@ class Watching:
         self.executable = executable
         self.fleet = Fleet([executable])
         self.host = Host([["watched"]], lambda *_: None, lambda *_: b"")
-        self.watches = Watches(self.fleet, 0, build_watching)
+        self.watches = WatchSet(self.fleet, 0, build_watching)
         self.fuel = fuel
         self.ended = False
 
@@ -165,10 +165,10 @@ class Watching:
         number = int(self.fleet.slots["stopped"][0]) - 1
         return _line(self.executable.detail().compiled.statements[number].location.line)
 
-    def watch(self, kind: Kind, *names: str) -> None:
+    def watch(self, kind: AccessKind, *names: str) -> None:
         self.watches.arm([self.object(each, kind, n) for n, each in enumerate(names, start=1)])
 
-    def object(self, text: str, kind: Kind, number: int = 1) -> Watched:
+    def object(self, text: str, kind: AccessKind, number: int = 1) -> WatchedObject:
         """Gives an object: `name`, `name+offset:size`, or `function/variable`."""
         name, _, part = text.partition("+")
         at, _, size = part.partition(":")
@@ -179,16 +179,18 @@ class Watching:
         for each, data in self.executable.program.data.items():
             if plain_name(each) == name:
                 first = compiled.addresses[each] + int(at or 0)
-                return Watched(number, kind, first, int(size or data.size))
+                return WatchedObject(number, kind, first, int(size or data.size))
         raise AssertionError(name)
 
-    def local(self, function: str, variable: str, kind: Kind, number: int = 1) -> Watched:
+    def local(
+        self, function: str, variable: str, kind: AccessKind, number: int = 1
+    ) -> WatchedObject:
         """Gives a variable of the innermost activation of a function."""
         frame = self.frame(function)
         layout = self.executable.detail().compiled.info(frame.function).frame
         for place, at in layout.offsets.items():
             if place.variable is not None and place.variable.name == variable:
-                return Watched(number, kind, frame.fp - layout.size + at, 4, frame)
+                return WatchedObject(number, kind, frame.fp - layout.size + at, 4, frame)
         raise AssertionError(variable)
 
     def frame(self, function: str) -> StackFrame:
@@ -211,7 +213,7 @@ def program(tmp_path_factory: pytest.TempPathFactory) -> Executable:
     return build_executable([path], Diagnostics(), debug=True)
 
 
-def all_found(program: Executable, kind: Kind, name: str) -> list[Found]:
+def all_found(program: Executable, kind: AccessKind, name: str) -> list[Found]:
     run = Watching(program)
     run.watch(kind, name)
     return list(run.found())
@@ -384,18 +386,18 @@ def test_hits_survive_that_fuel_runs_out(program: Executable) -> None:
 
 def test_more_than_can_be_watched_is_refused(program: Executable) -> None:
     run = Watching(program)
-    objects = [run.object("total", "write", number) for number in range(MOST + 1)]
-    with pytest.raises(DebugError, match=f"at most {MOST} objects"):
+    objects = [run.object("total", "write", number) for number in range(MAX + 1)]
+    with pytest.raises(DebugError, match=f"at most {MAX} objects"):
         run.watches.arm(objects)
-    run.watches.arm(objects[:MOST])
-    assert len(list(run.found())) == 7 * MOST
+    run.watches.arm(objects[:MAX])
+    assert len(list(run.found())) == 7 * MAX
 
 
 def test_as_many_variables_of_functions_can_be_watched(program: Executable) -> None:
     run = Watching(program)
     run.to_line("if (n > 0)")
-    run.watches.arm([run.local("deep", "mine", "write", number) for number in range(MOST)])
-    assert len(list(run.found())) == 3 * MOST
+    run.watches.arm([run.local("deep", "mine", "write", number) for number in range(MAX)])
+    assert len(list(run.found())) == 3 * MAX
 
 
 def test_without_anything_to_watch_the_debug_build_runs(program: Executable) -> None:
@@ -408,7 +410,7 @@ def test_without_anything_to_watch_the_debug_build_runs(program: Executable) -> 
 
 
 def changes_by_comparing(
-    program: Executable, objects: Sequence[Watched]
+    program: Executable, objects: Sequence[WatchedObject]
 ) -> list[tuple[object, ...]]:
     """Gives what changed in some objects, found by looking before every statement."""
     run = Watching(program)
@@ -429,7 +431,7 @@ def changes_by_comparing(
 
 
 def changes_by_watching(
-    program: Executable, objects: Sequence[Watched]
+    program: Executable, objects: Sequence[WatchedObject]
 ) -> list[tuple[object, ...]]:
     run = Watching(program)
     run.watches.arm(objects)
@@ -450,13 +452,13 @@ def compare(program: Executable) -> int:
     """Compares the changes of all global objects of a program; gives how many there were."""
     detail = program.detail()
     objects = [
-        Watched(number, "change", detail.compiled.addresses[name], data.size)
+        WatchedObject(number, "change", detail.compiled.addresses[name], data.size)
         for number, (name, data) in enumerate(detail.program.data.items())
         if data.size and "<library>" not in data.location.file
     ]
     count = 0
-    for first in range(0, len(objects), MOST):
-        some = objects[first : first + MOST]
+    for first in range(0, len(objects), MAX):
+        some = objects[first : first + MAX]
         wanted = changes_by_comparing(program, some)
         assert changes_by_watching(program, some) == wanted
         count += len(wanted)

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from crs_cc.core.source import Diagnostics
-from crs_cc.debug.watch import MOST, Watched
+from crs_cc.debug.watch import MAX, WatchedObject
 from crs_cc.ir.names import in_library
 from crs_cc.runtime.diagnosis.inspect import StackFrame
 from crs_cc.runtime.executable import Executable
@@ -23,7 +23,7 @@ FAR = 600
 """So many statements are followed."""
 
 
-def variables(run: Watching, chance: random.Random) -> list[Watched]:
+def variables(run: Watching, chance: random.Random) -> list[WatchedObject]:
     """Gives some variables of one of the functions that are active."""
     own = [each for each in run.fleet.stopped(0).stack if not in_library(each.location)]
     frame = chance.choice(own)
@@ -33,8 +33,8 @@ def variables(run: Watching, chance: random.Random) -> list[Watched]:
         for place, at in layout.offsets.items()
         if place.variable is not None and place.variable.ctype.size
     ]
-    some = chance.sample(places, min(MOST, len(places)))
-    return [Watched(number, "change", *place, frame) for number, place in enumerate(some)]
+    some = chance.sample(places, min(MAX, len(places)))
+    return [WatchedObject(number, "change", *place, frame) for number, place in enumerate(some)]
 
 
 def is_active(run: Watching, frame: StackFrame) -> bool:
@@ -43,7 +43,9 @@ def is_active(run: Watching, frame: StackFrame) -> bool:
     return any((each.fp, each.function, each.entered) == name for each in stack)
 
 
-def by_looking(run: Watching, objects: list[Watched], end: int) -> tuple[list[Change], int | None]:
+def by_looking(
+    run: Watching, objects: list[WatchedObject], end: int
+) -> tuple[list[Change], int | None]:
     """Gives the changes up to a statement, and the one before which the function had returned."""
     memory, changes = run.fleet.memory(0), list[Change]()
     parts = [slice(each.address, each.address + each.size) for each in objects]
@@ -62,7 +64,9 @@ def by_looking(run: Watching, objects: list[Watched], end: int) -> tuple[list[Ch
     return changes, None
 
 
-def by_watching(run: Watching, objects: list[Watched], end: int) -> tuple[list[Change], int | None]:
+def by_watching(
+    run: Watching, objects: list[WatchedObject], end: int
+) -> tuple[list[Change], int | None]:
     changes = list[Change]()
     run.watches.arm(objects)
     while run.run() and run.begun < end:

@@ -9,11 +9,13 @@ import pytest
 
 import crs_cc.runtime
 from crs_cc.requests import REQUESTS, RequestCode
+from crs_cc.session.device_library import device_headers
 from crs_cc.session.host import HOST_CODES, Host, discard, no_input
 from crs_cc.sim.engine.handlers import HANDLERS
 
 INCLUDE = Path(crs_cc.runtime.__file__).parent / "lib" / "include"
 HEADERS = "\n".join(path.read_text() for path in sorted(INCLUDE.rglob("*.h")))
+HEADERS += "\n".join(text for _, text in device_headers())
 
 
 @pytest.mark.parametrize("request_code", REQUESTS.values(), ids=lambda each: each.name)

@@ -59,7 +59,7 @@ def test_a_definition_can_be_used_again_and_again():
     [
         (
             ['<object ref="tabel" x="5" y="5"/>'],
-            "3: error: object, ref: there is no definition 'tabel': there are none",
+            "3: error: object, ref: unknown definition 'tabel' (known: none)",
         ),
         ([LEG, LEG], "4: error: a second definition of 'leg'; the first is in line 3"),
         (
@@ -171,7 +171,7 @@ def test_mistakes_in_included_files_name_these(tmp_path: Path):
     assert told(tmp_path, '<include file="f.xml"/>', '<object ref="b" x="5" y="5"/>') == [
         "f.xml:3: error: material, sonar: '7' must be 0 or more and 1 or less",
         "f.xml:2: error: cylinder, radius: '-1' must be greater than 0",
-        "w.xml:4: error: object, ref: there is no definition 'b': there are a",
+        "w.xml:4: error: object, ref: unknown definition 'b' (known: a)",
     ]
     put(tmp_path / "f.xml", "<wal/>")
     first, second = told(tmp_path, '<include file="f.xml"/>')

@@ -60,7 +60,7 @@ def test_a_material_may_build_on_one_before_it():
     assert door.material == Material((139, 90, 43), 0.9, 0.25)
     assert (
         complaint(oak, WOOD)
-        == "w.xml:3: error: material, material: there is no material 'wood': there are none"
+        == "w.xml:3: error: material, material: unknown material 'wood' (known: none)"
     )
 
 
@@ -90,7 +90,7 @@ def test_edges_and_robots_have_a_material():
         (f"{WOOD}{WOOD}", "a second material 'wood'; the first is in line 3"),
         (
             '<wall x1="5" y1="5" x2="6" y2="5" material="wool"/>',
-            "wall, material: there is no material 'wool': there are none",
+            "wall, material: unknown material 'wool' (known: none)",
         ),
         (
             '<wall x1="5" y1="5" x2="6" y2="5" height="0"/>',

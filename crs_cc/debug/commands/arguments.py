@@ -7,9 +7,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
+from crs_cc.core.suggest import unknown
 from crs_cc.debug.errors import DebugError
 
-MOST: Final = 1_000_000_000
+MAX: Final = 1_000_000_000
 
 _FORMAT: Final = re.compile(r"/(-?\d*)([a-z]*)\s*")
 _LETTERS: Final = "xduotcfsai"
@@ -19,7 +20,7 @@ _OF_ROBOT: Final = re.compile(r"(?:^|\s)(?:robot|thread)\s+(\S+)\s*$")
 
 
 @dataclass(frozen=True, slots=True)
-class Format:
+class OutputFormat:
     """How to show a value: what stands behind the `/` of `print/x` and `x/4xw`.
 
     Attributes:
@@ -34,7 +35,7 @@ class Format:
     size: int = 0
 
 
-def take_format(text: str) -> tuple[Format, str]:
+def parse_format(text: str) -> tuple[OutputFormat, str]:
     """Takes `/FMT` off the front of an argument.
 
     Raises:
@@ -44,7 +45,7 @@ def take_format(text: str) -> tuple[Format, str]:
     (Format(letter='x', count=4, size=4), '&count')
     """
     if not text.startswith("/"):
-        return Format(), text
+        return OutputFormat(), text
     found = _FORMAT.match(text)
     assert found
     digits, letters = found[1], found[2]
@@ -53,12 +54,12 @@ def take_format(text: str) -> tuple[Format, str]:
     if len(sizes) > 1 or len(shapes) > 1 or len(sizes) + len(shapes) < len(letters):
         raise DebugError(f"'/{digits}{letters}' is no format: try \"help x\"")
     return (
-        Format("".join(shapes), _count(digits or "1"), _SIZES[sizes[0]] if sizes else 0),
+        OutputFormat("".join(shapes), _count(digits or "1"), _SIZES[sizes[0]] if sizes else 0),
         text[found.end() :],
     )
 
 
-def take_count(text: str) -> int:
+def parse_count(text: str) -> int:
     """Gives how often to do something: 1 if nothing is said.
 
     Raises:
@@ -71,12 +72,12 @@ def take_count(text: str) -> int:
 
 
 def _count(digits: str) -> int:
-    if not re.fullmatch(r"0*[1-9]\d{0,9}", digits) or int(digits) > MOST:
-        raise DebugError(f"'{digits}' is no count: say a number from 1 to {MOST:,}")
+    if not re.fullmatch(r"0*[1-9]\d{0,9}", digits) or int(digits) > MAX:
+        raise DebugError(f"'{digits}' is no count: say a number from 1 to {MAX:,}")
     return int(digits)
 
 
-def take_numbers(text: str, newest: int | None = None) -> list[int]:
+def parse_numbers(text: str, newest: int | None = None) -> list[int]:
     """Gives numbers, and those of ranges, in their order; `$` is the newest one.
 
     Raises:
@@ -101,7 +102,7 @@ def take_numbers(text: str, newest: int | None = None) -> list[int]:
 
 
 @dataclass(frozen=True, slots=True)
-class Where:
+class BreakpointArguments:
     """Where to stop: what stands behind `break`.
 
     Attributes:
@@ -115,7 +116,7 @@ class Where:
     condition: str = ""
 
 
-def take_where(text: str) -> Where:
+def parse_breakpoint_arguments(text: str) -> BreakpointArguments:
     """Gives place, robot and condition.
 
     >>> take_where("wander.c:12 robot 1 if x > 3")
@@ -129,10 +130,10 @@ def take_where(text: str) -> Where:
     robot = ""
     if found := _OF_ROBOT.search(text):
         text, robot = text[: found.start()], found[1]
-    return Where(text.strip(), robot, condition)
+    return BreakpointArguments(text.strip(), robot, condition)
 
 
-def take_robot(text: str, names: Sequence[str]) -> int:
+def parse_robot(text: str, names: Sequence[str]) -> int:
     """Gives the number of a robot from its name or number.
 
     Raises:
@@ -146,11 +147,10 @@ def take_robot(text: str, names: Sequence[str]) -> int:
         return names.index(text)
     if text.isascii() and text.isdigit() and len(text) < 9 and int(text) < len(names):
         return int(text)
-    shown = ", ".join(names[:5]) + (", ..." if len(names) > 5 else "")
-    raise DebugError(f"there is no robot '{text}': there are {shown}")
+    raise DebugError(unknown("robot", text, names))
 
 
-def demand(text: str, what: str) -> str:
+def require_argument(text: str, what: str) -> str:
     """Gives an argument that has to be there.
 
     Raises:
@@ -162,7 +162,7 @@ def demand(text: str, what: str) -> str:
     return text
 
 
-def demand_none(text: str) -> None:
+def reject_arguments(text: str) -> None:
     """Makes sure that nothing stands behind a command.
 
     Raises:

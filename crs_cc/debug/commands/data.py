@@ -5,75 +5,82 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
+from crs_cc.debug.commands.answer import Answer
 from crs_cc.debug.commands.arguments import (
-    Format,
-    demand,
-    demand_none,
-    take_format,
-    take_numbers,
+    OutputFormat,
+    parse_format,
+    parse_numbers,
+    reject_arguments,
+    require_argument,
 )
-from crs_cc.debug.commands.command import Answer, Command, Group
+from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.commands.display import Display
-from crs_cc.debug.commands.formats import LONGEST_TEXT, dump, formatted, quoted
+from crs_cc.debug.commands.formats import MAX_TEXT_LENGTH, dump, formatted, quoted
 from crs_cc.debug.commands.stack import frame
-from crs_cc.debug.commands.type_text import declared
+from crs_cc.debug.commands.type_declaration import declared
 from crs_cc.debug.errors import DebugError
 from crs_cc.ir.types import ArrayType, RecordType, VoidType
 
 if TYPE_CHECKING:
-    from crs_cc.debug.commands.shell import Shell
+    from crs_cc.debug.commands.context import CommandContext
     from crs_cc.debug.data.values import Value
     from crs_cc.debug.data.variables import Variable
 
-_MOST_STRINGS: Final = 100
+_MAX_STRINGS: Final = 100
 
 
-def _print(shell: Shell, text: str) -> Answer:
-    wanted, expression = take_format(text)
-    value = shell.debugger.evaluate(demand(expression, "an expression"))
+def _print(context: CommandContext, text: str) -> Answer:
+    wanted, expression = parse_format(text)
+    value = context.debugger.evaluate(require_argument(expression, "an expression"))
     shown = formatted(value, wanted)
-    yield shown if isinstance(value.type, VoidType) else f"${shell.keep(value)} = {shown}"
+    yield shown if isinstance(value.type, VoidType) else f"${context.record(value)} = {shown}"
 
 
-def _call(shell: Shell, text: str) -> Answer:
-    value = shell.debugger.evaluate(demand(text, "an expression"))
+def _call(context: CommandContext, text: str) -> Answer:
+    value = context.debugger.evaluate(require_argument(text, "an expression"))
     if value.text != "void":
         yield value.full
 
 
-def _set(shell: Shell, text: str) -> Answer:
-    words = demand(text, "an assignment, such as speed = 3").split(maxsplit=1)
+def _set(context: CommandContext, text: str) -> Answer:
+    words = require_argument(text, "an assignment, such as speed = 3").split(maxsplit=1)
     if words[0] in {"var", "variable"}:
-        text = demand(words[1] if len(words) > 1 else "", "an assignment, such as speed = 3")
+        text = require_argument(
+            words[1] if len(words) > 1 else "", "an assignment, such as speed = 3"
+        )
     if "=" not in text:
         raise DebugError("say what it is to be: set VARIABLE = EXPRESSION")
-    shell.debugger.evaluate(text)
+    context.debugger.evaluate(text)
     yield from ()
 
 
-def _whatis(shell: Shell, text: str) -> Answer:
-    yield str(shell.debugger.type_of(demand(text, "an expression or a type")))
+def _whatis(context: CommandContext, text: str) -> Answer:
+    yield str(context.debugger.view.type_of(require_argument(text, "an expression or a type")))
 
 
-def _ptype(shell: Shell, text: str) -> Answer:
-    yield from declared(shell.debugger.type_of(demand(text, "an expression or a type")))
+def _ptype(context: CommandContext, text: str) -> Answer:
+    yield from declared(
+        context.debugger.view.type_of(require_argument(text, "an expression or a type"))
+    )
 
 
-def _examine(shell: Shell, text: str) -> Answer:
-    wanted, expression = take_format(text)
+def _examine(context: CommandContext, text: str) -> Answer:
+    wanted, expression = parse_format(text)
     if expression:
-        value = shell.debugger.look_up(expression)
+        value = context.debugger.view.look_up(expression)
         address = _address(value)
-    elif shell.examined is not None:
-        address, known = shell.examined
+    elif context.examined is not None:
+        address, known = context.examined
         wanted = replace(known, count=wanted.count)
     else:
         raise DebugError("say where to look: x ADDRESS")
     if wanted.letter == "s":
-        yield from _strings(shell, address, wanted)
+        yield from _strings(context, address, wanted)
         return
-    yield from dump(shell.debugger.evaluator(shell.debugger.robot).sight(), address, wanted)
-    shell.examined = address + (wanted.size or 4) * wanted.count, wanted
+    yield from dump(
+        context.debugger.view.evaluator(context.debugger.view.robot).inspector(), address, wanted
+    )
+    context.examined = address + (wanted.size or 4) * wanted.count, wanted
 
 
 def _address(value: Value) -> int:
@@ -87,41 +94,41 @@ def _address(value: Value) -> int:
     return value.number & 0xFFFF_FFFF
 
 
-def _strings(shell: Shell, address: int, wanted: Format) -> Answer:
-    sight = shell.debugger.evaluator(shell.debugger.robot).sight()
-    for _ in range(min(wanted.count, _MOST_STRINGS)):
-        content = sight.read(address, LONGEST_TEXT + 1)
+def _strings(context: CommandContext, address: int, wanted: OutputFormat) -> Answer:
+    inspector = context.debugger.view.evaluator(context.debugger.view.robot).inspector()
+    for _ in range(min(wanted.count, _MAX_STRINGS)):
+        content = inspector.read(address, MAX_TEXT_LENGTH + 1)
         if not content:
             raise DebugError(f"there is no memory at {address:#x}")
         yield f"{address:#010x}: {quoted(content)}"
-        address += min(len(content.partition(b"\0")[0]), LONGEST_TEXT) + 1
-    shell.examined = address, wanted
+        address += min(len(content.partition(b"\0")[0]), MAX_TEXT_LENGTH) + 1
+    context.examined = address, wanted
 
 
-def _display(shell: Shell, text: str) -> Answer:
+def _display(context: CommandContext, text: str) -> Answer:
     if not text:
-        yield from shell.show_displays()
+        yield from context.show_displays()
         return
-    wanted, expression = take_format(text)
-    display = Display(demand(expression, "an expression"), wanted)
-    shown = display.text(shell.debugger)
-    number = max(shell.displays, default=0) + 1
-    shell.displays[number] = display
+    wanted, expression = parse_format(text)
+    display = Display(require_argument(expression, "an expression"), wanted)
+    shown = display.text(context.debugger)
+    number = max(context.displays, default=0) + 1
+    context.displays[number] = display
     yield f"{number}: {shown}"
 
 
-def _undisplay(shell: Shell, text: str) -> Answer:
-    for number in take_numbers(text) or list(shell.displays):
-        if shell.displays.pop(number, None) is None:
+def _undisplay(context: CommandContext, text: str) -> Answer:
+    for number in parse_numbers(text) or list(context.displays):
+        if context.displays.pop(number, None) is None:
             raise DebugError(f"there is no display {number}")
     yield from ()
 
 
-def _info_display(shell: Shell, text: str) -> Answer:
-    demand_none(text)
-    if not shell.displays:
+def _info_display(context: CommandContext, text: str) -> Answer:
+    reject_arguments(text)
+    if not context.displays:
         yield "There are no displays."
-    for number, display in shell.displays.items():
+    for number, display in context.displays.items():
         yield f"{number}: {display.expression}"
 
 
@@ -130,28 +137,30 @@ def _variable(each: Variable) -> str:
     return f"{each.name} = {each.value.text}{hidden}"
 
 
-def _info_locals(shell: Shell, text: str) -> Answer:
-    demand_none(text)
-    here = frame(shell)
-    found = shell.debugger.variables(frame=here.number)
+def _info_locals(context: CommandContext, text: str) -> Answer:
+    reject_arguments(text)
+    here = frame(context)
+    found = context.debugger.view.variables(frame=here.number)
     if not found:
         yield f"{here.function} has no variables here."
     yield from map(_variable, found)
 
 
-def _info_args(shell: Shell, text: str) -> Answer:
-    demand_none(text)
-    here = frame(shell)
+def _info_args(context: CommandContext, text: str) -> Answer:
+    reject_arguments(text)
+    here = frame(context)
     found = [
-        each for each in shell.debugger.variables(frame=here.number) if each.scope == "parameter"
+        each
+        for each in context.debugger.view.variables(frame=here.number)
+        if each.scope == "parameter"
     ]
     if not found:
         yield f"{here.function} has no arguments."
     yield from map(_variable, found)
 
 
-def _info_globals(shell: Shell, text: str) -> Answer:
-    found = [each for each in shell.debugger.globals_() if text in each.name]
+def _info_globals(context: CommandContext, text: str) -> Answer:
+    found = [each for each in context.debugger.view.globals_() if text in each.name]
     if not found:
         raise DebugError(f"no global variable has '{text}' in its name")
     yield from map(_variable, found)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from crs_cc.debug.commands.arguments import Format
+from crs_cc.debug.commands.arguments import OutputFormat
 from crs_cc.debug.commands.formats import formatted
 
 if TYPE_CHECKING:
@@ -17,7 +17,7 @@ class Display:
     """An expression, and how to show its value."""
 
     expression: str
-    format: Format
+    format: OutputFormat
 
     def text(self, debugger: Debugger) -> str:
         """Gives it as it is now.
@@ -25,4 +25,6 @@ class Display:
         Raises:
             DebugError: it means nothing here.
         """
-        return f"{self.expression} = {formatted(debugger.look_up(self.expression), self.format)}"
+        return (
+            f"{self.expression} = {formatted(debugger.view.look_up(self.expression), self.format)}"
+        )

@@ -6,23 +6,23 @@ import struct
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.debug.commands.arguments import Format
+from crs_cc.debug.commands.arguments import OutputFormat
 from crs_cc.debug.errors import DebugError
 from crs_cc.ir.program import ByteState
 from crs_cc.ir.types import ArrayType, FloatType, PointerType, RecordType
 
 if TYPE_CHECKING:
-    from crs_cc.debug.data.memory_inspection import Sight
+    from crs_cc.debug.data.memory_inspection import MemoryInspector
     from crs_cc.debug.data.values import Value
 
 _FLOATS: Final = {4: "<f", 8: "<d"}
-_MOST_PARTS: Final = 200
-LONGEST_TEXT: Final = 200
+_MAX_PARTS: Final = 200
+MAX_TEXT_LENGTH: Final = 200
 _IN_A_LINE: Final = {1: 8, 2: 8, 4: 4, 8: 2}
-_MOST_BYTES: Final = 4096
+_MAX_BYTES: Final = 4096
 
 
-def formatted(value: Value, wanted: Format) -> str:
+def formatted(value: Value, wanted: OutputFormat) -> str:
     """Gives a value in a form; that of an array or struct for each of its parts.
 
     A number that is not whole stays as it is where the form is one of integers.
@@ -36,7 +36,7 @@ def formatted(value: Value, wanted: Format) -> str:
         is_array = isinstance(value.type, ArrayType)
         parts = [
             formatted(part, wanted) if is_array else f"{name} = {formatted(part, wanted)}"
-            for name, part in value.children(0, _MOST_PARTS)
+            for name, part in value.children(0, _MAX_PARTS)
         ]
         rest = ["..."] if value.child_count > len(parts) else []
         return "{" + ", ".join(parts + rest) + "}"
@@ -118,7 +118,7 @@ def text_at(value: Value) -> str:
         content = value.content
     elif isinstance(value.type, PointerType):
         assert isinstance(value.number, int)
-        content = value.sight.read(value.number, LONGEST_TEXT)
+        content = value.inspector.read(value.number, MAX_TEXT_LENGTH)
     else:
         raise DebugError("only an array or a pointer can be shown as a string")
     return quoted(content)
@@ -131,8 +131,8 @@ def quoted(content: bytes) -> str:
     "a \"b\"\n"
     """
     text, end, _ = content.partition(b"\0")
-    shown = "".join(_QUOTED.get(each, chr(each)) for each in text[:LONGEST_TEXT])
-    return f'"{shown}"' + ("" if end and len(text) <= LONGEST_TEXT else "...")
+    shown = "".join(_QUOTED.get(each, chr(each)) for each in text[:MAX_TEXT_LENGTH])
+    return f'"{shown}"' + ("" if end and len(text) <= MAX_TEXT_LENGTH else "...")
 
 
 _QUOTED: Final = {
@@ -145,13 +145,13 @@ _QUOTED: Final = {
 }
 
 
-def dump(sight: Sight, address: int, wanted: Format) -> Iterator[str]:
+def dump(inspector: MemoryInspector, address: int, wanted: OutputFormat) -> Iterator[str]:
     """Gives memory in lines: the address, and the units from there on.
 
     A unit with bytes that nobody has set is `??`, one with bytes that belong to no object `--`.
 
     Args:
-        sight: what looks at the program.
+        inspector: what looks at the program.
         address: where to begin.
         wanted: the form, the number of units, and their size.
 
@@ -159,13 +159,13 @@ def dump(sight: Sight, address: int, wanted: Format) -> Iterator[str]:
         DebugError: there is no such memory.
     """
     size, end = wanted.size or 4, address + (wanted.size or 4) * wanted.count
-    if end - address > _MOST_BYTES:
-        raise DebugError(f"at most {_MOST_BYTES} bytes are shown at once")
+    if end - address > _MAX_BYTES:
+        raise DebugError(f"at most {_MAX_BYTES} bytes are shown at once")
     a_line = size * _IN_A_LINE[size]
     for start in range(address, end, a_line):
-        content = sight.read(start, min(a_line, end - start))
+        content = inspector.read(start, min(a_line, end - start))
         whole = [
-            _unit(content[at : at + size], sight.states(start + at, size), wanted.letter or "x")
+            _unit(content[at : at + size], inspector.states(start + at, size), wanted.letter or "x")
             for at in range(0, len(content) - size + 1, size)
         ]
         if whole:

@@ -9,16 +9,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from crs_cc.core.file_names import from_text
-from crs_cc.debug.commands.arguments import demand
-from crs_cc.debug.commands.command import Answer, Command, Group
+from crs_cc.debug.commands.answer import Answer
+from crs_cc.debug.commands.arguments import require_argument
+from crs_cc.debug.commands.command import Command, Group
 from crs_cc.debug.errors import DebugError
 
 if TYPE_CHECKING:
     from crs_cc.debug.breakpoints import Breakpoint
-    from crs_cc.debug.commands.shell import Shell
+    from crs_cc.debug.commands.context import CommandContext
 
-LARGEST_SCRIPT: Final = 1 << 20
-_DEEPEST: Final = 16
+MAX_SCRIPT_BYTES: Final = 1 << 20
+_MAX_DEPTH: Final = 16
 _HEAD: Final = "# breakpoints of crs debug"
 _ENDING: Final = ".dbg"
 _WATCHES: Final = {"change": "watch", "write": "wwatch", "read": "rwatch", "access": "awatch"}
@@ -34,9 +35,9 @@ def read_script(path: Path) -> list[str]:
         with os.fdopen(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as file:  # or a pipe waits
             if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
                 raise DebugError(f"'{path}' is no file of commands")
-            content = file.read(LARGEST_SCRIPT + 1)
-        if len(content) > LARGEST_SCRIPT:
-            raise DebugError(f"'{path}' is larger than {LARGEST_SCRIPT >> 20} MiB")
+            content = file.read(MAX_SCRIPT_BYTES + 1)
+        if len(content) > MAX_SCRIPT_BYTES:
+            raise DebugError(f"'{path}' is larger than {MAX_SCRIPT_BYTES >> 20} MiB")
         return content.decode().splitlines()
     except OSError as error:
         raise DebugError(f"'{path}' cannot be read: {error.strerror}") from None
@@ -44,47 +45,47 @@ def read_script(path: Path) -> list[str]:
         raise DebugError(f"'{path}' is no text") from None
 
 
-def _source(shell: Shell, text: str) -> Answer:
-    if shell.depth >= _DEEPEST:
-        raise DebugError(f"scripts read each other {_DEEPEST} times: that has no end")
-    lines = read_script(Path(from_text(demand(text, "a file of commands"))))
-    shell.depth += 1
-    before = shell.debugger.stop
+def _source(context: CommandContext, text: str) -> Answer:
+    if context.depth >= _MAX_DEPTH:
+        raise DebugError(f"scripts read each other {_MAX_DEPTH} times: that has no end")
+    lines = read_script(Path(from_text(require_argument(text, "a file of commands"))))
+    context.depth += 1
+    before = context.debugger.stop
     try:
         for line in lines:
-            if shell.has_ended:
+            if context.has_ended:
                 return
-            yield from shell.execute(line or "#")
-            stop = shell.debugger.stop
+            yield from context.execute(line or "#")
+            stop = context.debugger.stop
             if stop is not before and stop.reason == "interrupt":
                 raise DebugError("the script is left where it was interrupted")
     finally:
-        shell.depth -= 1
+        context.depth -= 1
 
 
-def _save_breakpoints(shell: Shell, text: str) -> Answer:
-    path = Path(from_text(demand(text, "a file")))
-    breakpoints = list(shell.debugger.breakpoints)
-    lines = [_HEAD, *(line for each in breakpoints for line in _written(shell, each))]
+def _save_breakpoints(context: CommandContext, text: str) -> Answer:
+    path = Path(from_text(require_argument(text, "a file")))
+    breakpoints = list(context.debugger.stop_points.breakpoints)
+    lines = [_HEAD, *(line for each in breakpoints for line in _written(context, each))]
     _write(path, "\n".join(lines) + "\n")
     yield f"Saved to '{path}': {len(breakpoints)} breakpoint{'s' * (len(breakpoints) != 1)}."
 
 
-def _written(shell: Shell, one: Breakpoint) -> Iterator[str]:
+def _written(context: CommandContext, one: Breakpoint) -> Iterator[str]:
     """Gives the commands that make a breakpoint again."""
-    yield _command(shell, one)
+    yield _command(context, one)
     if one.condition:
         yield f"condition $ {one.condition}"
     if one.ignore:
         yield f"ignore $ {one.ignore}"
     if not one.enabled:
         yield "disable $"
-    if commands := shell.scripts.get(one.number):
+    if commands := context.scripts.get(one.number):
         yield from ("commands", *(f"  {each}" for each in commands), "end")
 
 
-def _command(shell: Shell, one: Breakpoint) -> str:
-    robot = f" robot {shell.debugger.names[one.robot]}" if one.robot is not None else ""
+def _command(context: CommandContext, one: Breakpoint) -> str:
+    robot = f" robot {context.debugger.names[one.robot]}" if one.robot is not None else ""
     if one.log:
         return f"log {one.text} {one.log}"
     if one.watch is not None:
@@ -115,7 +116,7 @@ def _write(path: Path, content: str) -> None:
         raise DebugError(f"'{path}' cannot be written: {error.strerror}") from None
 
 
-def _echo(_shell: Shell, text: str) -> Answer:
+def _echo(_context: CommandContext, text: str) -> Answer:
     yield text
 
 

@@ -18,8 +18,8 @@ from typing import Any, Final, Self, TypeVar
 
 _Value = TypeVar("_Value", int, bool, str)
 
-LARGEST: Final = 2**53  # of integers; beyond it JSON's numbers are no integers in most clients
-MOST_ITEMS: Final = 10_000  # of a list; chosen by us
+MAX_INTEGER: Final = 2**53  # of integers; beyond it JSON's numbers are no integers in most clients
+MAX_ITEMS: Final = 10_000  # of a list; chosen by us
 
 _NAMES: Final = {int: "an integer", bool: "true or false", str: "a string"}
 
@@ -67,7 +67,7 @@ class Arguments:
             RefusalError: it is something else, too large, or not there and there is no default.
         """
         value = self._value(name, int, default)
-        if abs(value) > LARGEST:
+        if abs(value) > MAX_INTEGER:
             raise RefusalError(f"'{name}' is too large")
         return value
 
@@ -115,8 +115,8 @@ class Arguments:
             return []
         if not isinstance(values, list):
             raise RefusalError(f"'{name}' must be a list")
-        if len(values) > MOST_ITEMS:
-            raise RefusalError(f"'{name}' has more than {MOST_ITEMS} items")
+        if len(values) > MAX_ITEMS:
+            raise RefusalError(f"'{name}' has more than {MAX_ITEMS} items")
         return values
 
     def _value(self, name: str, kind: type[_Value], default: _Value | None) -> _Value:

@@ -6,9 +6,9 @@ import threading
 from typing import Any, BinaryIO, Final
 
 from crs_cc.debug.dap.framing import Message, encode
-from crs_cc.debug.dap.inbox import Request
+from crs_cc.debug.dap.inbox import ClientRequest
 
-NOBODY = Request(0, "", {})
+NOBODY = ClientRequest(0, "", {})
 """Whom to answer when a message says not what it wants."""
 
 
@@ -30,11 +30,11 @@ class Connection:
         self._lock = threading.Lock()
         self._seq = 0
 
-    def respond(self, request: Request, body: Message | None = None) -> None:
+    def respond(self, request: ClientRequest, body: Message | None = None) -> None:
         """Says that a request is fulfilled; raises like `event`."""
         self._answer(request, {"success": True, **({"body": body} if body else {})})
 
-    def refuse(self, request: Request, text: str, word: str = "") -> None:
+    def refuse(self, request: ClientRequest, text: str, word: str = "") -> None:
         """Says that a request cannot be fulfilled; raises like `event`.
 
         Args:
@@ -54,7 +54,7 @@ class Connection:
         """
         self._send({"type": "event", "event": name, **({"body": body} if body else {})})
 
-    def _answer(self, request: Request, answer: dict[str, Any]) -> None:
+    def _answer(self, request: ClientRequest, answer: dict[str, Any]) -> None:
         head = {"type": "response", "request_seq": request.seq, "command": request.command}
         self._send(head | answer)
 

@@ -17,9 +17,9 @@ from __future__ import annotations
 import json
 from typing import Any, BinaryIO, Final, NoReturn
 
-LONGEST_LINE: Final = 1024  # of a header [bytes]; chosen by us, real ones have 25
-MOST_LINES: Final = 16  # of a header; chosen by us, real ones have one
-LARGEST_MESSAGE: Final = 8 * 2**20  # that is read [bytes]; chosen by us, real ones have some kB
+MAX_LINE_LENGTH: Final = 1024  # of a header [bytes]; chosen by us, real ones have 25
+MAX_LINES: Final = 16  # of a header; chosen by us, real ones have one
+MAX_MESSAGE_BYTES: Final = 8 * 2**20  # that is read [bytes]; chosen by us, real ones have some kB
 
 Message = dict[str, Any]
 
@@ -60,8 +60,8 @@ def read_message(stream: BinaryIO) -> Message | None:
 def _read_size(stream: BinaryIO) -> int | None:
     """Reads a header; gives its `Content-Length`, or None at the end of the stream."""
     size: int | None = None
-    for number in range(MOST_LINES):
-        line = stream.readline(LONGEST_LINE)
+    for number in range(MAX_LINES):
+        line = stream.readline(MAX_LINE_LENGTH)
         if not line and number == 0:
             return None
         if not line.endswith(b"\n"):
@@ -76,12 +76,12 @@ def _read_size(stream: BinaryIO) -> int | None:
             raise BrokenStreamError("a line of a header has no colon")
         if name.strip().lower() == b"content-length":
             size = _size(value.strip())
-    raise BrokenStreamError(f"a header has more than {MOST_LINES} lines")
+    raise BrokenStreamError(f"a header has more than {MAX_LINES} lines")
 
 
 def _size(digits: bytes) -> int:
-    if not digits.isdigit() or len(digits) > 10 or int(digits) > LARGEST_MESSAGE:
-        raise BrokenStreamError(f"Content-Length must be a number up to {LARGEST_MESSAGE}")
+    if not digits.isdigit() or len(digits) > 10 or int(digits) > MAX_MESSAGE_BYTES:
+        raise BrokenStreamError(f"Content-Length must be a number up to {MAX_MESSAGE_BYTES}")
     return int(digits)
 
 

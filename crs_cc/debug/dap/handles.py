@@ -13,7 +13,7 @@ from typing import Any, Final
 
 from crs_cc.debug.dap.arguments import RefusalError
 
-MOST: Final = 100_000  # that are given out at one stop; chosen by us
+MAX: Final = 100_000  # that are given out at one stop; chosen by us
 
 
 class Handles:
@@ -34,7 +34,7 @@ class Handles:
         Raises:
             RefusalError: too many have one.
         """
-        if len(self._things) >= MOST:
+        if len(self._things) >= MAX:
             raise RefusalError("too much is unfolded: let the program go on, or close something")
         self._things.append(thing)
         return self._first + len(self._things) - 1

@@ -21,11 +21,11 @@ from typing import Any, Final
 
 from crs_cc.debug.dap.arguments import RefusalError
 
-MOST: Final = 1000  # requests that wait; chosen by us
+MAX: Final = 1000  # requests that wait; chosen by us
 
 
 @dataclass(frozen=True, slots=True)
-class Request:
+class ClientRequest:
     """What a client wants.
 
     Attributes:
@@ -43,20 +43,20 @@ class Inbox:
     """A queue of bounded length, with an end."""
 
     def __init__(self) -> None:
-        self._requests: deque[Request] = deque()
+        self._requests: deque[ClientRequest] = deque()
         self._changed = threading.Condition()
         self._closed = False
-        self._interrupt: Callable[[Request | None], None] | None = None
+        self._interrupt: Callable[[ClientRequest | None], None] | None = None
 
-    def put(self, request: Request) -> None:
+    def put(self, request: ClientRequest) -> None:
         """Puts in a request.
 
         Raises:
             RefusalError: too many wait already.
         """
         with self._changed:
-            if len(self._requests) >= MOST:
-                raise RefusalError(f"{MOST} requests wait already")
+            if len(self._requests) >= MAX:
+                raise RefusalError(f"{MAX} requests wait already")
             self._requests.append(request)
             self._changed.notify()
             if self._interrupt is not None:
@@ -70,14 +70,14 @@ class Inbox:
             if self._interrupt is not None:
                 self._interrupt(None)
 
-    def take(self, *, wait: bool = True) -> Request | None:
+    def take(self, *, wait: bool = True) -> ClientRequest | None:
         """Gives the next request; None when none will come, or none is there to be waited for."""
         with self._changed:
             while wait and not self._requests and not self._closed:
                 self._changed.wait()
             return self._requests.popleft() if self._requests else None
 
-    def withdraw(self, seq: int) -> Request | None:
+    def withdraw(self, seq: int) -> ClientRequest | None:
         """Takes out the request with a number, if it still waits."""
         with self._changed:
             found = next((each for each in self._requests if each.seq == seq), None)
@@ -92,7 +92,7 @@ class Inbox:
             return self._closed and not self._requests
 
     @contextmanager
-    def watched(self, interrupt: Callable[[Request | None], None]) -> Iterator[None]:
+    def watched(self, interrupt: Callable[[ClientRequest | None], None]) -> Iterator[None]:
         """Calls `interrupt` for what waits now, and whatever comes before the block ends.
 
         Args:

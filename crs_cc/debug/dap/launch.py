@@ -20,7 +20,7 @@ Kind = Literal["string", "integer", "boolean", "array"]
 
 
 @dataclass(frozen=True, slots=True)
-class Attribute:
+class LaunchAttribute:
     """An attribute of `launch`.
 
     Attributes:
@@ -42,74 +42,76 @@ class Attribute:
 
 
 ATTRIBUTES: Final = (
-    Attribute(
+    LaunchAttribute(
         "program",
         "array",
         "The C file, or several files of one program. Optional if the world names a program for"
         " each robot.",
     ),
-    Attribute("world", "string", "The world file. Default: an empty world."),
-    Attribute("args", "array", "Arguments of the program, after `argv[0]`."),
-    Attribute(
+    LaunchAttribute("world", "string", "The world file. Default: an empty world."),
+    LaunchAttribute("args", "array", "Arguments of the program, after `argv[0]`."),
+    LaunchAttribute(
         "cwd",
         "string",
         "The directory that file names are relative to. Default: the working directory of `crs`.",
     ),
-    Attribute(
+    LaunchAttribute(
         "stopOnEntry", "boolean", "Stop before the first statement of the program.", default=False
     ),
-    Attribute(
+    LaunchAttribute(
         "stopAtEnd",
         "boolean",
         "Stop when all programs have ended, so that you can step back; continuing then ends the"
         " session.",
         default=True,
     ),
-    Attribute("seed", "integer", "Random seed. Default: that of the world.", "--seed"),
-    Attribute(
+    LaunchAttribute("seed", "integer", "Random seed. Default: that of the world.", "--seed"),
+    LaunchAttribute(
         "robot", "string", "The robot definition, where the world does not name one.", "--robot"
     ),
-    Attribute("setup", "string", "The setup of all robots, such as `noisy`.", "--setup"),
-    Attribute(
+    LaunchAttribute("setup", "string", "The setup of all robots, such as `noisy`.", "--setup"),
+    LaunchAttribute(
         "link",
         "string",
         "Simulate the delay of the link to the robot (serial), or none (ideal).",
         "--link",
         choices=("serial", "ideal"),
     ),
-    Attribute(
+    LaunchAttribute(
         "client",
         "string",
         "The vendor's library to imitate: for its simulator, or for the robot itself.",
         "--client",
         choices=("nclient", "ndirect"),
     ),
-    Attribute(
+    LaunchAttribute(
         "files",
         "array",
         "Files that the programs can read, each as `FILE` or `NAME=FILE`.",
         "--file",
     ),
-    Attribute("input", "string", "The standard input of the programs.", "--input"),
-    Attribute("include", "array", "Directories searched by `#include`.", "--include"),
-    Attribute("define", "array", "Macro definitions, each as `NAME` or `NAME=VALUE`.", "--define"),
-    Attribute("undefine", "array", "Macros to undefine.", "--undefine"),
-    Attribute("standard", "string", "The C standard, such as `gnu17`.", "-std"),
-    Attribute(
+    LaunchAttribute("input", "string", "The standard input of the programs.", "--input"),
+    LaunchAttribute("include", "array", "Directories searched by `#include`.", "--include"),
+    LaunchAttribute(
+        "define", "array", "Macro definitions, each as `NAME` or `NAME=VALUE`.", "--define"
+    ),
+    LaunchAttribute("undefine", "array", "Macros to undefine.", "--undefine"),
+    LaunchAttribute("standard", "string", "The C standard, such as `gnu17`.", "-std"),
+    LaunchAttribute(
         "dialect",
         "string",
         "The dialect of the program.",
         "--dialect",
         choices=("nomad", "report"),
     ),
-    Attribute(
+    LaunchAttribute(
         "unchecked",
         "boolean",
         "Disable the checks of memory accesses.",
         "--unchecked",
         default=False,
     ),
-    Attribute(
+    LaunchAttribute(
         "trapOverflow",
         "boolean",
         "Stop a program on signed overflow.",
@@ -181,7 +183,7 @@ def read_launch(arguments: Arguments) -> Launch:
     )
 
 
-def _values(arguments: Arguments, attribute: Attribute) -> list[str]:
+def _values(arguments: Arguments, attribute: LaunchAttribute) -> list[str]:
     """Gives what an attribute says, as words of a command line."""
     name = attribute.name
     if name not in arguments:

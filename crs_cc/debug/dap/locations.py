@@ -13,28 +13,35 @@ from typing import Final
 from urllib.parse import unquote, urlsplit
 
 from crs_cc.core.source import Location
+from crs_cc.core.suggest import unknown
 from crs_cc.debug.dap.arguments import Arguments, RefusalError
 from crs_cc.debug.dap.framing import Message
 from crs_cc.ir.names import LIBRARY
 from crs_cc.session.library import SOURCES
 
 
-class ClientPlaces:
+class ClientLocations:
     """How this client counts and names, and which files the programs are made of."""
 
-    def __init__(self, arguments: Arguments) -> None:
-        """Takes what the client says of itself.
+    def __init__(self) -> None:
+        self._first_line = 1
+        self._first_column = 1
+        self._has_uris = False
+        self._files: list[str] = []
+
+    def configure(self, client: Arguments) -> None:
+        """Adopt the conventions that a client announces.
 
         Raises:
-            RefusalError: it wants paths in an unknown form.
+            RefusalError: it wants an unknown format of paths.
         """
-        self._first_line = int(arguments.flag("linesStartAt1", default=True))
-        self._first_column = int(arguments.flag("columnsStartAt1", default=True))
-        form = arguments.text("pathFormat", "path")
+        first_line = int(client.flag("linesStartAt1", default=True))
+        first_column = int(client.flag("columnsStartAt1", default=True))
+        form = client.text("pathFormat", "path")
         if form not in {"path", "uri"}:
-            raise RefusalError(f"there are no paths in the form '{form}': there are path and uri")
+            raise RefusalError(unknown("path format", form, ("path", "uri")))
+        self._first_line, self._first_column = first_line, first_column
         self._has_uris = form == "uri"
-        self._files: list[str] = []
 
     def know(self, files: Iterable[str]) -> None:
         """Takes the names of the files that the programs are made of; a file keeps its number."""
@@ -100,11 +107,11 @@ class ClientPlaces:
         """Gives a column as the client counts; unknown ones are at the beginning."""
         return max(column, 1) - 1 + self._first_column
 
-    def our_line(self, line: int) -> int:
+    def to_line(self, line: int) -> int:
         """Gives a client's line as we count."""
         return line + 1 - self._first_line
 
-    def our_column(self, column: int) -> int:
+    def to_column(self, column: int) -> int:
         """Gives a client's column as we count."""
         return column + 1 - self._first_column
 

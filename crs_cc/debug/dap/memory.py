@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from crs_cc.debug.dap.session import EditorSession
 
 _REFERENCE: Final = re.compile(r"(\d{1,9}):0x([0-9a-f]{1,8})")
-_MOST_READ: Final = 2**20  # bytes in one answer; chosen by us
-_MOST_WRITTEN: Final = 128  # bytes at once, as each is a part of one expression; chosen by us
+_MAX_READ: Final = 2**20  # bytes in one answer; chosen by us
+_MAX_WRITTEN: Final = 128  # bytes at once, as each is a part of one expression; chosen by us
 
 
 def reference_of(robot: int, address: int) -> str:
@@ -47,7 +47,7 @@ def read_memory(session: EditorSession, arguments: Arguments) -> Message:
     memory = session.standing().session.fleet.memory(robot)
     if not 0 <= address < len(memory):
         return {"address": f"{max(address, 0):#x}", "unreadableBytes": count}
-    content = memory[address : address + min(count, _MOST_READ)].tobytes()
+    content = memory[address : address + min(count, _MAX_READ)].tobytes()
     body: Message = {"address": f"{address:#x}", "data": base64.b64encode(content).decode()}
     if len(content) < count:
         body["unreadableBytes"] = count - len(content)
@@ -61,10 +61,10 @@ def write_memory(session: EditorSession, arguments: Arguments) -> Message:
         content = base64.b64decode(arguments.text("data"), validate=True)
     except (binascii.Error, ValueError):
         raise RefusalError("'data' is not in base64") from None
-    if len(content) > _MOST_WRITTEN:
-        raise RefusalError(f"more than {_MOST_WRITTEN} bytes cannot be written at once")
+    if len(content) > _MAX_WRITTEN:
+        raise RefusalError(f"more than {_MAX_WRITTEN} bytes cannot be written at once")
     if content and address >= 0:
         parts = (f"((unsigned char *){address}u)[{n}] = {byte}" for n, byte in enumerate(content))
         session.standing().evaluate(", ".join(parts), robot=robot)
-        session.tell_written(reference_of(robot, address), len(content))
+        session.report_memory_written(reference_of(robot, address), len(content))
     return {"bytesWritten": len(content)}

@@ -13,11 +13,11 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING, Any, BinaryIO, Final
 
-from crs_cc.debug.dap.arguments import LARGEST, Arguments, RefusalError
+from crs_cc.debug.dap.arguments import MAX_INTEGER, Arguments, RefusalError
 from crs_cc.debug.dap.connection import NOBODY, ClientGoneError, Connection
 from crs_cc.debug.dap.framing import BadMessageError, BrokenStreamError, Message, read_message
-from crs_cc.debug.dap.inbox import Inbox, Request
-from crs_cc.debug.dap.requests import HANDLERS
+from crs_cc.debug.dap.inbox import ClientRequest, Inbox
+from crs_cc.debug.dap.request_table import HANDLERS
 from crs_cc.debug.dap.server import Server, explain
 from crs_cc.debug.dap.session import EditorSession
 
@@ -165,7 +165,7 @@ def _read(source: BinaryIO, connection: Connection, inbox: Inbox, session: Edito
                 return
 
 
-def _request(message: Message) -> Request | None:
+def _request(message: Message) -> ClientRequest | None:
     """Gives the request that a message is; None for one that answers something.
 
     Raises:
@@ -176,13 +176,13 @@ def _request(message: Message) -> Request | None:
         return None
     if message.get("type") != "request" or not isinstance(command, str):
         raise BadMessageError("a message is no request")
-    if not isinstance(seq, int) or isinstance(seq, bool) or abs(seq) > LARGEST:
+    if not isinstance(seq, int) or isinstance(seq, bool) or abs(seq) > MAX_INTEGER:
         raise BadMessageError("a request has no number")
     arguments = message.get("arguments")
-    return Request(seq, command, {} if arguments is None else arguments)
+    return ClientRequest(seq, command, {} if arguments is None else arguments)
 
 
-def _sort(request: Request, connection: Connection, inbox: Inbox) -> None:
+def _sort(request: ClientRequest, connection: Connection, inbox: Inbox) -> None:
     """Lets a request wait for its turn; one that withdraws another is fulfilled at once."""
     try:
         if request.command != "cancel":

@@ -17,12 +17,12 @@ from crs_cc.core.errors import CrsError
 from crs_cc.debug.dap.arguments import Arguments, RefusalError
 from crs_cc.debug.dap.connection import ClientGoneError
 from crs_cc.debug.dap.framing import Message
-from crs_cc.debug.dap.stops import tell_stop
+from crs_cc.debug.dap.stop_events import report_stop
 from crs_cc.debug.errors import DebugError
 
 if TYPE_CHECKING:
-    from crs_cc.debug.dap.inbox import Inbox, Request
-    from crs_cc.debug.dap.session import EditorSession, Motion
+    from crs_cc.debug.dap.inbox import ClientRequest, Inbox
+    from crs_cc.debug.dap.session import EditorSession, Execution
     from crs_cc.debug.engine import Debugger
     from crs_cc.debug.stop import Stop
 
@@ -53,7 +53,7 @@ class Server:
                 motion, session.motion = session.motion, None
                 self._move(motion)
 
-    def _answer(self, request: Request) -> None:
+    def _answer(self, request: ClientRequest) -> None:
         """Fulfils a request, or says why not."""
         connection = self._session.connection
         handler = self._handlers.get(request.command)
@@ -79,7 +79,7 @@ class Server:
         if afterwards is not None:
             afterwards()
 
-    def _move(self, motion: Motion) -> None:
+    def _move(self, motion: Execution) -> None:
         """Lets the programs run, and tells where they stop."""
         session = self._session
         debugger = session.opened()
@@ -96,9 +96,9 @@ class Server:
         session.handles.clear()  # of what was asked for on the way
         if session.debugger is debugger:
             session.output.flush()
-            tell_stop(session, stop)
+            report_stop(session, stop)
 
-    def _run(self, motion: Motion, debugger: Debugger) -> Stop:
+    def _run(self, motion: Execution, debugger: Debugger) -> Stop:
         """Lets the programs run until they stop, or a request wants them to."""
         session = self._session
         go = motion.go

@@ -12,13 +12,13 @@ from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.dap.arguments import Arguments, RefusalError
 from crs_cc.debug.dap.breakpoints import EditorBreakpoints
 from crs_cc.debug.dap.handles import Handles
-from crs_cc.debug.dap.locations import ClientPlaces
-from crs_cc.debug.dap.output import OutputEvents
+from crs_cc.debug.dap.locations import ClientLocations
+from crs_cc.debug.dap.output_events import OutputEvents
 from crs_cc.debug.engine import Debugger
 
 if TYPE_CHECKING:
     from crs_cc.debug.dap.connection import Connection
-    from crs_cc.debug.dap.inbox import Inbox, Request
+    from crs_cc.debug.dap.inbox import ClientRequest, Inbox
     from crs_cc.debug.dap.launch import Launch
     from crs_cc.debug.stop import Stop
     from crs_cc.session.host import Output
@@ -33,7 +33,7 @@ command line is wrong."""
 
 
 @dataclass(frozen=True, slots=True)
-class Motion:
+class Execution:
     """Something that lets the programs run, forward or backward.
 
     Attributes:
@@ -52,7 +52,7 @@ class EditorSession:
     Attributes:
         connection: the way to the client.
         client: what the client says of itself.
-        places: how it names places.
+        locations: how it names and counts source locations.
         launch: what it wants to run; None before it has said so.
         breakpoints: where it wants to stop.
         handles: what it can ask more of, while nothing moves.
@@ -69,12 +69,12 @@ class EditorSession:
     def __init__(self, connection: Connection, inbox: Inbox, open_run: OpenRun) -> None:
         self.connection = connection
         self.client = Arguments({})
-        self.places = ClientPlaces(self.client)
+        self.locations = ClientLocations()
         self.launch: Launch | None = None
-        self.breakpoints = EditorBreakpoints()
+        self.breakpoints = EditorBreakpoints(connection, self.locations)
         self.handles = Handles()
         self.output = OutputEvents(connection)
-        self.motion: Motion | None = None
+        self.motion: Execution | None = None
         self.afterwards: Callable[[], None] | None = None
         self.has_begun = False
         self.moves = False
@@ -92,7 +92,8 @@ class EditorSession:
         Raises:
             RefusalError: it wants what there is not.
         """
-        self.client, self.places = client, ClientPlaces(client)
+        self.locations.configure(client)
+        self.client = client
 
     @property
     def debugger(self) -> Debugger | None:
@@ -147,12 +148,13 @@ class EditorSession:
             self.output.say(f"launch has no attribute '{name}': it is passed over", "important")
         debugger = self._open_run(launch.command_line, self.output.write, self.output.say)
         self.launch, self._debugger, self.has_begun = launch, debugger, False
+        self.breakpoints.debugger = debugger
         self.shell = Shell(debugger)
-        debugger.say = self.output.say
+        debugger.stop_points.say = self.output.say
         self.output.begin(debugger.names)
         self.handles.clear()
         for program in debugger.run.programs:
-            self.places.know(program.executable.detail().lines)
+            self.locations.know(program.executable.detail().lines)
 
     def begin(self) -> None:
         """Lets the run begin: up to its first statement, or its first breakpoint."""
@@ -160,13 +162,13 @@ class EditorSession:
         assert launch is not None
         self.has_begun = True
         if launch.stop_on_entry and launch.debugs:
-            self.motion = Motion(lambda: replace(debugger.start(), reason="start"))
+            self.motion = Execution(lambda: replace(debugger.start(), reason="start"))
         else:
-            self.motion = Motion(debugger.resume, go_on=debugger.resume)
+            self.motion = Execution(debugger.resume, go_on=debugger.resume)
 
     def close(self) -> None:
         """Forgets the run."""
-        self._debugger = self.shell = None
+        self._debugger = self.shell = self.breakpoints.debugger = None
         self.handles.clear()
 
     @contextmanager
@@ -178,7 +180,7 @@ class EditorSession:
         """
         debugger = self.opened()
 
-        def interrupt(request: Request | None) -> None:
+        def interrupt(request: ClientRequest | None) -> None:
             if request is None or by_all or request.command in ENDING:
                 debugger.interrupt()
 
@@ -186,14 +188,14 @@ class EditorSession:
             yield
         debugger.forget_interrupt()  # by what came when it had stopped
 
-    def tell_changed(self) -> None:
+    def report_invalidated(self) -> None:
         """Tells that whatever the client knows of the programs may be another now."""
         if self.client.flag("supportsInvalidatedEvent", default=False):
             self.connection.event("invalidated", {"areas": ["all"]})
 
-    def tell_written(self, reference: str, count: int) -> None:
+    def report_memory_written(self, reference: str, count: int) -> None:
         """Tells that bytes of a program's memory are others now."""
         if self.client.flag("supportsMemoryEvent", default=False):
             where = {"memoryReference": reference, "offset": 0, "count": count}
             self.connection.event("memory", where)
-        self.tell_changed()
+        self.report_invalidated()

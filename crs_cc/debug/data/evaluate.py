@@ -16,25 +16,25 @@ from dataclasses import dataclass, replace
 from typing import Any, Final
 
 from crs_cc.core.source import Location
-from crs_cc.debug.data.expression_memory import EvaluationError
-from crs_cc.debug.data.interpret import SCRATCH, Interpreter
-from crs_cc.debug.data.memory import Saved, StoppedMemory
-from crs_cc.debug.data.memory_inspection import Sight
-from crs_cc.debug.data.notation import Slice, kept_in, slice_in
-from crs_cc.debug.data.operators import unsigned
-from crs_cc.debug.data.prepare import (
-    Names,
-    Preparation,
-    Prepared,
-    Standing,
+from crs_cc.debug.data.expression_compiler import (
+    ExpressionCompiler,
+    ExpressionContext,
+    PreparedExpression,
+    SourceNames,
     UnknownSizeError,
     Use,
 )
-from crs_cc.debug.data.scope import Frame, Scopes
+from crs_cc.debug.data.expression_memory import EvaluationError
+from crs_cc.debug.data.interpret import SCRATCH, Interpreter
+from crs_cc.debug.data.memory import SavedRegister, StoppedMemory
+from crs_cc.debug.data.memory_inspection import MemoryInspector
+from crs_cc.debug.data.notation import Slice, convenience_assignment, slice_in
+from crs_cc.debug.data.operators import unsigned
+from crs_cc.debug.data.scope import FrameAddresses, Scopes
 from crs_cc.debug.data.values import Value
 from crs_cc.debug.data.variables import Variable, globals_of, variables_of
 from crs_cc.debug.errors import DebugError
-from crs_cc.debug.world.state_rows import StateField
+from crs_cc.debug.world.state_fields import StateField
 from crs_cc.frontend.expression import EXPRESSION, CompiledExpression
 from crs_cc.ir.names import LIBRARY, in_library, plain_name
 from crs_cc.ir.program import Data, Function
@@ -50,7 +50,7 @@ from crs_cc.ir.types import (
 from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
 from crs_cc.session.library import library
 
-MOST_ELEMENTS: Final = 100_000
+MAX_ELEMENTS: Final = 100_000
 """Longer slices are refused."""
 _PURE: Final = tuple(f"{LIBRARY}{part}/" for part in ("math", "stdlib", "string", "wide"))
 """The parts of the library that programs need not have linked for expressions to use them."""
@@ -70,7 +70,7 @@ class Evaluation:
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class ObjectLocation:
     """An object that an expression names, to be watched.
 
     Attributes:
@@ -91,15 +91,15 @@ class Evaluator:
     """Evaluates expressions in a robot's program.
 
     Attributes:
-        kept: the values that `$name = expression` has kept; the last one that was evaluated for a
+        convenience_values: the values that `$name = expression` has kept; the last one that was evaluated for a
             user may be kept as `$`, which has no name.
     """
 
     def __init__(
         self,
         stopped: Callable[[], Stopped],
-        names: Names,
-        kept: dict[str, Value] | None = None,
+        names: SourceNames,
+        convenience_values: dict[str, Value] | None = None,
         fields: tuple[StateField, ...] = (),
     ) -> None:
         """Makes an evaluator.
@@ -107,10 +107,12 @@ class Evaluator:
         Args:
             stopped: tells where the program stands now.
             names: what its names mean.
-            kept: values that users keep, of other programs too.
+            convenience_values: values that users keep, of other programs too.
             fields: what the numbers of `State[]` mean for its robot.
         """
-        self.kept: dict[str, Value] = {} if kept is None else kept
+        self.convenience_values: dict[str, Value] = (
+            {} if convenience_values is None else convenience_values
+        )
         self._replaced: list[tuple[str, Value | None]] = []  # by the last expression, of `kept`
         self._stopped = stopped
         self._names = names
@@ -118,7 +120,7 @@ class Evaluator:
         now = stopped()
         self._compiled = now.compiled
         self._scopes = Scopes(now.program, now.compiled)
-        self._preparation = Preparation(names, self._scopes, self.kept)
+        self._preparation = ExpressionCompiler(names, self._scopes, self.convenience_values)
         self._memory = StoppedMemory(now, self._explain)
         self._interpreter = Interpreter(now.program, now.compiled.addresses, self._memory, _lend)
 
@@ -132,11 +134,11 @@ class Evaluator:
         Raises:
             DebugError: it means nothing here, or cannot be evaluated.
         """
-        keeping = kept_in(text)
+        keeping = convenience_assignment(text)
         if keeping is not None:
             found = self.evaluate(keeping[1], frame)
-            self._replaced.append((keeping[0], self.kept.get(keeping[0])))
-            self.kept[keeping[0]] = found.value
+            self._replaced.append((keeping[0], self.convenience_values.get(keeping[0])))
+            self.convenience_values[keeping[0]] = found.value
             return found
         self._replaced.clear()
         stopped = self._stopped()
@@ -158,9 +160,9 @@ class Evaluator:
         while self._replaced:
             name, before = self._replaced.pop()
             if before is None:
-                del self.kept[name]
+                del self.convenience_values[name]
             else:
-                self.kept[name] = before
+                self.convenience_values[name] = before
 
     def holds(self, text: str, frame: StackFrame | None = None) -> bool:
         """Tells whether a condition is true; whatever it does is taken back.
@@ -180,7 +182,7 @@ class Evaluator:
             DebugError: it does not.
         """
         with contextlib.suppress(UnknownSizeError):
-            self._preparation.of(text, Standing(function, place))
+            self._preparation.of(text, ExpressionContext(function, place))
 
     def type_of(self, text: str, frame: StackFrame | None = None) -> CType:
         """Gives the type of an expression, which is not evaluated.
@@ -193,10 +195,10 @@ class Evaluator:
         wanted = slice_in(text)
         if wanted is not None:
             return self._slice(wanted, frame).type
-        standing = self._standing(stopped, frame, Frame.of(stopped, frame))
+        standing = self._standing(stopped, frame, FrameAddresses.of(stopped, frame))
         return self._preparation.of(text, standing).compiled.type
 
-    def place(self, text: str, frame: StackFrame | None = None) -> Place:
+    def place(self, text: str, frame: StackFrame | None = None) -> ObjectLocation:
         """Gives where the object lies that an expression names.
 
         Raises:
@@ -207,15 +209,15 @@ class Evaluator:
         wanted = slice_in(text)
         prepared, result = self._run(text if wanted is None else wanted.base, stopped, frame)
         self._memory.undo()
-        is_local = any(isinstance(use, Use) and use.home.in_frame for use in prepared.uses)
+        is_local = any(isinstance(use, Use) and use.storage.in_frame for use in prepared.uses)
         depends_on = frame if is_local else None
         if wanted is not None:
             value = self._slice(wanted, frame)
-            return Place(value.address or 0, value.type.size, value.type, depends_on)
+            return ObjectLocation(value.address or 0, value.type.size, value.type, depends_on)
         address, compiled = unsigned(result or 0, 32), prepared.compiled
         if not compiled.is_place or address >= SCRATCH:
             raise DebugError(f"'{text}' is a value and no object in memory")
-        return Place(address, compiled.type.size, compiled.type, depends_on)
+        return ObjectLocation(address, compiled.type.size, compiled.type, depends_on)
 
     def variables(self, frame: StackFrame | None = None) -> list[Variable]:
         """Gives the variables of an active function, those of the innermost block first.
@@ -227,41 +229,45 @@ class Evaluator:
         if frame is None or in_library(frame.location):
             return []
         type_of = self._names.types(frame.function, frame.location.file)
-        return variables_of(self._scopes, type_of, self.sight(), frame)
+        return variables_of(self._scopes, type_of, self.inspector(), frame)
 
     def globals_(self) -> list[Variable]:
         """Gives the global variables of the user's own files, by their names."""
-        return globals_of(self._scopes, self.sight())
+        return globals_of(self._scopes, self.inspector())
 
-    def sight(self) -> Sight:
+    def inspector(self) -> MemoryInspector:
         """Gives what looks at the program's memory as it is now."""
-        return Sight(self._stopped(), self._interpreter.scratch, self._fields)
+        return MemoryInspector(self._stopped(), self._interpreter.scratch, self._fields)
 
     # -- running -----------------------------------------------------------------------------
 
-    def _standing(self, stopped: Stopped, frame: StackFrame | None, known: Frame) -> Standing:
+    def _standing(
+        self, stopped: Stopped, frame: StackFrame | None, known: FrameAddresses
+    ) -> ExpressionContext:
         if frame is None:
-            return Standing()
+            return ExpressionContext()
         extents = self._scopes.extents(frame.function)
         sizes = known.sizes(extents, stopped.memory)
-        return Standing(frame.function, frame.location, sizes)
+        return ExpressionContext(frame.function, frame.location, sizes)
 
-    def _run(self, text: str, stopped: Stopped, frame: StackFrame | None) -> tuple[Prepared, Any]:
+    def _run(
+        self, text: str, stopped: Stopped, frame: StackFrame | None
+    ) -> tuple[PreparedExpression, Any]:
         """Evaluates an expression; gives it compiled, and its value or address."""
-        known = Frame.of(stopped, frame)
+        known = FrameAddresses.of(stopped, frame)
         prepared = self._preparation.of(text, self._standing(stopped, frame, known))
         arguments: list[int | bytes] = []
-        saved: list[Saved] = []
+        saved: list[SavedRegister] = []
         for use in prepared.uses:
             if isinstance(use, bytes):
                 arguments.append(use)
                 continue
             where = known if not use.inside else _frame_of(use.inside, stopped, frame)
-            own = where.saved(use.home)
+            own = where.saved(use.storage)
             if own is not None:
                 saved.append(own)
-            arguments.append(where.address(use.home))
-            if use.home.variable.is_indirect:
+            arguments.append(where.address(use.storage))
+            if use.storage.variable.is_indirect:
                 arguments[-1] = self._pointer(use, own, arguments[-1])
         self._memory.begin(saved)
         try:
@@ -274,26 +280,26 @@ class Evaluator:
             raise DebugError("too many calls inside each other") from None
         return prepared, value
 
-    def _pointer(self, use: Use, saved: Saved | None, address: int | bytes) -> int:
+    def _pointer(self, use: Use, saved: SavedRegister | None, address: int | bytes) -> int:
         """Gives the address of an array that a hidden pointer stands for."""
         assert isinstance(address, int)
         memory = self._stopped().memory
         if saved is not None and not saved.has_value(memory):
-            raise DebugError(f"'{use.home.variable.name}' does not exist yet")
+            raise DebugError(f"'{use.storage.variable.name}' does not exist yet")
         return int(memory[address : address + 4].view("<u4")[0])
 
     def _value(self, compiled: CompiledExpression, result: Any) -> Value:
-        ctype, sight = compiled.type, self.sight()
+        ctype, inspector = compiled.type, self.inspector()
         if isinstance(ctype, FunctionType):
             ctype = PointerType(ctype)
         if not compiled.is_place:
-            return Value(sight, ctype, _bytes(ctype, result))
+            return Value(inspector, ctype, _bytes(ctype, result))
         address = unsigned(result, 32)
         if address >= SCRATCH:
-            return Value(sight, ctype, self._interpreter.scratch(address, ctype.size))
+            return Value(inspector, ctype, self._interpreter.scratch(address, ctype.size))
         if not isinstance(ctype, ArrayType) or ctype.size:
             self._memory.read(address, 1, judged=False)
-        return sight.value(address, ctype)
+        return inspector.value(address, ctype)
 
     def _slice(self, wanted: Slice, frame: StackFrame | None) -> Value:
         """Gives objects in a row as an array."""
@@ -311,14 +317,14 @@ class Evaluator:
     def _row(self, ctype: CType, address: int | None, first: int, count: int) -> Value:
         if address is None or not is_complete(ctype):
             raise DebugError("only objects in memory stand in a row")
-        if not 0 < count <= MOST_ELEMENTS:
-            raise DebugError(f"a slice has 1 to {MOST_ELEMENTS:,} elements, not {count:,}")
+        if not 0 < count <= MAX_ELEMENTS:
+            raise DebugError(f"a slice has 1 to {MAX_ELEMENTS:,} elements, not {count:,}")
         start = unsigned(address + first * ctype.size, 32)
         try:
             self._memory.read(start, ctype.size * count, judged=False)
         except EvaluationError as wrong:
             raise DebugError(str(wrong)) from None
-        value = self.sight().value(start, ArrayType(ctype, count))
+        value = self.inspector().value(start, ArrayType(ctype, count))
         return replace(value, first=first)
 
     def _part(self, text: str, frame: StackFrame | None) -> Value:
@@ -336,7 +342,7 @@ class Evaluator:
         return value.number
 
     def _explain(self, address: int, size: int, reading: bool) -> str:
-        return self.sight().explain(address, size, reading)
+        return self.inspector().explain(address, size, reading)
 
 
 def _lend(name: str) -> Function | Data | None:
@@ -349,13 +355,13 @@ def _innermost(stopped: Stopped) -> StackFrame | None:
     return next((each for each in stopped.stack if not in_library(each.location)), None)
 
 
-def _frame_of(function: str, stopped: Stopped, frame: StackFrame | None) -> Frame:
+def _frame_of(function: str, stopped: Stopped, frame: StackFrame | None) -> FrameAddresses:
     """Gives the frame of a function: the nearest one outside of another, or else the innermost."""
     active = [each for each in stopped.stack if each.function == function]
     if not active:
         raise DebugError(f"'{plain_name(function)}' is not active: it has no variables now")
     outside = [each for each in active if frame is None or each.fp >= frame.fp]
-    return Frame.of(stopped, (outside or active)[0])
+    return FrameAddresses.of(stopped, (outside or active)[0])
 
 
 def _bytes(ctype: CType, result: Any) -> bytes:

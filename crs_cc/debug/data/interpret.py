@@ -55,8 +55,8 @@ from crs_cc.ir.program import (
     Unary,
 )
 
-MOST_INSTRUCTIONS: Final = 1_000_000
-MOST_CALLS: Final = 200
+MAX_INSTRUCTIONS: Final = 1_000_000
+MAX_CALLS: Final = 200
 SCRATCH: Final = 0x8000_0000
 """The first address of the scratch memory: no program's own memory reaches so far."""
 SCRATCH_BYTES: Final = 1 << 24
@@ -75,7 +75,7 @@ _FORMAT: Final[dict[MemoryType, str]] = {
 _STORED: Final[dict[MemoryType, int]] = {"i8": 8, "u8": 8, "i16": 16, "u16": 16}
 
 
-class Memory(Protocol):
+class InterpreterMemory(Protocol):
     """A stopped program's memory.
 
     Attributes:
@@ -109,7 +109,7 @@ class Memory(Protocol):
 
 
 @dataclass(slots=True)
-class _Frame:
+class _CallFrame:
     """One call: its registers and slots, and where its variable arguments are."""
 
     values: dict[Register, Any] = field(default_factory=dict)
@@ -124,7 +124,7 @@ class Interpreter:
         self,
         program: Program,
         addresses: Mapping[str, int],
-        memory: Memory,
+        memory: InterpreterMemory,
         lend: Lend = _nothing,
     ) -> None:
         """Makes an interpreter.
@@ -146,7 +146,7 @@ class Interpreter:
         self._lent = Scratch(SCRATCH + SCRATCH_BYTES, SCRATCH_BYTES)
         self._lend = lend
         self._borrowed: list[str] = []
-        self._left = MOST_INSTRUCTIONS
+        self._left = MAX_INSTRUCTIONS
         self._depth = 0
 
     def evaluate(self, expression: Program, name: str, arguments: Sequence[int | bytes]) -> Any:
@@ -164,7 +164,7 @@ class Interpreter:
         Raises:
             EvaluationError: it cannot be evaluated.
         """
-        self._left, self._memory.trusting = MOST_INSTRUCTIONS, False
+        self._left, self._memory.trusting = MAX_INSTRUCTIONS, False
         self._scratch.release(0)
         self._lent.release(0)
         while self._borrowed:
@@ -243,9 +243,9 @@ class Interpreter:
 
     def _call(self, function: Function, arguments: list[tuple[MemoryType | None, Any, int]]) -> Any:
         self._depth += 1
-        if self._depth > MOST_CALLS:
+        if self._depth > MAX_CALLS:
             raise EvaluationError("too many calls inside each other")
-        mark, frame, trusting = self._scratch.mark(), _Frame(), self._memory.trusting
+        mark, frame, trusting = self._scratch.mark(), _CallFrame(), self._memory.trusting
         try:
             self._enter(function, frame, arguments)
             self._memory.trusting = function.trusted
@@ -259,7 +259,7 @@ class Interpreter:
     def _enter(
         self,
         function: Function,
-        frame: _Frame,
+        frame: _CallFrame,
         arguments: list[tuple[MemoryType | None, Any, int]],
     ) -> None:
         """Lays out the arguments as a caller does, and the slots."""
@@ -283,7 +283,7 @@ class Interpreter:
         for slot in function.slots:
             frame.slots[slot] = self._scratch.allocate(max(1, slot.size))
 
-    def _run(self, function: Function, frame: _Frame) -> Any:
+    def _run(self, function: Function, frame: _CallFrame) -> Any:
         block = function.blocks[0]
         while True:
             for instruction in block.instructions:
@@ -302,9 +302,9 @@ class Interpreter:
     def _spend(self) -> None:
         self._left -= 1
         if self._left < 0:
-            raise EvaluationError(f"not done after {MOST_INSTRUCTIONS:,} instructions")
+            raise EvaluationError(f"not done after {MAX_INSTRUCTIONS:,} instructions")
 
-    def _next(self, frame: _Frame, end: Any) -> Block:
+    def _next(self, frame: _CallFrame, end: Any) -> Block:
         match end:
             case Jump(target=target):
                 return target
@@ -327,7 +327,7 @@ class Interpreter:
                 raise EvaluationError(kind)
         raise AssertionError(end)
 
-    def _call_by(self, frame: _Frame, call: Call) -> Any:
+    def _call_by(self, frame: _CallFrame, call: Call) -> Any:
         name = call.callee
         if isinstance(name, Register):
             pointer = self._value(frame, name)
@@ -348,12 +348,12 @@ class Interpreter:
 
     # -- instructions ------------------------------------------------------------------------
 
-    def _value(self, frame: _Frame, operand: Operand) -> Any:
+    def _value(self, frame: _CallFrame, operand: Operand) -> Any:
         if isinstance(operand, Constant):
             return operand.value
         return frame.values.get(operand, 0)
 
-    def _address(self, frame: _Frame, base: Base, offset: int) -> int:
+    def _address(self, frame: _CallFrame, base: Base, offset: int) -> int:
         match base:
             case Register():
                 start = self._value(frame, base)
@@ -363,7 +363,7 @@ class Interpreter:
                 start = self._known(base)
         return unsigned(start + offset, 32)
 
-    def _execute(self, frame: _Frame, it: Instruction) -> None:
+    def _execute(self, frame: _CallFrame, it: Instruction) -> None:
         match it:
             case Move():
                 frame.values[it.result] = self._value(frame, it.source)
@@ -383,7 +383,7 @@ class Interpreter:
             case _:
                 self._access(frame, it)
 
-    def _access(self, frame: _Frame, it: Instruction) -> None:
+    def _access(self, frame: _CallFrame, it: Instruction) -> None:
         match it:
             case Load():
                 address = self._address(frame, it.base, it.offset)

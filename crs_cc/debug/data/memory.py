@@ -2,7 +2,7 @@
 
 What an evaluation changes can be undone, all of it, byte states too: an error inside leaves nothing
 behind. Variables that live in registers lie in the frame while the program is stopped; C cannot
-reach these bytes, so the variables that an expression names are given as `Saved`.
+reach these bytes, so the variables that an expression names are given as `SavedRegister`.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _VALUED: Final = bytes([ByteState.WITH_VALUE])
 
 
 @dataclass(frozen=True, slots=True)
-class Saved:
+class SavedRegister:
     """A variable that lives in a register, where it lies while the program is stopped.
 
     Attributes:
@@ -77,10 +77,10 @@ class StoppedMemory:
         self.trusting = False
         self._memory, self._shadow = stopped.memory, stopped.shadow
         self._explain = explain
-        self._saved: dict[int, Saved] = {}
+        self._saved: dict[int, SavedRegister] = {}
         self._journal: list[tuple[int, bytes, bytes]] = []
 
-    def begin(self, saved: Iterable[Saved]) -> None:
+    def begin(self, saved: Iterable[SavedRegister]) -> None:
         """Begins an evaluation that may use these variables."""
         self._saved = {each.address: each for each in saved}
         self._journal = []
@@ -132,7 +132,7 @@ class StoppedMemory:
         inside = min(address + size, MEMORY_BYTES) - max(address, NULL_SIZE)
         return _VALUED * inside if address >= NULL_SIZE else b""
 
-    def _saved_at(self, address: int, size: int) -> Saved | None:
+    def _saved_at(self, address: int, size: int) -> SavedRegister | None:
         """Gives the variable in a register that bytes belong to."""
         for each in self._saved.values():
             if each.address <= address and address + size <= each.end:

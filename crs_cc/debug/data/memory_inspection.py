@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import Final
 
 from crs_cc.debug.data.interpret import SCRATCH
-from crs_cc.debug.data.memory import Saved
-from crs_cc.debug.data.scope import Frame, homes, is_own
+from crs_cc.debug.data.memory import SavedRegister
+from crs_cc.debug.data.scope import FrameAddresses, frame_storage, is_own
 from crs_cc.debug.data.values import GONE, Value
-from crs_cc.debug.world.state_rows import StateField
+from crs_cc.debug.world.state_fields import StateField
 from crs_cc.ir.names import in_library
 from crs_cc.ir.program import ByteState
 from crs_cc.ir.types import LONG, ArrayType, CType, IntegerType
@@ -48,7 +48,7 @@ _WORD: Final = 4
 _WITHOUT: Final = bytes([ByteState.WITHOUT_VALUE])
 
 
-class Sight:
+class MemoryInspector:
     """Reads a stopped program for people.
 
     Attributes:
@@ -121,7 +121,7 @@ class Sight:
         first, rest = divmod(address - self._state, _WORD)
         return self._fields[first:][: ctype.size // _WORD] if first >= 0 and not rest else ()
 
-    def told_state(self) -> list[tuple[StateField, Value]]:
+    def vendor_state(self) -> list[tuple[StateField, Value]]:
         """Gives the numbers of the vendor's `State[]`; none when the program has it not."""
         if self._state is None:
             return []
@@ -161,7 +161,7 @@ class Sight:
             return named
         return f"{named or hex(address)} ({_described(found, address)})"
 
-    def _saved(self, address: int, size: int = 1) -> Saved | None:
+    def _saved(self, address: int, size: int = 1) -> SavedRegister | None:
         """Gives the variable whose register is saved at an address."""
         if address >= STACK_TOP:
             return None
@@ -169,9 +169,9 @@ class Sight:
         around = bisect_right(stack, address, key=lambda each: each.fp)
         # What was passed to a function that has no room for its frame lies above that.
         for active in [*stack[:1], *stack[around : around + 1]]:
-            frame = Frame.of(self.stopped, active)
-            for home in homes(self.stopped.compiled.info(active.function)):
-                saved = frame.saved(home)
+            frame = FrameAddresses.of(self.stopped, active)
+            for storage in frame_storage(self.stopped.compiled.info(active.function)):
+                saved = frame.saved(storage)
                 if saved and saved.address <= address and address + size <= saved.end:
                     return saved
         return None

@@ -39,7 +39,7 @@ class Slice:
 
 
 @dataclass(frozen=True, slots=True)
-class Outer:
+class QualifiedName:
     """`inside::name`: a variable of another function, or of a file."""
 
     inside: str
@@ -47,7 +47,7 @@ class Outer:
 
 
 @dataclass(frozen=True, slots=True)
-class Kept:
+class ConvenienceVariable:
     """`$name`: a value that was kept; the last one has no name."""
 
     name: str
@@ -81,24 +81,24 @@ def _tokens(text: str) -> Iterator[tuple[str, int, int]]:
         depth += token in {"(", "[", "{"}
 
 
-def kept_in(text: str) -> tuple[str, str] | None:
+def convenience_assignment(text: str) -> tuple[str, str] | None:
     """Gives name and expression of `$name = expression`; None when it is not that."""
     match = _SETS.fullmatch(text)
     return None if match is None else (match[1], match[2].strip())
 
 
-def rewritten(text: str) -> tuple[str, tuple[Outer | Kept, ...]]:
+def rewritten(text: str) -> tuple[str, tuple[QualifiedName | ConvenienceVariable, ...]]:
     """Gives an expression in C, and what its names `__crs_0`, `__crs_1` and so on stand for."""
     if "::" not in text and "$" not in text:
         return text, ()
-    found: list[Outer | Kept] = []
+    found: list[QualifiedName | ConvenienceVariable] = []
 
     def replaced(match: re.Match[str]) -> str:
         if match["name"] is not None:
             inside = match["quoted"] or match["path"] or match["function"]
-            found.append(Outer(inside, match["name"]))
+            found.append(QualifiedName(inside, match["name"]))
         elif match["kept"] is not None:
-            found.append(Kept(match["kept"]))
+            found.append(ConvenienceVariable(match["kept"]))
         else:
             return match[0]
         return NAME.format(len(found) - 1)
@@ -106,9 +106,13 @@ def rewritten(text: str) -> tuple[str, tuple[Outer | Kept, ...]]:
     return _SPECIAL.sub(replaced, text), tuple(found)
 
 
-def restored(message: str, found: tuple[Outer | Kept, ...]) -> str:
+def restored(message: str, found: tuple[QualifiedName | ConvenienceVariable, ...]) -> str:
     """Puts the names that the user wrote back into a message."""
     for number, each in enumerate(found):
-        name = f"${each.name}" if isinstance(each, Kept) else f"{each.inside}::{each.name}"
+        name = (
+            f"${each.name}"
+            if isinstance(each, ConvenienceVariable)
+            else f"{each.inside}::{each.name}"
+        )
         message = message.replace(NAME.format(number), name)
     return message

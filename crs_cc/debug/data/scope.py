@@ -1,7 +1,7 @@
 """Which variables names mean where a program has stopped, and where these lie.
 
 A name means the variable of the innermost block that has one of that name, whose declaration stands
-before the place. Each variable has a `Home`: in the frame of its function or, if it is static, at a
+before the place. Each variable has a `Storage`: in the frame of its function or, if it is static, at a
 fixed address.
 """
 
@@ -13,7 +13,7 @@ from typing import Final, Literal
 
 from crs_cc.core.arrays import ByteArray
 from crs_cc.core.source import Location
-from crs_cc.debug.data.memory import Saved
+from crs_cc.debug.data.memory import SavedRegister
 from crs_cc.frontend.check.scope import ObjectSymbol
 from crs_cc.frontend.check.vla import EXTENT
 from crs_cc.ir.names import in_library, plain_name
@@ -27,11 +27,11 @@ from crs_cc.session.library import HEADERS
 _SYSTEM: Final = f"{HEADERS}/"
 """What the library's headers declare has its place there."""
 
-Kind = Literal["parameter", "local", "static", "global"]
+VariableKind = Literal["parameter", "local", "static", "global"]
 
 
 @dataclass(frozen=True, slots=True)
-class Home:
+class Storage:
     """Where a variable lies.
 
     Attributes:
@@ -45,7 +45,7 @@ class Home:
     """
 
     variable: Variable
-    kind: Kind
+    kind: VariableKind
     at: int
     in_frame: bool = False
     register: Register | None = None
@@ -70,9 +70,9 @@ class Scopes:
 
     def __init__(self, program: Program, compiled: Compiled) -> None:
         self._compiled = compiled
-        self._statics: dict[str, list[Home]] = {}
-        self._globals: list[Home] = []
-        self._extents: dict[str, tuple[Home, ...]] = {}
+        self._statics: dict[str, list[Storage]] = {}
+        self._globals: list[Storage] = []
+        self._extents: dict[str, tuple[Storage, ...]] = {}
         for data in program.data.values():
             if data.variable is not None:
                 self._enter(data, data.variable)
@@ -82,25 +82,25 @@ class Scopes:
         address, name = self._compiled.addresses[data.name], plain_name(data.name)
         function, dot, _ = name.partition(".")
         if dot:
-            self._statics.setdefault(function, []).append(Home(variable, "static", address))
+            self._statics.setdefault(function, []).append(Storage(variable, "static", address))
         elif is_own(variable.location):
-            self._globals.append(Home(variable, "global", address))
+            self._globals.append(Storage(variable, "global", address))
 
-    def globals_(self) -> list[Home]:
+    def globals_(self) -> list[Storage]:
         """Gives the global variables of the user's own files, in the order of their names."""
         return sorted(self._globals, key=lambda each: (each.variable.name, each.variable.location))
 
-    def extents(self, function: str) -> tuple[Home, ...]:
+    def extents(self, function: str) -> tuple[Storage, ...]:
         """Gives what the sizes of types are kept in that only the running program knows."""
         if function not in self._extents:
-            found = homes(self._compiled.info(function))
+            found = frame_storage(self._compiled.info(function))
             self._extents[function] = tuple(each for each in found if each.variable.name == EXTENT)
         return self._extents[function]
 
-    def of(self, function: str) -> list[Home]:
+    def of(self, function: str) -> list[Storage]:
         """Gives all variables of a function, those of the innermost blocks first."""
         info = self._compiled.info(function)
-        known = {(each.variable.name, each.variable.location): each for each in homes(info)}
+        known = {(each.variable.name, each.variable.location): each for each in frame_storage(info)}
         file = info.function.location.file
         statics = [
             each
@@ -120,7 +120,7 @@ class Scopes:
         place = {each: self._compiled.info(each).function.location for each in known}
         return sorted(known, key=lambda each: in_library(place[each]))
 
-    def static(self, name: str, file: str) -> Home | None:
+    def static(self, name: str, file: str) -> Storage | None:
         """Gives a global variable that a file declares, by the file's name or the end of that."""
         for each in self._globals:
             known = each.variable.location.file
@@ -129,15 +129,15 @@ class Scopes:
         return None
 
 
-def _order(home: Home) -> tuple[Location, Location, Location]:
+def _order(storage: Storage) -> tuple[Location, Location, Location]:
     """Sorts outer blocks before inner ones, and in a block the last declaration first."""
-    place = home.variable.location
+    place = storage.variable.location
     outside = Location(place.file)
-    first, last = home.variable.block or (outside, outside)
+    first, last = storage.variable.block or (outside, outside)
     return first, last, Location(place.file, -place.line, -place.column)
 
 
-def homes(info: FunctionInfo) -> Iterator[Home]:
+def frame_storage(info: FunctionInfo) -> Iterator[Storage]:
     """Gives what lies in the frames of a function; one that lies twice counts at the last."""
     passed: dict[tuple[str, Location], int] = {}
     for parameter, offset in zip(info.function.parameters, info.frame.parameters, strict=True):
@@ -148,15 +148,15 @@ def homes(info: FunctionInfo) -> Iterator[Home]:
         variable = place.variable
         if variable is not None and variable.name:
             argument = passed.get((variable.name, variable.location))
-            kind: Kind = "local" if argument is None else "parameter"
+            kind: VariableKind = "local" if argument is None else "parameter"
             register = place if isinstance(place, Register) else None
             flag = None if register is None else info.flags.get(register)
             at = None if flag is None else info.frame.offsets[flag]
-            yield Home(variable, kind, offset, True, register, at, argument)
+            yield Storage(variable, kind, offset, True, register, at, argument)
 
 
 @dataclass(frozen=True, slots=True)
-class Frame:
+class FrameAddresses:
     """The frame of an active function, in which homes become addresses.
 
     Attributes:
@@ -170,7 +170,7 @@ class Frame:
     unset: frozenset[Register] = frozenset()
 
     @classmethod
-    def of(cls, stopped: Stopped, active: StackFrame | None) -> Frame:
+    def of(cls, stopped: Stopped, active: StackFrame | None) -> FrameAddresses:
         """Finds the frame; that of no function has nothing in it."""
         if active is None:
             return cls(0, Location(""))
@@ -187,34 +187,36 @@ class Frame:
         """Whether the stack was too small: then there is nothing but what was passed."""
         return 0 < self.sp < NULL_SIZE or self.sp < 0
 
-    def address(self, home: Home) -> int:
+    def address(self, storage: Storage) -> int:
         """Gives the address of a variable."""
-        if not home.in_frame:
-            return home.at
-        if self.has_no_room and home.passed is not None:
-            return self.sp + home.passed
-        return self.sp + home.at
+        if not storage.in_frame:
+            return storage.at
+        if self.has_no_room and storage.passed is not None:
+            return self.sp + storage.passed
+        return self.sp + storage.at
 
-    def saved(self, home: Home) -> Saved | None:
+    def saved(self, storage: Storage) -> SavedRegister | None:
         """Gives a variable that lives where C cannot reach it; None for all others."""
-        if self.has_no_room and home.passed is not None:
-            return Saved(home.variable.name, home.variable.ctype, self.address(home))
-        if home.register is None:
+        if self.has_no_room and storage.passed is not None:
+            return SavedRegister(
+                storage.variable.name, storage.variable.ctype, self.address(storage)
+            )
+        if storage.register is None:
             return None
-        flag = None if home.flag is None else self.sp + home.flag
-        variable = home.variable
-        is_unset = home.register in self.unset or not home.is_visible(self.place)
-        return Saved(variable.name, variable.ctype, self.address(home), flag, is_unset)
+        flag = None if storage.flag is None else self.sp + storage.flag
+        variable = storage.variable
+        is_unset = storage.register in self.unset or not storage.is_visible(self.place)
+        return SavedRegister(variable.name, variable.ctype, self.address(storage), flag, is_unset)
 
-    def sizes(self, extents: Iterable[Home], memory: ByteArray) -> dict[Location, int]:
+    def sizes(self, extents: Iterable[Storage], memory: ByteArray) -> dict[Location, int]:
         """Gives the sizes of types that only the running program knows, by their lengths' places.
 
         Two of one place, which come from one macro, cannot be told from each other.
         """
         found: dict[Location, int] = {}
         twice: set[Location] = set()
-        for home in extents:
-            place, saved = home.variable.location, self.saved(home)
+        for storage in extents:
+            place, saved = storage.variable.location, self.saved(storage)
             twice.update({place} if place in found else ())
             if saved is not None and saved.has_value(memory):
                 found[place] = int(memory[saved.address :][:4].view("<u4")[0])

@@ -9,7 +9,7 @@ from __future__ import annotations
 import struct
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, Protocol
 
 from crs_cc.ir.program import ByteState
 from crs_cc.ir.types import (
@@ -27,12 +27,32 @@ from crs_cc.ir.types import (
 from crs_cc.runtime.diagnosis.values import Values, bit_field
 
 if TYPE_CHECKING:
-    from crs_cc.debug.data.memory_inspection import Sight
-    from crs_cc.debug.world.state_rows import StateField
+    from crs_cc.debug.world.state_fields import StateField
 
 UNINITIALISED: Final = "uninitialised"
 _VALUED: Final = bytes([ByteState.WITH_VALUE])
 GONE: Final = bytes([ByteState.INACCESSIBLE])
+
+
+class ValueReader(Protocol):
+    """What a value needs of the stopped program: formatting, and the memory behind pointers."""
+
+    @property
+    def short(self) -> Values:
+        """Formats values in at most a line."""
+
+    @property
+    def full(self) -> Values:
+        """Formats values at length."""
+
+    def read(self, address: int, size: int) -> bytes:
+        """Return the bytes at an address, as many as exist."""
+
+    def is_accessible(self, address: int, size: int) -> bool:
+        """Return whether C may access bytes, initialised or not."""
+
+    def value(self, address: int, ctype: CType) -> Value:
+        """Return the object of a type at an address."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +60,7 @@ class Value:
     """A value.
 
     Attributes:
-        sight: what looks at the program.
+        inspector: what looks at the program.
         type: its C type.
         content: its bytes; those of a bit-field are those of an object of its type.
         states: the `ByteState`s of these bytes; none when all have values.
@@ -49,7 +69,7 @@ class Value:
         fields: what the numbers of `State[]` are called and mean, if these are some of them.
     """
 
-    sight: Sight
+    inspector: ValueReader
     type: CType
     content: bytes
     states: bytes = b""
@@ -70,12 +90,12 @@ class Value:
     @property
     def text(self) -> str:
         """Gives the value in a line."""
-        return self._written(self.sight.short)
+        return self._written(self.inspector.short)
 
     @property
     def full(self) -> str:
         """Gives the value in a line that may be long: up to 200 elements of each array."""
-        return self._written(self.sight.full)
+        return self._written(self.inspector.full)
 
     def _written(self, values: Values) -> str:
         if isinstance(self.type, VoidType):
@@ -159,7 +179,7 @@ class Value:
     def _part(self, ctype: CType, offset: int, size: int) -> Value:
         part = slice(offset, offset + size)
         address = None if self.address is None else self.address + offset
-        return Value(self.sight, ctype, self.content[part], self.states[part], address)
+        return Value(self.inspector, ctype, self.content[part], self.states[part], address)
 
     def target(self) -> Value | None:
         """Gives what a pointer points to, if C may look at it and it is not just text."""
@@ -167,6 +187,6 @@ class Value:
         target, address = self.type.target, self.number
         if not isinstance(address, int) or isinstance(target, FunctionType | VoidType):
             return None
-        if not self.sight.is_accessible(address, target.size) or not target.size:
+        if not self.inspector.is_accessible(address, target.size) or not target.size:
             return None
-        return self.sight.value(address, target)
+        return self.inspector.value(address, target)

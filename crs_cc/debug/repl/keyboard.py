@@ -10,8 +10,8 @@ from contextlib import contextmanager
 from types import FrameType
 from typing import TYPE_CHECKING, Final
 
-from crs_cc.debug.commands.command import Line
-from crs_cc.debug.commands.complete import complete
+from crs_cc.debug.commands.answer import Line
+from crs_cc.debug.commands.completion import complete
 
 if TYPE_CHECKING:
     from crs_cc.debug.commands.shell import Shell
@@ -125,7 +125,7 @@ def completer(shell: Shell, line: Callable[[], str]) -> Callable[[str, int], str
     def give(word: str, number: int) -> str | None:
         if number == 0:
             text = line()
-            completion = complete(shell, text)
+            completion = complete(shell.context, text)
             skipped = len(text) - len(word) - completion.start  # readline splits words elsewhere
             found[:] = [each[max(0, skipped) :] for each in completion.words]
         return found[number] if number < len(found) else None

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from crs_cc.debug.commands.command import Line
+from crs_cc.debug.commands.answer import Line
 from crs_cc.debug.commands.scripts import read_script
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.errors import DebugError
@@ -54,7 +54,7 @@ class Repl:
         self._keyboard = keyboard
         self._interrupted = False
         keyboard.on_interrupt = self._interrupt
-        debugger.say = self._log
+        debugger.stop_points.say = self._log
 
     def run(self, scripts: Scripts, *, batch: bool = False) -> int:
         """Does what scripts say, then what the user says.

@@ -27,10 +27,10 @@ from rich.syntax import Syntax
 from rich.text import Text
 
 from crs_cc.core.file_names import displayed
-from crs_cc.debug.commands.command import Kind, Line, SourceLine
+from crs_cc.debug.commands.answer import Line, LineKind, SourceLine
 
-_LONGEST_LINE: Final = 4096
-_STYLES: Final[dict[Kind, str]] = {
+_MAX_LINE_LENGTH: Final = 4096
+_STYLES: Final[dict[LineKind, str]] = {
     "text": "", "stop": "bold yellow", "place": "cyan", "log": "green", "error": "bold red",
 }  # fmt: skip
 _THEME: Final = "ansi_dark"
@@ -60,9 +60,9 @@ class Terminal:
             self._write(content)
             return
         *lines, rest = (self._begun.get((robot, stream), b"") + content).split(b"\n")
-        while len(rest) >= _LONGEST_LINE:
-            lines.append(rest[:_LONGEST_LINE])
-            rest = rest[_LONGEST_LINE:]
+        while len(rest) >= _MAX_LINE_LENGTH:
+            lines.append(rest[:_MAX_LINE_LENGTH])
+            rest = rest[_MAX_LINE_LENGTH:]
         self._begun[robot, stream] = rest
         head = f"[{self._names[robot]}] ".encode()
         self._write(b"".join(head + line + b"\n" for line in lines))

@@ -63,7 +63,7 @@ class _Held:
     uses: int
 
 
-class Store:
+class ChunkStore:
     """Snapshots that share what they have in common.
 
     A snapshot is made of dataclasses, tuples, dictionaries, arrays and byte strings, and is never

@@ -37,14 +37,14 @@ _STREAMS: Final = 4
 
 
 @dataclass(frozen=True, slots=True)
-class ConsolePlace:
+class ConsolePosition:
     """A place in what was written and read: how many pieces of each, the latter by robot."""
 
     written: int
     read: tuple[int, ...]
 
 
-class Console:
+class ReplayConsole:
     """The standard streams of all programs.
 
     Attributes:
@@ -98,12 +98,12 @@ class Console:
         self._read_at[robot] = at + 1
         return known[at]
 
-    def snapshot(self) -> ConsolePlace:
+    def snapshot(self) -> ConsolePosition:
         """Gives the place where the run is."""
         robots = range(max(self._read_at, default=-1) + 1)
-        return ConsolePlace(self._at, tuple(self._read_at.get(robot, 0) for robot in robots))
+        return ConsolePosition(self._at, tuple(self._read_at.get(robot, 0) for robot in robots))
 
-    def restore(self, place: ConsolePlace) -> None:
+    def restore(self, place: ConsolePosition) -> None:
         """Goes to a place where the run has been."""
         self._at = place.written
         self._read_at = dict(enumerate(place.read))
@@ -116,7 +116,7 @@ class Console:
         del self._content[self._ends[self._at] :]
         del self._ends[self._at + 1 :], self._writers[self._at :]
 
-    def fork(self) -> Console:
+    def fork(self) -> ReplayConsole:
         """Gives a console of its own, as this one was at this place."""
         other = copy.copy(self)
         other._content, other._ends = self._content[:], self._ends[:]

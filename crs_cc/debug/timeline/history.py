@@ -22,14 +22,14 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.debug.timeline.chunk_store import Store
+from crs_cc.debug.timeline.chunk_store import ChunkStore
 from crs_cc.debug.timeline.position import Position
 
 if TYPE_CHECKING:
-    from crs_cc.debug.timeline.console import ConsolePlace
+    from crs_cc.debug.timeline.console import ConsolePosition
     from crs_cc.session.result import SessionSnapshot
 
-MOST_BYTES: Final = 256 * 2**20
+MAX_BYTES: Final = 256 * 2**20
 """Memory for snapshots by default [bytes]; chosen by us."""
 
 INTERVAL: Final = 5
@@ -41,7 +41,7 @@ ROBOTS_LATER: Final = 8
 NEAR, FINER = 2, 5
 """So many intervals before the place that the user went back to, they are so much shorter."""
 
-LONGEST_WALK: Final = 64
+MAX_REPLAY_INTERVALS: Final = 64
 """The most intervals that are run through at once on the way back."""
 
 _LEFT: Final = 7 / 8  # of the memory, when snapshots have been thinned
@@ -49,17 +49,17 @@ _ROUNDS: Final = 1e-3  # what a round counts of a timestep, about
 
 
 @dataclass(frozen=True, slots=True)
-class Kept:
+class RunSnapshot:
     """A whole run: the session, and what had been written and read."""
 
     session: SessionSnapshot
-    console: ConsolePlace
+    console: ConsolePosition
 
 
 class History:
     """The snapshots of one run, and where the user has changed it."""
 
-    def __init__(self, most_bytes: int = MOST_BYTES, robots: int = 1) -> None:
+    def __init__(self, most_bytes: int = MAX_BYTES, robots: int = 1) -> None:
         """Begins with no snapshot; the first one that it is given is the start.
 
         Args:
@@ -68,10 +68,10 @@ class History:
         """
         self._more_bytes = most_bytes // 2
         self._interval = INTERVAL + robots // ROBOTS_LATER
-        self._farthest = LONGEST_WALK * self._interval
-        self._store = Store(most_bytes)
+        self._farthest = MAX_REPLAY_INTERVALS * self._interval
+        self._store = ChunkStore(most_bytes)
         self._positions: list[Position] = []
-        self._kept: dict[Position, Kept] = {}
+        self._kept: dict[Position, RunSnapshot] = {}
         self._edits: list[Position] = []
         self._user: Position | None = None  # where the user went back to last
         self._here = Position(0, 0)
@@ -94,7 +94,7 @@ class History:
             interval //= FINER if 0 <= ahead < NEAR * interval else 1
         return gap >= interval
 
-    def keep(self, position: Position, kept: Kept) -> None:
+    def keep(self, position: Position, kept: RunSnapshot) -> None:
         """Takes a snapshot."""
         if position in self._kept:
             self._store.drop(self._kept[position])
@@ -105,7 +105,7 @@ class History:
         if self.size > self._store.most_bytes:
             self._thin()
 
-    def branch(self, position: Position, kept: Kept) -> None:
+    def branch(self, position: Position, kept: RunSnapshot) -> None:
         """Takes the snapshot behind a change: all that was later is no longer so."""
         first = bisect_left(self._positions, position)
         for each in self._positions[first:]:
@@ -128,10 +128,10 @@ class History:
         other._kept = {each: self._store.take(self._kept[each]) for each in other._positions}
         return other
 
-    def at(self, position: Position) -> Kept:
+    def at(self, position: Position) -> RunSnapshot:
         """Gives the snapshot of an instant of which there is one."""
         kept = self._store.give(self._kept[position])
-        assert isinstance(kept, Kept)
+        assert isinstance(kept, RunSnapshot)
         return kept
 
     def latest(self) -> Position:
@@ -146,7 +146,7 @@ class History:
         """Takes note that the user is here, or just before, and not at the latest instant."""
         self._user = self._here = position
 
-    def before(self, position: Position) -> tuple[Position, Kept]:
+    def before(self, position: Position) -> tuple[Position, RunSnapshot]:
         """Gives the latest snapshot that is not later than an instant, where the user wants to be.
 
         What lies before it is filled in when the run comes there again.

@@ -20,7 +20,7 @@ from crs_cc.requests import MESSAGE
 if TYPE_CHECKING:
     from crs_cc.runtime.fleet import Fleet
 
-MOST_BYTES: Final = 128 * 2**20
+MAX_BYTES: Final = 128 * 2**20
 """Memory for what is noted [bytes]; chosen by us."""
 
 _ROUND: Final = 800
@@ -28,7 +28,7 @@ _ROUND: Final = 800
 
 
 @dataclass(frozen=True, slots=True)
-class Round:
+class RoundInput:
     """What programs were given in a round.
 
     Messages are mostly zeros, and only the other bytes are kept.
@@ -73,13 +73,13 @@ class Round:
         fleet.reply(self.robots, messages)
 
 
-class Tape:
+class InputLog:
     """The rounds of a run, and how many each timestep had."""
 
-    def __init__(self, most_bytes: int = MOST_BYTES) -> None:
+    def __init__(self, most_bytes: int = MAX_BYTES) -> None:
         self._most_bytes = most_bytes
         self._bytes = 0
-        self._rounds: dict[tuple[int, int], Round] = {}
+        self._rounds: dict[tuple[int, int], RoundInput] = {}
         self._counts: dict[int, int] = {}
         self._ended: dict[int, tuple[int, ...]] = {}
 
@@ -95,7 +95,7 @@ class Tape:
         if key in self._rounds:
             return
         robots = np.flatnonzero(pending)
-        self._rounds[key] = Round.of(robots, pending[robots], fleet.messages(robots))
+        self._rounds[key] = RoundInput.of(robots, pending[robots], fleet.messages(robots))
         self._bytes += self._rounds[key].size
         while self._bytes > self._most_bytes:
             oldest = next(iter(self._rounds))
@@ -111,7 +111,7 @@ class Tape:
         """Gives the robots whose programs ended with a timestep, as they left."""
         return self._ended.get(timestep, ())
 
-    def round_at(self, place: Position) -> Round | None:
+    def round_at(self, place: Position) -> RoundInput | None:
         """Gives the round that begins at an instant; None when it is not known."""
         return self._rounds.get((place.timestep, place.round))
 

@@ -19,33 +19,33 @@ from textual.timer import Timer
 from textual.widgets import Label
 
 from crs_cc.debug.commands.shell import PROMPT
-from crs_cc.debug.tui.bars import Button, ButtonBar, StatusBar
-from crs_cc.debug.tui.choices import Choices
+from crs_cc.debug.tui.backend import Backend, BackendReply, BackendRequest
+from crs_cc.debug.tui.choices import ChoiceList
 from crs_cc.debug.tui.command_line import CommandLine
 from crs_cc.debug.tui.help_page import HelpPage
 from crs_cc.debug.tui.keys import SHORTCUTS
-from crs_cc.debug.tui.map_pane import ChartPane
+from crs_cc.debug.tui.logs import ConsoleLog, OutputLog
+from crs_cc.debug.tui.map_pane import MapPane
 from crs_cc.debug.tui.panes import Panes
-from crs_cc.debug.tui.screen_data import OPEN, Look
+from crs_cc.debug.tui.screen_data import OPEN, ScreenData
 from crs_cc.debug.tui.source_pane import SourcePane
-from crs_cc.debug.tui.texts import Console, Output
+from crs_cc.debug.tui.status_bars import Button, ButtonBar, StatusBar
 from crs_cc.debug.tui.time_line import TimeLine
 from crs_cc.debug.tui.variables_pane import VariablesPane
-from crs_cc.debug.tui.work import Done, Order, Work
 
 _WAIT_S: Final = 0.15  # before and between the times that it is said that something runs
 
 
 @dataclass
-class Finished(Message):
+class RequestFinished(Message):
     """An order is done."""
 
-    order: Order
-    done: Done
+    order: BackendRequest
+    done: BackendReply
 
 
 @dataclass
-class Asked(Message):
+class InputRequested(Message):
     """A robot's program waits for a line of input."""
 
     robot: str
@@ -80,17 +80,17 @@ class DebugApp(App[int]):
         ),
     ]
 
-    def __init__(self, work: Work) -> None:
+    def __init__(self, work: Backend) -> None:
         super().__init__()
         self._work = work
-        self._orders: deque[Order] = deque()
-        self._current: Order | None = None
+        self._orders: deque[BackendRequest] = deque()
+        self._current: BackendRequest | None = None
         self._slow: Timer | None = None
         self._unfolded = set(OPEN)
         self._chart_size = (0, 0)
         self._file = ""  # to be shown instead of the one where the run stands
         self._goto_s: float | None = None  # where the time line was dragged to
-        self._look = Look()
+        self._look = ScreenData()
         self._leaving = False
         self._asks = ""  # the robot whose program waits for input
 
@@ -123,7 +123,7 @@ class DebugApp(App[int]):
         )
         self.main.query_one(CommandLine).focus()
         self._work.listen(self._hear)
-        self._order(Order())
+        self._order(BackendRequest())
 
     @property
     def main(self) -> Screen[object]:
@@ -137,7 +137,7 @@ class DebugApp(App[int]):
 
     # -- orders to the debugger ----------------------------------------------------------------
 
-    def _order(self, order: Order) -> None:
+    def _order(self, order: BackendRequest) -> None:
         """Passes an order on, when those before are done."""
         self._orders.append(order)
         self._go_on()
@@ -147,20 +147,20 @@ class DebugApp(App[int]):
             return
         order = self._current = self._orders.popleft()
         wanted = frozenset(self._unfolded), self._chart_size, self._file
-        order = Order(order.line, order.is_typed, *wanted)
+        order = BackendRequest(order.line, order.is_typed, *wanted)
         if order.line is not None:
             self._slow = self.set_interval(_WAIT_S, self._say_running)
         self.run_worker(lambda: self._do(order), thread=True, exit_on_error=False)
 
-    def _do(self, order: Order) -> None:
+    def _do(self, order: BackendRequest) -> None:
         """Does an order; in the debugger's thread."""
-        self.post_message(Finished(order, self._work.do(order)))
+        self.post_message(RequestFinished(order, self._work.do(order)))
 
     def _hear(self, robot: str) -> None:
         """Hears that a program waits for input; in the debugger's thread."""
-        self.post_message(Asked(robot))
+        self.post_message(InputRequested(robot))
 
-    def on_finished(self, message: Finished) -> None:
+    def on_request_finished(self, message: RequestFinished) -> None:
         """Shows what came of an order."""
         order, done = message.order, message.done
         self._current = None
@@ -176,8 +176,8 @@ class DebugApp(App[int]):
         self._go_on()
         self._pursue()
 
-    def _tell(self, order: Order, done: Done) -> None:
-        console = self.main.query_one("#console", Console)
+    def _tell(self, order: BackendRequest, done: BackendReply) -> None:
+        console = self.main.query_one("#console", ConsoleLog)
         if order.line is not None and (order.is_typed or done.answer.plain or done.errors):
             console.echo(order.line)
         console.answer(done.answer)
@@ -188,7 +188,7 @@ class DebugApp(App[int]):
             self.main.query_one(Panes).pick("console")
             self.main.add_class("-answer")
 
-    def _show(self, look: Look, *, moved: bool) -> None:
+    def _show(self, look: ScreenData, *, moved: bool) -> None:
         if moved:
             self.main.remove_class("-answer")
         if look.source.file != self._file:
@@ -204,14 +204,14 @@ class DebugApp(App[int]):
         if self._current is not None and self._current.line is not None:
             line = self._current.line or "again"
             self.main.query_one(StatusBar).running = f"{line}: {self._work.time_s:.2f} s"
-            self.main.query_one("#output", Output).add(self._work.take_output())
+            self.main.query_one("#output", OutputLog).add(self._work.take_output())
 
     # -- what the user does --------------------------------------------------------------------
 
     def action_press(self, command: str) -> None:
         """Does what a key stands for, unless something runs: keys held down do not pile up."""
         if self._current is None:
-            self._order(Order(command))
+            self._order(BackendRequest(command))
 
     def action_interrupt(self) -> None:
         """Stops what runs; else copies what is marked."""
@@ -295,7 +295,7 @@ class DebugApp(App[int]):
         if self._asks:
             self._give(message.line)
         else:
-            self._order(Order(message.line, is_typed=True))
+            self._order(BackendRequest(message.line, is_typed=True))
 
     async def on_command_line_finished(self) -> None:
         """Leaves, or ends the input of a program that waits for more."""
@@ -304,7 +304,7 @@ class DebugApp(App[int]):
         else:
             await self.action_quit()
 
-    def on_asked(self, message: Asked) -> None:
+    def on_input_requested(self, message: InputRequested) -> None:
         """Lets the user type what a program reads."""
         self._ask_for(message.robot)
         self.main.query_one(CommandLine).focus()
@@ -315,7 +315,7 @@ class DebugApp(App[int]):
         self.main.query_one("#prompt Label", Label).update(_reads(robot) if robot else PROMPT)
 
     def _give(self, line: str | None) -> None:
-        self.main.query_one("#console", Console).echo(line or "", _reads(self._asks))
+        self.main.query_one("#console", ConsoleLog).echo(line or "", _reads(self._asks))
         self._ask_for("")
         self._work.give(line)
 
@@ -323,7 +323,7 @@ class DebugApp(App[int]):
         """Sets or removes a breakpoint."""
         self._toggle(message.line)
 
-    def on_choices_chosen(self, message: Choices.Chosen) -> None:
+    def on_choice_list_chosen(self, message: ChoiceList.Chosen) -> None:
         """Looks at another frame or robot."""
         what = {"stack": "frame", "robots": "robot"}[message.pane.id or ""]
         self.action_press(f"{what} {message.number}")
@@ -333,14 +333,14 @@ class DebugApp(App[int]):
         (self._unfolded.add if message.is_open else self._unfolded.discard)(message.key)
         self._look_again()
 
-    def on_chart_pane_resized(self, message: ChartPane.Resized) -> None:
+    def on_map_pane_resized(self, message: MapPane.Resized) -> None:
         """Draws the map anew."""
         self._chart_size = message.width, message.height
         self._look_again()
 
     def _look_again(self) -> None:
         if not any(each.line is None for each in self._orders):
-            self._order(Order())
+            self._order(BackendRequest())
 
     def on_time_line_press(self, message: TimeLine.Press) -> None:
         """Takes a command of the time line's keys."""
@@ -353,7 +353,7 @@ class DebugApp(App[int]):
 
     def _pursue(self) -> None:
         if self._goto_s is not None and self.is_idle:
-            self._order(Order(f"goto {self._goto_s:.6f}"))
+            self._order(BackendRequest(f"goto {self._goto_s:.6f}"))
             self._goto_s = None
 
 

@@ -9,33 +9,33 @@ from textual.widgets import OptionList
 from textual.widgets.option_list import Option
 
 from crs_cc.debug.tui.printable import printable
-from crs_cc.debug.tui.screen_data import Choice
+from crs_cc.debug.tui.screen_data import ListEntry
 
 _CURRENT = "▶ "
 
 
-class Choices(OptionList):
+class ChoiceList(OptionList):
     """Shows choices, one a line; posts `Chosen` with the number of the one that is picked."""
 
     class Chosen(Message):
         """The user wants to look at one of them."""
 
-        def __init__(self, control: Choices, number: int) -> None:
+        def __init__(self, control: ChoiceList, number: int) -> None:
             super().__init__()
             self.pane = control
             self.number = number
 
         @property
-        def control(self) -> Choices:
+        def control(self) -> ChoiceList:
             """Gives the list that it was picked from."""
             return self.pane
 
     def __init__(self, title: str, **arguments: str) -> None:
         super().__init__(**arguments)  # type: ignore[arg-type]
         self.border_title = title
-        self._choices: tuple[Choice, ...] = ()
+        self._choices: tuple[ListEntry, ...] = ()
 
-    def show(self, choices: tuple[Choice, ...]) -> None:
+    def show(self, choices: tuple[ListEntry, ...]) -> None:
         """Shows these choices."""
         if choices == self._choices:
             return
@@ -50,7 +50,7 @@ class Choices(OptionList):
         self.post_message(self.Chosen(self, self._choices[event.option_index].number))
 
 
-def _line(choice: Choice) -> Text:
+def _line(choice: ListEntry) -> Text:
     text = Text(no_wrap=True, overflow="ellipsis")
     text.append(_CURRENT if choice.is_current else "  ", Style(color="yellow", bold=True))
     text.append(f"{choice.number} ", Style(dim=True))

@@ -12,16 +12,16 @@ from typing import TYPE_CHECKING, Final
 from rich.style import Style
 from rich.text import Text
 
-from crs_cc.debug.commands.command import Line, SourceLine
-from crs_cc.debug.commands.complete import complete
+from crs_cc.debug.commands.answer import Line, SourceLine
+from crs_cc.debug.commands.completion import complete
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.commands.table import matching
 from crs_cc.debug.errors import DebugError
+from crs_cc.debug.tui.backend import BackendReply, BackendRequest
 from crs_cc.debug.tui.printable import printable
-from crs_cc.debug.tui.screen_data import Look, Written
-from crs_cc.debug.tui.snapshot_builder import gather, written
-from crs_cc.debug.tui.streams import Streams
-from crs_cc.debug.tui.work import Done, Order
+from crs_cc.debug.tui.program_streams import ProgramStreams
+from crs_cc.debug.tui.screen_data import OutputLine, ScreenData
+from crs_cc.debug.tui.snapshot_builder import build_snapshot, written
 
 if TYPE_CHECKING:
     from crs_cc.debug.engine import Debugger
@@ -34,18 +34,20 @@ _STYLES: Final = {
 }
 """By kind of line; others are plain."""
 
-_MOST_LINES: Final = 1000
+_MAX_LINES: Final = 1000
 """Lines of an answer that are shown; chosen by us: more than anybody reads."""
 
 
-class Desk:
+class Controller:
     """Works on a debugger for the screen.
 
     Attributes:
         shell: the debugger's command line.
     """
 
-    def __init__(self, debugger: Debugger, streams: Streams, scripts: Iterable[str] = ()) -> None:
+    def __init__(
+        self, debugger: Debugger, streams: ProgramStreams, scripts: Iterable[str] = ()
+    ) -> None:
         """Takes a debugger.
 
         Args:
@@ -59,7 +61,7 @@ class Desk:
         self._has_begun = False
         self._works = False
         self._is_interrupted = False
-        self._look = Look()
+        self._look = ScreenData()
 
     def interrupt(self) -> None:
         """Makes what is being done come to an end; from any thread."""
@@ -80,7 +82,7 @@ class Desk:
         """Gives the program that waits a line; None for the end of its input."""
         self._streams.give(b"" if line is None else f"{line}\n".encode())
 
-    def take_output(self) -> tuple[Written, ...]:
+    def take_output(self) -> tuple[OutputLine, ...]:
         """Gives what has been written since this was last asked for."""
         return tuple(written(self.shell.debugger.names, self._streams.take()))
 
@@ -88,10 +90,10 @@ class Desk:
         """Gives what a line may become; while something runs, by the names of commands alone."""
         if self._works:
             return list(matching(line))
-        completion = complete(self.shell, line)
+        completion = complete(self.shell.context, line)
         return [line[: completion.start] + word for word in completion.words]
 
-    def do(self, order: Order) -> Done:
+    def do(self, order: BackendRequest) -> BackendReply:
         """Does an order; whatever goes wrong is a line of the answer."""
         self._works = True
         self._streams.take()  # the look before has shown it
@@ -99,13 +101,16 @@ class Desk:
         # An interrupt that came too late for the order before is none of this one.
         self._is_interrupted = False
         debugger.forget_interrupt()
-        before, looked_at = debugger.position, (debugger.robot, debugger.frame)
+        before, looked_at = debugger.position, (debugger.view.robot, debugger.view.frame)
         answer, errors = Text(), list[str]()
         try:
             self._answer(order, before, answer, errors)
-            if (debugger.position, (debugger.robot, debugger.frame)) != (before, looked_at):
+            if (debugger.position, (debugger.view.robot, debugger.view.frame)) != (
+                before,
+                looked_at,
+            ):
                 order = replace(order, file="")
-            self._look = gather(self.shell, order)
+            self._look = build_snapshot(self.shell, order)
         except DebugError as error:  # of the look: the files are not any more what they were
             errors.append(str(error))
         except Exception as error:
@@ -114,9 +119,11 @@ class Desk:
             self._works = False
         has_moved = debugger.position != before
         leaves, prompt = self.shell.has_ended, self.shell.prompt
-        return Done(self._look, answer, tuple(errors), has_moved, leaves, prompt)
+        return BackendReply(self._look, answer, tuple(errors), has_moved, leaves, prompt)
 
-    def _answer(self, order: Order, before: Position, answer: Text, errors: list[str]) -> None:
+    def _answer(
+        self, order: BackendRequest, before: Position, answer: Text, errors: list[str]
+    ) -> None:
         count = 0
         for line in self._lines(order):
             count += 1
@@ -128,11 +135,11 @@ class Desk:
                 and self.shell.debugger.position != before
             ):
                 continue  # the source is on the screen
-            elif count <= _MOST_LINES:
+            elif count <= _MAX_LINES:
                 answer.append("\n" if answer.plain else "")
                 answer.append(_text(line))
-        if count > _MOST_LINES:
-            answer.append(f"\n... and {count - _MOST_LINES} lines more")
+        if count > _MAX_LINES:
+            answer.append(f"\n... and {count - _MAX_LINES} lines more")
 
     def _begin(self) -> Iterator[Line | SourceLine]:
         try:
@@ -146,7 +153,7 @@ class Desk:
         except DebugError as error:  # a script that cannot be read
             yield Line(str(error), "error")
 
-    def _lines(self, order: Order) -> Iterator[Line | SourceLine]:
+    def _lines(self, order: BackendRequest) -> Iterator[Line | SourceLine]:
         if not self._has_begun:
             self._has_begun = True
             yield from self.shell.greet()

@@ -8,7 +8,7 @@ from textual.reactive import reactive
 from textual.widget import Widget
 
 
-class ChartPane(Widget, can_focus=True):
+class MapPane(Widget, can_focus=True):
     """Shows a map; posts `Resized` when another size of it is needed."""
 
     chart: reactive[Text] = reactive(Text)

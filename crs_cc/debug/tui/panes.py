@@ -12,12 +12,12 @@ from textual.app import ComposeResult
 from textual.containers import Container
 from textual.widget import Widget
 
-from crs_cc.debug.tui.bars import Button, ButtonBar
-from crs_cc.debug.tui.choices import Choices
-from crs_cc.debug.tui.map_pane import ChartPane
-from crs_cc.debug.tui.screen_data import Look
+from crs_cc.debug.tui.choices import ChoiceList
+from crs_cc.debug.tui.logs import ConsoleLog, OutputLog
+from crs_cc.debug.tui.map_pane import MapPane
+from crs_cc.debug.tui.screen_data import ScreenData
 from crs_cc.debug.tui.source_pane import SourcePane
-from crs_cc.debug.tui.texts import Console, Output
+from crs_cc.debug.tui.status_bars import Button, ButtonBar
 from crs_cc.debug.tui.variables_pane import VariablesPane
 
 LOWER: Final = ("variables", "stack", "robots", "chart", "output", "console")
@@ -33,12 +33,12 @@ class Panes(Container):
         """Makes the panes, in the order of the grid's cells."""
         yield SourcePane(id="source", classes="pane")
         yield ButtonBar(id="tabs")
-        yield ChartPane(id="chart", classes="pane lower")
+        yield MapPane(id="chart", classes="pane lower")
         yield VariablesPane(id="variables", classes="pane lower")
-        yield Console(id="console", classes="pane lower")
-        yield Output(id="output", classes="pane lower")
-        yield Choices("stack", id="stack", classes="pane lower")
-        yield Choices("robots", id="robots", classes="pane lower")
+        yield ConsoleLog(id="console", classes="pane lower")
+        yield OutputLog(id="output", classes="pane lower")
+        yield ChoiceList("stack", id="stack", classes="pane lower")
+        yield ChoiceList("robots", id="robots", classes="pane lower")
 
     def on_mount(self) -> None:
         """Shows the first of the lower panes."""
@@ -65,7 +65,7 @@ class Panes(Container):
         """Shows the lower pane so many further on."""
         self.pick(LOWER[(LOWER.index(self.picked) + steps) % len(LOWER)])
 
-    def show(self, look: Look, *, moved: bool) -> None:
+    def show(self, look: ScreenData, *, moved: bool) -> None:
         """Shows a stopped run.
 
         Args:
@@ -73,8 +73,8 @@ class Panes(Container):
             moved: the run has moved since the last look.
         """
         self.query_one(SourcePane).show(look.source)
-        self.query_one(ChartPane).chart = look.chart
+        self.query_one(MapPane).chart = look.chart
         self.query_one(VariablesPane).show(look.variables, moved=moved)
-        self.query_one("#output", Output).show(look.output)
-        self.query_one("#stack", Choices).show(look.frames)
-        self.query_one("#robots", Choices).show(look.robots)
+        self.query_one("#output", OutputLog).show(look.output)
+        self.query_one("#stack", ChoiceList).show(look.frames)
+        self.query_one("#robots", ChoiceList).show(look.robots)

@@ -1,4 +1,4 @@
-"""What the screen shows of a stopped run: plain data, made by `gather`, shown by the panes."""
+"""What the screen shows of a stopped run: plain data, made by `build_snapshot`, shown by the panes."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Final, Literal
 
 from rich.text import Text
 
-from crs_cc.debug.world.events import Happening
+from crs_cc.debug.world.events import WorldEvent
 
 Key = tuple[str, ...]
 """Names a row of the variables for good: robot, function, and the way to it through the values."""
@@ -21,7 +21,7 @@ OPEN: Final[frozenset[Key]] = frozenset({("locals",), ("watched",)})
 
 
 @dataclass(frozen=True, slots=True)
-class Breakmark:
+class BreakpointMark:
     """A breakpoint at a line: its number, and whether it is enabled."""
 
     number: int
@@ -29,7 +29,7 @@ class Breakmark:
 
 
 @dataclass(frozen=True, slots=True)
-class SourceLook:
+class SourceData:
     """A file and where the run stands in it.
 
     Attributes:
@@ -45,12 +45,12 @@ class SourceLook:
     lines: Sequence[str] = ()
     line: int = 0
     innermost: bool = True
-    breakpoints: Mapping[int, Breakmark] = field(default_factory=dict)
+    breakpoints: Mapping[int, BreakpointMark] = field(default_factory=dict)
     files: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class ValueRow:
     """A value with a name, which may have parts.
 
     Attributes:
@@ -65,11 +65,11 @@ class Row:
     name: str
     text: str = ""
     has_parts: bool = False
-    parts: tuple[Row, ...] = ()
+    parts: tuple[ValueRow, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
-class Choice:
+class ListEntry:
     """A row of the stack or of the robots: what it says and whether it is the one looked at."""
 
     number: int
@@ -79,7 +79,7 @@ class Choice:
 
 
 @dataclass(frozen=True, slots=True)
-class Written:
+class OutputLine:
     """A line that a program wrote: who, where there are several, what, and whether to `stderr`."""
 
     who: str
@@ -88,7 +88,7 @@ class Written:
 
 
 @dataclass(frozen=True, slots=True)
-class Look:
+class ScreenData:
     """All that the screen shows.
 
     Attributes:
@@ -111,10 +111,10 @@ class Look:
     time_s: float = 0.0
     end_s: float = 0.0
     place: str = ""
-    source: SourceLook = SourceLook()
-    frames: tuple[Choice, ...] = ()
-    robots: tuple[Choice, ...] = ()
-    variables: tuple[Row, ...] = ()
+    source: SourceData = SourceData()
+    frames: tuple[ListEntry, ...] = ()
+    robots: tuple[ListEntry, ...] = ()
+    variables: tuple[ValueRow, ...] = ()
     chart: Text = field(default_factory=Text)
-    output: tuple[Written, ...] = ()
-    events: tuple[Happening, ...] = ()
+    output: tuple[OutputLine, ...] = ()
+    events: tuple[WorldEvent, ...] = ()

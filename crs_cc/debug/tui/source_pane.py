@@ -20,11 +20,11 @@ from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
 from crs_cc.debug.tui.printable import printable
-from crs_cc.debug.tui.screen_data import SourceLook
+from crs_cc.debug.tui.screen_data import SourceData
 
 _MARKS: Final = 3  # cells before the line number: breakpoint, arrow, space
 _CONTEXT: Final = 4  # lines to keep in sight around the current one
-_MOST_COLOURED: Final = 20_000  # lines; beyond, colours would take seconds
+_MAX_COLOURED: Final = 20_000  # lines; beyond, colours would take seconds
 _TAB: Final = 8
 
 _BREAKPOINT: Final = Style(color="red", bold=True)
@@ -60,7 +60,7 @@ class SourcePane(ScrollView, can_focus=True):
 
     def __init__(self, **arguments: str) -> None:
         super().__init__(**arguments)  # type: ignore[arg-type]
-        self._look = SourceLook()
+        self._look = SourceData()
         self._coloured: list[Text] = []
         self.cursor = 1
 
@@ -69,7 +69,7 @@ class SourcePane(ScrollView, can_focus=True):
         """Gives the name of the file that is shown."""
         return self._look.file
 
-    def show(self, look: SourceLook) -> None:
+    def show(self, look: SourceData) -> None:
         """Shows a file; moves to the current line where that has changed."""
         before, self._look = self._look, look
         if (look.file, look.lines) != (before.file, before.lines):
@@ -170,7 +170,7 @@ class SourcePane(ScrollView, can_focus=True):
 def _colour(file: str, lines: tuple[str, ...]) -> list[Text]:
     """Gives the lines in C's colours, tabs as spaces."""
     plain = [printable(line.expandtabs(_TAB)) for line in lines]
-    if not file.endswith((".c", ".h")) or len(plain) > _MOST_COLOURED:
+    if not file.endswith((".c", ".h")) or len(plain) > _MAX_COLOURED:
         return [Text(line) for line in plain]
     syntax = Syntax("", "c", theme="monokai", background_color="default")
     text = syntax.highlight("\n".join(plain))

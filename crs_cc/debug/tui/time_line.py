@@ -16,7 +16,7 @@ from textual.reactive import reactive
 from textual.strip import Strip
 from textual.widget import Widget
 
-from crs_cc.debug.world.events import Happening
+from crs_cc.debug.world.events import WorldEvent
 
 _MARKS: Final = {
     "error": ("✖", Style(color="red", bold=True)),
@@ -66,7 +66,7 @@ class TimeLine(Widget, can_focus=True):
 
     time_s: reactive[float] = reactive(0.0)
     end_s: reactive[float] = reactive(0.0)
-    happened: reactive[tuple[Happening, ...]] = reactive(())
+    happened: reactive[tuple[WorldEvent, ...]] = reactive(())
     held_s: reactive[float | None] = reactive(None)
     hint: reactive[str] = reactive("")
 
@@ -92,7 +92,7 @@ class TimeLine(Widget, can_focus=True):
         )
 
     def _marks(self) -> list[Segment]:
-        cells: dict[int, Happening] = {}
+        cells: dict[int, WorldEvent] = {}
         for each in self.happened:
             cell = self._cell(each.time_s)
             there = cells.get(cell)
@@ -173,11 +173,11 @@ class TimeLine(Widget, can_focus=True):
         self.post_message(self.Move(self.end_s if last else 0.0))
 
 
-def _rank(event: Happening) -> int:
+def _rank(event: WorldEvent) -> int:
     return _RANKS.get(_family(event), len(_RANKS))
 
 
-def _family(event: Happening) -> str:
+def _family(event: WorldEvent) -> str:
     """Gives what a kind is a part of: `message` for `message-lost`."""
     return event.kind.partition("-")[0]
 

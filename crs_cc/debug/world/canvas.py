@@ -37,9 +37,9 @@ _BITS: Final = np.array([[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]]
 
 _BLANK: Final = 0x2800
 _POINT: Final = 0.5  # a smaller circle is a dot
-_FEWEST_CORNERS: Final = 8
-_MOST_CORNERS: Final = 1024
-_MOST_DOTS: Final = 2_000_000  # of one call; more than that nobody can tell apart
+_MIN_CORNERS: Final = 8
+_MAX_CORNERS: Final = 1024
+_MAX_DOTS: Final = 2_000_000  # of one call; more than that nobody can tell apart
 
 
 class Canvas:
@@ -76,7 +76,7 @@ class Canvas:
         numbers = numbers[seen]
         spans = ends[:, 2:] - ends[:, :2]
         counts = np.ceil(np.abs(spans).max(axis=1, initial=0.0)).astype(np.intp) + 1
-        line = np.repeat(np.arange(len(ends)), counts)[:_MOST_DOTS]
+        line = np.repeat(np.arange(len(ends)), counts)[:_MAX_DOTS]
         number = np.arange(len(line)) - (np.cumsum(counts) - counts)[line]
         drawn = number % gap == 0
         line, number = line[drawn], number[drawn]
@@ -88,7 +88,7 @@ class Canvas:
         """Draws circles: x, y and radius of each, (n, 3), as polygons."""
         styles = [style] * len(circles) if isinstance(style, str) else style
         radius = np.where(circles[:, 2] < _POINT, 0.0, circles[:, 2])
-        sizes = np.log2(np.clip(4 * radius, _FEWEST_CORNERS, _MOST_CORNERS))
+        sizes = np.log2(np.clip(4 * radius, _MIN_CORNERS, _MAX_CORNERS))
         corners = 2 ** np.ceil(sizes).astype(np.intp)
         for count in np.unique(corners).tolist():
             alike = np.flatnonzero(corners == count)

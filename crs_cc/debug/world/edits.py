@@ -38,8 +38,8 @@ if TYPE_CHECKING:
 
 Words = Sequence[str]
 
-_MOST_WORDS: Final = 40
-_LONGEST: Final = 60
+_MAX_WORDS: Final = 40
+_MAX_LENGTH: Final = 60
 _FLAGS: Final = {"dead": "yes", "stuck": "hold"}
 _VALUES: Final = (
     "bias", "gain", "noise", "step", "stuck", "delay", "dropouts", "onset", "duration", "recovery",
@@ -79,10 +79,10 @@ def edit(environment: Environment, text: str) -> str:
     words = text.replace("=", " ").split()
     if not words:
         raise DebugError(f"change what? {_choice()}")
-    if len(words) > _MOST_WORDS:
-        raise DebugError(f"a change has at most {_MOST_WORDS} words")
+    if len(words) > _MAX_WORDS:
+        raise DebugError(f"a change has at most {_MAX_WORDS} words")
     if words[0] not in EDITS:
-        raise DebugError(f"{words[0][:_LONGEST]!r} is no change of the world: {_choice()}")
+        raise DebugError(f"{words[0][:_MAX_LENGTH]!r} is no change of the world: {_choice()}")
     wanted = EDITS[words[0]]
     try:
         return wanted.do(environment, words[1:])
@@ -247,7 +247,7 @@ def _charge(environment: Environment, words: Words) -> str:
     text = words[1].removesuffix("%")
     percent = float(text) if text.replace(".", "", 1).isdigit() else math.nan
     if not 0.0 <= percent <= 100.0:
-        raise ValueError(f"{words[1][:_LONGEST]!r} is no charge: write 0 to 100, in per cent")
+        raise ValueError(f"{words[1][:_MAX_LENGTH]!r} is no charge: write 0 to 100, in per cent")
     environment.charge(environment.world.robots.index(robot), percent / 100)
     return f"the battery of {robot.id}'s motors has {percent:g} % now"
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from crs_cc.core.arrays import FloatArray
-from crs_cc.debug.world.events import KINDS, Happening, happenings
+from crs_cc.debug.world.events import KINDS, WorldEvent, world_events
 
 if TYPE_CHECKING:
     from crs_cc.sim.engine.environment import Environment
@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 
 
 _KINDS: Final = tuple(kind for kind in KINDS if kind != "tick" and "-" not in kind)
-_MOST_HAPPENINGS: Final = 20_000
+_MAX_EVENTS: Final = 20_000
 """More are not kept: the older half goes. Chosen by us, some megabytes."""
-_MOST_POSES: Final = 2_000
+_MAX_POSES: Final = 2_000
 """Points of a path; when there are more, every second one goes. Chosen by us: a map has less."""
 _PUSHED: Final = 2.0
 _PUSHED_M: Final = 0.1
@@ -31,7 +31,7 @@ _PUSHED_M: Final = 0.1
 by us."""
 
 
-class Chronicle:
+class EventHistory:
     """What happened in each timestep of a branch of a run.
 
     Attributes:
@@ -41,7 +41,7 @@ class Chronicle:
     def __init__(self) -> None:
         """Knows nothing yet."""
         self.timesteps = 0
-        self._happened: list[tuple[int, Happening]] = []
+        self._happened: list[tuple[int, WorldEvent]] = []
         self._stride = 1
         self._poses: list[tuple[int, FloatArray]] = []  # at the end of every `stride`th timestep
         self._farthest_m: FloatArray = np.zeros(0)  # that each robot drives in a timestep
@@ -52,20 +52,20 @@ class Chronicle:
             return
         self.timesteps = step.cycle + 1
         if _is_eventful(step):
-            for each in happenings(step, environment.world, _KINDS):
+            for each in world_events(step, environment.world, _KINDS):
                 self._add(step.cycle, each)
         if step.cycle % self._stride == 0:
             self._take_poses(step.cycle, environment)
 
-    def note(self, timestep: int, happening: Happening) -> None:
+    def note(self, timestep: int, happening: WorldEvent) -> None:
         """Takes something else that happened in a timestep, once."""
         if (timestep, happening) not in self._happened:
             self._add(timestep, happening)
 
-    def _add(self, timestep: int, happening: Happening) -> None:
+    def _add(self, timestep: int, happening: WorldEvent) -> None:
         self._happened.append((timestep, happening))
-        if len(self._happened) > _MOST_HAPPENINGS:
-            del self._happened[: _MOST_HAPPENINGS // 2]
+        if len(self._happened) > _MAX_EVENTS:
+            del self._happened[: _MAX_EVENTS // 2]
 
     def _take_poses(self, timestep: int, environment: Environment) -> None:
         state, robots = environment.state, environment.world.robots
@@ -75,11 +75,11 @@ class Chronicle:
         places = np.column_stack([state.x_m, state.y_m])
         places[~state.presence.present] = np.nan
         self._poses.append((timestep, places))
-        if len(self._poses) > _MOST_POSES:
+        if len(self._poses) > _MAX_POSES:
             self._stride *= 2
             self._poses = [each for each in self._poses if each[0] % self._stride == 0]
 
-    def happenings(self) -> Sequence[Happening]:
+    def world_events(self) -> Sequence[WorldEvent]:
         """Gives what has happened, by time; also ahead of where the run is."""
         return sorted((each for _, each in self._happened), key=lambda each: each.time_s)
 
@@ -117,7 +117,7 @@ class Chronicle:
         self._happened = [each for each in self._happened if each[0] < timestep]
         self._poses = [each for each in self._poses if each[0] < timestep]
 
-    def fork(self, timestep: int) -> Chronicle:
+    def fork(self, timestep: int) -> EventHistory:
         """Gives one of its own that knows the timesteps before this one."""
         other = copy.copy(self)
         other.forget(timestep)

@@ -56,7 +56,7 @@ _FATES: Final = {
 
 
 @dataclass(frozen=True, slots=True)
-class Happening:
+class WorldEvent:
     """Something that happened in the world.
 
     Attributes:
@@ -74,7 +74,7 @@ class Happening:
     place: tuple[float, float] | None = None
 
 
-def checked_kind(name: str) -> str:
+def check_event_kind(name: str) -> str:
     """Gives the name of a kind of happenings.
 
     Raises:
@@ -94,7 +94,7 @@ def is_of(kind: str, wanted: Iterable[str]) -> bool:
     return any(kind == each or kind.startswith(f"{each}-") for each in wanted)
 
 
-def happenings(step: Step, world: WorldModel, wanted: Sequence[str]) -> list[Happening]:
+def world_events(step: Step, world: WorldModel, wanted: Sequence[str]) -> list[WorldEvent]:
     """Gives what happened in a timestep, by time.
 
     Args:
@@ -115,23 +115,23 @@ def happenings(step: Step, world: WorldModel, wanted: Sequence[str]) -> list[Hap
     return sorted(found, key=lambda each: each.time_s)
 
 
-def _collisions(step: Step, world: WorldModel) -> Iterator[Happening]:
+def _collisions(step: Step, world: WorldModel) -> Iterator[WorldEvent]:
     """Gives the contacts that began: somewhere in the timestep, they are felt at its end."""
     contacts, end_s = step.contacts, step.time_s + world.timestep_s
     rows = (contacts.robot, contacts.other, contacts.x_m, contacts.y_m)
     for robot, other, x_m, y_m in zip(*(row.tolist() for row in rows), strict=True):
         text = f"{step.names[robot]} touched {step.names[other]} at {x_m:.3f}, {y_m:.3f} m"
-        yield Happening(end_s, "collision", robot, text, (x_m, y_m))
+        yield WorldEvent(end_s, "collision", robot, text, (x_m, y_m))
 
 
-def _bumpers(step: Step, world: WorldModel) -> Iterator[Happening]:
+def _bumpers(step: Step, world: WorldModel) -> Iterator[WorldEvent]:
     end_s = step.time_s + world.timestep_s
     changes = (("pressed", step.pressed), ("released", step.released))
     for word, bits in changes:
         for robot in np.flatnonzero(bits).tolist():
             for switch in switches(int(bits[robot]), world.robots[robot].model):
                 text = f"{step.names[robot]}'s {switch} was {word}"
-                yield Happening(end_s, f"bumper-{word}", robot, text)
+                yield WorldEvent(end_s, f"bumper-{word}", robot, text)
 
 
 def switches(bits: int, model: RobotModel) -> Iterator[str]:
@@ -154,7 +154,7 @@ def side(bearing_rad: float) -> str:
     )[octant]  # fmt: skip
 
 
-def _messages(step: Step, world: WorldModel) -> Iterator[Happening]:
+def _messages(step: Step, world: WorldModel) -> Iterator[WorldEvent]:
     if not len(step.traffic):
         return
     channels = [channel.name for channel in world.communication.channels]
@@ -162,24 +162,24 @@ def _messages(step: Step, world: WorldModel) -> Iterator[Happening]:
     fates = step.traffic["fate"].tolist()
     for fate, event in zip(fates, message_log.events(step.traffic, channels, robots), strict=True):
         kind = _FATES.get(Fate(fate), "message-lost")
-        yield Happening(event.time_s, kind, event.robot, event.text)
+        yield WorldEvent(event.time_s, kind, event.robot, event.text)
 
 
-def _events(step: Step, _world: WorldModel) -> Iterator[Happening]:
+def _events(step: Step, _world: WorldModel) -> Iterator[WorldEvent]:
     for event in step.events:
         kind = "message-way" if event.kind == "message" else event.kind
         text = f"{step.names[event.robot]} {event.text}" if event.robot >= 0 else event.text
         if kind == "degradation":  # its own id is what the sentence is about
             text = f"{step.names[event.robot]}: {event.text}"
-        yield Happening(event.time_s, kind, event.robot, text)
+        yield WorldEvent(event.time_s, kind, event.robot, text)
 
 
-def _ticks(step: Step, world: WorldModel) -> Iterator[Happening]:
+def _ticks(step: Step, world: WorldModel) -> Iterator[WorldEvent]:
     end_s = step.time_s + world.timestep_s
-    yield Happening(end_s, "tick", -1, f"timestep {step.cycle} ended")
+    yield WorldEvent(end_s, "tick", -1, f"timestep {step.cycle} ended")
 
 
-_SOURCES: Final[tuple[tuple[str, Callable[[Step, WorldModel], Iterator[Happening]]], ...]] = (
+_SOURCES: Final[tuple[tuple[str, Callable[[Step, WorldModel], Iterator[WorldEvent]]], ...]] = (
     ("", _events),  # of all kinds that are not below, and ways of messages
     ("message", _messages),
     ("collision", _collisions),

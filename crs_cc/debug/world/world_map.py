@@ -58,7 +58,7 @@ _ROUNDED_M: Final = 0.5  # an open world's view does not move with each step
 
 
 @dataclass(frozen=True, slots=True)
-class View:
+class MapWindow:
     """What part of the world is seen, and in how many cells.
 
     Attributes:
@@ -120,7 +120,7 @@ class View:
         return self.x_m + x / self.scale, self.y_m - y / self.scale
 
 
-class Chart:
+class WorldMap:
     """A map of a world as it is now.
 
     Attributes:
@@ -130,7 +130,7 @@ class Chart:
     def __init__(
         self,
         environment: Environment,
-        view: View,
+        view: MapWindow,
         *,
         robot: int = -1,
         paths: Sequence[FloatArray] = (),

@@ -10,13 +10,16 @@ from __future__ import annotations
 import dataclasses
 from dataclasses import dataclass
 from functools import cache
-from typing import Any, Self
+from typing import Any, Final, Self
 
 import numpy as np
 
 from crs_cc.core.arrays import FloatArray, Int64Array
 from crs_cc.sim.model.registry import devices
 from crs_cc.sim.model.world import WorldModel
+
+
+_NAME: Final = "SensorStates"
 
 
 @dataclass(slots=True)
@@ -54,4 +57,12 @@ def sensor_states(world: WorldModel) -> Any:
 @cache
 def _columns() -> type:
     names = [(device.name, Readings) for device in devices()]
-    return dataclasses.make_dataclass("SensorStates", names, slots=True)
+    columns = dataclasses.make_dataclass(_NAME, names, slots=True)
+    columns.__module__ = __name__  # where pickle looks for it, see `__getattr__`
+    return columns
+
+
+def __getattr__(name: str) -> type:
+    if name == _NAME:
+        return _columns()
+    raise AttributeError(name)

@@ -9,7 +9,7 @@ import pytest
 
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.engine import Debugger
-from tests.debug.debuggee import debugger_of
+from tests.debug.debuggers import debugger_of
 
 QUIET = """\
 int main(void)

@@ -10,7 +10,7 @@ from crs_cc.debug.commands import world
 from crs_cc.debug.commands.shell import Shell
 from crs_cc.debug.errors import DebugError
 from crs_cc.debug.world.edits import EDITS
-from tests.debug.debuggee import debugger_at, debugger_of
+from tests.debug.debuggers import debugger_at, debugger_of
 
 DRIVES = """\
 #include "Nclient.h"
@@ -96,7 +96,7 @@ def test_a_map_is_drawn_whole_or_around_a_robot(shell: Shell) -> None:
     close = said(shell, "map robot0 2m")
     assert len(close) == 24
     assert close != whole
-    assert said(shell, "map nobody") == ["there is no robot 'nobody': there are robot0"]
+    assert said(shell, "map nobody") == ["unknown robot 'nobody' (known: robot0)"]
     assert said(shell, "map robot0 wide")[0].startswith("'wide' is not a length")
     assert said(shell, "map robot0 0") == ["what is to be seen is from 0.01 to 100000 m"]
 

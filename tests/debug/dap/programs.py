@@ -9,7 +9,7 @@ from crs_cc.debug.engine import Debugger
 from crs_cc.debug.errors import DebugError
 from crs_cc.session.host import Output
 from crs_cc.sim.files.world_xml import empty_world, load_world
-from tests.debug.debuggee import debug_program
+from tests.debug.debuggers import debug_program
 
 LOOP = """\
 #include <stdio.h>

@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 from crs_cc.debug.dap import handles
-from crs_cc.debug.dap.framing import LARGEST_MESSAGE
-from crs_cc.debug.dap.inbox import MOST
-from crs_cc.debug.dap.requests import HANDLERS
+from crs_cc.debug.dap.framing import MAX_MESSAGE_BYTES
+from crs_cc.debug.dap.inbox import MAX
+from crs_cc.debug.dap.request_table import HANDLERS
 from tests.debug.dap.client import Client
 from tests.debug.dap.programs import LOOP, open_run
 
@@ -34,7 +34,7 @@ def framed(body: bytes) -> bytes:
         b"Content-Length: 12x\r\n\r\n",
         b"Content-Length: -1\r\n\r\n",
         b"Content-Length: \xd9\xa3\r\n\r\n",
-        b"Content-Length: %d\r\n\r\n" % (LARGEST_MESSAGE + 1),
+        b"Content-Length: %d\r\n\r\n" % (MAX_MESSAGE_BYTES + 1),
         b"Content-Length: " + b"9" * 5000,
         b"X: y\r\n" * 1000,
         b"Content-Type: json\r\n\r\n{}",
@@ -151,7 +151,7 @@ def test_who_asks_without_waiting_is_refused_at_some_point(client: Client, tmp_p
     client.launch(path, stopOnEntry=True)
     client.begin()
     client.ask("next", threadId=1)
-    seqs = [client.post("threads") for _ in range(MOST + 10)]
+    seqs = [client.post("threads") for _ in range(MAX + 10)]
     assert "wait already" in client.answer(seqs[-1])["message"]
     client.hang_up()
 

@@ -9,7 +9,7 @@ import pytest
 
 from tests.debug.dap.client import Client
 from tests.debug.dap.programs import LOOP, open_run
-from tests.debug.debuggee import debug_program
+from tests.debug.debuggers import debug_program
 
 TURN = """\
 #include "Nclient.h"

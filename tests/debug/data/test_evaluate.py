@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from crs_cc.debug.data.evaluate import Evaluator
-from crs_cc.debug.data.prepare import Names
+from crs_cc.debug.data.expression_compiler import SourceNames
 from crs_cc.debug.errors import DebugError
-from tests.debug.stopping import Stopping
+from tests.debug.stopped_program import Stopping
 
 SOURCE = r"""
 #include <stdlib.h>
@@ -462,7 +462,7 @@ int main(void) { int m = 3; return sum(m); }
         stopping.run()
     stopped = stopping.fleet.failure(0).stopped
     assert stopped is not None
-    evaluator = Evaluator(lambda: stopped, Names(stopping.program))
+    evaluator = Evaluator(lambda: stopped, SourceNames(stopping.program))
     assert [each[:2] for each in shown(evaluator)] == [
         ("i", "0"), ("k", "7"), ("unset", "uninitialised"), ("n", "3"),
     ]  # fmt: skip
@@ -481,7 +481,7 @@ int main(void) { struct big big = {{0}}; return down(0, big); }
         stopping.run()
     stopped = stopping.fleet.failure(0).stopped
     assert stopped is not None
-    evaluator = Evaluator(lambda: stopped, Names(stopping.program))
+    evaluator = Evaluator(lambda: stopped, SourceNames(stopping.program))
     depth = len(stopped.stack) - 3
     frames = [evaluator.evaluate("n", each).value.number for each in stopped.stack[:2]]
     assert frames == [depth, depth - 1]

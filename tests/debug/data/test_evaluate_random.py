@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.debug.stopping import Stopping
+from tests.debug.stopped_program import Stopping
 
 COUNT = 40
 VARIABLES = """\

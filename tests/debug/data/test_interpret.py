@@ -16,7 +16,7 @@ from crs_cc.runtime.link import ROOT
 from crs_cc.session.host import Host, HostRequest
 from tests.c.execution import build, cases
 
-MOST = 150_000
+MAX = 150_000
 """Instructions of a case; those that run longer are left alone."""
 
 
@@ -81,7 +81,7 @@ def test_programs_print_what_gcc_says(path: Path) -> None:
     executable = build(path)
     talking = Talking(executable)
     try:
-        talking._left = MOST
+        talking._left = MAX
         talking._call(executable.program.functions[ROOT], [])
     except EndError:
         pass

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from crs_cc.debug.data.evaluate import Evaluator
-from tests.debug.stopping import Stopping
+from tests.debug.stopped_program import Stopping
 
 SOURCE = r"""
 #include <stdio.h>

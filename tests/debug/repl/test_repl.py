@@ -9,7 +9,7 @@ import pytest
 from crs_cc.debug.repl.keyboard import Keyboard
 from crs_cc.debug.repl.repl import Repl, Scripts
 from crs_cc.debug.repl.terminal import Terminal
-from tests.debug.debuggee import debugger_of
+from tests.debug.debuggers import debugger_of
 
 ENDLESS = "int i; int main(void) { for (;;) i++; }\n"
 
@@ -25,7 +25,7 @@ class Screen:
 
     def at_log_points(self, do: Callable[[], None]) -> None:
         """Lets something be done whenever a log point is passed."""
-        self.repl.shell.debugger.say = lambda _: do()
+        self.repl.shell.debugger.stop_points.say = lambda _: do()
 
     def run(self, *commands: str, file: Path | None = None) -> list[str]:
         """Gives the lines that are shown."""

@@ -3,7 +3,7 @@ from __future__ import annotations
 import io
 import re
 
-from crs_cc.debug.commands.command import Line, SourceLine
+from crs_cc.debug.commands.answer import Line, SourceLine
 from crs_cc.debug.repl.terminal import Terminal
 
 

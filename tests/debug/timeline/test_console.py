@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from crs_cc.core.errors import InternalError
-from crs_cc.debug.timeline.console import Console
+from crs_cc.debug.timeline.console import ReplayConsole
 from crs_cc.session.host import discard, no_input
 
 
@@ -20,7 +20,7 @@ class Keyboard:
 
 
 def test_what_is_written_again_is_taken_once() -> None:
-    console = Console(discard, no_input)
+    console = ReplayConsole(discard, no_input)
     console.write(0, 1, b"a")
     place = console.snapshot()
     console.write(1, 2, b"bc")
@@ -36,7 +36,7 @@ def test_what_is_written_again_is_taken_once() -> None:
 
 
 def test_a_text_is_cut_by_robot_and_place() -> None:
-    console = Console(discard, no_input)
+    console = ReplayConsole(discard, no_input)
     for number in range(6):
         console.write(number % 3, 1, b"%d" % number)
     assert console.text(1) == b"14"
@@ -46,7 +46,7 @@ def test_a_text_is_cut_by_robot_and_place() -> None:
 
 
 def test_other_output_than_before_is_our_fault() -> None:
-    console = Console(discard, no_input)
+    console = ReplayConsole(discard, no_input)
     start = console.snapshot()
     console.write(0, 1, b"x = 1\n")
     console.restore(start)
@@ -58,7 +58,7 @@ def test_other_output_than_before_is_our_fault() -> None:
 
 def test_output_is_shown_while_it_is_wanted_also_again() -> None:
     shown: list[bytes] = []
-    console = Console(lambda _robot, _stream, content: shown.append(content), no_input)
+    console = ReplayConsole(lambda _robot, _stream, content: shown.append(content), no_input)
     start = console.snapshot()
     console.write(0, 1, b"quiet")
     console.restore(start)
@@ -69,7 +69,7 @@ def test_output_is_shown_while_it_is_wanted_also_again() -> None:
 
 
 def test_behind_a_change_the_output_is_another() -> None:
-    console = Console(discard, no_input)
+    console = ReplayConsole(discard, no_input)
     console.write(0, 1, b"one ")
     place = console.snapshot()
     console.write(0, 1, b"two")
@@ -80,7 +80,7 @@ def test_behind_a_change_the_output_is_another() -> None:
 
 
 def test_the_same_is_read_again_and_nothing_is_asked_for_twice() -> None:
-    console = Console(discard, Keyboard(b"first", b"second", b"third"))
+    console = ReplayConsole(discard, Keyboard(b"first", b"second", b"third"))
     start = console.snapshot()
     assert [console.read(0, 100), console.read(2, 100)] == [b"first", b"second"]
     console.restore(start)
@@ -90,7 +90,7 @@ def test_the_same_is_read_again_and_nothing_is_asked_for_twice() -> None:
 
 
 def test_behind_a_change_the_input_is_still_there_to_be_read() -> None:
-    console = Console(discard, Keyboard(b"first\n", b"second\n"))
+    console = ReplayConsole(discard, Keyboard(b"first\n", b"second\n"))
     start = console.snapshot()
     assert [console.read(0, 100), console.read(0, 100)] == [b"first\n", b"second\n"]
     console.restore(start)

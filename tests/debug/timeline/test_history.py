@@ -7,16 +7,16 @@ from typing import Any
 
 import numpy as np
 
-from crs_cc.debug.timeline.console import ConsolePlace
-from crs_cc.debug.timeline.history import INTERVAL, History, Kept
+from crs_cc.debug.timeline.console import ConsolePosition
+from crs_cc.debug.timeline.history import INTERVAL, History, RunSnapshot
 from crs_cc.debug.timeline.position import BEGINNING, Position
 from crs_cc.runtime.pages import CHUNK
 
 
-def moment(number: int, size: int = 100) -> Kept:
+def moment(number: int, size: int = 100) -> RunSnapshot:
     """Gives a snapshot that is unlike all others."""
     content: Any = np.random.default_rng(number).integers(0, 256, size, np.uint8)
-    return Kept(content, ConsolePlace(number, ()))
+    return RunSnapshot(content, ConsolePosition(number, ()))
 
 
 def at(timestep: int) -> Position:

@@ -8,8 +8,8 @@ from collections.abc import Awaitable, Callable
 from textual.pilot import Pilot
 
 from crs_cc.debug.tui.app import DebugApp
+from crs_cc.debug.tui.backend import Backend
 from crs_cc.debug.tui.command_line import CommandLine
-from crs_cc.debug.tui.work import Work
 
 SMALL, LARGE, TINY = (80, 24), (160, 50), (40, 10)
 
@@ -19,7 +19,7 @@ NO_BARS = dict.fromkeys(map(ord, "▁▂▃▄▅▆▇▉▊▋▌▍▎▏"), 
 Session = Callable[[Pilot[int], DebugApp], Awaitable[None]]
 
 
-def drive(work: Work, session: Session, size: tuple[int, int] = SMALL) -> DebugApp:
+def drive(work: Backend, session: Session, size: tuple[int, int] = SMALL) -> DebugApp:
     """Lets somebody use a screen of this size; gives the app when it has ended."""
 
     async def run() -> DebugApp:

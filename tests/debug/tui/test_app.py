@@ -6,15 +6,15 @@ import pytest
 from textual.pilot import Pilot
 
 from crs_cc.debug.tui.app import DebugApp
-from crs_cc.debug.tui.bars import StatusBar
 from crs_cc.debug.tui.command_line import CommandLine
 from crs_cc.debug.tui.help_page import HelpPage
 from crs_cc.debug.tui.keys import SHORTCUTS
 from crs_cc.debug.tui.panes import Panes
 from crs_cc.debug.tui.source_pane import SourcePane
+from crs_cc.debug.tui.status_bars import StatusBar
 from crs_cc.debug.tui.time_line import TimeLine
 from crs_cc.debug.tui.variables_pane import VariablesPane
-from tests.debug.tui.fake import FakeWork
+from tests.debug.tui.fake_backend import FakeWork
 from tests.debug.tui.screen import LARGE, TINY, drive, enter, settle, text_of, until
 
 

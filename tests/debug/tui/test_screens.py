@@ -15,10 +15,10 @@ from textual.pilot import Pilot
 
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.tui.app import DebugApp
-from crs_cc.debug.tui.controller import Desk
-from crs_cc.debug.tui.streams import Streams
+from crs_cc.debug.tui.controller import Controller
+from crs_cc.debug.tui.program_streams import ProgramStreams
 from crs_cc.sim.files.world_xml import load_world
-from tests.debug.debuggee import ROOT, debug_program
+from tests.debug.debuggers import ROOT, debug_program
 from tests.debug.tui.screen import LARGE, NO_BARS, SMALL, TINY, drive, enter, settle, text_of
 
 SCREENS = Path(__file__).parent / "screens"
@@ -33,13 +33,13 @@ def in_the_project(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(ROOT)  # so that files are shown by the same names everywhere
 
 
-def desk(program: str, world: str) -> Desk:
-    model, reads = load_world(Path(world)), Streams()
+def desk(program: str, world: str) -> Controller:
+    model, reads = load_world(Path(world)), ProgramStreams()
     programs = [debug_program(Path(program))] * len(model.robots)
-    return Desk(Debugger(model, programs, read=reads.read), reads)
+    return Controller(Debugger(model, programs, read=reads.read), reads)
 
 
-def show(work: Desk, sizes: Sequence[Size], *inputs: str) -> tuple[list[str], str]:
+def show(work: Controller, sizes: Sequence[Size], *inputs: str) -> tuple[list[str], str]:
     """Gives the screen as text in each size, and as a picture, after commands and keys: `<f5>`."""
     texts: list[str] = []
     pictures: list[str] = []

@@ -143,9 +143,9 @@ def memory(state, name: str) -> np.ndarray:
 @pytest.mark.parametrize(
     ("degradation", "why"),
     [
-        (Degradation(7, "sonar", dead=True), "there is no robot '7'"),
-        (Degradation("robot9", "sonar", dead=True), "there is no robot 'robot9'"),
-        (Degradation("robot0", "radar", dead=True), "there is no device 'radar'"),
+        (Degradation(7, "sonar", dead=True), "unknown robot '7'"),
+        (Degradation("robot9", "sonar", dead=True), "unknown robot 'robot9'"),
+        (Degradation("robot0", "radar", dead=True), "unknown device 'radar'"),
         (Degradation("robot0", "compass", dead=True), "the robot has no compass"),
         (Degradation("robot0", "sonar", -1, dead=True), "no element -1"),
         (Degradation("robot0", "sonar", gain=math.nan), "gain must be a number"),
@@ -189,7 +189,7 @@ def test_changes_of_what_cannot_change_are_refused():
     with pytest.raises(ValueError, match="nothing is wrong"):
         control.change("degradation0", stuck=None)
     for missing in (control.remove, control.change, control.phase):
-        with pytest.raises(ValueError, match="no degradation 'x': there are degradation0"):
+        with pytest.raises(ValueError, match=r"unknown degradation 'x' \(known: degradation0"):
             missing("x")
 
 

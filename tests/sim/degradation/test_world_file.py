@@ -48,8 +48,8 @@ def test_an_element_decides_the_unit_of_its_values(element, number, bias):
 @pytest.mark.parametrize(
     ("attributes", "said"),
     [
-        ('robot="r" device="sonar" dead="yes"', "robot: there is no robot 'r': there are robot0"),
-        ('robot="robot0" device="radar" dead="yes"', "there is no device 'radar': there are sonar"),
+        ('robot="r" device="sonar" dead="yes"', "robot: unknown robot 'r' (known: robot0)"),
+        ('robot="robot0" device="radar" dead="yes"', "unknown device 'radar' (known: sonar"),
         ('robot="robot0" device="compass" dead="yes"', "the robot has no compass"),
         ('robot="robot0" device="compass" element="1" dead="yes"', "the robot has no compass"),
         ('robot="robot0" device="sonar" element="16" dead="yes"', "has no '16'; it has 0 to 15"),

@@ -287,15 +287,15 @@ BROKEN = {
     "unknown definition": (
         (AREA, '<robot x="1" y="1" definition="scoot"/>'),
         (
-            "w.xml:3: error: there is no robot definition 'scoot': "
-            "there are amigobot, nomad150, nomad200, pioneer2dx, scout"
+            "w.xml:3: error: unknown robot definition 'scoot' "
+            "(known: amigobot, nomad150, nomad200, pioneer2dx, scout)"
         ),
     ),
     "definition outside the folder": (
         (AREA, '<robot x="1" y="1" definition="../scout.xml"/>'),
         (
-            "w.xml:3: error: there is no robot definition '../scout.xml': "
-            "there are amigobot, nomad150, nomad200, pioneer2dx, scout"
+            "w.xml:3: error: unknown robot definition '../scout.xml' "
+            "(known: amigobot, nomad150, nomad200, pioneer2dx, scout)"
         ),
     ),
     "program by an absolute path": (
@@ -406,7 +406,7 @@ def test_all_mistakes_are_told_at_once():
         ("4", "box, length"),
         ("5", "robot 'r' stands outside"),
         ("6", "a second thing with the "),
-        ("6", "there is no robot defini"),
+        ("6", "unknown robot definition"),
         ("7", "program 'x.h'"),
         ("8", "robot 't' stands inside "),
     ]

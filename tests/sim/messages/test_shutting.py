@@ -96,9 +96,9 @@ def test_a_control_that_was_kept_goes_with_the_world():
 
 def test_what_is_unknown_cannot_be_shut_nor_what_is_open_opened():
     control = talking().environment.communication
-    with pytest.raises(ValueError, match="there is no channel 'telepathy': there are radio, inf"):
+    with pytest.raises(ValueError, match=r"unknown channel 'telepathy' \(known: radio, inf"):
         control.shut(channel="telepathy")
-    with pytest.raises(ValueError, match="there is no robot 'z'"):
+    with pytest.raises(ValueError, match="unknown robot 'z'"):
         control.shut(receiver="z")
     with pytest.raises(ValueError, match="nothing is shut"):
         control.open(sender="a")

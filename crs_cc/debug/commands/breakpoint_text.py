@@ -1,0 +1,38 @@
+"""Breakpoints in words."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.breakpoints import Breakpoint
+
+if TYPE_CHECKING:
+    from crs_cc.debug.watch import AccessKind
+
+_ACCESSES: Final[dict[AccessKind, str]] = {
+    "change": "when it changes",
+    "write": "when it is written",
+    "read": "when it is read",
+    "access": "when it is read or written",
+}
+
+
+def name_of(one: Breakpoint) -> str:
+    """Gives what a breakpoint is called.
+
+    >>> name_of(Breakpoint(3, "watchpoint", "speed", temporary=True))
+    'Temporary watchpoint 3'
+    """
+    return f"{'temporary ' * one.temporary}{one.kind} {one.number}".capitalize()
+
+
+def described(one: Breakpoint) -> str:
+    """Gives where a breakpoint is, in words."""
+    location = one.place.location if one.place else None
+    if one.watch is not None:
+        return f"{one.text}, {_ACCESSES[one.watch.watched.kind]}"
+    if one.place is None:
+        return one.text
+    if location is None:
+        return f"{one.text}, when the robot is asked"
+    return f"{one.place.function} at {location.file}:{location.line}"

@@ -1,0 +1,137 @@
+"""Requests that let the programs run: on, back, and to other instants."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.dap.arguments import RefusalError
+from crs_cc.debug.dap.session import Execution
+from crs_cc.debug.dap.stop_events import report_end
+from crs_cc.debug.engine import Debugger
+from crs_cc.debug.locations import find_location
+
+if TYPE_CHECKING:
+    from crs_cc.debug.dap.arguments import Arguments
+    from crs_cc.debug.dap.framing import Message
+    from crs_cc.debug.dap.session import EditorSession
+    from crs_cc.debug.stop import Stop
+
+_GRANULARITIES: Final = ("statement", "line", "instruction")
+
+
+def continue_(session: EditorSession, _arguments: Arguments) -> Message:
+    """Goes on to the next breakpoint; behind the end of the run the session ends."""
+    debugger = session.standing()
+    if debugger.view.is_over:
+        session.afterwards = partial(report_end, session)
+    else:
+        session.motion = Execution(debugger.resume, go_on=debugger.resume)
+    return {"allThreadsContinued": True}
+
+
+def reverse_continue(session: EditorSession, _arguments: Arguments) -> None:
+    """Goes back to the breakpoint before."""
+    session.motion = Execution(partial(session.standing().resume, backward=True))
+
+
+def next_(session: EditorSession, arguments: Arguments) -> None:
+    """Goes to the next line, past calls."""
+    _step(session, arguments, Debugger.next)
+
+
+def step_in(session: EditorSession, arguments: Arguments) -> None:
+    """Goes to the next line, into calls."""
+    _step(session, arguments, Debugger.step)
+
+
+def step_back(session: EditorSession, arguments: Arguments) -> None:
+    """Goes to the line before, past calls."""
+    _step(session, arguments, Debugger.next, backward=True)
+
+
+def _step(
+    session: EditorSession,
+    arguments: Arguments,
+    by_line: Callable[..., Stop],
+    *,
+    backward: bool = False,
+) -> None:
+    """Takes a step. The finest that there is is a statement: it is taken where others have code."""
+    granularity = arguments.text("granularity", "statement")
+    if granularity not in _GRANULARITIES:
+        raise RefusalError(f"'granularity' must be {', '.join(_GRANULARITIES)}")
+    debugger = _look_at(session, arguments)
+    move = Debugger.step_statement if granularity == "instruction" else by_line
+    session.motion = Execution(partial(move, debugger, backward=backward))
+
+
+def step_out(session: EditorSession, arguments: Arguments) -> None:
+    """Goes to where the function has returned."""
+    session.motion = Execution(_look_at(session, arguments).finish)
+
+
+def _look_at(session: EditorSession, arguments: Arguments) -> Debugger:
+    """Looks at the robot that is meant."""
+    debugger = session.standing()
+    debugger.view.select_robot(session.robot(arguments))
+    return debugger
+
+
+def pause(session: EditorSession, _arguments: Arguments) -> None:
+    """Lets the programs stop, if they run."""
+    session.opened()
+    session.paused = session.moves
+
+
+@dataclass(frozen=True, slots=True)
+class _GotoTarget:
+    """An instant at which a program comes to a line: the next one, or the last one before now."""
+
+    place: str
+    backward: bool
+
+
+def goto_targets(session: EditorSession, arguments: Arguments) -> Message:
+    """Gives the instants that a line can mean. No statement is ever passed over to get there."""
+    debugger = session.standing()
+    key = session.locations.key(arguments.object("source"))
+    file = session.locations.file_at(key)
+    if file is None:
+        raise RefusalError("no program of this run is made of this file")
+    line = session.locations.to_line(arguments.natural("line"))
+    robots = range(len(debugger.names))
+    place = find_location(f"{file}:{line}", debugger.run.programs, robots, file)
+    assert place.location is not None
+    targets = []
+    for backward, label in ((False, "the next time it gets here"), (True, "the last time it did")):
+        number = session.handles.give(_GotoTarget(f"{file}:{line}", backward))
+        at = session.locations.line(place.location.line)
+        targets.append({"id": number, "label": label, "line": at})
+    return {"targets": targets}
+
+
+def goto(session: EditorSession, arguments: Arguments) -> None:
+    """Goes to an instant at which a program is at a line, by running there."""
+    debugger = _look_at(session, arguments)
+    visit = session.handles.take(arguments.integer("targetId"))
+    if not isinstance(visit, _GotoTarget):
+        raise RefusalError("'targetId' is none")
+    session.motion = Execution(partial(_visit, debugger, debugger.view.robot, visit))
+
+
+def _visit(debugger: Debugger, robot: int, visit: _GotoTarget) -> Stop:
+    made = debugger.stop_points.add_breakpoint(visit.place, temporary=True, robot=robot)
+    try:
+        stop = debugger.resume(backward=visit.backward)
+    finally:
+        if made in list(debugger.stop_points.breakpoints):  # it was not what stopped the run
+            debugger.stop_points.remove(made.number)
+    return replace(stop, reason="goto") if made.number in stop.breakpoints else stop
+
+
+def restart_frame(_session: EditorSession, _arguments: Arguments) -> None:
+    """Refuses: what a call has changed stays changed; to go back undoes it."""
+    raise RefusalError("a call cannot be made again: step back to where it was made")

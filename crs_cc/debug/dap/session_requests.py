@@ -1,0 +1,97 @@
+"""Requests about the session itself: from `initialize` to `disconnect`."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.dap.arguments import RefusalError
+from crs_cc.debug.dap.breakpoint_requests import FILTERS
+from crs_cc.debug.dap.launch import read_launch
+
+if TYPE_CHECKING:
+    from crs_cc.debug.dap.arguments import Arguments
+    from crs_cc.debug.dap.framing import Message
+    from crs_cc.debug.dap.session import EditorSession
+
+CAPABILITIES: Final[Message] = {
+    "supportsConfigurationDoneRequest": True,
+    "supportsFunctionBreakpoints": True,
+    "supportsConditionalBreakpoints": True,
+    "supportsHitConditionalBreakpoints": True,
+    "supportsLogPoints": True,
+    "supportsDataBreakpoints": True,
+    "exceptionBreakpointFilters": FILTERS,
+    "supportsExceptionFilterOptions": True,
+    "supportsStepBack": True,
+    "supportsSteppingGranularity": True,
+    "supportsGotoTargetsRequest": True,
+    "supportsRestartRequest": True,
+    "supportsTerminateRequest": True,
+    "supportsCancelRequest": True,
+    "supportsExceptionInfoRequest": True,
+    "supportsSetVariable": True,
+    "supportsSetExpression": True,
+    "supportsEvaluateForHovers": True,
+    "supportsClipboardContext": True,
+    "supportsCompletionsRequest": True,
+    "completionTriggerCharacters": [" ", "."],
+    "supportsReadMemoryRequest": True,
+    "supportsWriteMemoryRequest": True,
+    "supportsLoadedSourcesRequest": True,
+    "supportsDisassembleRequest": True,
+}
+
+
+def initialize(session: EditorSession, arguments: Arguments) -> Message:
+    """Tells what we can, and learns what the client can."""
+    if session.launch is not None:
+        raise RefusalError("'initialize' comes first, and once")
+    session.meet(arguments)
+    return CAPABILITIES
+
+
+def launch(session: EditorSession, arguments: Arguments) -> None:
+    """Makes a run; nothing moves before `configurationDone`."""
+    if session.launch is not None:
+        raise RefusalError("something is launched already")
+    wanted = read_launch(arguments)
+    session.open(wanted)
+    if wanted.debugs:
+        session.breakpoints.set_again(session.opened())
+    session.afterwards = partial(session.connection.event, "initialized")
+
+
+def attach(_session: EditorSession, _arguments: Arguments) -> None:
+    """Refuses: programs run in this process only."""
+    raise RefusalError("there is nothing to attach to: use the request 'launch'")
+
+
+def configuration_done(session: EditorSession, _arguments: Arguments) -> None:
+    """Lets the run begin."""
+    session.standing()
+    if session.has_begun:
+        raise RefusalError("the run has begun already")
+    session.begin()
+
+
+def restart(session: EditorSession, arguments: Arguments) -> None:
+    """Compiles the programs again, and begins anew."""
+    if session.launch is None:
+        raise RefusalError("nothing is launched yet")
+    has_news = "arguments" in arguments
+    session.open(read_launch(arguments.object("arguments")) if has_news else session.launch)
+    session.breakpoints.set_again(session.opened())
+    session.begin()
+
+
+def terminate(session: EditorSession, _arguments: Arguments) -> None:
+    """Ends the run."""
+    session.close()
+    session.afterwards = partial(session.connection.event, "terminated")
+
+
+def disconnect(session: EditorSession, _arguments: Arguments) -> None:
+    """Ends the session."""
+    session.close()
+    session.over = True

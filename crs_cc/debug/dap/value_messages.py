@@ -1,0 +1,153 @@
+"""Values as a client shows them: a line each, and their parts when somebody unfolds them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+from crs_cc.debug.dap.arguments import RefusalError
+from crs_cc.debug.dap.memory import reference_of
+from crs_cc.ir.types import ArrayType, PointerType, RecordType
+
+if TYPE_CHECKING:
+    from crs_cc.debug.dap.arguments import Arguments
+    from crs_cc.debug.dap.framing import Message
+    from crs_cc.debug.dap.session import EditorSession
+    from crs_cc.debug.data.values import Value
+
+_POSTFIX: Final = r"(?:[\w.\[\]]|->)+"
+"""Expressions that need no parentheses before another postfix operator (C17 6.5.2)."""
+
+
+@dataclass(frozen=True, slots=True)
+class FrameHandle:
+    """An active function of a robot's program.
+
+    Attributes:
+        robot: the robot's number.
+        frame: the function's; None for a program without one.
+        function: its name; empty without one.
+    """
+
+    robot: int
+    frame: int | None = None
+    function: str = ""
+
+
+def requested_frame(session: EditorSession, arguments: Arguments) -> FrameHandle:
+    """Gives the active function that a request means; the one looked at where it means none.
+
+    Raises:
+        RefusalError: it is gone.
+    """
+    debugger = session.opened()
+    if "frameId" not in arguments:
+        frame = debugger.view.current_frame()
+        if frame is None:
+            return FrameHandle(debugger.view.robot)
+        return FrameHandle(debugger.view.robot, frame.number, frame.function)
+    found = session.handles.take(arguments.integer("frameId"))
+    if not isinstance(found, FrameHandle):
+        raise RefusalError("'frameId' is that of no frame")
+    return found
+
+
+@dataclass(frozen=True, slots=True)
+class ExpandableValue:
+    """A value with parts.
+
+    Attributes:
+        value: it.
+        expression: the C expression that gives it; empty for none.
+        at: from where.
+    """
+
+    value: Value
+    expression: str
+    at: FrameHandle
+
+
+def child_messages(
+    session: EditorSession, parts: ExpandableValue, start: int, count: int
+) -> Iterator[Message]:
+    """Gives some parts of a value, as the client takes them.
+
+    Args:
+        session: the session.
+        parts: the value.
+        start: the number of the first part.
+        count: how many, at most.
+    """
+    for name, value in parts.value.children(start, count):
+        expression = child_expression(parts.expression, name)
+        yield {"name": name, **value_message(session, value, expression, parts.at)}
+
+
+def _unfolded(value: Value, expression: str) -> tuple[Value, str]:
+    """Gives the value whose parts are shown: of a pointer to a struct, the struct."""
+    if isinstance(value.type, PointerType) and isinstance(value.type.target, RecordType):
+        for name, target in value.children():
+            return target, child_expression(expression, name)
+    return value, expression
+
+
+def child_expression(expression: str, name: str) -> str:
+    """Gives the C expression for a part of a value.
+
+    >>> part_of("row", "[2]"), part_of("*here", "x"), part_of("next", "*"), part_of("", "x")
+    ('row[2]', 'here->x', '*next', '')
+    """
+    if not expression:
+        return ""
+    whole = expression if re.fullmatch(_POSTFIX, expression) else f"({expression})"
+    if name == "*":
+        return f"*{whole}"
+    if name.startswith("["):
+        return whole + name
+    if name.startswith("<"):  # without a name: its members are those of the whole
+        return expression
+    pointer = re.fullmatch(rf"\*({_POSTFIX})", expression)
+    return f"{pointer[1]}->{name}" if pointer else f"{whole}.{name}"
+
+
+def value_message(
+    session: EditorSession,
+    value: Value,
+    expression: str,
+    at: FrameHandle,
+    *,
+    text: str | None = None,
+    key: str = "value",
+) -> Message:
+    """Gives a value as the client takes it.
+
+    Args:
+        session: the session.
+        value: the value.
+        expression: the C expression that gives it; empty for none.
+        at: from where.
+        text: what to show of it; by default its line.
+        key: what the protocol calls that.
+    """
+    whole, its_expression = _unfolded(value, expression)
+    count = whole.child_count
+    body: Message = {
+        key: value.text if text is None else text,
+        "variablesReference": 0,
+    }
+    if session.client.flag("supportsVariableType", default=False):
+        body["type"] = str(value.type)
+    if count:
+        body["variablesReference"] = session.handles.give(
+            ExpandableValue(whole, its_expression, at)
+        )
+        indexed = isinstance(whole.type, ArrayType)
+        body["indexedVariables" if indexed else "namedVariables"] = count
+    if expression and key == "value":
+        body["evaluateName"] = expression
+    takes_memory = session.client.flag("supportsMemoryReferences", default=False)
+    if takes_memory and value.address is not None:
+        body["memoryReference"] = reference_of(at.robot, value.address)
+    return body

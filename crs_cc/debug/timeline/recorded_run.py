@@ -1,0 +1,456 @@
+"""A run that can be at any instant of itself: forward by running, backward by running again.
+
+`advance` lets the session go on to the next instant at which anything can be asked: a program has
+stopped before a statement that is marked, a round has ended, a timestep has ended. Snapshots are
+kept on the way. `seek` goes to any instant, back to the latest snapshot before it and forward from
+there with nothing but that instant marked.
+
+Where the user has changed something, the snapshot made behind the change is all that leads on from
+there; the history keeps it, and running on through that instant means to restore it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from crs_cc.core.arrays import IndexArray, Int32Array
+from crs_cc.debug.timeline.console import ReplayConsole
+from crs_cc.debug.timeline.history import History, RunSnapshot
+from crs_cc.debug.timeline.input_log import InputLog
+from crs_cc.debug.timeline.position import BEGINNING, Position
+from crs_cc.debug.timeline.run_event import RunEvent, StopRequest, WatchHit
+from crs_cc.debug.watch import WatchSet
+from crs_cc.debug.world.event_history import EventHistory
+from crs_cc.requests import CODES, FAILED, SUSPENDED
+from crs_cc.runtime.diagnosis.inspect import StackFrame, Stopped
+from crs_cc.session.build import build_watching
+from crs_cc.session.session import Session
+
+if TYPE_CHECKING:
+    from crs_cc.debug.program import DebugProgram
+    from crs_cc.runtime.executable import Executable
+    from crs_cc.runtime.sites import StatementSite
+    from crs_cc.sim.engine.step import Step
+    from crs_cc.sim.model.world import WorldModel
+
+
+class InterruptedRunError(Exception):
+    """The user does not want to wait any longer."""
+
+
+_STATEMENT: Final = RunEvent("statement")
+_LIMIT: Final = RunEvent("limit")
+
+
+class RecordedRun:
+    """A run of programs in a world.
+
+    Attributes:
+        session: the run as it is now; nothing but this class makes it go on.
+        console: what the programs wrote and read.
+        history: snapshots of it.
+        event_history: what happened in it.
+        input_log: what the programs were given in it.
+        programs: by robot, its program.
+        interrupted: set by whoever wants `advance` to raise `InterruptedRunError`.
+        is_off_timeline: whether this is no instant of the run: programs ran past where they should, or
+            without the world. Then only `seek` or `restore` lead on.
+    """
+
+    def __init__(
+        self,
+        world: WorldModel,
+        programs: Sequence[DebugProgram],
+        seed: int,
+        console: ReplayConsole,
+        history: History,
+        **options: Any,
+    ) -> None:
+        """Puts the programs into the world, and nothing has happened yet.
+
+        Args:
+            world: the world.
+            programs: one for each robot.
+            seed: decides all that is random.
+            console: takes what they write, and gives what they read.
+            history: where the snapshots go.
+            options: further ones of `Session`.
+        """
+        self.programs = programs
+        self.console = console
+        self.history = history
+        self.event_history = EventHistory()
+        self.input_log = InputLog()
+        self.interrupted = False
+        self._step: Step | None = None
+        self._marks = StopRequest()
+        self._stopped: dict[int, Stopped] = {}  # by robot, as long as nothing moves
+        self.is_off_timeline = False
+        self.session = Session(
+            world,
+            [program.executable for program in programs],
+            seed,
+            output=self._write,
+            read=self._read,
+            trace=self,
+            **options,
+        )
+        fleet = self.session.fleet
+        self._watches = [WatchSet(fleet, robot, self._watching) for robot in range(len(programs))]
+        self._watching_builds: dict[int, Executable] = {}
+        self._note_begun()  # by robot, when the round began
+        self.history.keep(BEGINNING, self._kept())
+
+    def _write(self, robot: int, stream: int, content: bytes) -> None:
+        self.console.write(robot, stream, content)  # of the branch that the run is in now
+
+    def _read(self, robot: int, wanted: int) -> bytes:
+        return self.console.read(robot, wanted)
+
+    def step(self, step: Step) -> None:
+        """Hears from the session what happened in a timestep."""
+        self._step = step
+
+    @property
+    def position(self) -> Position:
+        """Where the run is."""
+        session = self.session
+        if session.halted is None:
+            return Position(session.timesteps, session.rounds)
+        statements = int(session.fleet.slots["statements"][session.halted])
+        return Position(session.timesteps, session.rounds, session.halted, statements)
+
+    @property
+    def can_advance(self) -> bool:
+        """Whether there are programs that run, or robots to come."""
+        return self.session.running > 0 or self.session.environment.awaits
+
+    def name(self, robot: int) -> str:
+        """Gives a robot's name."""
+        return self.session.environment.world.robots[robot].id
+
+    def time_s(self, robot: int = -1) -> float:
+        """Gives a program's clock [s], for ever that of its end; the world's while it waits."""
+        session = self.session
+        if robot < 0:
+            return session.time_s
+        if not session.alive[robot]:
+            return session.robot_result(robot).time_s
+        now_s = session.now_s(robot)
+        return now_s if math.isfinite(now_s) else session.time_s
+
+    def statements_begun(self, robot: int) -> int:
+        """Gives how many statements of a robot's program have begun."""
+        return int(self.session.fleet.slots["statements"][robot])
+
+    # -- where programs stop -----------------------------------------------------------------
+
+    def arm(self, marks: StopRequest) -> None:
+        """Lets programs stop at these places, and at no others.
+
+        Accesses to what goes on being watched are told, even if they were made before; but not if
+        the run has been elsewhere since.
+        """
+        self._marks = marks
+        self._stopped.clear()  # a program may move to another build
+        for robot, watches in enumerate(self._watches):
+            watches.arm(marks.watched.get(robot, ()))
+        for robot, own in enumerate(self.session.fleet.marks[: len(self.programs)]):
+            own[: self._statements(robot)] = 0
+            wanted = marks.statements.get(robot)
+            if wanted:
+                own[list(wanted)] = 1
+        self._set_slots()
+
+    def _set_slots(self) -> None:
+        slots = self.session.fleet.slots
+        slots["stop_before_all"] = 0
+        slots["stop_from"] = 0
+        for robot in self._marks.all:
+            slots["stop_before_all"][robot] = 1
+        for robot, statements in self._marks.since.items():
+            slots["stop_from"][robot] = statements
+
+    def _statements(self, robot: int) -> int:
+        return len(self.programs[robot].executable.detail().compiled.statements)
+
+    # -- going on ----------------------------------------------------------------------------
+
+    def advance(self, limit: Position | None = None) -> RunEvent:
+        """Goes on to the next instant at which something can be asked.
+
+        Args:
+            limit: goes no further than this. When no program stops there, the run has gone astray:
+                what is left is to `seek`.
+
+        Raises:
+            InterruptedRunError: the user wants it.
+        """
+        self._answer_interrupt()
+        return self._advance(limit)
+
+    def _advance(self, limit: Position | None) -> RunEvent:
+        before = self.position
+        self._stopped.clear()
+        edit = self.history.next_edit(before)
+        if not self.session.begin_round():
+            instant = self._end_cycle()
+        else:
+            if before.robot < 0:
+                self.input_log.note(before, self.session.pending, self.session.fleet)
+                self._note_begun()
+            self.session.run_programs()
+            if edit is not None and self._has_passed(edit):
+                instant = _STATEMENT
+                if self.position == edit:
+                    instant = self._with_accesses(instant)
+                self.restore(self.history.at(edit))
+                return instant
+            if limit is not None and self._has_passed(limit) and self.position != limit:
+                self.is_off_timeline = True
+                return _LIMIT
+            instant = self._end_round() if self.session.halted is None else _STATEMENT
+            instant = self._with_accesses(instant)
+        position = self.position
+        if edit == position:
+            self.restore(self.history.at(position))
+        elif position.round == 0 and position.robot < 0 and self.history.wants(position):
+            self.history.keep(position, self._kept())
+        return instant
+
+    def replay(
+        self, begin: Position, limit: Position, *, needs_world: bool = False
+    ) -> Iterator[RunEvent]:
+        """Goes through a piece of the past again, up to an instant.
+
+        As far as it is known what the programs were given, only they run, and the world stays where
+        it is. Whatever is looked at on the way, the run is astray behind it: `seek` comes next.
+
+        Args:
+            begin: where it begins; there is a snapshot.
+            limit: where it ends; programs may run a little further.
+            needs_world: whether the steps of the world are asked for, too.
+
+        Raises:
+            InterruptedRunError: the user wants it.
+        """
+        edit = self.history.next_edit(begin)
+        is_plain = edit is None or edit >= limit
+        if needs_world or not is_plain or not self.input_log.knows(begin, limit):
+            self.restore(self.history.at(begin))
+            while self.position < limit:
+                ahead = self.advance(limit)
+                if ahead.kind == "limit":
+                    break
+                yield ahead
+            self.is_off_timeline = True
+            return
+        self.is_off_timeline = True
+        self._recall(begin)
+        while self.position < limit:
+            self._answer_interrupt()
+            instant = self._again(limit)
+            if instant is None:
+                return
+            yield instant
+
+    def _recall(self, begin: Position) -> None:
+        """Takes the programs, and nothing else, back to a snapshot."""
+        session = self.session
+        self._stopped.clear()
+        kept = self.history.at(begin).session
+        for robot, program in enumerate(kept.programs):
+            session.fleet.restore(robot, program)
+        state = session.state
+        state.timesteps, state.rounds, state.halted = begin.timestep, begin.round, kept.halted
+        self._set_slots()
+        self._look_anew()
+
+    def _again(self, limit: Position) -> RunEvent | None:
+        """Lets programs go through one more round, or a piece of it; None at the limit."""
+        session, place = self.session, self.position
+        self._stopped.clear()
+        round_ = self.input_log.round_at(place)
+        if place.robot < 0:
+            if place.round == self.input_log.rounds_in(place.timestep):
+                session.state.timesteps, session.state.rounds = place.timestep + 1, 0
+                return RunEvent("timestep", ended=self.input_log.ended_in(place.timestep))
+            assert round_ is not None
+            round_.give(session.fleet)
+            self._note_begun()
+        session.run_programs()
+        if self._has_passed(limit) and self.position != limit:
+            return None
+        if session.halted is not None:
+            return self._with_accesses(_STATEMENT)
+        session.state.rounds += 1
+        assert round_ is not None
+        return self._with_accesses(self._answered(round_.robots))
+
+    def _answered(self, robots: IndexArray) -> RunEvent:
+        """Gives what came of a round of which only the programs have run."""
+        slots = self.session.fleet.slots
+        codes = slots["code"][robots]
+        over = (slots["status"][robots] != SUSPENDED) | (codes == CODES["EXIT"])
+        return RunEvent("round", _posted(robots, codes), tuple(robots[over].tolist()))
+
+    def _answer_interrupt(self) -> None:
+        if self.interrupted:
+            self.interrupted = False
+            raise InterruptedRunError
+
+    def _with_accesses(self, instant: RunEvent) -> RunEvent:
+        """Adds to an instant what was done to what is watched, as far as it is to be told."""
+        found = [
+            WatchHit(robot, access, self._last_before(instant, robot))
+            for robot in self._marks.watched
+            if self._marks.at_once or robot == self.session.halted or robot in instant.ended
+            for access in self._watches[robot].take()
+        ]
+        return replace(instant, accesses=tuple(found)) if found else instant
+
+    def _last_before(self, instant: RunEvent, robot: int) -> Position:
+        """Gives the last instant before what a program did in the round that is told of."""
+        session = self.session
+        round_ = session.rounds - (instant.kind == "round")
+        begun = self.statements_begun(robot) - 1
+        if begun < self._begun[robot]:
+            return Position(session.timesteps, round_)
+        return Position(session.timesteps, round_, robot, begun)
+
+    def _note_begun(self) -> None:
+        self._begun = self.session.fleet.slots["statements"].copy()
+
+    def _watching(self, executable: Executable) -> Executable:
+        """Gives the watching build of a program."""
+        number = id(executable)
+        if number not in self._watching_builds:
+            self._watching_builds[number] = build_watching(executable)
+        return self._watching_builds[number]
+
+    def _has_passed(self, place: Position) -> bool:
+        """Tells in a round that has just run whether a place in the middle of it is behind."""
+        session = self.session
+        if (session.timesteps, session.rounds) != (place.timestep, place.round):
+            return False
+        if place.robot < 0:
+            return False
+        halted = session.halted
+        return halted is None or (halted, self.statements_begun(halted)) >= (
+            place.robot,
+            place.statements,
+        )
+
+    def _end_round(self) -> RunEvent:
+        session = self.session
+        slots = session.fleet.slots
+        ran = np.flatnonzero(session.pending)
+        posted = _posted(ran, slots["code"][ran])
+        session.end_round()
+        ended = ran[~session.alive[ran]]
+        return RunEvent("round", posted, tuple(ended.tolist()))
+
+    def _end_cycle(self) -> RunEvent:
+        session = self.session
+        timestep, rounds, alive = session.timesteps, session.rounds, session.alive.copy()
+        can_advance = session.end_cycle()
+        ended = tuple(np.flatnonzero(alive & ~session.alive).tolist())
+        self.input_log.end(timestep, rounds, ended)
+        assert self._step is not None
+        self.event_history.hear(self._step, session.environment)
+        return RunEvent("timestep", ended=ended, step=self._step, over=not can_advance)
+
+    # -- going anywhere ----------------------------------------------------------------------
+
+    def seek(self, target: Position) -> None:
+        """Goes to an instant that the run has been at; nothing interrupts that."""
+        position, kept = self.history.before(target)
+        if self.is_off_timeline or not position <= self.position <= target:
+            self.restore(kept)
+        everywhere, since = frozenset[int](), {}
+        if target.robot >= 0:
+            everywhere, since = frozenset({target.robot}), {target.robot: target.statements}
+        self.arm(StopRequest(all=everywhere, since=since))
+        while self.position < target and self.can_advance:
+            self._advance(target)
+
+    def restore(self, kept: RunSnapshot) -> None:
+        """Goes to where a snapshot was made."""
+        self.is_off_timeline = False
+        self._stopped.clear()
+        self.session.restore(kept.session)
+        self.console.restore(kept.console)
+        self._set_slots()
+        self._look_anew()
+
+    def enter(self, history: History, console: ReplayConsole, event_history: EventHistory) -> None:
+        """Takes up another course of events; where in it, is said by `seek`."""
+        console.is_live = self.console.is_live
+        self.history, self.console, self.event_history = history, console, event_history
+        self.input_log = InputLog()
+        self.is_off_timeline = True
+
+    def changed(self) -> None:
+        """Takes note that the user has changed something: from here on the run is another."""
+        self._look_anew()
+        self.console.truncate()
+        self.event_history.forget(self.position.timestep)
+        self.input_log.forget(self.position)
+        self.history.branch(self.position, self._kept())
+
+    def _look_anew(self) -> None:
+        """Takes what is watched as it is, as not the programs have changed it."""
+        self._note_begun()
+        for watches in self._watches:
+            watches.forget()
+
+    def _kept(self) -> RunSnapshot:
+        return RunSnapshot(self.session.snapshot(), self.console.snapshot())
+
+    # -- where a program stands ---------------------------------------------------------------
+
+    def stopped(self, robot: int) -> Stopped:
+        """Gives a program's memory and active functions as they are; the same until it moves."""
+        if robot not in self._stopped:
+            fleet = self.session.fleet
+            failed = fleet.failure(robot).stopped if self.has_failed(robot) else None
+            self._stopped[robot] = fleet.stopped(robot) if failed is None else failed
+        return self._stopped[robot]
+
+    def site(self, robot: int) -> StatementSite | None:
+        """Gives the statement that a program has stopped before, if it has."""
+        if self.session.halted != robot:
+            return None
+        number = int(self.session.fleet.slots["stopped"][robot]) - 1
+        return self.programs[robot].executable.detail().compiled.statements[number]
+
+    def innermost(self, robot: int) -> StackFrame | None:
+        """Gives the innermost active function of a program."""
+        stack = self.stopped(robot).stack
+        return stack[0] if stack else None
+
+    def any_failed(self) -> bool:
+        """Tells whether any program was stopped by an error."""
+        return bool((self.session.fleet.slots["status"] == FAILED).any())
+
+    def is_over(self, robot: int) -> bool:
+        """Tells whether a program has begun, and has ended."""
+        session = self.session
+        joined_s = session.environment.state.presence.joined_s[robot]
+        return math.isfinite(joined_s) and not session.alive[robot]
+
+    def has_failed(self, robot: int) -> bool:
+        """Tells whether a program was stopped by an error."""
+        return bool(self.session.fleet.slots["status"][robot] == FAILED)
+
+
+def _posted(robots: IndexArray, codes: Int32Array) -> tuple[tuple[int, int], ...]:
+    """Gives robots with the codes of the requests that they have posted, if they have."""
+    return tuple(
+        (robot, code) for robot, code in zip(robots.tolist(), codes.tolist(), strict=True) if code
+    )
