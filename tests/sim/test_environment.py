@@ -593,7 +593,7 @@ def test_a_request_of_nobody_is_let_be():
 
 def scout_file(folder, *changes: tuple[str, str]):
     """Writes a robot definition like the Scout's with changes, and gives a world file beside it."""
-    text = (Path(world_xml.__file__).parents[1] / "robots" / "scout.xml").read_text()
+    text = (Path(world_xml.__file__).parents[0] / "robots" / "scout.xml").read_text()
     for old, new in changes:
         assert old in text
         text = text.replace(old, new)
