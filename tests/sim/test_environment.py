@@ -318,7 +318,7 @@ def test_the_reply_to_a_wait_is_written_over_what_was_asked(restored):
 
 
 def test_what_the_end_of_a_wait_answers_is_told_by_those_that_end_at_once(monkeypatch):
-    def fail(_state, _equipment, _rows, messages) -> None:
+    def fail(_state, _constants, _rows, messages) -> None:
         messages["result"] = 0
 
     driver = Driver.of(open_world('<robot x="0" y="0"/><robot x="0" y="3"/>'))

@@ -15,8 +15,8 @@ from crs_cc.sim.model.communication import ANY
 from crs_cc.sim.state.messages import EVERYBODY, GROUPS, NO_GROUP, PACKET
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.request_context import Answer, Asked
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.request_context import Answer, RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
     from crs_cc.sim.state.events import EventLog
@@ -44,7 +44,7 @@ class Messenger:
 
     # -- what programs ask -------------------------------------------------------------------------
 
-    def send(self, asked: Asked) -> BoolArray:
+    def send(self, asked: RequestContext) -> BoolArray:
         """Answers SEND: to a robot, to all, or to a group."""
         to, group, kind, channel = asked.messages["i"][:, :4].T
         size = asked.messages["size"]
@@ -60,7 +60,7 @@ class Messenger:
         good[good] = outbox.post(asked.state.messages, self._channels, packets)
         return np.asarray(good)
 
-    def receive(self, asked: Asked) -> BoolArray:
+    def receive(self, asked: RequestContext) -> BoolArray:
         """Answers RECEIVE, when a message has come or the time is up."""
         messages = asked.state.messages
         inbox.let_in(messages, asked.rows, asked.at_s)
@@ -75,12 +75,12 @@ class Messenger:
         good[have] = True
         return good
 
-    def count(self, asked: Asked) -> None:
+    def count(self, asked: RequestContext) -> None:
         """Answers MESSAGE_COUNT."""
         inbox.let_in(asked.state.messages, asked.rows, asked.at_s)
         asked.messages["i"][:, 0] = inbox.count(asked.state.messages, asked.rows)
 
-    def group(self, asked: Asked) -> BoolArray:
+    def group(self, asked: RequestContext) -> BoolArray:
         """Answers GROUP: joins one, or leaves it."""
         group, joins = asked.messages["i"][:, :2].T
         good = np.asarray((group >= 0) & (group < GROUPS))
@@ -89,11 +89,11 @@ class Messenger:
         groups[rows] = np.where(joins[good] != 0, groups[rows] | bit, groups[rows] & ~bit)
         return good
 
-    def find_channel(self, asked: Asked) -> BoolArray:
+    def find_channel(self, asked: RequestContext) -> BoolArray:
         """Answers CHANNEL: the number of a channel with a name, the name of one with a number."""
         return _look_up(asked.messages, self._channels.names, np.full(len(asked.rows), ANY))
 
-    def find_robot(self, asked: Asked) -> BoolArray:
+    def find_robot(self, asked: RequestContext) -> BoolArray:
         """Answers ROBOT: the number of a robot with a name, the name of one with a number."""
         return _look_up(asked.messages, self._robots, asked.rows)
 
@@ -102,7 +102,7 @@ class Messenger:
     def end_cycle(
         self,
         state: EnvState,
-        equipment: Equipment,
+        constants: RobotConstants,
         log: EventLog,
         *,
         from_s: float,
@@ -112,7 +112,7 @@ class Messenger:
 
         Args:
             state: changed in place; the bodies are where they got to.
-            equipment: what stands where.
+            constants: what stands where.
             log: takes what is shut and opened.
             from_s: when the cycle began.
             to_s: when it ends.
@@ -129,12 +129,12 @@ class Messenger:
             inbox.let_in(messages, rows, np.full(len(rows), np.nextafter(to_s, 0.0)))
         packets = outbox.depart(messages, self._channels, to_s)
         if len(packets):
-            self._air.carry(state, equipment.scene, packets, to_s)
+            self._air.carry(state, constants.scene, packets, to_s)
         if len(messages.packets):
             inbox.tidy(messages)
 
 
-def wait(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Records) -> None:
+def wait(state: EnvState, _constants: RobotConstants, rows: IndexArray, messages: Records) -> None:
     """Begins to wait for a message: i[0] ms long, not at all for 0, without an end below 0."""
     wait_s = messages["i"][:, 0] / 1000.0
     until_s = state.drive.clock_s[rows] + wait_s

@@ -9,31 +9,31 @@ from typing import TYPE_CHECKING, TypeAlias
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Records
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.ray_caster import Surroundings
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.ray_caster import RayCaster
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class RequestContext:
     """Requests of one kind; arrays have a row for each, k of them.
 
     Attributes:
         state: the state, to be changed in place; axes were turned to `at_s`.
-        equipment: the robots' constants.
-        around: what there is to see.
+        constants: the robots' constants.
+        rays: what there is to see.
         rows: the robots, rising.
         messages: what they ask, of dtype `MESSAGE`, to be changed in place into the replies.
         at_s: when each is answered, within the current cycle.
     """
 
     state: EnvState
-    equipment: Equipment
-    around: Surroundings
+    constants: RobotConstants
+    rays: RayCaster
     rows: IndexArray
     messages: Records
     at_s: FloatArray
 
 
-Answer: TypeAlias = Callable[[Asked], BoolArray | None]
+Answer: TypeAlias = Callable[[RequestContext], BoolArray | None]
 """Writes what robots are told over their messages; gives which requests were good, None for all."""

@@ -26,8 +26,8 @@ from crs_cc.sim.state import timers
 from crs_cc.sim.state.mask import COMPASS, INFRARED, LASER
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.ray_caster import Surroundings
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.ray_caster import RayCaster
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.geometry.rays import Fan
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
@@ -43,7 +43,7 @@ _LASER_CODES: Final = frozenset({CODES["GET_LS"], CODES["GET_SG"]})
 _TELLS_ALL: Final = STATE_REPLIES - _OF_A_GROUP
 
 
-class Instruments:
+class SensorBoard:
     """The instruments of all robots of a world.
 
     Attributes:
@@ -73,19 +73,19 @@ class Instruments:
         return {
             timers.LASER: Timed(
                 self.lasers.read,
-                lambda equipment: equipment.laser,
+                lambda constants: constants.laser,
                 lambda state: state.laser.measured.at_s,
                 self.lasers.interval_s,
             ),
             timers.INFRARED: Timed(
                 self._infrared.read,
-                lambda equipment: equipment.infrared,
+                lambda constants: constants.infrared,
                 lambda state: state.infrared.measured.at_s,
                 self._infrared.interval_s,
             ),
             timers.COMPASS: Timed(
                 self._compasses.read,
-                lambda equipment: equipment.compass,
+                lambda constants: constants.compass,
                 lambda state: state.compass.measured.at_s,
                 self._compasses.interval_s,
             ),
@@ -94,8 +94,8 @@ class Instruments:
     def read(
         self,
         state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
+        constants: RobotConstants,
+        rays: RayCaster,
         *,
         code: int,
         rows: IndexArray,
@@ -105,8 +105,8 @@ class Instruments:
 
         Args:
             state: changed in place.
-            equipment: the robots' constants.
-            around: what there is to see.
+            constants: the robots' constants.
+            rays: what there is to see.
             code: the request's code.
             rows: which robots, k of them, whose axes were turned to `at_s`.
             at_s: when each reply is given, shape (k,).
@@ -114,20 +114,20 @@ class Instruments:
         if self._has_infrared and (code in _TELLS_ALL or code == CODES["GET_IR"]):
             asked = _asked(state, rows, INFRARED) | (code == CODES["GET_IR"])
             asked &= state.timers.on_request(rows, timers.INFRARED)
-            self._infrared.read(state, equipment, around, rows[asked], at_s[asked])
+            self._infrared.read(state, constants, rays, rows[asked], at_s[asked])
         if self._has_compasses and (code in _TELLS_ALL or code == CODES["GET_CP"]):
             asked = _asked(state, rows, COMPASS) | (code == CODES["GET_CP"])
             asked &= state.timers.on_request(rows, timers.COMPASS)
-            self._compasses.read(state, equipment, around, rows[asked], at_s[asked])
+            self._compasses.read(state, constants, rays, rows[asked], at_s[asked])
         if self._has_lasers and (code in _TELLS_ALL or code in _LASER_CODES):
             asked = _asked(state, rows, LASER) | (code in _LASER_CODES)
             asked &= state.timers.on_request(rows, timers.LASER)
-            self.lasers.read(state, equipment, around, rows[asked], at_s[asked])
+            self.lasers.read(state, constants, rays, rows[asked], at_s[asked])
 
     def tell(
         self,
         state: EnvState,
-        equipment: Equipment,
+        constants: RobotConstants,
         *,
         code: int,
         rows: IndexArray,
@@ -139,7 +139,7 @@ class Instruments:
 
         Args:
             state: what is told of.
-            equipment: the robots' constants.
+            constants: the robots' constants.
             code: the request's code.
             rows: which robots, k of them.
             messages: the replies, changed in place.
@@ -151,17 +151,17 @@ class Instruments:
             states[:, MOTOR_STATUS] |= status
         messages["i"][:, 0] = 0
         if self._has_lasers and (code in _TELLS_ALL or code in _LASER_CODES):
-            messages["i"][:, 0] = _tell_laser(state, equipment, code, rows)
+            messages["i"][:, 0] = _tell_laser(state, constants, code, rows)
         kinds = pos_data.ALL_KINDS if code in _TELLS_ALL else pos_data.ONE_KIND.get(code, 0)
-        pos_data.tell(state, equipment, self._clock, rows, kinds)
-        messages["i"][:, 1], messages["i"][:, 2] = self.batteries.told(state, equipment, rows, at_s)
+        pos_data.tell(state, constants, self._clock, rows, kinds)
+        messages["i"][:, 1], messages["i"][:, 2] = self.batteries.told(state, constants, rows, at_s)
         messages["f"][:, 0] = self._clock.ms(rows, at_s - state.presence.joined_s[rows])
 
     def look(
         self,
         state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
+        constants: RobotConstants,
+        rays: RayCaster,
         rows: IndexArray,
         poses: FloatArray,
     ) -> tuple[Int32Array, Int32Array]:
@@ -169,8 +169,8 @@ class Instruments:
 
         Args:
             state: tells where all things are; keeps what lasers see for the pages.
-            equipment: the robots' constants.
-            around: what there is to see.
+            constants: the robots' constants.
+            rays: what there is to see.
             rows: which robots, k of them.
             poses: x, y [m] and direction [rad] of each mount, shape (k, 3).
 
@@ -178,15 +178,15 @@ class Instruments:
             what infrared sensors tell, shape (k, 16), and how many laser readings there are, (k,).
         """
         infrared = np.zeros((len(rows), MAX_INFRARED), dtype=np.int32)
-        has = equipment.infrared[rows] >= 0
+        has = constants.infrared[rows] >= 0
         if has.any():
             look = self._infrared.look
-            infrared[has] = look(state, equipment, around, rows[has], poses[has])
+            infrared[has] = look(state, constants, rays, rows[has], poses[has])
         counts = np.zeros(len(rows), dtype=np.int32)
-        has = equipment.laser[rows] >= 0
+        has = constants.laser[rows] >= 0
         if has.any():
-            mine, kept = equipment.laser[rows[has]], state.laser
-            points, seen, _ = self.lasers.look(state, equipment, around, rows[has], poses[has])
+            mine, kept = constants.laser[rows[has]], state.laser
+            points, seen, _ = self.lasers.look(state, constants, rays, rows[has], poses[has])
             points = np.where(laser.is_on(kept.mode[mine]), points, 0)
             width = laser.widths(kept.mode[mine])
             laser.keep(state, kept.predicted, mine, width, (points, seen))
@@ -194,9 +194,11 @@ class Instruments:
         return infrared, counts
 
 
-def _tell_laser(state: EnvState, equipment: Equipment, code: int, rows: IndexArray) -> Int32Array:
+def _tell_laser(
+    state: EnvState, constants: RobotConstants, code: int, rows: IndexArray
+) -> Int32Array:
     """Keeps what lasers saw for the pages; gives how many readings each robot has, (k,)."""
-    mine = equipment.laser[rows]
+    mine = constants.laser[rows]
     asked = (mine >= 0) & (_asked(state, rows, LASER) | (code in _LASER_CODES))
     mine, kept = mine[asked], state.laser
     width = laser.widths(kept.mode[mine])

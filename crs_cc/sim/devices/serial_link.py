@@ -15,7 +15,7 @@ import numpy.typing as npt
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
 from crs_cc.requests import CODES, DATA_SIZE, REQUESTS
-from crs_cc.sim.devices.robot_constants import Equipment
+from crs_cc.sim.devices.robot_constants import RobotConstants
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.env_state import EnvState
 from crs_cc.sim.state.link import LinkState
@@ -99,7 +99,7 @@ def set_speed(state: EnvState, rows: IndexArray, baud: Int32Array) -> None:
 
 
 def conf_ser(
-    state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Records
+    state: EnvState, _constants: RobotConstants, rows: IndexArray, messages: Records
 ) -> BoolArray:
     """Sets the speed of the line, whatever the port: which one is the host's, nothing tells."""
     baud = messages["i"][:, 1].copy()

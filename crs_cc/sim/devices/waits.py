@@ -17,7 +17,7 @@ from crs_cc.core.arrays import FloatArray, IndexArray, Records
 from crs_cc.sim.devices import drive
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
 
 
@@ -32,18 +32,22 @@ class Wait:
     """
 
     ends_s: Callable[[EnvState, IndexArray], FloatArray]
-    finish: Callable[[EnvState, Equipment, IndexArray, Records], object]
+    finish: Callable[[EnvState, RobotConstants, IndexArray, Records], object]
 
 
 def settle(
-    waits: dict[int, Wait], state: EnvState, equipment: Equipment, rows: IndexArray, limit_s: float
+    waits: dict[int, Wait],
+    state: EnvState,
+    constants: RobotConstants,
+    rows: IndexArray,
+    limit_s: float,
 ) -> FloatArray:
     """Ends the waits of robots that end before a limit.
 
     Args:
         waits: how robots wait for each kind of request.
         state: changed in place.
-        equipment: the robots' constants.
+        constants: the robots' constants.
         rows: robots that wait, k of them.
         limit_s: the end of the current cycle.
 
@@ -55,10 +59,10 @@ def settle(
     deadline_s = state.drive.deadline_s[rows]
     cut = (deadline_s < ends_s) & (deadline_s < limit_s)
     if cut.any():
-        drive.advance(state, equipment, rows[cut], np.nextafter(deadline_s[cut], np.inf))
+        drive.advance(state, constants, rows[cut], np.nextafter(deadline_s[cut], np.inf))
         ends_s = when(waits, state, rows)
     ended = ends_s < limit_s
-    drive.advance(state, equipment, rows[ended], ends_s[ended])
+    drive.advance(state, constants, rows[ended], ends_s[ended])
     state.waits.end(rows[ended])
     return np.where(ended, ends_s, np.inf)
 

@@ -19,7 +19,7 @@ from crs_cc.sim.devices.camera import Cameras
 from crs_cc.sim.devices.gps import GpsReceivers
 from crs_cc.sim.devices.handling import Handling
 from crs_cc.sim.devices.light import LightRings
-from crs_cc.sim.devices.sensor_board import Instruments
+from crs_cc.sim.devices.sensor_board import SensorBoard
 from crs_cc.sim.devices.sonar import SonarRing
 from crs_cc.sim.devices.sound import Microphones
 from crs_cc.sim.devices.tilt import Inclinometers
@@ -28,16 +28,16 @@ from crs_cc.sim.engine.server.prediction import predict
 from crs_cc.sim.state.timers import CAMERA, GPS, HEAT, LASER, LIGHT, SOUND, TILT
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.ray_caster import Surroundings
-    from crs_cc.sim.devices.request_context import Answer, Asked
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.ray_caster import RayCaster
+    from crs_cc.sim.devices.request_context import Answer, RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.geometry.rays import Fan
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
     from crs_cc.sim.state.events import EventLog
 
 
-class Devices:
+class DeviceBoard:
     """The devices of all robots of a world.
 
     Attributes:
@@ -58,7 +58,7 @@ class Devices:
         """
         self.log = log
         self.sonars = SonarRing(world, seed)
-        self.instruments = Instruments(world, seed)
+        self.instruments = SensorBoard(world, seed)
         self._cameras = Cameras(world, seed)
         self.handling = Handling(world, log)
         self._lights = LightRings(world, seed)
@@ -70,37 +70,37 @@ class Devices:
             {
                 GPS: Timed(
                     receivers.read,
-                    lambda equipment: equipment.gps,
+                    lambda constants: constants.gps,
                     lambda state: state.gps.at_s,
                     receivers.interval_s,
                 ),
                 CAMERA: Timed(
                     self._cameras.read,
-                    lambda equipment: equipment.camera,
+                    lambda constants: constants.camera,
                     lambda state: state.camera.at_s,
                     self._cameras.interval_s,
                 ),
                 HEAT: Timed(
                     heat.read,
-                    lambda equipment: equipment.heat,
+                    lambda constants: constants.heat,
                     lambda state: state.heat_sensor.at_s,
                     np.zeros(len(world.robots)),
                 ),
                 TILT: Timed(
                     inclinometers.read,
-                    lambda equipment: equipment.inclinometer,
+                    lambda constants: constants.inclinometer,
                     lambda state: state.tilt.at_s,
                     inclinometers.interval_s,
                 ),
                 LIGHT: Timed(
                     self._lights.read,
-                    lambda equipment: equipment.light,
+                    lambda constants: constants.light,
                     lambda state: state.light.at_s,
                     np.zeros(len(world.robots)),
                 ),
                 SOUND: Timed(
                     self._microphones.read,
-                    lambda equipment: equipment.sound,
+                    lambda constants: constants.sound,
                     lambda state: state.sound.at_s,
                     np.zeros(len(world.robots)),
                 ),
@@ -140,8 +140,8 @@ class Devices:
     def begin(
         self,
         state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
+        constants: RobotConstants,
+        rays: RayCaster,
         rows: IndexArray,
         now_s: float,
     ) -> None:
@@ -149,19 +149,19 @@ class Devices:
 
         Args:
             state: changed in place.
-            equipment: the robots' constants.
-            around: what there is to see.
+            constants: the robots' constants.
+            rays: what there is to see.
             rows: whose: robots that are there from the start, or that join.
             now_s: the start of the current cycle.
         """
-        self.sonars.begin(state, equipment, around, rows, now_s)
+        self.sonars.begin(state, constants, rays, rows, now_s)
         state.timers.begin(rows, now_s)
 
     def advance(
         self,
         state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
+        constants: RobotConstants,
+        rays: RayCaster,
         rows: IndexArray,
         to_s: FloatArray,
     ) -> None:
@@ -169,8 +169,8 @@ class Devices:
 
         Args:
             state: changed in place.
-            equipment: the robots' constants.
-            around: what there is to see.
+            constants: the robots' constants.
+            rays: what there is to see.
             rows: whose, k of them.
             to_s: until when, for each, (k,).
         """
@@ -180,31 +180,33 @@ class Devices:
                 break
             firing = rows[due]
             at_s = state.timers.soonest_s[firing]
-            self.sonars.advance(state, equipment, around, firing, at_s)
-            drive.advance(state, equipment, firing, np.maximum(at_s, state.drive.clock_s[firing]))
-            self._timers.fire(state, equipment, around, firing)
-        self.sonars.advance(state, equipment, around, rows, to_s)
+            self.sonars.advance(state, constants, rays, firing, at_s)
+            drive.advance(state, constants, firing, np.maximum(at_s, state.drive.clock_s[firing]))
+            self._timers.fire(state, constants, rays, firing)
+        self.sonars.advance(state, constants, rays, rows, to_s)
 
-    def end_cycle(self, state: EnvState, equipment: Equipment, from_s: float, to_s: float) -> None:
+    def end_cycle(
+        self, state: EnvState, constants: RobotConstants, from_s: float, to_s: float
+    ) -> None:
         """Lets those work that do so once in a cycle, at its end.
 
         Args:
             state: changed in place; the bodies are where they got to.
-            equipment: what stands where.
+            constants: what stands where.
             from_s: when the cycle began.
             to_s: when it ends.
         """
-        self.messenger.end_cycle(state, equipment, self.log, from_s=from_s, to_s=to_s)
+        self.messenger.end_cycle(state, constants, self.log, from_s=from_s, to_s=to_s)
 
 
-def tell_page(asked: Asked) -> BoolArray:
+def tell_page(asked: RequestContext) -> BoolArray:
     """Answers READINGS with a page of what a reply before told of; refuses other devices."""
-    state, equipment = asked.state, asked.equipment
+    state, constants = asked.state, asked.constants
     device = asked.messages["i"][:, 0].copy()
     good = np.zeros(len(device), dtype=np.bool_)
     tables = (
-        (CAMERA, state.camera.told, equipment.camera),
-        (LASER, state.laser.told, equipment.laser),
+        (CAMERA, state.camera.told, constants.camera),
+        (LASER, state.laser.told, constants.laser),
     )
     for number, told, numbers in tables:
         mine = numbers[asked.rows]

@@ -33,7 +33,7 @@ from crs_cc.requests import CODES, MESSAGE, NUM_STATE, STATE_REPLIES
 from crs_cc.sim.comms.message_log import take
 from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.drive import traction
-from crs_cc.sim.devices.request_context import Asked
+from crs_cc.sim.devices.request_context import RequestContext
 from crs_cc.sim.devices.vendor_state import state_vector
 from crs_cc.sim.devices.waits import settle, when
 from crs_cc.sim.engine.falls import tell_falls
@@ -86,7 +86,7 @@ class Environment(Setting):
             return np.array(clock_s, dtype=np.float64)
         now_s = np.fmin(np.fmax(clock_s, state.drive.clock_s[rows]), self.end_s)
         self._advance(rows, now_s)
-        drive.advance(state, self._equipment, rows, now_s)
+        drive.advance(state, self._constants, rows, now_s)
         arguments = messages["i"].copy()
         state.commands[rows] += 1
         drive.renew_deadline(state, rows)
@@ -118,37 +118,37 @@ class Environment(Setting):
         rows: IndexArray | slice = _ALL if len(present) == robots else present
         # Sensors measure on the way that wheels turn, so before they are turned on.
         self._advance(present, np.full(len(present), self.end_s))
-        drive.advance(state, self._equipment, rows, np.full(len(present), self.end_s))
-        self._rolling.add(state, self._equipment)
+        drive.advance(state, self._constants, rows, np.full(len(present), self.end_s))
+        self._rolling.add(state, self._constants)
         # The slices of the cycle are complete: what they pull at moves, or is held up.
         before_m = state.bodies.position_m[:robots].copy()
-        handling, pull = self._devices.handling, traction.pull(state, self._equipment)
+        handling, pull = self._devices.handling, traction.pull(state, self._constants)
         contacts = self._physics.step(
-            state.bodies, handling.pull(state, self._equipment, pull, self.end_s)
+            state.bodies, handling.pull(state, self._constants, pull, self.end_s)
         )
         # Wheels that were held up have not turned; only then is known what the robots did.
         went_m = state.bodies.position_m[:robots] - before_m
-        traction.feel(state, self._equipment, went_m)
+        traction.feel(state, self._constants, went_m)
         slices = slices_of(state, self._axes, self.timestep_s)
-        tell_falls(self._equipment, self._log, self.end_s, before_m, went_m)
-        state.distance_m += traction.ways_m(self._equipment, before_m, went_m)
-        drive.face(state, self._equipment)
+        tell_falls(self._constants, self._log, self.end_s, before_m, went_m)
+        state.distance_m += traction.ways_m(self._constants, before_m, went_m)
+        drive.face(state, self._constants)
         # Hands close on what is there now; what is held makes other bodies.
-        if handling.end_cycle(state, self._equipment, contacts, self.end_s):
+        if handling.end_cycle(state, self._constants, contacts, self.end_s):
             self._physics.start_from(state.bodies)
         # Motors that lack force are limp from the next cycle on.
         worked = self._devices.instruments.batteries.drain(state, self.timestep_s)
         self._let_go_if_empty(worked, self.end_s)
         # Contacts number things as they still are: whoever comes or goes below changes that.
         before = state.bumpers.pressed
-        began = self._bumpers.touch(state, self._equipment, contacts, self.end_s)
+        began = self._bumpers.touch(state, self._constants, contacts, self.end_s)
         pressed = state.bumpers.pressed
         touches = (began, pressed & ~before, before & ~pressed, self._names)
         # Degradations that begin are told before the devices that work at the end.
         cycle, time_s, served = state.cycle, self.time_s, tuple(self._served)
         if state.degradation.next_s < self.end_s:
             self.degradations.tell(self.end_s)
-        self._devices.end_cycle(state, self._equipment, self.time_s, self.end_s)
+        self._devices.end_cycle(state, self._constants, self.time_s, self.end_s)
         traffic = take(state.messages)
         self._begin_cycle()
         # In the next cycle already: waits that end in it, and who comes or goes at its start.
@@ -167,10 +167,10 @@ class Environment(Setting):
             good = self.state.connected[rows]
         handler = HANDLERS[code]
         if good.all():
-            verdict = handler(self.state, self._equipment, rows, messages)
+            verdict = handler(self.state, self._constants, rows, messages)
         else:
             connected = messages[good]
-            verdict = handler(self.state, self._equipment, rows[good], connected)
+            verdict = handler(self.state, self._constants, rows[good], connected)
             messages[good] = connected
         if verdict is not None:
             good[good] = verdict
@@ -183,7 +183,7 @@ class Environment(Setting):
         batteries = self._devices.instruments.batteries
         empty = rows[batteries.empty(self.state, rows, at_s)]
         if len(empty):
-            drive.lp(self.state, self._equipment, empty, np.zeros(len(empty), MESSAGE))
+            drive.lp(self.state, self._constants, empty, np.zeros(len(empty), MESSAGE))
 
     def _reply(
         self,
@@ -199,14 +199,14 @@ class Environment(Setting):
         self._advance(rows, at_s)
         instruments = self._devices.instruments
         instruments.read(
-            self.state, self._equipment, self._around, code=code, rows=rows[good], at_s=at_s[good]
+            self.state, self._constants, self._rays, code=code, rows=rows[good], at_s=at_s[good]
         )
-        states = state_vector(self.state, self._equipment, rows)
+        states = state_vector(self.state, self._constants, rows)
         messages["result"][~good] = 0
         if code in STATE_REPLIES:
             instruments.tell(
                 self.state,
-                self._equipment,
+                self._constants,
                 code=code,
                 rows=rows,
                 messages=messages,
@@ -226,8 +226,8 @@ class Environment(Setting):
     ) -> None:
         """Lets devices write their answers over the messages of good requests."""
         replies = messages[good]
-        asked = Asked(
-            self.state, self._equipment, self._around, rows[good], replies, at_s=at_s[good]
+        asked = RequestContext(
+            self.state, self._constants, self._rays, rows[good], replies, at_s=at_s[good]
         )
         verdict = self._devices.answers[code](asked)
         if verdict is not None:
@@ -238,7 +238,7 @@ class Environment(Setting):
         """Lets devices with timers work until an instant of this cycle."""
         # What falls on the end belongs to the next cycle, when the bodies are where they got to.
         to_s = np.minimum(to_s, np.nextafter(self.end_s, 0.0))
-        self._devices.advance(self.state, self._equipment, self._around, rows, to_s)
+        self._devices.advance(self.state, self._constants, self._rays, rows, to_s)
 
     def _begin_cycle(self) -> None:
         state = self.state
@@ -261,7 +261,7 @@ class Environment(Setting):
         for code in np.unique(codes).tolist():
             mine = codes == code
             replies, arguments = messages[mine], messages["i"][mine].copy()
-            WAITS[code].finish(self.state, self._equipment, rows[mine], replies)
+            WAITS[code].finish(self.state, self._constants, rows[mine], replies)
             good = np.ones(len(replies), dtype=np.bool_)
             self._reply(code, rows[mine], replies, at_s[mine], good, arguments=arguments)
             messages[mine] = replies
@@ -276,7 +276,7 @@ class Environment(Setting):
         goes_on_s = self._settle_waits(rows)
         ended = np.isfinite(goes_on_s)
         replies = messages[ended]
-        WAITS[code].finish(self.state, self._equipment, rows[ended], replies)
+        WAITS[code].finish(self.state, self._constants, rows[ended], replies)
         messages[ended] = replies
         return goes_on_s
 
@@ -288,4 +288,4 @@ class Environment(Setting):
         soon = ends_s < self.end_s
         until_s = np.minimum(ends_s, self.state.drive.deadline_s[rows])
         self._advance(rows[soon], until_s[soon])
-        return settle(WAITS, self.state, self._equipment, rows, self.end_s)
+        return settle(WAITS, self.state, self._constants, rows, self.end_s)

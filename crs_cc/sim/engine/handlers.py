@@ -35,7 +35,7 @@ from crs_cc.sim.devices import (
     sonar,
     tag,
 )
-from crs_cc.sim.devices.robot_constants import Equipment
+from crs_cc.sim.devices.robot_constants import RobotConstants
 from crs_cc.sim.devices.waits import Wait
 from crs_cc.sim.engine.server import drawing, world
 from crs_cc.sim.engine.server.motion import motion_check
@@ -44,22 +44,24 @@ from crs_cc.sim.engine.server.robot_poses import get_rpx
 from crs_cc.sim.state.env_state import EnvState
 from crs_cc.sim.state.mask import NUM_MASK, POS_DATA
 
-Handler: TypeAlias = Callable[[EnvState, Equipment, IndexArray, Records], BoolArray | None]
+Handler: TypeAlias = Callable[[EnvState, RobotConstants, IndexArray, Records], BoolArray | None]
 """Gives whether each request was good; None when all were."""
 
 
-def connect(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> None:
+def connect(
+    state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records
+) -> None:
     """Connects; whatever the number, a program's robot is the one that it runs in.
 
     That robot is there already, so that `create_robot` has nothing more to do.
     """
     state.connected[rows] = True
     serial_link.set_speed(state, rows, messages["i"][:, 1])
-    messages["i"][:, 0] = equipment.vendor_model[rows]
+    messages["i"][:, 0] = constants.vendor_model[rows]
 
 
 def disconnect(
-    state: EnvState, _equipment: Equipment, rows: IndexArray, _messages: Records
+    state: EnvState, _constants: RobotConstants, rows: IndexArray, _messages: Records
 ) -> None:
     """Ends the connection, or the simulator for this program.
 
@@ -68,18 +70,20 @@ def disconnect(
     state.connected[rows] = False
 
 
-def tell(_state: EnvState, _equipment: Equipment, _rows: IndexArray, _messages: Records) -> None:
+def tell(
+    _state: EnvState, _constants: RobotConstants, _rows: IndexArray, _messages: Records
+) -> None:
     """Changes nothing: readings come with the reply, or the robot is as it is asked to be."""
 
 
 def leave_to_device(
-    _state: EnvState, _equipment: Equipment, _rows: IndexArray, _messages: Records
+    _state: EnvState, _constants: RobotConstants, _rows: IndexArray, _messages: Records
 ) -> None:
     """Does nothing yet: the device does and tells what is asked, see `Devices.answers`."""
 
 
 def refuse(
-    _state: EnvState, _equipment: Equipment, rows: IndexArray, _messages: Records
+    _state: EnvState, _constants: RobotConstants, rows: IndexArray, _messages: Records
 ) -> BoolArray:
     """Refuses what this robot, or its simulator, cannot do.
 
@@ -88,7 +92,9 @@ def refuse(
     return np.zeros(len(rows), dtype=np.bool_)
 
 
-def ct(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Records) -> BoolArray:
+def ct(
+    state: EnvState, _constants: RobotConstants, rows: IndexArray, messages: Records
+) -> BoolArray:
     """Takes over which parts of `State` the program wants; refuses a mask that is not whole."""
     good: BoolArray = messages["size"] == NUM_MASK
     state.mask[rows[good]] = messages["data"][good, :NUM_MASK]

@@ -31,15 +31,15 @@ from crs_cc.sim.comms.control import CommunicationControl
 from crs_cc.sim.devices.bumper import Bumpers
 from crs_cc.sim.devices.degradation.control import DegradationControl
 from crs_cc.sim.devices.drive.rolling import RollingNoise
-from crs_cc.sim.devices.ray_caster import Surroundings
-from crs_cc.sim.devices.robot_constants import Equipment
+from crs_cc.sim.devices.ray_caster import RayCaster
+from crs_cc.sim.devices.robot_constants import RobotConstants
 from crs_cc.sim.devices.serial_link import SerialLine
-from crs_cc.sim.engine.device_board import Devices
+from crs_cc.sim.engine.device_board import DeviceBoard
 from crs_cc.sim.engine.roster import Timetable, complaint, in_the_way, leave
 from crs_cc.sim.engine.step import Served
 from crs_cc.sim.engine.teleport import carry_robot, carry_thing
 from crs_cc.sim.geometry.scene import Outlines, Scene
-from crs_cc.sim.geometry.shape_table import Things
+from crs_cc.sim.geometry.shape_table import ShapeTable
 from crs_cc.sim.model.world import Pose, Robot, Solid, WorldModel
 from crs_cc.sim.physics.simulation import Physics
 from crs_cc.sim.state.add_row import grown
@@ -108,11 +108,11 @@ class Setting:
     @property
     def things(self) -> tuple[Robot | Solid, ...]:
         """Gives all things in the order of their names; the ground has a name only."""
-        return self._equipment.scene.things
+        return self._constants.scene.things
 
     def outlines(self) -> tuple[Outlines, Outlines]:
         """Gives the outlines of what never moves, and of the bodies where they are now."""
-        scene, bodies = self._equipment.scene, self.state.bodies
+        scene, bodies = self._constants.scene, self.state.bodies
         return scene.fixed, scene.moving(bodies.position_m, bodies.angle_rad)
 
     @property
@@ -160,7 +160,7 @@ class Setting:
         """
         wrong = complaint(robot, self._names, self.time_s)
         if not wrong and robot.join_s <= self.time_s:
-            thing = in_the_way(self.state, self._equipment, robot.start, robot.model.radius_m)
+            thing = in_the_way(self.state, self._constants, robot.start, robot.model.radius_m)
             wrong = f"{thing} is in its place" if thing else ""
         if wrong:
             raise ValueError(f"robot {robot.id!r} cannot join: {wrong}")
@@ -206,11 +206,11 @@ class Setting:
         number = self._names.index(name) if name in self._names else -1
         if number in range(len(self.world.robots)):
             self._demand_presence(number)
-            thing = carry_robot(self.state, self._equipment, number, place)
+            thing = carry_robot(self.state, self._constants, number, place)
         else:
             if wrong := self._immovable(name):
                 raise ValueError(wrong)
-            thing = carry_thing(self.state, self._equipment, number, place)
+            thing = carry_thing(self.state, self._constants, number, place)
         if thing:
             raise ValueError(f"{name!r} cannot be there: {thing} is in its place")
         self._refurnish(moved=True)
@@ -265,7 +265,7 @@ class Setting:
         self._physics.restore(snapshot.physics)
         self._served = list(snapshot.served)
         self._log.restore(snapshot.events)
-        self._around.forget()
+        self._rays.forget()
 
     def hash(self) -> str:
         """Gives the SHA-256 of the whole state."""
@@ -280,18 +280,18 @@ class Setting:
         if name not in self.pushables:
             return unknown("robot or movable thing", name, (*self._robot_ids, *self.pushables))
         number = self.pushables.index(name)
-        if self._equipment.scene.pushables[number].part_of:
-            return f"{name!r} is a part of {self._equipment.scene.pushables[number].part_of!r}"
+        if self._constants.scene.pushables[number].part_of:
+            return f"{name!r} is a part of {self._constants.scene.pushables[number].part_of!r}"
         holders = np.flatnonzero((self.state.bodies.holds.thing == number).any(axis=1)).tolist()
         return f"{self._robot_ids[holders[0]]!r} holds {name!r}" if holders else ""
 
     def _equip(self, world: WorldModel) -> None:
         """Makes all that follows from which robots there are."""
         self.world = world
-        self._equipment = Equipment.of(world, self._seed)
+        self._constants = RobotConstants.of(world, self._seed)
         self._bumpers = Bumpers(world)
         self._rolling = RollingNoise(world, self._seed)
-        self._devices = Devices(world, self._seed, self._log)
+        self._devices = DeviceBoard(world, self._seed, self._log)
         self._axes = tuple(robot.model.drive.axis_names for robot in world.robots)
         self._line = SerialLine(world)
         self._timetable = Timetable(world)
@@ -302,16 +302,16 @@ class Setting:
         """Makes all that follows from which things stand where."""
         self._furnished = self.state.obstacles, self.state.presence.present
         self._names = scene.names
-        self._equipment = replace(self._equipment, scene=scene, things=Things.of(scene))
+        self._constants = replace(self._constants, scene=scene, shapes=ShapeTable.of(scene))
         self._physics = Physics(scene.world, scene, self.state.bodies)
-        self._around = Surroundings(scene, self._devices.fans)
+        self._rays = RayCaster(scene, self._devices.fans)
 
     def _refurnish(self, moved: bool) -> None:
         """Does so where things have come or gone, or a program has moved its robot."""
         if self._is_furnished():
             if moved:
                 self._physics.start_from(self.state.bodies)
-                self._around.forget()
+                self._rays.forget()
             return
         scene = Scene(self.world_now, self.state.presence.present)
         if scene.names != self._names:
@@ -332,7 +332,7 @@ class Setting:
         """Lets robots leave and join whose time it is."""
         now_s = self.time_s
         self._timetable.leave(self.state, now_s, self._log)
-        joined = self._timetable.join(self.state, self._equipment, now_s, self._log)
+        joined = self._timetable.join(self.state, self._constants, now_s, self._log)
         self._refurnish(moved=False)
         self._begin(joined)
         self._due_s = self._timetable.due_s(self.state.presence)
@@ -340,4 +340,4 @@ class Setting:
     def _begin(self, rows: IndexArray) -> None:
         """Lets the devices of robots begin that are in the world from now on."""
         if len(rows):
-            self._devices.begin(self.state, self._equipment, self._around, rows, self.time_s)
+            self._devices.begin(self.state, self._constants, self._rays, rows, self.time_s)

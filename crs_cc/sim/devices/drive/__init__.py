@@ -42,7 +42,7 @@ from crs_cc.sim.state import motion_profile
 from crs_cc.sim.state.rows import take
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
 
 
@@ -63,13 +63,13 @@ _TURN: Final = 2 * math.pi
 
 
 def advance(
-    state: EnvState, equipment: Equipment, rows: IndexArray | slice, to_s: FloatArray
+    state: EnvState, constants: RobotConstants, rows: IndexArray | slice, to_s: FloatArray
 ) -> None:
     """Lets the axes turn on to an instant, and stop in between where the time for it is up.
 
     Args:
         state: changed in place.
-        equipment: the robots' constants.
+        constants: the robots' constants.
         rows: which robots, k of them.
         to_s: the instant of each, not before the last one, shape (k,).
     """
@@ -77,11 +77,11 @@ def advance(
     if late.any():
         stopped = np.arange(len(state.drive.clock_s))[rows][late]
         deadline_s = state.drive.deadline_s[stopped]
-        _turn(state, equipment, stopped, deadline_s)
-        _stop(state, equipment, stopped, ~state.drive.limp[stopped])
+        _turn(state, constants, stopped, deadline_s)
+        _stop(state, constants, stopped, ~state.drive.limp[stopped])
         state.drive.deadline_s[stopped] = np.inf
         _remember(state, stopped, CODES["CONF_TM"])
-    _turn(state, equipment, rows, to_s)
+    _turn(state, constants, rows, to_s)
 
 
 def renew_deadline(state: EnvState, rows: IndexArray) -> None:
@@ -104,42 +104,42 @@ def stands_s(state: EnvState, rows: IndexArray) -> FloatArray:
 
 
 def _turn(
-    state: EnvState, equipment: Equipment, rows: IndexArray | slice, to_s: FloatArray
+    state: EnvState, constants: RobotConstants, rows: IndexArray | slice, to_s: FloatArray
 ) -> None:
     way = motion_profile.advance(state.drive.axes, rows, to_s)
     from_s = state.drive.clock_s[rows].copy()
-    move, limit = equipment.degradations.move, equipment.drives.speed_limit
+    move, limit = constants.degradations.move, constants.drives.speed_limit
     way = move(state, "drive", rows, way, from_s=from_s, to_s=to_s, limit=limit)
-    turned = traction.turned(state, equipment, rows, way, to_s - from_s)
+    turned = traction.turned(state, constants, rows, way, to_s - from_s)
     state.drive.clock_s[rows] = to_s
     counted = move(state, "odometry", rows, turned, from_s=from_s, to_s=to_s)
     if turned.any() or counted.any():
         state.drive.slice[rows] += turned
-        odometry.count_turns(state, equipment, rows, counted)
+        odometry.count_turns(state, constants, rows, counted)
     way = move(state, "wheels", rows, way, from_s=from_s, to_s=to_s, limit=limit)
     if not way.any():
         return
     facing_rad = state.drive.facing_rad[rows]
-    turn_rad = weighted(way, take(equipment.drives.true_turn, rows))
-    way_m = weighted(way, take(equipment.drives.true_forward, rows))
+    turn_rad = weighted(way, take(constants.drives.true_turn, rows))
+    way_m = weighted(way, take(constants.drives.true_forward, rows))
     x_m, y_m = odometry.arc(facing_rad, way_m, turn_rad)
-    if equipment.inclines is not None:
+    if constants.inclines is not None:
         place_m = state.bodies.position_m[: len(state.heading_rad)][rows]
-        x_m, y_m = equipment.inclines.shortened(place_m, x_m, y_m)
+        x_m, y_m = constants.inclines.shortened(place_m, x_m, y_m)
     state.drive.moved_m[rows, 0] += x_m
     state.drive.moved_m[rows, 1] += y_m
     state.drive.facing_rad[rows] = facing_rad + turn_rad
-    if equipment.drives.turrets:
+    if constants.drives.turrets:
         state.drive.turret_rad[rows] += way[:, 2]
 
 
-def face(state: EnvState, equipment: Equipment) -> None:
+def face(state: EnvState, constants: RobotConstants) -> None:
     """Ends a cycle: robots face where their axes were turned to."""
     state.heading_rad = state.drive.facing_rad % _TURN
-    if equipment.drives.synchro.any():
-        state.base_rad = np.where(equipment.drives.synchro, state.base_rad, state.heading_rad)
+    if constants.drives.synchro.any():
+        state.base_rad = np.where(constants.drives.synchro, state.base_rad, state.heading_rad)
         turret_rad = state.drive.turret_rad % _TURN
-        state.mount_rad = np.where(equipment.drives.turret, turret_rad, state.base_rad)
+        state.mount_rad = np.where(constants.drives.turret, turret_rad, state.base_rad)
     else:
         state.mount_rad = state.base_rad = state.heading_rad
 
@@ -147,88 +147,90 @@ def face(state: EnvState, equipment: Equipment) -> None:
 # -- commands --------------------------------------------------------------------------------------
 
 
-def ac(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> None:
+def ac(state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records) -> None:
     """Sets accelerations."""
     values = messages["i"][:, :AXES]
-    _set(state.drive.ramp, equipment.drives.ramp_limit, equipment, rows, values)
+    _set(state.drive.ramp, constants.drives.ramp_limit, constants, rows, values)
 
 
-def sp(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> None:
+def sp(state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records) -> None:
     """Sets the speeds of `pr`."""
     values = messages["i"][:, :AXES]
-    _set(state.drive.move_speed, equipment.drives.speed_limit, equipment, rows, values)
+    _set(state.drive.move_speed, constants.drives.speed_limit, constants, rows, values)
 
 
-def pr(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> None:
+def pr(state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records) -> None:
     """Starts a relative move."""
-    _move(state, equipment, rows, messages["i"][:, :AXES])
+    _move(state, constants, rows, messages["i"][:, :AXES])
     _remember(state, rows, CODES["PR"])
 
 
-def vm(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> None:
+def vm(state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records) -> None:
     """Sets speeds."""
-    _run_at(state, equipment, rows, messages["i"][:, :AXES])
+    _run_at(state, constants, rows, messages["i"][:, :AXES])
     _remember(state, rows, CODES["VM"])
 
 
-def mv(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> BoolArray:
+def mv(
+    state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records
+) -> BoolArray:
     """Commands each axis in a mode of its own; refuses modes that the vendor's client refuses."""
     modes, values = messages["i"][:, 0:6:2], messages["i"][:, 1:6:2]
     good = np.asarray(((modes >= IGNORE) & (modes <= SPEED)).all(axis=1))
     rows, modes, values = rows[good], modes[good], values[good]
     _set(
         state.drive.ramp,
-        equipment.drives.ramp_limit,
-        equipment,
+        constants.drives.ramp_limit,
+        constants,
         rows,
         values,
         which=modes == ACCELERATION,
     )
     _set(
         state.drive.move_speed,
-        equipment.drives.speed_limit,
-        equipment,
+        constants.drives.speed_limit,
+        constants,
         rows,
         values,
         which=modes == SPEED,
     )
-    _run_at(state, equipment, rows, values, modes == VELOCITY)
-    _move(state, equipment, rows, values, modes == RELATIVE)
-    _let_go(state, equipment, rows, modes == LIMP)
+    _run_at(state, constants, rows, values, modes == VELOCITY)
+    _move(state, constants, rows, values, modes == RELATIVE)
+    _let_go(state, constants, rows, modes == LIMP)
     moves = ((modes == VELOCITY) | (modes == RELATIVE) | (modes == LIMP)).any(axis=1)
     _remember(state, rows[moves], CODES["MV"])
     return good
 
 
-def st(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Records) -> None:
+def st(state: EnvState, constants: RobotConstants, rows: IndexArray, _messages: Records) -> None:
     """Stops the axes and holds them."""
-    _stop(state, equipment, rows)
+    _stop(state, constants, rows)
     _remember(state, rows, CODES["ST"])
 
 
-def lp(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Records) -> None:
+def lp(state: EnvState, constants: RobotConstants, rows: IndexArray, _messages: Records) -> None:
     """Lets the axes go limp: the wheels roll out, what turns stops."""
-    _let_go(state, equipment, rows)
+    _let_go(state, constants, rows)
     _remember(state, rows, CODES["LP"])
 
 
-def ws(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> None:
+def ws(state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records) -> None:
     """Begins to wait until the chosen axes stand still."""
     state.waits.axes[rows] = messages["i"][:, :AXES] != 0
     timeout_s = (messages["i"][:, 3] & _BYTE).astype(np.float64)
-    endless = (timeout_s == 0.0) & equipment.drives.waits_forever[rows]
+    endless = (timeout_s == 0.0) & constants.drives.waits_forever[rows]
     until_s = state.drive.clock_s[rows] + timeout_s
     state.waits.until_s[rows] = np.where(endless, np.inf, until_s)
 
 
-def zr(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Records) -> None:
+def zr(state: EnvState, constants: RobotConstants, rows: IndexArray, _messages: Records) -> None:
     """Begins to turn steering and turret to their zero marks, the shorter way; `zeroed` ends it.
 
     The marks are where wheels and turret point ahead of the base. A differential drive has none.
     """
-    drives = equipment.drives
+    drives = constants.drives
     rows = rows[drives.synchro[rows]]
-    _stop(state, equipment, rows, np.arange(AXES) == 0)
+    _stop(state, constants, rows, np.arange(AXES) == 0)
     off_rad = np.zeros((len(rows), AXES))
     off_rad[:, 1] = state.base_rad[rows] - state.drive.facing_rad[rows]
     turret_rad = state.base_rad[rows] - state.drive.turret_rad[rows]
@@ -248,16 +250,18 @@ def zr(state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Recor
     _remember(state, rows, CODES["ZR"])
 
 
-def zeroed(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> None:
+def zeroed(state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records) -> None:
     """Sets the odometry of robots to 0; fails for those that did not get to their zero marks."""
     stands = (state.drive.axes.end_s(rows) <= state.drive.clock_s[rows, None]).all(axis=1)
-    done = stands | ~equipment.drives.synchro[rows]
+    done = stands | ~constants.drives.synchro[rows]
     odometry.zero(state, rows[done])
     messages["result"] = done
     renew_deadline(state, rows)
 
 
-def conf_tm(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Records) -> None:
+def conf_tm(
+    state: EnvState, _constants: RobotConstants, rows: IndexArray, messages: Records
+) -> None:
     """Sets the time without a command after which the axes stop, 0 for never."""
     timeout_s = (messages["i"][:, 0] & _BYTE).astype(np.float64)
     state.drive.timeout_s[rows] = np.where(timeout_s > 0.0, timeout_s, np.inf)
@@ -267,13 +271,13 @@ def conf_tm(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: 
 def _set(
     setting: FloatArray,
     limit: FloatArray,
-    equipment: Equipment,
+    constants: RobotConstants,
     rows: IndexArray,
     values: Int32Array,
     *,
     which: BoolArray | bool = True,
 ) -> None:
-    unit = equipment.drives.unit[rows]
+    unit = constants.drives.unit[rows]
     least = np.where(unit > 0.0, unit, 1.0)
     wanted = np.maximum(np.abs(values.astype(np.float64)) * unit, least)
     setting[rows] = np.where(which, np.minimum(wanted, limit[rows]), setting[rows])
@@ -281,31 +285,31 @@ def _set(
 
 def _run_at(
     state: EnvState,
-    equipment: Equipment,
+    constants: RobotConstants,
     rows: IndexArray,
     values: Int32Array,
     which: BoolArray | bool = True,
 ) -> None:
-    _take_up(state, equipment, rows, which)
-    limit = take(equipment.drives.speed_limit, rows)
-    target = np.clip(values.astype(np.float64) * take(equipment.drives.unit, rows), -limit, limit)
+    _take_up(state, constants, rows, which)
+    limit = take(constants.drives.speed_limit, rows)
+    target = np.clip(values.astype(np.float64) * take(constants.drives.unit, rows), -limit, limit)
     ramp, now_s = take(state.drive.ramp, rows), state.drive.clock_s[rows]
     motion_profile.plan_speed(state.drive.axes, rows, now_s, target, ramp=ramp, which=which)
 
 
 def _move(
     state: EnvState,
-    equipment: Equipment,
+    constants: RobotConstants,
     rows: IndexArray,
     values: Int32Array,
     which: BoolArray | bool = True,
 ) -> None:
-    _take_up(state, equipment, rows, which)
+    _take_up(state, constants, rows, which)
     motion_profile.plan_move(
         state.drive.axes,
         rows,
         state.drive.clock_s[rows],
-        values.astype(np.float64) * equipment.drives.unit[rows],
+        values.astype(np.float64) * constants.drives.unit[rows],
         limit=state.drive.move_speed[rows],
         ramp=state.drive.ramp[rows],
         which=which,
@@ -313,9 +317,9 @@ def _move(
 
 
 def _stop(
-    state: EnvState, equipment: Equipment, rows: IndexArray, which: BoolArray | bool = True
+    state: EnvState, constants: RobotConstants, rows: IndexArray, which: BoolArray | bool = True
 ) -> None:
-    _take_up(state, equipment, rows, which)
+    _take_up(state, constants, rows, which)
     ramp, now_s = take(state.drive.ramp, rows), state.drive.clock_s[rows]
     standing = np.zeros_like(ramp)
     motion_profile.plan_speed(state.drive.axes, rows, now_s, standing, ramp=ramp, which=which)
@@ -339,21 +343,21 @@ def turn_turret(state: EnvState, rows: IndexArray, way_rad: float, speed_radps: 
 
 
 def _take_up(
-    state: EnvState, equipment: Equipment, rows: IndexArray, which: BoolArray | bool
+    state: EnvState, constants: RobotConstants, rows: IndexArray, which: BoolArray | bool
 ) -> None:
     """Lets motors take up limp wheels again, at the speed with which these roll."""
     limp = state.drive.limp[rows] & which
     if limp.any():
         speed = state.drive.axes.speed
-        speed[rows] = np.where(limp, traction.speed(state, equipment, rows), speed[rows])
+        speed[rows] = np.where(limp, traction.speed(state, constants, rows), speed[rows])
         state.drive.limp[rows] &= ~limp
 
 
 def _let_go(
-    state: EnvState, equipment: Equipment, rows: IndexArray, which: BoolArray | bool = True
+    state: EnvState, constants: RobotConstants, rows: IndexArray, which: BoolArray | bool = True
 ) -> None:
-    rolls = equipment.drives.rolls[rows] > 0.0
-    roll_out_mps2 = equipment.drives.roll_out_mps2[rows, None]
+    rolls = constants.drives.rolls[rows] > 0.0
+    roll_out_mps2 = constants.drives.roll_out_mps2[rows, None]
     ramp, now_s = np.where(rolls, roll_out_mps2, state.drive.ramp[rows]), state.drive.clock_s[rows]
     standing = np.zeros_like(ramp)
     motion_profile.plan_speed(state.drive.axes, rows, now_s, standing, ramp=ramp, which=which)

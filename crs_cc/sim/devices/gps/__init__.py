@@ -22,9 +22,9 @@ from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.state.timers import GPS
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.ray_caster import Surroundings
-    from crs_cc.sim.devices.request_context import Asked
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.ray_caster import RayCaster
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
 
@@ -47,8 +47,8 @@ class GpsReceivers:
     def read(
         self,
         state: EnvState,
-        equipment: Equipment,
-        _around: Surroundings,
+        constants: RobotConstants,
+        _around: RayCaster,
         rows: IndexArray,
         at_s: FloatArray,
     ) -> None:
@@ -56,27 +56,27 @@ class GpsReceivers:
 
         Args:
             state: changed in place.
-            equipment: the robots' constants.
+            constants: the robots' constants.
             rows: robots that have a receiver, k of them, whose axes were turned to `at_s`.
             at_s: when, for each, shape (k,).
         """
-        gps, mine = state.gps, equipment.gps[rows]
+        gps, mine = state.gps, constants.gps[rows]
         due = is_due(gps.at_s[mine], at_s, self.interval_s[mine])
         rows, mine, at_s = rows[due], mine[due], at_s[due]
-        fix_m = mount_poses(state, equipment, rows)[:, :2]
+        fix_m = mount_poses(state, constants, rows)[:, :2]
         if self._noise_m.any():
             fix_m += self._noise.rows(rows, gps.count[mine]) * self._noise_m[mine, None]
-        fix_m = equipment.degradations.alter(state, "gps", rows, fix_m, at_s)
+        fix_m = constants.degradations.alter(state, "gps", rows, fix_m, at_s)
         gps.fix_m[mine], gps.at_s[mine] = fix_m, at_s
         gps.count[mine] += 1
 
-    def tell(self, asked: Asked) -> BoolArray:
+    def tell(self, asked: RequestContext) -> BoolArray:
         """Answers GPS; refuses robots that have no receiver, or whose receiver has no fix."""
-        state, equipment, rows = asked.state, asked.equipment, asked.rows
-        has = np.asarray(equipment.gps[rows] >= 0)
+        state, constants, rows = asked.state, asked.constants, asked.rows
+        has = np.asarray(constants.gps[rows] >= 0)
         measures = has & state.timers.on_request(rows, GPS)
-        self.read(state, equipment, asked.around, rows[measures], asked.at_s[measures])
-        gps, mine = state.gps, equipment.gps[rows[has]]
+        self.read(state, constants, asked.rays, rows[measures], asked.at_s[measures])
+        gps, mine = state.gps, constants.gps[rows[has]]
         fixed = np.isfinite(gps.fix_m[mine]).all(axis=1)
         has[has] = fixed
         tenths = np.rint(m_to_tenths_inch(gps.fix_m[mine[fixed]]))

@@ -41,12 +41,12 @@ from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.split_and_merge import segments
 from crs_cc.sim.model.sensors import NUM_LASER
 from crs_cc.sim.state import timers
-from crs_cc.sim.state.paged_reply import Told
+from crs_cc.sim.state.paged_reply import PagedReply
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.ray_caster import Surroundings
-    from crs_cc.sim.devices.request_context import Asked
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.ray_caster import RayCaster
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.sensors import Laser
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
@@ -83,8 +83,8 @@ class Lasers:
     def read(
         self,
         state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
+        constants: RobotConstants,
+        rays: RayCaster,
         rows: IndexArray,
         at_s: FloatArray,
     ) -> None:
@@ -92,28 +92,28 @@ class Lasers:
 
         Args:
             state: changed in place.
-            equipment: the robots' constants.
-            around: what there is to see.
+            constants: the robots' constants.
+            rays: what there is to see.
             rows: which robots, k of them, whose axes were turned to `at_s`.
             at_s: when, for each, shape (k,).
         """
         laser = state.laser
-        mine = equipment.laser[rows]
+        mine = constants.laser[rows]
         due = laser.measured.are_due(mine, at_s, self.interval_s) & is_on(laser.mode[mine])
         if not due.any():
             return
         rows, mine = rows[due], mine[due]
         laser.points[mine], laser.seen[mine], laser.ranges[mine] = self.look(
-            state, equipment, around, rows, mount_poses(state, equipment, rows), at_s=at_s[due]
+            state, constants, rays, rows, mount_poses(state, constants, rows), at_s=at_s[due]
         )
         laser.count[mine] += 1
-        laser.measured.note(mine, at_s[due], configuration(state, equipment, rows))
+        laser.measured.note(mine, at_s[due], configuration(state, constants, rows))
 
     def look(
         self,
         state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
+        constants: RobotConstants,
+        rays: RayCaster,
         rows: IndexArray,
         poses: FloatArray,
         *,
@@ -123,8 +123,8 @@ class Lasers:
 
         Args:
             state: tells what the programs have set.
-            equipment: the robots' constants.
-            around: what there is to see.
+            constants: the robots' constants.
+            rays: what there is to see.
             rows: robots that have a laser, k of them.
             poses: x, y [m] and direction [rad] of each mount, shape (k, 3).
             at_s: when, for each, shape (k,); None for what they would see without any error.
@@ -133,17 +133,17 @@ class Lasers:
             how many points each sees, shape (k,); their x and y [0.1 in], shape (k, 964); and how
             far away they are in each direction [0.1 in], -1 for none, shape (k, 482).
         """
-        mine = equipment.laser[rows]
+        mine = constants.laser[rows]
         counts = np.zeros(len(rows), dtype=np.int32)
         numbers = np.zeros((len(rows), 2 * NUM_LASER), dtype=np.int32)
         ranges = np.full((len(rows), NUM_LASER), -1, dtype=np.int32)
         kinds = [(self._models[number], int(state.laser.wanted[number])) for number in mine]
         for kind in dict.fromkeys(kinds):
             some = np.array([place for place, each in enumerate(kinds) if each == kind])
-            distance_m = around.distances_m(state, self._fan(*kind), poses[some], own=rows[some])
+            distance_m = rays.distances_m(state, self._fan(*kind), poses[some], own=rows[some])
             if at_s is not None:
                 distance_m += self._errors_m(state, rows[some], mine[some], distance_m)
-                distance_m = equipment.degradations.alter(
+                distance_m = constants.degradations.alter(
                     state, "laser", rows[some], distance_m, at_s[some]
                 )
             directions = _directions(*kind)
@@ -157,17 +157,17 @@ class Lasers:
                 ranges[place, np.flatnonzero(hit)] = np.rint(m_to_tenths_inch(seen_m[hit]))
         return counts, numbers, ranges
 
-    def tell(self, asked: Asked) -> BoolArray:
+    def tell(self, asked: RequestContext) -> BoolArray:
         """Answers LASER with how many ranges there are; refuses lasers that are off, or not there.
 
         What was seen is kept for READINGS.
         """
-        state, equipment, rows = asked.state, asked.equipment, asked.rows
-        mine = equipment.laser[rows]
+        state, constants, rows = asked.state, asked.constants, asked.rows
+        mine = constants.laser[rows]
         good = np.asarray(mine >= 0)
         good[good] = is_on(state.laser.mode[mine[good]])
         looks = good & state.timers.on_request(rows, timers.LASER)
-        self.read(state, equipment, asked.around, rows[looks], asked.at_s[looks])
+        self.read(state, constants, asked.rays, rows[looks], asked.at_s[looks])
         for place in np.flatnonzero(good).tolist():
             number = mine[place]
             wanted = int(state.laser.wanted[number])
@@ -204,7 +204,7 @@ def widths(mode: npt.NDArray[np.integer]) -> Int32Array:
 
 
 def keep(
-    state: EnvState, told: Told, mine: IndexArray, width: Int32Array,
+    state: EnvState, told: PagedReply, mine: IndexArray, width: Int32Array,
     seen: tuple[Int32Array, Int32Array],
 ) -> None:  # fmt: skip
     """Keeps readings for the pages that the client will ask for.
@@ -228,9 +228,11 @@ def keep(
         told.numbers[number, : found.size] = found.ravel()
 
 
-def page(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records) -> BoolArray:
+def page(
+    state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records
+) -> BoolArray:
     """Hands over a page of the readings that the last reply, or PREDICT's, told of."""
-    mine = equipment.laser[rows]
+    mine = constants.laser[rows]
     good = np.asarray(mine >= 0)
     messages["size"] = 0
     for place in np.flatnonzero(good):
@@ -241,22 +243,22 @@ def page(state: EnvState, equipment: Equipment, rows: IndexArray, messages: Reco
 
 
 def get_laser(
-    _state: EnvState, equipment: Equipment, rows: IndexArray, _messages: Records
+    _state: EnvState, constants: RobotConstants, rows: IndexArray, _messages: Records
 ) -> BoolArray:
     """Refuses robots that have no laser; the reply tells how many readings there are."""
-    return np.asarray(equipment.laser[rows] >= 0)
+    return np.asarray(constants.laser[rows] >= 0)
 
 
 def conf_ls(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
+    state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records
 ) -> BoolArray:
     """Sets the mode and how many points are looked for; refuses modes that tell pixels."""
-    mode, mine = messages["i"][:, 0], equipment.laser[rows]
+    mode, mine = messages["i"][:, 0], constants.laser[rows]
     known = ~is_on(mode) | np.isin(mode, _POINT_MODES + _SEGMENT_MODES)
     good: BoolArray = (mine >= 0) & known
     mine, laser = mine[good], state.laser
     unsigned = messages["i"][good, 3:5].view(np.uint32)
-    most = equipment.laser_points[rows[good]]
+    most = constants.laser_points[rows[good]]
     laser.mode[mine] = mode[good]
     laser.wanted[mine] = np.where(unsigned[:, 0] == 0, most, np.minimum(unsigned[:, 0], most))
     laser.averaged[mine] = np.clip(unsigned[:, 1], 1, NUM_LASER)
@@ -265,10 +267,10 @@ def conf_ls(
 
 
 def conf_sg(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
+    state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records
 ) -> BoolArray:
     """Sets how points become segments."""
-    mine = equipment.laser[rows]
+    mine = constants.laser[rows]
     good = np.asarray(mine >= 0)
     unsigned = messages["i"][good, :3].view(np.uint32)
     state.laser.segments[mine[good]] = np.minimum(unsigned, LARGEST)

@@ -27,9 +27,9 @@ from crs_cc.sim.model.beacons import MAX_LIGHT_SENSORS
 from crs_cc.sim.state.timers import LIGHT
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.ray_caster import Surroundings
-    from crs_cc.sim.devices.request_context import Asked
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.ray_caster import RayCaster
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
 
@@ -63,8 +63,8 @@ class LightRings:
     def read(
         self,
         state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
+        constants: RobotConstants,
+        rays: RayCaster,
         rows: IndexArray,
         at_s: FloatArray,
     ) -> None:
@@ -72,30 +72,30 @@ class LightRings:
 
         Args:
             state: changed in place.
-            equipment: the robots' constants.
-            around: what there is to see.
+            constants: the robots' constants.
+            rays: what there is to see.
             rows: robots that have a ring, k of them, whose axes were turned to `at_s`.
             at_s: when, for each, shape (k,).
         """
         if not len(rows):
             return
-        ring, mine = state.light, equipment.light[rows]
-        readings = self._light(state, equipment, around, rows)
+        ring, mine = state.light, constants.light[rows]
+        readings = self._light(state, constants, rays, rows)
         if self._share.any():
             deviates = self._noise.rows(rows, ring.count[mine])
             readings *= 1.0 + deviates * self._share[rows, None]
-        readings = equipment.degradations.alter(state, "light", rows, readings, at_s)
+        readings = constants.degradations.alter(state, "light", rows, readings, at_s)
         ring.reading[mine], ring.at_s[mine] = np.nan_to_num(readings, nan=0.0), at_s
         ring.count[mine] += 1
 
-    def tell(self, asked: Asked) -> BoolArray:
+    def tell(self, asked: RequestContext) -> BoolArray:
         """Answers GET_LIGHT: how many sensors there are, and their readings as data."""
-        state, equipment, rows = asked.state, asked.equipment, asked.rows
-        has = np.asarray(equipment.light[rows] >= 0)
+        state, constants, rows = asked.state, asked.constants, asked.rows
+        has = np.asarray(constants.light[rows] >= 0)
         measures = has & state.timers.on_request(rows, LIGHT)
-        self.read(state, equipment, asked.around, rows[measures], asked.at_s[measures])
+        self.read(state, constants, asked.rays, rows[measures], asked.at_s[measures])
         replies = asked.messages[has]
-        readings = state.light.reading[equipment.light[rows[has]]]
+        readings = state.light.reading[constants.light[rows[has]]]
         whole = np.clip(np.rint(readings), 0, LARGEST).astype("<i4")
         replies["data"][:, : 4 * MAX_LIGHT_SENSORS] = whole.view(np.uint8)
         replies["size"] = 4 * MAX_LIGHT_SENSORS
@@ -104,7 +104,7 @@ class LightRings:
         return has
 
     def _light(
-        self, state: EnvState, equipment: Equipment, around: Surroundings, rows: IndexArray
+        self, state: EnvState, constants: RobotConstants, rays: RayCaster, rows: IndexArray
     ) -> FloatArray:
         """Gives how much light all sensors get that there can be, (k, 32)."""
         robots = len(state.heading_rad)
@@ -112,7 +112,7 @@ class LightRings:
             state.bodies.position_m[:robots], state.beacons.brightness
         )
         seen = sense(
-            state, equipment, around, rows,
+            state, constants, rays, rows,
             sources=lights, range_m=self._range_m[rows], fan=self.fans[0],
         )  # fmt: skip
         bright = np.flatnonzero(seen.in_sight)

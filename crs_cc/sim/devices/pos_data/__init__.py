@@ -25,9 +25,9 @@ from crs_cc.sim.state.pos_data import NUMBERS, PLACES
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.clock import BoardClock
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
-    from crs_cc.sim.state.last_measurement import Moments
+    from crs_cc.sim.state.last_measurement import LastMeasurement
 
 
 INFRARED: Final = 1
@@ -53,13 +53,13 @@ _PAGE: Final = 6
 
 
 def tell(
-    state: EnvState, equipment: Equipment, clock: BoardClock, rows: IndexArray, kinds: int
+    state: EnvState, constants: RobotConstants, clock: BoardClock, rows: IndexArray, kinds: int
 ) -> None:
     """Copies what a reply tells.
 
     Args:
         state: changed in place.
-        equipment: the robots' constants.
+        constants: the robots' constants.
         clock: the sensor boards' clocks.
         rows: which robots, k of them.
         kinds: whose readings the reply carries, the vendor's bits.
@@ -70,11 +70,11 @@ def tell(
     for kind, places in PLACES.items():
         robots = rows[wanted & kind != 0]
         if len(robots):
-            at_s, configuration = _read(state, equipment, robots, kind)
+            at_s, configuration = _read(state, constants, robots, kind)
             _copy(state, clock, robots, places, (at_s, configuration))
 
 
-def page(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Records) -> None:
+def page(state: EnvState, _constants: RobotConstants, rows: IndexArray, messages: Records) -> None:
     """Hands over a page of what the last reply told of one kind of sensor."""
     messages["result"], messages["size"] = 0, 0
     for place, row in enumerate(state.pos_data.row[rows].tolist()):
@@ -87,7 +87,7 @@ def page(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Rec
 
 
 def _read(
-    state: EnvState, equipment: Equipment, robots: IndexArray, kind: int
+    state: EnvState, constants: RobotConstants, robots: IndexArray, kind: int
 ) -> tuple[FloatArray, Int32Array]:
     """Gives when sensors were read, (k, s), below 0 for never, and from where, (k, s, 7)."""
     if kind == SONAR:
@@ -95,13 +95,13 @@ def _read(
     if kind == BUMPER:
         return _last(state.bumpers.hit, robots)
     if kind == INFRARED:
-        return _last(state.infrared.measured, equipment.infrared[robots])
+        return _last(state.infrared.measured, constants.infrared[robots])
     if kind == LASER:
-        return _last(state.laser.measured, equipment.laser[robots])
-    return _last(state.compass.measured, equipment.compass[robots])
+        return _last(state.laser.measured, constants.laser[robots])
+    return _last(state.compass.measured, constants.compass[robots])
 
 
-def _last(moments: Moments, numbers: IndexArray) -> tuple[FloatArray, Int32Array]:
+def _last(moments: LastMeasurement, numbers: IndexArray) -> tuple[FloatArray, Int32Array]:
     """Gives the last measurement of each robot; its number is -1 where the sensor is missing."""
     at_s = np.full((len(numbers), 1), -1.0)
     configuration = np.zeros((len(numbers), 1, moments.configuration.shape[1]), dtype=np.int32)

@@ -24,9 +24,9 @@ from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.state.timers import TILT
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.ray_caster import Surroundings
-    from crs_cc.sim.devices.request_context import Asked
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.ray_caster import RayCaster
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
 
@@ -53,8 +53,8 @@ class Inclinometers:
     def read(
         self,
         state: EnvState,
-        equipment: Equipment,
-        _around: Surroundings,
+        constants: RobotConstants,
+        _around: RayCaster,
         rows: IndexArray,
         at_s: FloatArray,
     ) -> None:
@@ -62,33 +62,33 @@ class Inclinometers:
 
         Args:
             state: changed in place.
-            equipment: the robots' constants.
+            constants: the robots' constants.
             rows: robots that have one, k of them, whose axes were turned to `at_s`.
             at_s: when, for each, shape (k,).
         """
-        tilt, mine = state.tilt, equipment.inclinometer[rows]
+        tilt, mine = state.tilt, constants.inclinometer[rows]
         due = is_due(tilt.at_s[mine], at_s, self.interval_s[mine])
         rows, mine, at_s = rows[due], mine[due], at_s[due]
         tilt_rad = np.zeros((len(rows), 2))
-        if equipment.inclines is not None:
-            x_m, y_m, direction = mount_poses(state, equipment, rows).T
-            gradient = equipment.inclines.terrain.gradient(x_m, y_m)
+        if constants.inclines is not None:
+            x_m, y_m, direction = mount_poses(state, constants, rows).T
+            gradient = constants.inclines.terrain.gradient(x_m, y_m)
             cos, sin = np.cos(direction), np.sin(direction)
             tilt_rad[:, 0] = np.arctan(cos * gradient[:, 0] + sin * gradient[:, 1])
             tilt_rad[:, 1] = np.arctan(cos * gradient[:, 1] - sin * gradient[:, 0])
         if self._noise_rad.any():
             tilt_rad += self._noise.rows(rows, tilt.count[mine]) * self._noise_rad[mine, None]
-        tilt_rad = equipment.degradations.alter(state, "tilt", rows, tilt_rad, at_s)
+        tilt_rad = constants.degradations.alter(state, "tilt", rows, tilt_rad, at_s)
         tilt.tilt_rad[mine], tilt.at_s[mine] = tilt_rad, at_s
         tilt.count[mine] += 1
 
-    def tell(self, asked: Asked) -> BoolArray:
+    def tell(self, asked: RequestContext) -> BoolArray:
         """Answers TILT; refuses robots that have no inclinometer, or whose one tells nothing."""
-        state, equipment, rows = asked.state, asked.equipment, asked.rows
-        has = np.asarray(equipment.inclinometer[rows] >= 0)
+        state, constants, rows = asked.state, asked.constants, asked.rows
+        has = np.asarray(constants.inclinometer[rows] >= 0)
         measures = has & state.timers.on_request(rows, TILT)
-        self.read(state, equipment, asked.around, rows[measures], asked.at_s[measures])
-        tilt_rad = state.tilt.tilt_rad[equipment.inclinometer[rows[has]]]
+        self.read(state, constants, asked.rays, rows[measures], asked.at_s[measures])
+        tilt_rad = state.tilt.tilt_rad[constants.inclinometer[rows[has]]]
         told = np.isfinite(tilt_rad).all(axis=1)
         has[has] = told
         tenths = np.rint(rad_to_tenths_deg(tilt_rad[told]))

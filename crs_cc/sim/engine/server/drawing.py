@@ -18,7 +18,7 @@ from crs_cc.sim.engine.drawings import ARROW, ROBOT, is_mode, is_xor
 from crs_cc.sim.state.drawings import DrawingState
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
 
 
@@ -33,7 +33,9 @@ _REFRESH_ALL: Final = 0
 _REFRESH_CLIENT_GRAPHICS: Final = 9
 
 
-def draw(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Records) -> BoolArray:
+def draw(
+    state: EnvState, _constants: RobotConstants, rows: IndexArray, messages: Records
+) -> BoolArray:
     """Draws a robot, a line or an arc; refuses shapes and modes that are not known."""
     good = np.zeros(len(rows), dtype=np.bool_)
     for row, robot in enumerate(rows.tolist()):
@@ -51,7 +53,7 @@ def draw(state: EnvState, _equipment: Equipment, rows: IndexArray, messages: Rec
 
 
 def refresh(
-    state: EnvState, _equipment: Equipment, _rows: IndexArray, messages: Records
+    state: EnvState, _constants: RobotConstants, _rows: IndexArray, messages: Records
 ) -> BoolArray:
     """Erases what is asked for, as far as programs have drawn it."""
     what = messages["i"][:, 0]

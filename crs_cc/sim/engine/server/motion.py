@@ -29,7 +29,7 @@ from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray, 
 from crs_cc.core.units import m_to_tenths_inch, tenths_inch_to_m
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
 
 
@@ -44,11 +44,11 @@ _CLOSER_M: Final = 1e-10
 
 
 def motion_check(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
+    state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records
 ) -> BoolArray:
     """Answers with the first contact on each robot's path; refuses where there is none."""
     position_m, angle_rad = state.bodies.position_m, state.bodies.angle_rad
-    outlines = (equipment.scene.fixed, equipment.scene.moving(position_m, angle_rad))
+    outlines = (constants.scene.fixed, constants.scene.moving(position_m, angle_rad))
     segments = np.concatenate([each.segments for each in outlines])
     circles = np.concatenate([each.circles for each in outlines])
     owners = np.concatenate([each.owners for each in outlines])
@@ -58,7 +58,7 @@ def motion_check(
         path = _path(int(message["i"][0]), numbers)
         if path is None:
             continue
-        shapes = Shapes.of(segments, circles[owners != robot], equipment.radius_m[robot])
+        shapes = Shapes.of(segments, circles[owners != robot], constants.radius_m[robot])
         contact = first_contact(path, shapes)
         if contact is not None:
             hits[row] = True

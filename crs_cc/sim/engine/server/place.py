@@ -20,7 +20,7 @@ from crs_cc.sim.engine.teleport import put_robot
 from crs_cc.sim.model.world import Pose
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
 
 
@@ -28,7 +28,7 @@ _FULL_TURN: Final = 3600  # [0.1 deg]
 
 
 def place_robot(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
+    state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records
 ) -> BoolArray:
     """Puts robots somewhere, one after the other; refuses places that are not free."""
     good = np.zeros(len(rows), dtype=np.bool_)
@@ -39,17 +39,19 @@ def place_robot(
             tenths_inch_to_m(float(y)),
             tenths_deg_to_rad(float(heading % _FULL_TURN)),
         )
-        radius_m = float(equipment.radius_m[robot])
-        good[row] = not in_the_way(state, equipment, place, radius_m, robot)
+        radius_m = float(constants.radius_m[robot])
+        good[row] = not in_the_way(state, constants, place, radius_m, robot)
         if good[row]:
-            _put(state, equipment, robot, place, tenths_deg_to_rad(float(turret % _FULL_TURN)))
+            _put(state, constants, robot, place, tenths_deg_to_rad(float(turret % _FULL_TURN)))
     return good
 
 
-def _put(state: EnvState, equipment: Equipment, robot: int, place: Pose, turret_rad: float) -> None:
-    drives, odometry = equipment.drives, state.odometry
+def _put(
+    state: EnvState, constants: RobotConstants, robot: int, place: Pose, turret_rad: float
+) -> None:
+    drives, odometry = constants.drives, state.odometry
     base_rad = float(state.base_rad[robot]) if drives.synchro[robot] else place.heading_rad
-    put_robot(state, equipment, robot, place, base_rad=base_rad, turret_rad=turret_rad)
+    put_robot(state, constants, robot, place, base_rad=base_rad, turret_rad=turret_rad)
     odometry.x_m[robot], odometry.y_m[robot] = place.x_m, place.y_m
     odometry.heading_rad[robot] = place.heading_rad
     odometry.turret_rad[robot] = turret_rad if drives.turret[robot] else 0.0

@@ -20,14 +20,14 @@ from crs_cc.sim.devices.vendor_state import IR_0, SONAR_0
 from crs_cc.sim.model.sonar import MAX_SONARS
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.request_context import Asked
-    from crs_cc.sim.devices.robot_constants import Equipment
-    from crs_cc.sim.devices.sensor_board import Instruments
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
+    from crs_cc.sim.devices.sensor_board import SensorBoard
     from crs_cc.sim.devices.sonar import SonarRing
     from crs_cc.sim.state.env_state import EnvState
 
 
-def predict(asked: Asked, *, sensors: tuple[SonarRing, Instruments]) -> None:
+def predict(asked: RequestContext, *, sensors: tuple[SonarRing, SensorBoard]) -> None:
     """Answers PREDICT.
 
     Args:
@@ -35,21 +35,21 @@ def predict(asked: Asked, *, sensors: tuple[SonarRing, Instruments]) -> None:
         sensors: those of the robots.
     """
     sonars, instruments = sensors
-    state, equipment, around = asked.state, asked.equipment, asked.around
+    state, constants, rays = asked.state, asked.constants, asked.rays
     rows, messages = asked.rows, asked.messages
-    poses = _mounts(state, equipment, rows, messages["i"][:, :4].astype(np.float64))
+    poses = _mounts(state, constants, rows, messages["i"][:, :4].astype(np.float64))
     told = np.zeros((len(rows), NUM_STATE), dtype="<i4")
-    told[:, SONAR_0 : SONAR_0 + MAX_SONARS] = sonars.look(state, around, rows, poses)
-    told[:, IR_0:SONAR_0], counts = instruments.look(state, equipment, around, rows, poses)
+    told[:, SONAR_0 : SONAR_0 + MAX_SONARS] = sonars.look(state, rays, rows, poses)
+    told[:, IR_0:SONAR_0], counts = instruments.look(state, constants, rays, rows, poses)
     messages["size"] = told.itemsize * NUM_STATE
     messages["data"][:, : told.itemsize * NUM_STATE] = told.view(np.uint8)
     messages["i"][:, 0] = counts
 
 
 def _mounts(
-    state: EnvState, equipment: Equipment, rows: IndexArray, asked: FloatArray
+    state: EnvState, constants: RobotConstants, rows: IndexArray, asked: FloatArray
 ) -> FloatArray:
     """Gives x, y [m] and direction [rad] of the mounts of robots at x, y, heading and turret."""
     place_m = tenths_inch_to_m(asked[:, :2])
     heading_rad, turret_rad = tenths_deg_to_rad(asked[:, 2:]).T
-    return np.column_stack([place_m, mount_rad(state, equipment, rows, heading_rad, turret_rad)])
+    return np.column_stack([place_m, mount_rad(state, constants, rows, heading_rad, turret_rad)])

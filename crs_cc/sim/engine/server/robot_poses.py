@@ -15,7 +15,7 @@ from crs_cc.core.units import m_to_tenths_inch, rad_to_tenths_deg
 from crs_cc.requests import DATA_SIZE
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
 
 
@@ -24,7 +24,9 @@ _ROW_BYTES: Final = 12
 _PAGE: Final = DATA_SIZE // _ROW_BYTES
 
 
-def get_rpx(state: EnvState, _equipment: Equipment, _rows: IndexArray, messages: Records) -> None:
+def get_rpx(
+    state: EnvState, _constants: RobotConstants, _rows: IndexArray, messages: Records
+) -> None:
     """Answers with the poses of up to twenty robots, from the one that is asked for on."""
     heading = np.rint(rad_to_tenths_deg(state.heading_rad)) % _TURN
     x, y = np.rint(m_to_tenths_inch(state.x_m)), np.rint(m_to_tenths_inch(state.y_m))

@@ -27,7 +27,7 @@ from crs_cc.sim.model.world import Box, Polygon, Solid, is_pushable
 from crs_cc.sim.state.obstacles import MAX_VERTICES, Corners, ObstacleState, polygon_of, things_of
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
 
 
@@ -41,30 +41,30 @@ _FURTHEST: Final = int(m_to_tenths_inch(LENGTH.limit))
 
 
 def add_obstacle(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
+    state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records
 ) -> BoolArray:
     """Adds a polygon."""
     good = [
-        _add(state, equipment, int(robot), _corners(message))
+        _add(state, constants, int(robot), _corners(message))
         for robot, message in zip(rows, messages, strict=True)
     ]
     return np.array(good, dtype=np.bool_)
 
 
 def delete_obstacle(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
+    state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records
 ) -> BoolArray:
     """Takes a polygon away, which is named by its corners."""
     good = np.zeros(len(rows), dtype=np.bool_)
     for row, message in enumerate(messages):
-        place = _find(state.obstacles, equipment, _corners(message))
+        place = _find(state.obstacles, constants, _corners(message))
         if place is not None:
             state.obstacles, good[row] = _without(state.obstacles, place), True
     return good
 
 
 def move_obstacle(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
+    state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records
 ) -> BoolArray:
     """Moves a polygon, which is named by its corners, and answers with its new ones.
 
@@ -73,13 +73,13 @@ def move_obstacle(
     good = np.zeros(len(rows), dtype=np.bool_)
     for row, (robot, message) in enumerate(zip(rows.tolist(), messages, strict=True)):
         before, corners = state.obstacles, _corners(message)
-        place = _find(before, equipment, corners)
+        place = _find(before, constants, corners)
         if corners is None or place is None:
             continue
         owner = int(before.owners[place]) if place >= 0 else robot
         state.obstacles = _without(before, place)
         moved = corners + message["i"][1:3].astype(np.int64)
-        good[row] = _add(state, equipment, owner, moved)
+        good[row] = _add(state, constants, owner, moved)
         if good[row]:
             message["data"][: 8 * len(moved)] = moved.astype("<i4").reshape(-1).view(np.uint8)
         else:
@@ -88,7 +88,7 @@ def move_obstacle(
 
 
 def new_world(
-    state: EnvState, _equipment: Equipment, _rows: IndexArray, _messages: Records
+    state: EnvState, _constants: RobotConstants, _rows: IndexArray, _messages: Records
 ) -> None:
     """Takes away everything but the edge of the world and the robots."""
     nothing = np.zeros(0, dtype=np.intp)
@@ -104,7 +104,9 @@ def _corners(message: np.void) -> Int64Array | None:
     return np.asarray(message["data"][: 8 * count].view("<i4").reshape(-1, 2), dtype=np.int64)
 
 
-def _add(state: EnvState, equipment: Equipment, robot: int, corners: Int64Array | None) -> bool:
+def _add(
+    state: EnvState, constants: RobotConstants, robot: int, corners: Int64Array | None
+) -> bool:
     """Adds a polygon if it can be one and may stand there."""
     obstacles = state.obstacles
     if corners is None or np.abs(corners).max() > _FURTHEST:
@@ -119,7 +121,7 @@ def _add(state: EnvState, equipment: Equipment, robot: int, corners: Int64Array 
     room_m = distance_from_m(
         polygon_of(obstacles.made, corners.astype(np.int32)), state.x_m, state.y_m
     )
-    if (state.presence.present & (room_m < equipment.radius_m - TOLERANCE_M)).any():
+    if (state.presence.present & (room_m < constants.radius_m - TOLERANCE_M)).any():
         return False
     row = np.zeros((1, MAX_VERTICES, 2), dtype=np.int32)
     row[0, : len(corners)] = corners
@@ -134,7 +136,9 @@ def _add(state: EnvState, equipment: Equipment, robot: int, corners: Int64Array 
     return True
 
 
-def _find(obstacles: ObstacleState, equipment: Equipment, corners: Int64Array | None) -> int | None:
+def _find(
+    obstacles: ObstacleState, constants: RobotConstants, corners: Int64Array | None
+) -> int | None:
     """Gives the first polygon with some corners; None if there is none.
 
     Returns:
@@ -146,7 +150,7 @@ def _find(obstacles: ObstacleState, equipment: Equipment, corners: Int64Array | 
     for added in np.flatnonzero(obstacles.sizes == len(corners)).tolist():
         if _in_order(obstacles.of(added)) == wanted:
             return int(added)
-    things = things_of(equipment.world)
+    things = things_of(constants.world)
     for number in np.flatnonzero(obstacles.standing).tolist():
         if _in_order(_tenths_inch(things[number])) == wanted:
             return ~int(number)
