@@ -18,7 +18,6 @@ from __future__ import annotations
 
 from typing import Final
 
-from crs_cc.requests.code import Argument, RequestCode
 from crs_cc.requests.device import DEVICE_REQUESTS
 from crs_cc.requests.door import (
     DATA_SIZE,
@@ -33,7 +32,8 @@ from crs_cc.requests.door import (
     slot_offset,
 )
 from crs_cc.requests.host import HOST_REQUESTS
-from crs_cc.requests.robot import ROBOT_REQUESTS, STATE_REPLIES
+from crs_cc.requests.request import Field, Request
+from crs_cc.requests.robot import ROBOT_REQUESTS
 
 __all__ = [
     "CODES",
@@ -46,16 +46,15 @@ __all__ = [
     "REQUESTS",
     "RETURNED",
     "SLOT",
-    "STATE_REPLIES",
     "SUSPENDED",
-    "Argument",
-    "RequestCode",
+    "Field",
+    "Request",
     "slot_offset",
 ]
 
 _TABLE: Final = (*HOST_REQUESTS, *ROBOT_REQUESTS, *DEVICE_REQUESTS)
 
-REQUESTS: Final[dict[int, RequestCode]] = {request.code: request for request in _TABLE}
+REQUESTS: Final[dict[int, Request]] = {request.code: request for request in _TABLE}
 """Every request by its number."""
 
 CODES: Final[dict[str, int]] = {request.name: request.code for request in _TABLE}

@@ -125,6 +125,10 @@ class RobotConstants:
             None if world.surface.is_flat else Inclines(world, scene),
         )
 
+    def last_instant_s(self, cycle: int) -> float:
+        """Return the last instant of a cycle [s]: its end belongs to the next one."""
+        return float(np.nextafter((cycle + 1) * self.timestep_s, 0.0))
+
 
 def _sonars(models: Sequence[RobotModel]) -> BoolArray:
     """Tells which sonars robots have."""

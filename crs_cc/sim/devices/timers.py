@@ -90,37 +90,52 @@ class Timers:
                 self._sensors[sensor].read(state, constants, rays, mine, at_s)
                 timers.go_on(mine, sensor, begin_s)
 
-    def set_period(self, asked: RequestContext) -> BoolArray:
-        """Answers PERIOD; refuses sensors that the robot does not have, and times below 0."""
-        timers, messages = asked.state.timers, asked.messages
-        good = self._has(asked)
+    def set_period(self, context: RequestContext) -> BoolArray:
+        """Answer PERIOD; refuse sensors that the robot does not have, and times below 0."""
+        good = self._has(context)
+        periods_ms = context["period_ms"].tolist()
         for place in np.flatnonzero(good).tolist():
-            robot, (sensor, period_ms) = asked.rows[place], messages["i"][place, :2].tolist()
+            robot, period_ms = context.rows[place], periods_ms[place]
+            sensor = int(context["sensor"][place])
             timed = self._sensors[sensor]
             if period_ms < 0:
                 good[place] = False
                 continue
-            least_s = float(timed.interval_s[timed.numbers(asked.constants)[robot]])
+            least_s = float(timed.interval_s[timed.numbers(context.constants)[robot]])
             period_s = max(min(period_ms, _LONGEST_MS) * _MS, least_s) if period_ms else 0.0
-            timers.set(robot, sensor, period_s, float(asked.at_s[place]))
+            context.state.timers.set(robot, sensor, period_s, float(context.at_s[place]))
         return good
 
-    def tell_age(self, asked: RequestContext) -> BoolArray:
-        """Answers AGE with the time since a sensor measured [ms], -1 for never."""
-        good = self._has(asked)
+    def get_age(self, context: RequestContext) -> BoolArray:
+        """Answer AGE with the time since a sensor measured [ms], -1 for never."""
+        good = self._has(context)
         for place in np.flatnonzero(good).tolist():
-            timed = self._sensors[int(asked.messages["i"][place, 0])]
-            number = timed.numbers(asked.constants)[asked.rows[place]]
-            measured_s = float(timed.measured_s(asked.state)[number])
-            age_s = float(asked.at_s[place]) - measured_s  # infinite for never
+            timed = self._sensors[int(context["sensor"][place])]
+            number = timed.numbers(context.constants)[context.rows[place]]
+            measured_s = float(timed.measured_s(context.state)[number])
+            age_s = float(context.at_s[place]) - measured_s  # infinite for never
             age_ms = round(min(age_s / _MS, LARGEST))
-            asked.messages["i"][place, 0] = _NEVER if measured_s < 0.0 else age_ms
+            context.put("age_ms", _NEVER if measured_s < 0.0 else age_ms, place)
         return good
 
-    def _has(self, asked: RequestContext) -> BoolArray:
-        """Tells which requests name a sensor that the robot has."""
-        sensor = asked.messages["i"][:, 0]
+    def _has(self, context: RequestContext) -> BoolArray:
+        """Return which requests name a sensor that the robot has."""
+        sensor = context["sensor"]
         has = np.zeros(len(sensor), dtype=np.bool_)
         for number, timed in self._sensors.items():
-            has |= (sensor == number) & (timed.numbers(asked.constants)[asked.rows] >= 0)
+            has |= (sensor == number) & (timed.numbers(context.constants)[context.rows] >= 0)
         return has
+
+
+def read_on_request(context: RequestContext, read: Read, sensor: int, which: BoolArray) -> None:
+    """Measure with those sensors that have no timer, as a request asks for a reading.
+
+    Args:
+        context: the requests.
+        read: makes sensors measure.
+        sensor: their number in `crs.h`.
+        which: which of the robots are asked, (k,).
+    """
+    asked = which & context.state.timers.on_request(context.rows, sensor)
+    rows, at_s = context.rows[asked], context.at_s[asked]
+    read(context.state, context.constants, context.rays, rows, at_s)

@@ -7,16 +7,17 @@ turned on to the end of its wait as soon as that lies in the current cycle.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from crs_cc.core.arrays import FloatArray, IndexArray, Records
+from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.sim.devices import drive
 
 if TYPE_CHECKING:
+    from crs_cc.sim.devices.request_context import Handler
     from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
 
@@ -26,17 +27,17 @@ class Wait:
     """How robots wait for one kind of request.
 
     Attributes:
-        ends_s: gives when the waits of robots end as far as is known now, infinite for never; not
-            before the instants to which the robots have come, shape (k,).
-        finish: does what is done when they have ended, with the messages that become replies.
+        ends_s: returns when the waits of robots end as far as is known now, infinite for never;
+            not before the instants to which the robots have come, shape (k,).
+        finish: answers the requests when the waits have ended.
     """
 
     ends_s: Callable[[EnvState, IndexArray], FloatArray]
-    finish: Callable[[EnvState, RobotConstants, IndexArray, Records], object]
+    finish: Handler
 
 
 def settle(
-    waits: dict[int, Wait],
+    waits: Mapping[int, Wait],
     state: EnvState,
     constants: RobotConstants,
     rows: IndexArray,
@@ -67,7 +68,7 @@ def settle(
     return np.where(ended, ends_s, np.inf)
 
 
-def when(waits: dict[int, Wait], state: EnvState, rows: IndexArray) -> FloatArray:
+def when(waits: Mapping[int, Wait], state: EnvState, rows: IndexArray) -> FloatArray:
     """Gives when the waits of robots will end, as far as is known now, shape (k,)."""
     ends_s, codes = np.full(len(rows), np.inf), state.waits.code[rows]
     for code in np.unique(codes).tolist():

@@ -29,20 +29,17 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
-from crs_cc.requests import CODES, MESSAGE, NUM_STATE, STATE_REPLIES
+from crs_cc.requests import CODES, MESSAGE, REQUESTS, Request
 from crs_cc.sim.comms.message_log import take
 from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.drive import traction
 from crs_cc.sim.devices.request_context import RequestContext
-from crs_cc.sim.devices.vendor_state import state_vector
 from crs_cc.sim.devices.waits import settle, when
 from crs_cc.sim.engine.falls import tell_falls
-from crs_cc.sim.engine.handlers import CHANGES_WORLD, HANDLERS, MOVES, UNCONNECTED, WAITS
-from crs_cc.sim.engine.step import TELLS, Served, Step, slices_of
+from crs_cc.sim.engine.step import Served, Step, slices_of
 from crs_cc.sim.engine.world_data import Setting
 
 _ALL: Final = slice(None)
-_STATE_BYTES: Final = 4 * NUM_STATE
 
 
 class Environment(Setting):
@@ -81,33 +78,34 @@ class Environment(Setting):
             this cycle, or infinite for a wait that goes on (`step` tells when it ends).
         """
         state, rows = self.state, np.asarray(robots, dtype=np.intp)
-        if code not in HANDLERS or not len(rows):
+        if code not in self._handlers or not len(rows):
             messages["result"] = 0
             return np.array(clock_s, dtype=np.float64)
+        request = REQUESTS[code]
         now_s = np.fmin(np.fmax(clock_s, state.drive.clock_s[rows]), self.end_s)
-        self._advance(rows, now_s)
-        drive.advance(state, self._constants, rows, now_s)
+        self._advance_to(rows, now_s)
         arguments = messages["i"].copy()
         state.commands[rows] += 1
         drive.renew_deadline(state, rows)
-        good = self._handle(code, rows, messages)
-        if code in MOVES:
+        good = self._handle(request, rows, messages, now_s)
+        if request.moves:
             self._let_go_if_empty(rows, now_s)
         goes_on_s = now_s.copy()
-        if code in CHANGES_WORLD:
+        if request.changes_world:
             goes_on_s[:] = self.end_s
             self._refurnish(moved=code == CODES["PLACE_ROBOT"] and bool(good.any()))
-        if code in WAITS:
+            self._advance_to(rows, goes_on_s)
+        if request.waits:
             waiting = messages[good]
-            goes_on_s[good] = self._wait(code, rows[good], waiting)
+            goes_on_s[good] = self._wait(request, rows[good], waiting)
             messages[good] = waiting
         answered = np.isfinite(goes_on_s)
         if answered.all():
-            self._reply(code, rows, messages, goes_on_s, good, arguments=arguments)
+            self._reply(request, rows, messages, goes_on_s, good, arguments=arguments)
         else:
             replies = messages[answered]
             at_s, good, arguments = goes_on_s[answered], good[answered], arguments[answered]
-            self._reply(code, rows[answered], replies, at_s, good, arguments=arguments)
+            self._reply(request, rows[answered], replies, at_s, good, arguments=arguments)
             messages[answered] = replies
         return goes_on_s.copy()
 
@@ -115,10 +113,7 @@ class Environment(Setting):
         """Ends the cycle, and gives what happened in it and which waits end in the next."""
         state = self.state
         robots, present = len(state.drive.clock_s), np.flatnonzero(state.presence.present)
-        rows: IndexArray | slice = _ALL if len(present) == robots else present
-        # Sensors measure on the way that wheels turn, so before they are turned on.
-        self._advance(present, np.full(len(present), self.end_s))
-        drive.advance(state, self._constants, rows, np.full(len(present), self.end_s))
+        self._advance_to(present, np.full(len(present), self.end_s))
         self._rolling.add(state, self._constants)
         # The slices of the cycle are complete: what they pull at moves, or is held up.
         before_m = state.bodies.position_m[:robots].copy()
@@ -137,7 +132,7 @@ class Environment(Setting):
         if handling.end_cycle(state, self._constants, contacts, self.end_s):
             self._physics.start_from(state.bodies)
         # Motors that lack force are limp from the next cycle on.
-        worked = self._devices.instruments.batteries.drain(state, self.timestep_s)
+        worked = self._devices.sensor_board.batteries.drain(state, self.timestep_s)
         self._let_go_if_empty(worked, self.end_s)
         # Contacts number things as they still are: whoever comes or goes below changes that.
         before = state.bumpers.pressed
@@ -158,36 +153,52 @@ class Environment(Setting):
         heard = (slices, served, self._log.take(self.time_s), traffic)
         return Step(cycle, time_s, ended, at_s, messages, *touches, *heard)
 
-    def _handle(self, code: int, rows: IndexArray, messages: Records) -> BoolArray:
-        """Lets connected robots do what is asked; gives which requests were good."""
+    def _advance_to(self, rows: IndexArray, to_s: FloatArray) -> None:
+        """Let timers fire and turn the wheels of robots, up to instants of this cycle."""
+        # Sensors measure on the way that wheels turn, so before they are turned on.
+        self._devices.advance(self.state, self._constants, self._rays, rows, to_s)
+        everybody = len(rows) == len(self.state.drive.clock_s)
+        drive.advance(self.state, self._constants, _ALL if everybody else rows, to_s)
+
+    def _context(
+        self, request: Request, rows: IndexArray, messages: Records, at_s: FloatArray
+    ) -> RequestContext:
+        return RequestContext(
+            request, self.state, self._constants, self._rays, rows, messages, at_s
+        )
+
+    def _handle(
+        self, request: Request, rows: IndexArray, messages: Records, at_s: FloatArray
+    ) -> BoolArray:
+        """Do what connected robots ask; return which requests were good."""
         messages["result"] = 1
-        if code in UNCONNECTED:
-            good = self.state.presence.present[rows]
-        else:
+        if request.needs_connection:
             good = self.state.connected[rows]
-        handler = HANDLERS[code]
+        else:
+            good = self.state.presence.present[rows]
+        handler = self._handlers[request.code]
         if good.all():
-            verdict = handler(self.state, self._constants, rows, messages)
+            verdict = handler(self._context(request, rows, messages, at_s))
         else:
             connected = messages[good]
-            verdict = handler(self.state, self._constants, rows[good], connected)
+            verdict = handler(self._context(request, rows[good], connected, at_s[good]))
             messages[good] = connected
         if verdict is not None:
             good[good] = verdict
         return good
 
     def _let_go_if_empty(self, rows: IndexArray, at_s: FloatArray | float) -> None:
-        """Takes the motors' force from robots whose batteries are empty."""
+        """Take the motors' force from robots whose batteries are empty."""
         if not len(rows):
             return
-        batteries = self._devices.instruments.batteries
+        batteries = self._devices.sensor_board.batteries
         empty = rows[batteries.empty(self.state, rows, at_s)]
         if len(empty):
-            drive.lp(self.state, self._constants, empty, np.zeros(len(empty), MESSAGE))
+            drive.go_limp(self.state, self._constants, empty)
 
     def _reply(
         self,
-        code: int,
+        request: Request,
         rows: IndexArray,
         messages: Records,
         at_s: FloatArray,
@@ -195,50 +206,15 @@ class Environment(Setting):
         *,
         arguments: Int32Array,
     ) -> None:
-        """Writes replies over messages."""
-        self._advance(rows, at_s)
-        instruments = self._devices.instruments
-        instruments.read(
-            self.state, self._constants, self._rays, code=code, rows=rows[good], at_s=at_s[good]
-        )
-        states = state_vector(self.state, self._constants, rows)
+        """Complete replies, and note for traces what was answered."""
         messages["result"][~good] = 0
-        if code in STATE_REPLIES:
-            instruments.tell(
-                self.state,
-                self._constants,
-                code=code,
-                rows=rows,
-                messages=messages,
-                at_s=at_s,
-                states=states,
-            )
-            messages["size"] = _STATE_BYTES
-            messages["data"][:, :_STATE_BYTES] = states.astype("<i4").view(np.uint8)
-        elif code in self._devices.answers:
-            self._answer(code, rows, messages, at_s, good)
+        states = None
+        if request.replies_state:
+            context = self._context(request, rows, messages, at_s)
+            states = self._devices.sensor_board.reply(context, good)
         results = messages["result"].copy()
-        told = messages.copy() if code in TELLS else None
-        self._served.append(Served(code, rows, at_s, arguments, results, states, told))
-
-    def _answer(
-        self, code: int, rows: IndexArray, messages: Records, at_s: FloatArray, good: BoolArray
-    ) -> None:
-        """Lets devices write their answers over the messages of good requests."""
-        replies = messages[good]
-        asked = RequestContext(
-            self.state, self._constants, self._rays, rows[good], replies, at_s=at_s[good]
-        )
-        verdict = self._devices.answers[code](asked)
-        if verdict is not None:
-            replies["result"][~verdict] = 0
-        messages[good] = replies
-
-    def _advance(self, rows: IndexArray, to_s: FloatArray) -> None:
-        """Lets devices with timers work until an instant of this cycle."""
-        # What falls on the end belongs to the next cycle, when the bodies are where they got to.
-        to_s = np.minimum(to_s, np.nextafter(self.end_s, 0.0))
-        self._devices.advance(self.state, self._constants, self._rays, rows, to_s)
+        told = messages.copy() if request.traced else None
+        self._served.append(Served(request.code, rows, at_s, arguments, results, states, told))
 
     def _begin_cycle(self) -> None:
         state = self.state
@@ -259,33 +235,44 @@ class Environment(Setting):
         ended = np.isfinite(ends_s)
         rows, at_s, messages, codes = waiting[ended], ends_s[ended], asked[ended], codes[ended]
         for code in np.unique(codes).tolist():
-            mine = codes == code
+            request, mine = REQUESTS[code], codes == code
             replies, arguments = messages[mine], messages["i"][mine].copy()
-            WAITS[code].finish(self.state, self._constants, rows[mine], replies)
+            self._finish(request, rows[mine], replies, at_s[mine])
             good = np.ones(len(replies), dtype=np.bool_)
-            self._reply(code, rows[mine], replies, at_s[mine], good, arguments=arguments)
+            self._reply(request, rows[mine], replies, at_s[mine], good, arguments=arguments)
             messages[mine] = replies
         return rows, at_s, messages
 
-    def _wait(self, code: int, rows: IndexArray, messages: Records) -> FloatArray:
-        """Lets robots wait; gives when those go on that do so in this cycle, else infinity.
+    def _wait(self, request: Request, rows: IndexArray, messages: Records) -> FloatArray:
+        """Begin to wait; return when those go on that do so in this cycle, else infinity.
 
         Answers these, in place.
         """
-        self.state.waits.begin(code, rows, messages)
+        self.state.waits.begin(request.code, rows, messages)
         goes_on_s = self._settle_waits(rows)
         ended = np.isfinite(goes_on_s)
         replies = messages[ended]
-        WAITS[code].finish(self.state, self._constants, rows[ended], replies)
+        self._finish(request, rows[ended], replies, goes_on_s[ended])
         messages[ended] = replies
         return goes_on_s
 
+    def _finish(
+        self, request: Request, rows: IndexArray, messages: Records, at_s: FloatArray
+    ) -> None:
+        """Do what is done when waits have ended, whose messages become the replies."""
+        self._devices.advance(self.state, self._constants, self._rays, rows, at_s)
+        context = self._context(request, rows, messages, at_s)
+        verdict = self._waits[request.code].finish(context)
+        if verdict is not None:
+            messages["result"][~verdict] = 0
+
     def _settle_waits(self, rows: IndexArray) -> FloatArray:
-        """Ends the waits that end in this cycle, and lets devices work on the way to their ends."""
+        """End the waits that end in this cycle; devices work on the way to their ends."""
         if not len(rows):
             return np.zeros(0)
-        ends_s = when(WAITS, self.state, rows)
+        state, constants = self.state, self._constants
+        ends_s = when(self._waits, state, rows)
         soon = ends_s < self.end_s
-        until_s = np.minimum(ends_s, self.state.drive.deadline_s[rows])
-        self._advance(rows[soon], until_s[soon])
-        return settle(WAITS, self.state, self._constants, rows, self.end_s)
+        until_s = np.minimum(ends_s, state.drive.deadline_s[rows])
+        self._devices.advance(state, constants, self._rays, rows[soon], until_s[soon])
+        return settle(self._waits, state, constants, rows, self.end_s)

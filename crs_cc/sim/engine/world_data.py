@@ -35,6 +35,7 @@ from crs_cc.sim.devices.ray_caster import RayCaster
 from crs_cc.sim.devices.robot_constants import RobotConstants
 from crs_cc.sim.devices.serial_link import SerialLine
 from crs_cc.sim.engine.device_board import DeviceBoard
+from crs_cc.sim.engine.handlers import handlers_of, waits_of
 from crs_cc.sim.engine.roster import Timetable, complaint, in_the_way, leave
 from crs_cc.sim.engine.step import Served
 from crs_cc.sim.engine.teleport import carry_robot, carry_thing
@@ -227,7 +228,7 @@ class Setting:
     def charges(self, number: int) -> tuple[float, float]:
         """Gives what is left in the batteries of a robot's computers and motors, 0 to 1."""
         rows = np.array([number], dtype=np.intp)
-        batteries = self._devices.instruments.batteries
+        batteries = self._devices.sensor_board.batteries
         computers, motors = batteries.left(self.state, rows, self.time_s)[0].tolist()
         return computers, motors
 
@@ -238,7 +239,7 @@ class Setting:
             ValueError: it lasts for ever, or the robot is not in the world.
         """
         self._demand_presence(number)
-        batteries = self._devices.instruments.batteries
+        batteries = self._devices.sensor_board.batteries
         batteries.charge(self.state, number, self.time_s, share)
 
     def warm(self, name: str, heat: float) -> None:
@@ -292,6 +293,8 @@ class Setting:
         self._bumpers = Bumpers(world)
         self._rolling = RollingNoise(world, self._seed)
         self._devices = DeviceBoard(world, self._seed, self._log)
+        self._handlers = handlers_of(self._devices)
+        self._waits = waits_of(self._devices)
         self._axes = tuple(robot.model.drive.axis_names for robot in world.robots)
         self._line = SerialLine(world)
         self._timetable = Timetable(world)

@@ -5,9 +5,8 @@ import dataclasses
 import numpy as np
 import pytest
 
-from crs_cc.requests import CODES, MESSAGE
+from crs_cc.requests import CODES, MESSAGE, REQUESTS
 from crs_cc.sim.engine.environment import Environment
-from crs_cc.sim.engine.handlers import HANDLERS
 from crs_cc.sim.files.world_xml import parse_world
 from crs_cc.sim.model.degradation import DEVICES, Degradation, complaint
 from crs_cc.sim.model.world import Robot
@@ -63,7 +62,7 @@ def test_nothing_breaks(seed, kind):
     )  # fmt: skip
     faults = [dataclasses.replace(each, id=f"fault{n}") for n, each in enumerate(some(rng, bare))]
     environment = Environment(dataclasses.replace(bare, degradations=tuple(faults)), seed)
-    codes = [*HANDLERS]
+    codes = [code for code, row in REQUESTS.items() if row.server != "host"]
     ask(environment, CODES["CONNECT"], rng, 0.0)
     for cycle in range(25):
         for code in [*rng.choice(codes, 6), CODES["VM"], CODES["GS"]]:

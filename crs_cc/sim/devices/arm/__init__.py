@@ -58,47 +58,47 @@ class Arms:
         self._hand_m = np.array([arm.hand_m for arm in found])
         self._most_kg = np.array([arm.most_kg for arm in found])
 
-    def move(self, asked: RequestContext) -> BoolArray:
-        """Answers ARM: joints go to angles, or on by angles; refuses robots that have no arm."""
-        mine = asked.constants.arm[asked.rows]
+    def move(self, context: RequestContext) -> BoolArray:
+        """Answer ARM: turn joints to angles, or on by angles; refuse robots that have no arm."""
+        state, arm = context.state, context.state.arm
+        mine = context.constants.arm[context.rows]
         has = mine >= 0
-        which, at_s, words = mine[has], asked.at_s[has], asked.messages["i"][has]
-        now_rad = self._angles_rad(asked.state, which, at_s)
-        to_rad = tenths_deg_to_rad(words[:, 1:3].astype(np.float64))
-        to_rad += np.where(words[:, [0]] != 0, now_rad, 0.0)
-        to_rad = asked.constants.degradations.alter(
-            asked.state, "arm", asked.rows[has], to_rad, at_s
-        )
-        arm = asked.state.arm
+        which, at_s = mine[has], context.at_s[has]
+        now_rad = self._angles_rad(state, which, at_s)
+        angles = context.columns("shoulder", "elbow")[has]
+        to_rad = tenths_deg_to_rad(angles.astype(np.float64))
+        to_rad += np.where(context["relative"][has, None] != 0, now_rad, 0.0)
+        to_rad = context.constants.degradations.alter(state, "arm", context.rows[has], to_rad, at_s)
         to_rad = np.where(np.isfinite(to_rad), to_rad, arm.to_rad[which])
         arm.from_rad[which], arm.since_s[which] = now_rad, at_s
         within_rad = np.minimum(np.maximum(to_rad, self._least_rad[which]), self._most_rad[which])
         arm.to_rad[which] = within_rad
         return np.asarray(has)
 
-    def tell(self, asked: RequestContext) -> BoolArray:
-        """Answers GET_ARM: the joints' angles, the tip's place, and what is in the hand."""
-        mine = asked.constants.arm[asked.rows]
-        has = mine >= 0
-        which, told = mine[has], asked.messages["i"][has]
-        angles_rad = self._angles_rad(asked.state, which, asked.at_s[has])
-        told[:, 0:2] = np.rint(rad_to_tenths_deg(angles_rad))
-        told[:, 2:4] = np.rint(m_to_tenths_inch(self._hands(which, angles_rad)[:, :2]))
-        pushables = asked.constants.scene.pushables
-        held = asked.state.bodies.holds.thing[self._rows[which], HAND].tolist()
+    def get_arm(self, context: RequestContext) -> BoolArray:
+        """Answer GET_ARM: the joints' angles, the tip's place, and what is in the hand."""
+        mine = context.constants.arm[context.rows]
+        has = np.asarray(mine >= 0)
+        which = mine[has]
+        angles_rad = self._angles_rad(context.state, which, context.at_s[has])
+        angles = np.rint(rad_to_tenths_deg(angles_rad))
+        tip = np.rint(m_to_tenths_inch(self._hands(which, angles_rad)[:, :2]))
+        pushables = context.constants.scene.pushables
+        held = context.state.bodies.holds.thing[self._rows[which], HAND].tolist()
         mass_kg = [pushables[thing].mass_kg if thing >= 0 else 0.0 for thing in held]
         weight_g = np.array(mass_kg) * _GRAMS
-        told[:, 4] = np.minimum(np.rint(weight_g), LARGEST)
-        asked.messages["i"][has] = told
-        return np.asarray(has)
+        columns = (*angles.T, *tip.T, np.minimum(np.rint(weight_g), LARGEST))
+        for name, column in zip(("shoulder", "elbow", "x", "y", "weight"), columns, strict=True):
+            context.put(name, column, has)
+        return has
 
-    def hand(self, asked: RequestContext) -> BoolArray:
-        """Answers HAND: closes it or opens it; refuses robots that have no arm, and nonsense."""
-        mine, wanted = asked.constants.arm[asked.rows], asked.messages["i"][:, 0]
-        good = (mine >= 0) & (wanted >= 0) & (wanted <= 1)
-        which, close, arm = mine[good], wanted[good] == 1, asked.state.arm
-        arm.acts[which] |= arm.closed[which] != close
-        arm.closed[which] = close
+    def hand(self, context: RequestContext) -> BoolArray:
+        """Answer HAND: close it or open it; refuse robots that have no arm, and nonsense."""
+        mine, close = context.constants.arm[context.rows], context["close"]
+        good = (mine >= 0) & (close >= 0) & (close <= 1)
+        which, closed, arm = mine[good], close[good] == 1, context.state.arm
+        arm.acts[which] |= arm.closed[which] != closed
+        arm.closed[which] = closed
         return np.asarray(good)
 
     def poses(self, state: EnvState, at_s: float) -> FloatArray:

@@ -21,11 +21,12 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
 from crs_cc.sim.devices.vendor_state import configuration
 from crs_cc.sim.state.bodies import Contacts
 
 if TYPE_CHECKING:
+    from crs_cc.sim.devices.request_context import RequestContext
     from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.robot import RobotModel
     from crs_cc.sim.model.world import WorldModel
@@ -130,11 +131,12 @@ class Bumpers:
         return np.asarray(bits & have, dtype=np.int32)
 
 
-def get_bp(
-    _state: EnvState, constants: RobotConstants, rows: IndexArray, _messages: Records
-) -> BoolArray:
-    """Refuses robots that have no bumpers; the reply has the switches."""
-    return np.asarray(constants.bumpers[rows])
+def get_bp(context: RequestContext) -> BoolArray:
+    """Answer GET_BP with the switches, in `State`; refuse robots that have no bumpers.
+
+    Switches are pressed and released at the end of a cycle.
+    """
+    return np.asarray(context.constants.bumpers[context.rows])
 
 
 def _switches(model: RobotModel) -> FloatArray:

@@ -32,6 +32,7 @@ from crs_cc.core.time_grid import is_due
 from crs_cc.core.units import m_to_tenths_inch, rad_to_tenths_deg
 from crs_cc.sim.devices.camera.blobs import blobs
 from crs_cc.sim.devices.mount import mount_poses
+from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.geometry.rays import NO_THING, Fan
 from crs_cc.sim.geometry.surfaces import packed
 from crs_cc.sim.model.sensors import MAX_COLUMNS
@@ -122,23 +123,21 @@ class Cameras:
         tenths = np.rint(m_to_tenths_inch(np.where(seen, range_m, 0.0)))
         camera.range[mine, : model.columns] = np.where(seen, tenths, -1)
 
-    def tell(self, asked: RequestContext) -> BoolArray:
-        """Answers CAMERA with how many pixels, or blobs, there are; refuses robots without one."""
-        state, messages = asked.state, asked.messages
-        mine = asked.constants.camera[asked.rows]
+    def take_picture(self, context: RequestContext) -> BoolArray:
+        """Answer CAMERA with how many pixels, or blobs, there are; refuse robots without one."""
+        camera, mine = context.state.camera, context.constants.camera[context.rows]
         has = np.asarray(mine >= 0)
-        looks = has & state.timers.on_request(asked.rows, CAMERA)
-        self.read(state, asked.constants, asked.rays, asked.rows[looks], asked.at_s[looks])
+        read_on_request(context, self.read, CAMERA, has)
         for place in np.flatnonzero(has).tolist():
             number = mine[place]
             model = self._models[number]
-            colour = state.camera.colour[number, : model.columns]
-            range_ = state.camera.range[number, : model.columns]
-            if messages["i"][place, 0]:
-                state.camera.told.keep(number, _BLOB, _told_blobs(model, colour, range_))
+            colour = camera.colour[number, : model.columns]
+            range_ = camera.range[number, : model.columns]
+            if context["blobs"][place]:
+                camera.told.keep(number, _BLOB, _told_blobs(model, colour, range_))
             else:
-                state.camera.told.keep(number, _PIXEL, np.column_stack([colour, range_]))
-            messages["i"][place, 0] = state.camera.told.count[number]
+                camera.told.keep(number, _PIXEL, np.column_stack([colour, range_]))
+            context.put("count", camera.told.count[number], place)
         return has
 
 

@@ -22,15 +22,18 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Records
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.core.random_streams import COMPASS, Noise
 from crs_cc.core.units import rad_to_tenths_deg
 from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.mount import mount_poses
+from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.devices.vendor_state import configuration
+from crs_cc.sim.state import timers
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.ray_caster import RayCaster
+    from crs_cc.sim.devices.request_context import RequestContext
     from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
@@ -96,21 +99,19 @@ class Compasses:
         compass.count[mine] += 1
         compass.measured.note(mine, at_s[due], configuration(state, constants, rows))
 
+    def get_cp(self, context: RequestContext) -> BoolArray:
+        """Answer GET_CP: measure, for `State`; refuse robots that have no compass."""
+        has = np.asarray(context.constants.compass[context.rows] >= 0)
+        read_on_request(context, self.read, timers.COMPASS, has)
+        return has
 
-def get_cp(
-    _state: EnvState, constants: RobotConstants, rows: IndexArray, _messages: Records
-) -> BoolArray:
-    """Refuses robots that have no compass; the reply has the reading."""
-    return np.asarray(constants.compass[rows] >= 0)
 
-
-def conf_cp(
-    state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records
-) -> BoolArray:
-    """Switches the compass; refuses modes that there are not."""
-    mode, mine = messages["i"][:, 0], constants.compass[rows]
+def conf_cp(context: RequestContext) -> BoolArray:
+    """Switch the compass; refuse modes that there are not."""
+    state, constants = context.state, context.constants
+    mode, mine = context["mode"], constants.compass[context.rows]
     good: BoolArray = (mine >= 0) & (mode >= OFF) & (mode <= CALIBRATE)
-    rows, mode, mine = rows[good], mode[good], mine[good]
+    rows, mode, mine = context.rows[good], mode[good], mine[good]
     state.compass.on[mine] = mode != OFF
     calibrates = mode == CALIBRATE
     state.compass.calibrated[mine[calibrates]] = True

@@ -32,7 +32,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
 from crs_cc.requests import CODES
 from crs_cc.sim.devices import odometry
 from crs_cc.sim.devices.drive import traction
@@ -42,6 +42,7 @@ from crs_cc.sim.state import motion_profile
 from crs_cc.sim.state.rows import take
 
 if TYPE_CHECKING:
+    from crs_cc.sim.devices.request_context import RequestContext
     from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
 
@@ -54,6 +55,7 @@ ACCELERATION: Final = 4
 SPEED: Final = 5
 """Modes of `mv` (MV_IGNORE to MV_SP, vendor header `Nclient.h` 1.29)."""
 
+_AXES: Final = ("axis1", "axis2", "axis3")
 _BYTE: Final = 255  # timeouts are unsigned chars [s]
 _ZERO_TIMEOUT_S: Final = 120.0  # so long the vendor's client waits (`Ndirect.c` 2.7)
 _TURN: Final = 2 * math.pi
@@ -80,7 +82,7 @@ def advance(
         _turn(state, constants, stopped, deadline_s)
         _stop(state, constants, stopped, ~state.drive.limp[stopped])
         state.drive.deadline_s[stopped] = np.inf
-        _remember(state, stopped, CODES["CONF_TM"])
+        _note_command(state, stopped, CODES["CONF_TM"])
     _turn(state, constants, rows, to_s)
 
 
@@ -147,90 +149,86 @@ def face(state: EnvState, constants: RobotConstants) -> None:
 # -- commands --------------------------------------------------------------------------------------
 
 
-def ac(state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records) -> None:
-    """Sets accelerations."""
-    values = messages["i"][:, :AXES]
-    _set(state.drive.ramp, constants.drives.ramp_limit, constants, rows, values)
+def ac(context: RequestContext) -> None:
+    """Set accelerations."""
+    ramp, limit = context.state.drive.ramp, context.constants.drives.ramp_limit
+    _set(ramp, limit, context.constants, context.rows, context.columns(*_AXES))
 
 
-def sp(state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records) -> None:
-    """Sets the speeds of `pr`."""
-    values = messages["i"][:, :AXES]
-    _set(state.drive.move_speed, constants.drives.speed_limit, constants, rows, values)
+def sp(context: RequestContext) -> None:
+    """Set the speeds of `pr`."""
+    speed, limit = context.state.drive.move_speed, context.constants.drives.speed_limit
+    _set(speed, limit, context.constants, context.rows, context.columns(*_AXES))
 
 
-def pr(state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records) -> None:
-    """Starts a relative move."""
-    _move(state, constants, rows, messages["i"][:, :AXES])
-    _remember(state, rows, CODES["PR"])
+def pr(context: RequestContext) -> None:
+    """Start a relative move."""
+    _move(context.state, context.constants, context.rows, context.columns(*_AXES))
+    _remember(context, context.rows)
 
 
-def vm(state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records) -> None:
-    """Sets speeds."""
-    _run_at(state, constants, rows, messages["i"][:, :AXES])
-    _remember(state, rows, CODES["VM"])
+def vm(context: RequestContext) -> None:
+    """Set speeds."""
+    _run_at(context.state, context.constants, context.rows, context.columns(*_AXES))
+    _remember(context, context.rows)
 
 
-def mv(
-    state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records
-) -> BoolArray:
-    """Commands each axis in a mode of its own; refuses modes that the vendor's client refuses."""
-    modes, values = messages["i"][:, 0:6:2], messages["i"][:, 1:6:2]
+def mv(context: RequestContext) -> BoolArray:
+    """Command each axis in a mode of its own; refuse modes that the vendor's client refuses."""
+    state, constants = context.state, context.constants
+    modes = context.columns("mode1", "mode2", "mode3")
+    values = context.columns("value1", "value2", "value3")
     good = np.asarray(((modes >= IGNORE) & (modes <= SPEED)).all(axis=1))
-    rows, modes, values = rows[good], modes[good], values[good]
-    _set(
-        state.drive.ramp,
-        constants.drives.ramp_limit,
-        constants,
-        rows,
-        values,
-        which=modes == ACCELERATION,
+    rows, modes, values = context.rows[good], modes[good], values[good]
+    settings = (
+        (ACCELERATION, state.drive.ramp, constants.drives.ramp_limit),
+        (SPEED, state.drive.move_speed, constants.drives.speed_limit),
     )
-    _set(
-        state.drive.move_speed,
-        constants.drives.speed_limit,
-        constants,
-        rows,
-        values,
-        which=modes == SPEED,
-    )
+    for mode, setting, limit in settings:
+        _set(setting, limit, constants, rows, values, which=modes == mode)
     _run_at(state, constants, rows, values, modes == VELOCITY)
     _move(state, constants, rows, values, modes == RELATIVE)
     _let_go(state, constants, rows, modes == LIMP)
     moves = ((modes == VELOCITY) | (modes == RELATIVE) | (modes == LIMP)).any(axis=1)
-    _remember(state, rows[moves], CODES["MV"])
+    _remember(context, rows[moves])
     return good
 
 
-def st(state: EnvState, constants: RobotConstants, rows: IndexArray, _messages: Records) -> None:
-    """Stops the axes and holds them."""
-    _stop(state, constants, rows)
-    _remember(state, rows, CODES["ST"])
+def st(context: RequestContext) -> None:
+    """Stop the axes and hold them."""
+    _stop(context.state, context.constants, context.rows)
+    _remember(context, context.rows)
 
 
-def lp(state: EnvState, constants: RobotConstants, rows: IndexArray, _messages: Records) -> None:
-    """Lets the axes go limp: the wheels roll out, what turns stops."""
+def lp(context: RequestContext) -> None:
+    """Make the axes go limp: the wheels roll out, what turns stops."""
+    go_limp(context.state, context.constants, context.rows)
+
+
+def go_limp(state: EnvState, constants: RobotConstants, rows: IndexArray) -> None:
+    """Make the axes of robots go limp, as `lp` does."""
     _let_go(state, constants, rows)
-    _remember(state, rows, CODES["LP"])
+    _note_command(state, rows, CODES["LP"])
 
 
-def ws(state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records) -> None:
-    """Begins to wait until the chosen axes stand still."""
-    state.waits.axes[rows] = messages["i"][:, :AXES] != 0
-    timeout_s = (messages["i"][:, 3] & _BYTE).astype(np.float64)
-    endless = (timeout_s == 0.0) & constants.drives.waits_forever[rows]
+def ws(context: RequestContext) -> None:
+    """Begin to wait until the chosen axes stand still."""
+    state, rows = context.state, context.rows
+    state.waits.axes[rows] = context.columns(*_AXES) != 0
+    timeout_s = (context["timeout_s"] & _BYTE).astype(np.float64)
+    endless = (timeout_s == 0.0) & context.constants.drives.waits_forever[rows]
     until_s = state.drive.clock_s[rows] + timeout_s
     state.waits.until_s[rows] = np.where(endless, np.inf, until_s)
 
 
-def zr(state: EnvState, constants: RobotConstants, rows: IndexArray, _messages: Records) -> None:
-    """Begins to turn steering and turret to their zero marks, the shorter way; `zeroed` ends it.
+def zr(context: RequestContext) -> None:
+    """Begin to turn steering and turret to their zero marks, the shorter way; `zeroed` ends it.
 
     The marks are where wheels and turret point ahead of the base. A differential drive has none.
     """
-    drives = constants.drives
-    rows = rows[drives.synchro[rows]]
-    _stop(state, constants, rows, np.arange(AXES) == 0)
+    state, drives = context.state, context.constants.drives
+    rows = context.rows[drives.synchro[context.rows]]
+    _stop(state, context.constants, rows, np.arange(AXES) == 0)
     off_rad = np.zeros((len(rows), AXES))
     off_rad[:, 1] = state.base_rad[rows] - state.drive.facing_rad[rows]
     turret_rad = state.base_rad[rows] - state.drive.turret_rad[rows]
@@ -247,25 +245,25 @@ def zr(state: EnvState, constants: RobotConstants, rows: IndexArray, _messages: 
     state.waits.axes[rows] = True
     state.waits.until_s[rows] = state.drive.clock_s[rows] + _ZERO_TIMEOUT_S
     state.drive.deadline_s[rows] = np.inf  # until `zeroed`
-    _remember(state, rows, CODES["ZR"])
+    _remember(context, rows)
 
 
-def zeroed(state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records) -> None:
-    """Sets the odometry of robots to 0; fails for those that did not get to their zero marks."""
+def zeroed(context: RequestContext) -> None:
+    """Set the odometry of robots to 0; fail for those that did not get to their zero marks."""
+    state, rows = context.state, context.rows
     stands = (state.drive.axes.end_s(rows) <= state.drive.clock_s[rows, None]).all(axis=1)
-    done = stands | ~constants.drives.synchro[rows]
+    done = stands | ~context.constants.drives.synchro[rows]
     odometry.zero(state, rows[done])
-    messages["result"] = done
+    context["done"] = done
     renew_deadline(state, rows)
 
 
-def conf_tm(
-    state: EnvState, _constants: RobotConstants, rows: IndexArray, messages: Records
-) -> None:
-    """Sets the time without a command after which the axes stop, 0 for never."""
-    timeout_s = (messages["i"][:, 0] & _BYTE).astype(np.float64)
-    state.drive.timeout_s[rows] = np.where(timeout_s > 0.0, timeout_s, np.inf)
-    renew_deadline(state, rows)
+def conf_tm(context: RequestContext) -> None:
+    """Set the time without a command after which the axes stop, 0 for never."""
+    timeout_s = (context["timeout_s"] & _BYTE).astype(np.float64)
+    timeout_s = np.where(timeout_s > 0.0, timeout_s, np.inf)
+    context.state.drive.timeout_s[context.rows] = timeout_s
+    renew_deadline(context.state, context.rows)
 
 
 def _set(
@@ -364,6 +362,10 @@ def _let_go(
     state.drive.limp[rows] |= rolls & which
 
 
-def _remember(state: EnvState, rows: IndexArray, code: int) -> None:
+def _remember(context: RequestContext, rows: IndexArray) -> None:
+    _note_command(context.state, rows, context.request.code)
+
+
+def _note_command(state: EnvState, rows: IndexArray, code: int) -> None:
     state.drive.command[rows] = code
     state.drive.command_cycle[rows] = state.cycle

@@ -19,6 +19,7 @@ from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.core.time_grid import is_due
 from crs_cc.core.units import m_to_tenths_inch
 from crs_cc.sim.devices.mount import mount_poses
+from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.state.timers import GPS
 
 if TYPE_CHECKING:
@@ -70,15 +71,15 @@ class GpsReceivers:
         gps.fix_m[mine], gps.at_s[mine] = fix_m, at_s
         gps.count[mine] += 1
 
-    def tell(self, asked: RequestContext) -> BoolArray:
-        """Answers GPS; refuses robots that have no receiver, or whose receiver has no fix."""
-        state, constants, rows = asked.state, asked.constants, asked.rows
-        has = np.asarray(constants.gps[rows] >= 0)
-        measures = has & state.timers.on_request(rows, GPS)
-        self.read(state, constants, asked.rays, rows[measures], asked.at_s[measures])
-        gps, mine = state.gps, constants.gps[rows[has]]
-        fixed = np.isfinite(gps.fix_m[mine]).all(axis=1)
+    def get_gps(self, context: RequestContext) -> BoolArray:
+        """Answer GPS; refuse robots that have no receiver, or whose receiver has no fix."""
+        mine = context.constants.gps[context.rows]
+        has = np.asarray(mine >= 0)
+        read_on_request(context, self.read, GPS, has)
+        fix_m = context.state.gps.fix_m[mine[has]]
+        fixed = np.isfinite(fix_m).all(axis=1)
         has[has] = fixed
-        tenths = np.rint(m_to_tenths_inch(gps.fix_m[mine[fixed]]))
-        asked.messages["i"][has, :2] = tenths.astype(np.int32)
+        tenths = np.rint(m_to_tenths_inch(fix_m[fixed])).astype(np.int32)
+        context.put("x", tenths[:, 0], has)
+        context.put("y", tenths[:, 1], has)
         return has

@@ -67,33 +67,33 @@ class Grippers:
         self._kind = np.array([kinds.index(each) for each in found], dtype=np.intp)
         self.fans = [_beam(kind) for kind in kinds]
 
-    def command(self, asked: RequestContext) -> BoolArray:
-        """Answers GRIPPER: opens or closes; refuses robots that have none, and nonsense."""
-        mine, wanted = asked.constants.gripper[asked.rows], asked.messages["i"][:, 0]
-        good = (mine >= 0) & (wanted >= 0) & (wanted <= 1)
-        which, at_s, state = mine[good], asked.at_s[good], asked.state.gripper
-        told = asked.constants.degradations.alter(
-            asked.state, "gripper", asked.rows[good], wanted[good, None].astype(np.float64), at_s
+    def move(self, context: RequestContext) -> BoolArray:
+        """Answer GRIPPER: open or close; refuse robots that have none, and nonsense."""
+        mine, close = context.constants.gripper[context.rows], context["close"]
+        good = (mine >= 0) & (close >= 0) & (close <= 1)
+        which, at_s = mine[good], context.at_s[good]
+        state, gripper = context.state, context.state.gripper
+        told = context.constants.degradations.alter(
+            state, "gripper", context.rows[good], close[good, None].astype(np.float64), at_s
         )[:, 0]
         closing = told >= _CLOSE
-        new = (state.closing[which] != closing) & np.isfinite(told)
+        new = (gripper.closing[which] != closing) & np.isfinite(told)
         which, at_s, closing = which[new], at_s[new], closing[new]
-        state.from_m[which] = self._apart_m(asked.state, which, at_s)
-        state.since_s[which], state.closing[which] = at_s, closing
+        gripper.from_m[which] = self._apart_m(state, which, at_s)
+        gripper.since_s[which], gripper.closing[which] = at_s, closing
         return np.asarray(good)
 
-    def tell(self, asked: RequestContext) -> BoolArray:
-        """Answers GET_GRIPPER: the distance of the fingers, their beam, and what they bear."""
-        mine = asked.constants.gripper[asked.rows]
-        has = mine >= 0
-        which, rows, told = mine[has], asked.rows[has], asked.messages["i"][has]
-        apart_m = self._apart_m(asked.state, which, asked.at_s[has])
-        told[:, 0] = np.rint(m_to_tenths_inch(apart_m))
-        told[:, 1] = self._broken(asked, which, rows)
-        weight_g = np.rint(_weight_kg(asked.state, asked.constants, rows) * _GRAMS)
-        told[:, 2] = np.minimum(weight_g, LARGEST)
-        asked.messages["i"][has] = told
-        return np.asarray(has)
+    def get_gripper(self, context: RequestContext) -> BoolArray:
+        """Answer GET_GRIPPER: the distance of the fingers, their beam, and what they bear."""
+        mine = context.constants.gripper[context.rows]
+        has = np.asarray(mine >= 0)
+        which, rows = mine[has], context.rows[has]
+        apart_m = self._apart_m(context.state, which, context.at_s[has])
+        context.put("opening", np.rint(m_to_tenths_inch(apart_m)), has)
+        context.put("beam", self._broken(context, which, rows), has)
+        weight_g = np.rint(_weight_kg(context.state, context.constants, rows) * _GRAMS)
+        context.put("weight", np.minimum(weight_g, LARGEST), has)
+        return has
 
     def end_cycle(
         self, state: EnvState, constants: RobotConstants, contacts: Contacts, end_s: float
@@ -125,13 +125,13 @@ class Grippers:
         least_m = np.where(closing, gripper.width_m[which], 0.0)
         return np.asarray(np.minimum(np.maximum(apart_m, least_m), self._opening_m[which]))
 
-    def _broken(self, asked: RequestContext, which: IndexArray, rows: IndexArray) -> BoolArray:
+    def _broken(self, context: RequestContext, which: IndexArray, rows: IndexArray) -> BoolArray:
         broken = np.zeros(len(rows), dtype=np.bool_)
         kinds = self._kind[which]
         for kind in np.unique(kinds).tolist():
             mine = kinds == kind
-            poses = mount_poses(asked.state, asked.constants, rows[mine])
-            seen = asked.rays.distances_m(asked.state, self.fans[kind], poses, rows[mine])
+            poses = mount_poses(context.state, context.constants, rows[mine])
+            seen = context.rays.distances_m(context.state, self.fans[kind], poses, rows[mine])
             broken[mine] = np.isfinite(seen[:, 0])
         return broken
 

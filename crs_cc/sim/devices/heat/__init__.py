@@ -20,6 +20,7 @@ import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.requests import LARGEST
+from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.geometry.cell_list import CellList
 from crs_cc.sim.state.timers import HEAT
 
@@ -52,15 +53,14 @@ def read(
     state.heat_sensor.at_s[mine] = at_s
 
 
-def tell(asked: RequestContext) -> BoolArray:
-    """Answers HEAT and SENSE_HEAT with the heat around; refuses robots without such a sensor."""
-    state, constants, rows, messages = asked.state, asked.constants, asked.rows, asked.messages
-    has = np.asarray(constants.heat[rows] >= 0)
-    measures = has & state.timers.on_request(rows, HEAT)
-    read(state, constants, asked.rays, rows[measures], asked.at_s[measures])
-    reading = state.heat_sensor.reading[constants.heat[rows[has]]]
-    messages["size"] = 0
-    messages["i"][has, 0] = np.clip(np.rint(reading), 0.0, LARGEST).astype(np.int32)
+def get_heat(context: RequestContext) -> BoolArray:
+    """Answer HEAT and SENSE_HEAT with the heat around; refuse robots without such a sensor."""
+    mine = context.constants.heat[context.rows]
+    has = np.asarray(mine >= 0)
+    read_on_request(context, read, HEAT, has)
+    reading = context.state.heat_sensor.reading[mine[has]]
+    context.clear_data()
+    context.put("heat", np.clip(np.rint(reading), 0.0, LARGEST).astype(np.int32), has)
     return has
 
 

@@ -28,17 +28,20 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
 from crs_cc.core.random_streams import INFRARED, Noise
 from crs_cc.sim.devices.mount import mount_poses
 from crs_cc.sim.devices.sensor_order import orders
+from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.devices.vendor_state import configuration
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.model.sensors import MAX_INFRARED
+from crs_cc.sim.state import timers
 from crs_cc.sim.state.infrared import FARTHEST
 
 if TYPE_CHECKING:
     from crs_cc.sim.devices.ray_caster import RayCaster
+    from crs_cc.sim.devices.request_context import RequestContext
     from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.sensors import Infrared
     from crs_cc.sim.model.world import WorldModel
@@ -109,6 +112,12 @@ class InfraredRing:
         ring.count[mine] += 1
         ring.measured.note(mine, at_s[due], configuration(state, constants, rows))
 
+    def get_ir(self, context: RequestContext) -> BoolArray:
+        """Answer GET_IR: measure, for `State`; refuse robots that have no infrared sensors."""
+        has = np.asarray(context.constants.infrared[context.rows] >= 0)
+        read_on_request(context, self.read, timers.INFRARED, has)
+        return has
+
     def look(
         self,
         state: EnvState,
@@ -174,27 +183,19 @@ def _brightest(world: WorldModel) -> float:
     return max((thing.material.infrared or 0.0 for thing in things), default=0.0)
 
 
-def get_ir(
-    _state: EnvState, constants: RobotConstants, rows: IndexArray, _messages: Records
-) -> BoolArray:
-    """Refuses robots that have no infrared sensors; the reply has the readings."""
-    return np.asarray(constants.infrared[rows] >= 0)
-
-
-def conf_ir(
-    state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records
-) -> BoolArray:
-    """Sets the share that stays and the sensors that measure; refuses sensors that cannot be."""
-    order, given, good = orders(messages, MAX_INFRARED)
-    mine = constants.infrared[rows]
+def conf_ir(context: RequestContext) -> BoolArray:
+    """Set the share that stays and the sensors that measure; refuse sensors that cannot be."""
+    rows, ring = context.rows, context.state.infrared
+    order, given, good = orders(context["count"], context["order"], MAX_INFRARED)
+    mine = context.constants.infrared[rows]
     good &= mine >= 0
     on = np.zeros((len(rows), MAX_INFRARED), dtype=np.bool_)
     robot, element = np.nonzero(given & good[:, None])
     on[robot, order[robot, element]] = True
     mine = mine[good]
-    state.infrared.on[mine] = on[good]
-    state.infrared.level[mine] = np.where(on[good], state.infrared.level[mine], FARTHEST)
-    state.infrared.share[mine] = np.clip(messages["i"][good, 0], 0, _TENTHS) / _TENTHS
+    ring.on[mine] = on[good]
+    ring.level[mine] = np.where(on[good], ring.level[mine], FARTHEST)
+    ring.share[mine] = np.clip(context["share"][good], 0, _TENTHS) / _TENTHS
     return good
 
 

@@ -31,11 +31,12 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 import numpy.typing as npt
 
-from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Records
+from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array
 from crs_cc.core.random_streams import LASER, Noise
 from crs_cc.core.units import m_to_tenths_inch
 from crs_cc.requests import LARGEST
 from crs_cc.sim.devices.mount import mount_poses
+from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.devices.vendor_state import configuration
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.split_and_merge import segments
@@ -157,22 +158,30 @@ class Lasers:
                 ranges[place, np.flatnonzero(hit)] = np.rint(m_to_tenths_inch(seen_m[hit]))
         return counts, numbers, ranges
 
-    def tell(self, asked: RequestContext) -> BoolArray:
-        """Answers LASER with how many ranges there are; refuses lasers that are off, or not there.
+    def get_laser(self, context: RequestContext) -> BoolArray:
+        """Answer GET_LS and GET_SG: scan, for the pages; refuse robots that have no laser.
 
-        What was seen is kept for READINGS.
+        The reply says how many readings there are, see `SensorBoard`.
         """
-        state, constants, rows = asked.state, asked.constants, asked.rows
-        mine = constants.laser[rows]
+        has = np.asarray(context.constants.laser[context.rows] >= 0)
+        read_on_request(context, self.read, timers.LASER, has)
+        return has
+
+    def get_ranges(self, context: RequestContext) -> BoolArray:
+        """Answer LASER with how many ranges there are, which are kept for READINGS.
+
+        Refuse lasers that are off, or not there.
+        """
+        laser = context.state.laser
+        mine = context.constants.laser[context.rows]
         good = np.asarray(mine >= 0)
-        good[good] = is_on(state.laser.mode[mine[good]])
-        looks = good & state.timers.on_request(rows, timers.LASER)
-        self.read(state, constants, asked.rays, rows[looks], asked.at_s[looks])
+        good[good] = is_on(laser.mode[mine[good]])
+        read_on_request(context, self.read, timers.LASER, good)
         for place in np.flatnonzero(good).tolist():
             number = mine[place]
-            wanted = int(state.laser.wanted[number])
-            state.laser.told.keep(number, 1, state.laser.ranges[number, :wanted])
-            asked.messages["i"][place, 0] = wanted
+            wanted = int(laser.wanted[number])
+            laser.told.keep(number, 1, laser.ranges[number, :wanted])
+            context.put("count", wanted, place)
         return good
 
     def _fan(self, laser: Laser, points: int) -> Fan:
@@ -228,52 +237,39 @@ def keep(
         told.numbers[number, : found.size] = found.ravel()
 
 
-def page(
-    state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records
-) -> BoolArray:
-    """Hands over a page of the readings that the last reply, or PREDICT's, told of."""
-    mine = constants.laser[rows]
+def page(context: RequestContext) -> BoolArray:
+    """Answer LASER_PAGE with readings that the last reply, or that of PREDICT, announced."""
+    laser, mine = context.state.laser, context.constants.laser[context.rows]
     good = np.asarray(mine >= 0)
-    messages["size"] = 0
-    for place in np.flatnonzero(good):
-        message = messages[place]
-        told = state.laser.predicted if message["i"][1] else state.laser.told
-        told.page(mine[place], int(message["i"][0]), message)
+    first, predicted = context["first"].tolist(), context["predicted"].tolist()
+    context.clear_data()
+    for place in np.flatnonzero(good).tolist():
+        told = laser.predicted if predicted[place] else laser.told
+        told.page(mine[place], first[place], context.messages[place])
     return good
 
 
-def get_laser(
-    _state: EnvState, constants: RobotConstants, rows: IndexArray, _messages: Records
-) -> BoolArray:
-    """Refuses robots that have no laser; the reply tells how many readings there are."""
-    return np.asarray(constants.laser[rows] >= 0)
-
-
-def conf_ls(
-    state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records
-) -> BoolArray:
-    """Sets the mode and how many points are looked for; refuses modes that tell pixels."""
-    mode, mine = messages["i"][:, 0], constants.laser[rows]
+def conf_ls(context: RequestContext) -> BoolArray:
+    """Set the mode and how many points are looked for; refuse modes that report pixels."""
+    mode, mine = context["mode"], context.constants.laser[context.rows]
     known = ~is_on(mode) | np.isin(mode, _POINT_MODES + _SEGMENT_MODES)
     good: BoolArray = (mine >= 0) & known
-    mine, laser = mine[good], state.laser
-    unsigned = messages["i"][good, 3:5].view(np.uint32)
-    most = constants.laser_points[rows[good]]
+    mine, laser = mine[good], context.state.laser
+    points = context["points"][good].view(np.uint32)
+    most = context.constants.laser_points[context.rows[good]]
     laser.mode[mine] = mode[good]
-    laser.wanted[mine] = np.where(unsigned[:, 0] == 0, most, np.minimum(unsigned[:, 0], most))
-    laser.averaged[mine] = np.clip(unsigned[:, 1], 1, NUM_LASER)
+    laser.wanted[mine] = np.where(points == 0, most, np.minimum(points, most))
+    laser.averaged[mine] = np.clip(context["averaged"][good].view(np.uint32), 1, NUM_LASER)
     laser.measured.at_s[mine] = -np.inf  # what it is to see next is something else
     return good
 
 
-def conf_sg(
-    state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records
-) -> BoolArray:
-    """Sets how points become segments."""
-    mine = constants.laser[rows]
+def conf_sg(context: RequestContext) -> BoolArray:
+    """Set how points become segments."""
+    mine = context.constants.laser[context.rows]
     good = np.asarray(mine >= 0)
-    unsigned = messages["i"][good, :3].view(np.uint32)
-    state.laser.segments[mine[good]] = np.minimum(unsigned, LARGEST)
+    wanted = context.columns("threshold", "min_points", "gap")[good].view(np.uint32)
+    context.state.laser.segments[mine[good]] = np.minimum(wanted, LARGEST)
     return good
 
 

@@ -23,6 +23,7 @@ from crs_cc.core import random_streams
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.requests import LARGEST
 from crs_cc.sim.devices.emitters import Sources, line_of_sight, sense
+from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.model.beacons import MAX_LIGHT_SENSORS
 from crs_cc.sim.state.timers import LIGHT
 
@@ -88,19 +89,14 @@ class LightRings:
         ring.reading[mine], ring.at_s[mine] = np.nan_to_num(readings, nan=0.0), at_s
         ring.count[mine] += 1
 
-    def tell(self, asked: RequestContext) -> BoolArray:
-        """Answers GET_LIGHT: how many sensors there are, and their readings as data."""
-        state, constants, rows = asked.state, asked.constants, asked.rows
-        has = np.asarray(constants.light[rows] >= 0)
-        measures = has & state.timers.on_request(rows, LIGHT)
-        self.read(state, constants, asked.rays, rows[measures], asked.at_s[measures])
-        replies = asked.messages[has]
-        readings = state.light.reading[constants.light[rows[has]]]
-        whole = np.clip(np.rint(readings), 0, LARGEST).astype("<i4")
-        replies["data"][:, : 4 * MAX_LIGHT_SENSORS] = whole.view(np.uint8)
-        replies["size"] = 4 * MAX_LIGHT_SENSORS
-        replies["i"][:, 0] = self._number[rows[has]]
-        asked.messages[has] = replies
+    def get_light(self, context: RequestContext) -> BoolArray:
+        """Answer GET_LIGHT: how many sensors there are, and their readings as data."""
+        mine = context.constants.light[context.rows]
+        has = np.asarray(mine >= 0)
+        read_on_request(context, self.read, LIGHT, has)
+        readings = context.state.light.reading[mine[has]]
+        context.put_data(np.clip(np.rint(readings), 0, LARGEST), has)
+        context.put("sensors", self._number[context.rows[has]], has)
         return has
 
     def _light(

@@ -26,12 +26,13 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import FloatArray, IndexArray, Records
+from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.core.units import tenths_deg_to_rad, tenths_inch_to_m
 from crs_cc.sim.devices.drive.constants import weighted
 from crs_cc.sim.state.rows import take
 
 if TYPE_CHECKING:
+    from crs_cc.sim.devices.request_context import RequestContext
     from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
 
@@ -89,18 +90,20 @@ def _counted(
     return np.asarray(whole)
 
 
-def dp(state: EnvState, _constants: RobotConstants, rows: IndexArray, messages: Records) -> None:
-    """Sets x and y."""
-    state.odometry.x_m[rows] = tenths_inch_to_m(messages["i"][:, 0].astype(np.float64))
-    state.odometry.y_m[rows] = tenths_inch_to_m(messages["i"][:, 1].astype(np.float64))
+def dp(context: RequestContext) -> None:
+    """Set x and y."""
+    odometry, rows = context.state.odometry, context.rows
+    odometry.x_m[rows] = tenths_inch_to_m(context["x"].astype(np.float64))
+    odometry.y_m[rows] = tenths_inch_to_m(context["y"].astype(np.float64))
 
 
-def da(state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records) -> None:
-    """Sets the heading, and the angle of the turret where there is one."""
-    angles = (messages["i"][:, :2] % _FULL_TURN).astype(np.float64)
+def da(context: RequestContext) -> None:
+    """Set the heading, and the angle of the turret where there is one."""
+    odometry, rows = context.state.odometry, context.rows
+    angles = (context.columns("heading", "turret") % _FULL_TURN).astype(np.float64)
     heading_rad, turret_rad = tenths_deg_to_rad(angles).T
-    state.odometry.heading_rad[rows] = heading_rad
-    state.odometry.turret_rad[rows] = np.where(constants.drives.turret[rows], turret_rad, 0.0)
+    odometry.heading_rad[rows] = heading_rad
+    odometry.turret_rad[rows] = np.where(context.constants.drives.turret[rows], turret_rad, 0.0)
 
 
 def zero(state: EnvState, rows: IndexArray) -> None:

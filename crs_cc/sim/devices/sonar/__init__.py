@@ -34,7 +34,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray, Int32Array, Records
+from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray, Int32Array
 from crs_cc.core.units import SOUND_MPS, m_to_tenths_inch
 from crs_cc.sim.devices import drive
 from crs_cc.sim.devices.mount import mount_poses
@@ -140,22 +140,47 @@ class SonarRing:
             state.sonar.count[rows] += 1
         return told_m
 
-    def tell(self, asked: RequestContext) -> BoolArray:
-        """Answers SONAR and SONAR_RANGES: in 0.1 in, -1 for no echo; refuses robots without."""
-        state, rows, messages = asked.state, asked.rows, asked.messages
+    def get_ranges(self, context: RequestContext) -> BoolArray:
+        """Answer SONAR and SONAR_RANGES: in 0.1 in, -1 for no echo; refuse robots without."""
+        state, constants, rows = context.state, context.constants, context.rows
         echo_m = state.sonar.echo_m[rows]
-        has = np.asarray(asked.constants.sonars[rows].any(axis=1))
-        now = has & (messages["i"][:, 0] != 0)
+        has = np.asarray(constants.sonars[rows].any(axis=1))
+        now = has & (context["fire"] != 0)
         if now.any():
             echo_m[now] = self.hear_now(
-                state, asked.constants, asked.rays, rows[now], asked.at_s[now]
+                state, constants, context.rays, rows[now], context.at_s[now]
             )
         heard = np.isfinite(echo_m)
         tenths = np.rint(m_to_tenths_inch(np.where(heard, echo_m, 0.0)))
-        told = np.where(heard, tenths, -1).astype("<i4")
-        messages["size"] = told.itemsize * MAX_SONARS
-        messages["data"][:, : told.itemsize * MAX_SONARS] = told.view(np.uint8)
+        context.put_data(np.where(heard, tenths, -1))
         return has
+
+    def get_sn(self, context: RequestContext) -> BoolArray:
+        """Answer GET_SN with what sonars heard last, in `State`; refuse robots without.
+
+        Sonars fire by themselves: they have heard all until the request's instant.
+        """
+        return np.asarray(context.constants.sonars[context.rows].any(axis=1))
+
+    def conf_sn(self, context: RequestContext) -> BoolArray:
+        """Set which sonars fire and how often; refuse an order with a sonar that is not there.
+
+        The first one in the order fires at once.
+        """
+        state, constants = context.state, context.constants
+        order, given, good = orders(context["count"], context["order"], MAX_SONARS)
+        has = constants.sonars[context.rows]
+        known = np.take_along_axis(has, np.minimum(order, MAX_SONARS - 1), axis=1)
+        good &= has.any(axis=1) & (known | ~given).all(axis=1)
+        rows, order, given = context.rows[good], order[good], given[good]
+        interval_s = context["rate"][good] % _RATES * SONAR_TICK_S
+        state.sonar.interval_s[rows] = np.maximum(interval_s, constants.least_interval_s[rows])
+        state.sonar.reorder(
+            rows, np.where(given, order, 0), given.sum(axis=1), state.drive.clock_s[rows]
+        )
+        until_s = np.minimum(context.at_s[good], constants.last_instant_s(state.cycle))
+        self.advance(state, constants, context.rays, rows, until_s)
+        return good
 
     def look(
         self, state: EnvState, rays: RayCaster, rows: IndexArray, poses: FloatArray
@@ -280,37 +305,11 @@ class SonarRing:
         return rays.prospect(state, z_m, np.tan(pings.half_rad))
 
 
-def get_sn(
-    _state: EnvState, constants: RobotConstants, rows: IndexArray, _messages: Records
-) -> BoolArray:
-    """Refuses robots that have no sonars; the reply has the readings."""
-    return np.asarray(constants.sonars[rows].any(axis=1))
-
-
-def conf_sn(
-    state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records
-) -> BoolArray:
-    """Sets which sonars fire and how often; refuses an order with a sonar that is not there."""
-    order, given, good = orders(messages, MAX_SONARS)
-    has = constants.sonars[rows]
-    known = np.take_along_axis(has, np.minimum(order, MAX_SONARS - 1), axis=1)
-    good &= has.any(axis=1) & (known | ~given).all(axis=1)
-    rows, order, given = rows[good], order[good], given[good]
-    interval_s = messages["i"][good, 0] % _RATES * SONAR_TICK_S
-    state.sonar.interval_s[rows] = np.maximum(interval_s, constants.least_interval_s[rows])
-    state.sonar.reorder(
-        rows, np.where(given, order, 0), given.sum(axis=1), state.drive.clock_s[rows]
-    )
-    return good
-
-
-def set_mode(
-    state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records
-) -> BoolArray:
-    """Lets sonars work in another mode from their next ping on; refuses modes there are not."""
-    mode = messages["i"][:, 0]
-    good = np.asarray((mode >= 0) & (mode < constants.sonar_modes[rows]))
-    state.sonar.mode[rows[good]] = mode[good]
+def set_mode(context: RequestContext) -> BoolArray:
+    """Select a mode from sonars' next ping on; refuse modes that there are not."""
+    mode = context["mode"]
+    good = np.asarray((mode >= 0) & (mode < context.constants.sonar_modes[context.rows]))
+    context.state.sonar.mode[context.rows[good]] = mode[good]
     return good
 
 

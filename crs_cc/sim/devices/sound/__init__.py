@@ -26,6 +26,7 @@ from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.core.units import rad_to_tenths_deg
 from crs_cc.requests import LARGEST
 from crs_cc.sim.devices.emitters import Sources, line_of_sight, sense
+from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.geometry.frames import wrapped
 from crs_cc.sim.model.beacons import TONES
 from crs_cc.sim.state.timers import SOUND
@@ -94,18 +95,14 @@ class Microphones:
         ears.bearing_rad[mine] = bearing_rad[np.arange(len(rows)), levels.argmax(axis=1)]
         ears.count[mine] += 1
 
-    def tell(self, asked: RequestContext) -> BoolArray:
-        """Answers GET_SOUND: the levels of all tones, and where the loudest comes from."""
-        state, constants, rows = asked.state, asked.constants, asked.rows
-        has = np.asarray(constants.sound[rows] >= 0)
-        measures = has & state.timers.on_request(rows, SOUND)
-        self.read(state, constants, asked.rays, rows[measures], asked.at_s[measures])
-        replies, mine = asked.messages[has], constants.sound[rows[has]]
-        replies["i"][:, 0] = np.rint(rad_to_tenths_deg(state.sound.bearing_rad[mine]))
-        whole = np.clip(np.rint(state.sound.level[mine]), 0, LARGEST).astype("<i4")
-        replies["data"][:, : 4 * TONES] = whole.view(np.uint8)
-        replies["size"] = 4 * TONES
-        asked.messages[has] = replies
+    def get_sound(self, context: RequestContext) -> BoolArray:
+        """Answer GET_SOUND: the levels of all tones, and where the loudest comes from."""
+        sound, mine = context.state.sound, context.constants.sound[context.rows]
+        has = np.asarray(mine >= 0)
+        read_on_request(context, self.read, SOUND, has)
+        mine = mine[has]
+        context.put("direction", np.rint(rad_to_tenths_deg(sound.bearing_rad[mine])), has)
+        context.put_data(np.clip(np.rint(sound.level[mine]), 0, LARGEST), has)
         return has
 
     def _sound(

@@ -21,6 +21,7 @@ from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray
 from crs_cc.core.time_grid import is_due
 from crs_cc.core.units import rad_to_tenths_deg
 from crs_cc.sim.devices.mount import mount_poses
+from crs_cc.sim.devices.timers import read_on_request
 from crs_cc.sim.state.timers import TILT
 
 if TYPE_CHECKING:
@@ -82,15 +83,16 @@ class Inclinometers:
         tilt.tilt_rad[mine], tilt.at_s[mine] = tilt_rad, at_s
         tilt.count[mine] += 1
 
-    def tell(self, asked: RequestContext) -> BoolArray:
-        """Answers TILT; refuses robots that have no inclinometer, or whose one tells nothing."""
-        state, constants, rows = asked.state, asked.constants, asked.rows
-        has = np.asarray(constants.inclinometer[rows] >= 0)
-        measures = has & state.timers.on_request(rows, TILT)
-        self.read(state, constants, asked.rays, rows[measures], asked.at_s[measures])
-        tilt_rad = state.tilt.tilt_rad[constants.inclinometer[rows[has]]]
+    def get_tilt(self, context: RequestContext) -> BoolArray:
+        """Answer TILT; refuse robots that have no inclinometer, or whose one tells nothing."""
+        mine = context.constants.inclinometer[context.rows]
+        has = np.asarray(mine >= 0)
+        read_on_request(context, self.read, TILT, has)
+        tilt_rad = context.state.tilt.tilt_rad[mine[has]]
         told = np.isfinite(tilt_rad).all(axis=1)
         has[has] = told
         tenths = np.rint(rad_to_tenths_deg(tilt_rad[told]))
-        asked.messages["i"][has, :2] = np.clip(tenths, -_MOST, _MOST).astype(np.int32)
+        tenths = np.clip(tenths, -_MOST, _MOST).astype(np.int32)
+        context.put("pitch", tenths[:, 0], has)
+        context.put("roll", tenths[:, 1], has)
         return has

@@ -13,13 +13,14 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, IndexArray, Records
+from crs_cc.core.arrays import BoolArray
 from crs_cc.core.units import tenths_deg_to_rad, tenths_inch_to_m
 from crs_cc.sim.engine.roster import in_the_way
 from crs_cc.sim.engine.teleport import put_robot
 from crs_cc.sim.model.world import Pose
 
 if TYPE_CHECKING:
+    from crs_cc.sim.devices.request_context import RequestContext
     from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.state.env_state import EnvState
 
@@ -27,13 +28,13 @@ if TYPE_CHECKING:
 _FULL_TURN: Final = 3600  # [0.1 deg]
 
 
-def place_robot(
-    state: EnvState, constants: RobotConstants, rows: IndexArray, messages: Records
-) -> BoolArray:
-    """Puts robots somewhere, one after the other; refuses places that are not free."""
-    good = np.zeros(len(rows), dtype=np.bool_)
-    for row, robot in enumerate(rows.tolist()):
-        x, y, heading, turret = messages["i"][row, :4].tolist()
+def place_robot(context: RequestContext) -> BoolArray:
+    """Answer PLACE_ROBOT, one after the other; refuse places that are not free."""
+    state, constants = context.state, context.constants
+    good = np.zeros(len(context), dtype=np.bool_)
+    poses = context.columns("x", "y", "heading", "turret").tolist()
+    for row, robot in enumerate(context.rows.tolist()):
+        x, y, heading, turret = poses[row]
         place = Pose(
             tenths_inch_to_m(float(x)),
             tenths_inch_to_m(float(y)),
