@@ -38,6 +38,7 @@ from crs_cc.sim.files.world_xml import load_world
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene
 from crs_cc.sim.physics.simulation import REBUILD
+from crs_cc.sim.state.snapshot_codec import packed
 
 PROGRAM = """
 #include <Nclient.h>
@@ -201,7 +202,7 @@ def measure(folder: Path, robots: int, seconds: float, setup: str = "ring") -> F
 
 def rays_s(session: Session) -> float:
     """Gives the processor time for all rays of all robots alone [s]."""
-    state = session.environment.state.copy()
+    state = packed(session.environment.state).state()
     fan = Fan.of(
         (RADIUS_M * math.cos(angle), RADIUS_M * math.sin(angle), angle, 0.0, RANGE_M)
         for angle in np.arange(RAYS) * (2 * math.pi / RAYS)
