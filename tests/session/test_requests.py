@@ -27,8 +27,8 @@ def test_every_request_is_answered_and_described(row: Request, environment: Envi
     host = Host([[]], discard, no_input)
     answered_by_host = row.code in host._serve
     assert answered_by_host == (row.server == "host")
-    assert answered_by_host != (row.code in environment._handlers)
-    assert row.waits == (row.code in environment._waits)
+    assert answered_by_host != (row.code in environment._data.handlers)
+    assert row.waits == (row.code in environment._data.waits)
     for fields in (row.arguments, row.results):
         assert all(field.name.isidentifier() and field.unit for field in fields)
         assert len({field.name for field in fields}) == len(fields)

@@ -26,7 +26,7 @@ DT = 0.05
 
 
 def test_every_request_of_a_robot_has_a_handler_and_nothing_else_has():
-    assert sorted(Environment(empty_world(), 0)._handlers) == ROBOT_CODES
+    assert sorted(Environment(empty_world(), 0)._data.handlers) == ROBOT_CODES
 
 
 def test_a_seed_below_0_is_refused():
@@ -324,7 +324,7 @@ def test_what_the_end_of_a_wait_answers_is_told_by_those_that_end_at_once(monkey
     driver.ask("PR", 100, 100)
     messages = np.zeros(2, MESSAGE)
     messages["i"][:, :4] = 1, 1, 0, 20
-    waits = driver.environment._waits
+    waits = driver.environment._data.waits
     monkeypatch.setitem(waits, CODES["WS"], replace(waits[CODES["WS"]], finish=fail))
     goes_on_s = driver.environment.serve(CODES["WS"], np.arange(2), messages, np.zeros(2))
     assert goes_on_s.tolist() == [math.inf, 0.0]

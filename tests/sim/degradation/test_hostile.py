@@ -94,7 +94,7 @@ def ask(environment: Environment, code: int, rng: np.random.Generator, at_s: flo
 def test_many_faults_of_one_device_work_one_after_the_other():
     faults = [Degradation("robot0", "sonar", bias=0.01) for _ in range(100)]
     environment = Environment(world_with(*faults), seed=1)
-    values = environment._constants.degradations.alter(
+    values = environment._data.constants.degradations.alter(
         environment.state, "sonar", np.array([0]), np.array([[1.0]]), np.array([0.0])
     )
     assert values[0, 0] == pytest.approx(2.0)

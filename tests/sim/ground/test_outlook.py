@@ -120,4 +120,4 @@ def test_a_robot_at_a_ledge_hears_it_at_once():
 
 def test_worlds_without_heights_take_the_way_without_them():
     world = world_of('<robot x="1m" y="5m"/>' + BOX.format(""), BIG)
-    assert Environment(world, 1)._rays._outlook is None
+    assert Environment(world, 1)._data.rays._outlook is None
