@@ -33,7 +33,7 @@ import numpy as np
 from crs_cc.core.source import Diagnostics
 from crs_cc.session.build import build_executable
 from crs_cc.session.session import Session
-from crs_cc.sim.devices.ray_caster import Surroundings
+from crs_cc.sim.devices.ray_caster import RayCaster
 from crs_cc.sim.files.world_xml import load_world
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene
@@ -206,14 +206,14 @@ def rays_s(session: Session) -> float:
         (RADIUS_M * math.cos(angle), RADIUS_M * math.sin(angle), angle, 0.0, RANGE_M)
         for angle in np.arange(RAYS) * (2 * math.pi / RAYS)
     )
-    around = Surroundings(Scene(session.environment.world), [fan])
+    rays = RayCaster(Scene(session.environment.world), [fan])
     poses = np.column_stack([state.x_m, state.y_m, state.heading_rad])
     own, times = np.arange(len(poses)), []
     for _ in range(RAYS_REPEAT):
         state.bodies.position_m += LITTLE_M  # what has not moved would not be sorted again
         state.cycle += 1
         start = time.process_time()
-        around.distances_m(state, fan, poses, own)
+        rays.distances_m(state, fan, poses, own)
         times.append(time.process_time() - start)
     return statistics.median(times)
 

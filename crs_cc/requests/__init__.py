@@ -18,7 +18,6 @@ from __future__ import annotations
 
 from typing import Final
 
-from crs_cc.requests.code import Argument, RequestCode
 from crs_cc.requests.device import DEVICE_REQUESTS, device_request
 from crs_cc.requests.door import (
     DATA_SIZE,
@@ -33,7 +32,8 @@ from crs_cc.requests.door import (
     slot_offset,
 )
 from crs_cc.requests.host import HOST_REQUESTS
-from crs_cc.requests.robot import ROBOT_REQUESTS, STATE_REPLIES
+from crs_cc.requests.request import Field, Request
+from crs_cc.requests.robot import ROBOT_REQUESTS
 
 __all__ = [
     "CODES",
@@ -47,10 +47,9 @@ __all__ = [
     "REQUESTS",
     "RETURNED",
     "SLOT",
-    "STATE_REPLIES",
     "SUSPENDED",
-    "Argument",
-    "RequestCode",
+    "Field",
+    "Request",
     "device_request",
     "register",
     "slot_offset",
@@ -58,19 +57,20 @@ __all__ = [
 
 _TABLE: Final = (*HOST_REQUESTS, *ROBOT_REQUESTS, *DEVICE_REQUESTS)
 
-REQUESTS: Final[dict[int, RequestCode]] = {request.code: request for request in _TABLE}
+REQUESTS: Final[dict[int, Request]] = {request.code: request for request in _TABLE}
 """Every request by its number."""
 
 CODES: Final[dict[str, int]] = {request.name: request.code for request in _TABLE}
 """Every request's number by its name."""
 
 REGISTERED: Final = range(300, 512)
-"""The codes of requests to registered devices; these need no connection."""
+"""The codes of requests to registered devices."""
 
 
-def register(request: RequestCode) -> None:
-    """Add the request of a registered device to the tables; done again, it changes nothing."""
+def register(request: Request) -> None:
+    """Add the request of a registered device to the tables."""
     assert request.code in REGISTERED
-    assert REQUESTS.get(request.code, request) == request
+    assert request.code not in REQUESTS
+    assert request.name not in CODES
     REQUESTS[request.code] = request
     CODES[request.name] = request.code

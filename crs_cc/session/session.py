@@ -49,7 +49,7 @@ if TYPE_CHECKING:
     from crs_cc.sim.engine.step import Step
     from crs_cc.sim.model.world import Robot, WorldModel
 
-_ON_LINK = np.isin(np.arange(REGISTERED.stop + 1), list(REQUESTS.keys() - HOST_CODES))
+_ON_LINK = np.isin(np.arange(REGISTERED.stop + 1), [*(REQUESTS.keys() - HOST_CODES), *REGISTERED])
 """By code, whether a request is sent over the link; the last stands for all codes beyond."""
 
 

@@ -15,7 +15,6 @@ from hypothesis import strategies as st
 from crs_cc.requests import CODES, MESSAGE, REQUESTS
 from crs_cc.sim.devices.vendor_state import CONF_X, MOTOR_STATUS, VEL_RIGHT
 from crs_cc.sim.engine.environment import Environment
-from crs_cc.sim.engine.handlers import HANDLERS, WAITS
 from crs_cc.sim.engine.step import describe_slice
 from crs_cc.sim.files import world_xml
 from crs_cc.sim.files.world_xml import empty_world, load_world
@@ -27,7 +26,7 @@ DT = 0.05
 
 
 def test_every_request_of_a_robot_has_a_handler_and_nothing_else_has():
-    assert sorted(HANDLERS) == ROBOT_CODES
+    assert sorted(Environment(empty_world(), 0)._data.handlers) == ROBOT_CODES
 
 
 def test_a_seed_below_0_is_refused():
@@ -329,14 +328,15 @@ def test_the_reply_to_a_wait_is_written_over_what_was_asked(restored):
 
 
 def test_what_the_end_of_a_wait_answers_is_told_by_those_that_end_at_once(monkeypatch):
-    def fail(_state, _equipment, _rows, messages) -> None:
-        messages["result"] = 0
+    def fail(context) -> np.ndarray:
+        return np.zeros(len(context), dtype=np.bool_)
 
     driver = Driver.of(open_world('<robot x="0" y="0"/><robot x="0" y="3"/>'))
     driver.ask("PR", 100, 100)
     messages = np.zeros(2, MESSAGE)
     messages["i"][:, :4] = 1, 1, 0, 20
-    monkeypatch.setitem(WAITS, CODES["WS"], replace(WAITS[CODES["WS"]], finish=fail))
+    waits = driver.environment._data.waits
+    monkeypatch.setitem(waits, CODES["WS"], replace(waits[CODES["WS"]], finish=fail))
     goes_on_s = driver.environment.serve(CODES["WS"], np.arange(2), messages, np.zeros(2))
     assert goes_on_s.tolist() == [math.inf, 0.0]
     assert messages["result"][1] == 0

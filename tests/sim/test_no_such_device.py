@@ -4,9 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.requests import CODES
+from crs_cc.requests import REQUESTS
 from crs_cc.sim.engine.environment import Environment
-from crs_cc.sim.engine.handlers import HANDLERS
 from crs_cc.sim.files import world_xml
 from crs_cc.sim.files.world_xml import load_world
 from crs_cc.sim.model.registry import devices
@@ -95,7 +94,8 @@ def driver(tmp_path_factory) -> Driver:
 def test_every_request_is_about_a_device_or_about_none():
     asked = {name for _, name, *_ in ASKED}
     assert not asked & OF_ALL
-    assert {CODES[name] for name in asked | OF_ALL} == HANDLERS.keys()
+    robots = {row.name for row in REQUESTS.values() if row.server != "host"}
+    assert asked | OF_ALL == robots
 
 
 def test_every_device_is_there_on_one_robot_and_missing_on_another(driver):

@@ -12,7 +12,7 @@ from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, In
 from crs_cc.sim.devices.degradation.filter import Degradations
 from crs_cc.sim.devices.drive.constants import Drives
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.geometry.shape_table import Things
+from crs_cc.sim.geometry.shape_table import ShapeTable
 from crs_cc.sim.model.registry import devices
 from crs_cc.sim.model.robot import RobotModel
 from crs_cc.sim.model.sonar import MAX_SONARS
@@ -21,8 +21,8 @@ from crs_cc.sim.physics.inclines import Inclines
 
 
 @dataclass(frozen=True, slots=True)
-class Equipment:
-    """Constants of all robots; arrays have shape (robots,), those of `things` apart.
+class RobotConstants:
+    """Constants of all robots; arrays have shape (robots,), those of `shapes` apart.
 
     Attributes:
         timestep_s: the world's timestep [s].
@@ -52,7 +52,7 @@ class Equipment:
         degradations: what becomes of values on their way from and to devices.
         world: what stood where before the first cycle.
         scene: the outlines of all things, as they are now.
-        things: their shapes.
+        shapes: their shapes.
         inclines: the slopes of the ground, None where it is flat.
     """
 
@@ -83,12 +83,12 @@ class Equipment:
     degradations: Degradations
     world: WorldModel
     scene: Scene
-    things: Things
+    shapes: ShapeTable
     inclines: Inclines | None
 
     @classmethod
     def of(cls, world: WorldModel, seed: int = 0) -> Self:
-        """Gives the equipment of a world's robots; the seed decides its degradations."""
+        """Return the constants of a world's robots; the seed decides its degradations."""
         models = [robot.model for robot in world.robots]
         scene = Scene(world)
         return cls(
@@ -122,9 +122,13 @@ class Equipment:
             Degradations(seed),
             world,
             scene,
-            Things.of(scene),
+            ShapeTable.of(scene),
             None if world.surface.is_flat else Inclines(world, scene),
         )
+
+    def last_instant_s(self, cycle: int) -> float:
+        """Return the last instant of a cycle [s]: its end belongs to the next one."""
+        return float(np.nextafter((cycle + 1) * self.timestep_s, 0.0))
 
 
 def _sonars(models: Sequence[RobotModel]) -> BoolArray:

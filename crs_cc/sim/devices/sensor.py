@@ -21,11 +21,12 @@ from crs_cc.core.random_streams import Noise
 from crs_cc.core.time_grid import is_due
 from crs_cc.core.units import m_to_tenths_inch, rad_to_tenths_deg
 from crs_cc.requests import LARGEST
+from crs_cc.sim.devices.timers import read_on_request
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.ray_caster import Surroundings
-    from crs_cc.sim.devices.request_context import Asked
-    from crs_cc.sim.devices.robot_constants import Equipment
+    from crs_cc.sim.devices.ray_caster import RayCaster
+    from crs_cc.sim.devices.request_context import RequestContext
+    from crs_cc.sim.devices.robot_constants import RobotConstants
     from crs_cc.sim.model.device import Device
     from crs_cc.sim.model.world import WorldModel
     from crs_cc.sim.state.env_state import EnvState
@@ -45,16 +46,16 @@ class Measurement:
 
     Attributes:
         state: the state of the world; axes were turned to `at_s`.
-        equipment: constants of all robots, the scene and the ground.
-        around: casts rays.
+        constants: constants of all robots, the scene and the ground.
+        rays: casts rays.
         rows: robots that have the sensor, k of them.
         at_s: the time, for each, (k,).
         settings: the constants of their sensors: the fields of the row's model, by name, (k,) each.
     """
 
     state: EnvState
-    equipment: Equipment
-    around: Surroundings
+    constants: RobotConstants
+    rays: RayCaster
     rows: IndexArray
     at_s: FloatArray
     settings: dict[str, FloatArray]
@@ -89,9 +90,9 @@ class Sensor:
             seed, row.stream, len(row.values), len(models) if self._sigma is not None else 0
         )
 
-    def numbers(self, equipment: Equipment) -> IndexArray:
+    def numbers(self, constants: RobotConstants) -> IndexArray:
         """Return the number of each robot among those that have the sensor, else -1, (robots,)."""
-        return equipment.sensors[self.row.name]
+        return constants.sensors[self.row.name]
 
     def readings(self, state: EnvState) -> Readings:
         """Return what was measured last."""
@@ -105,8 +106,8 @@ class Sensor:
     def read(
         self,
         state: EnvState,
-        equipment: Equipment,
-        around: Surroundings,
+        constants: RobotConstants,
+        rays: RayCaster,
         rows: IndexArray,
         at_s: FloatArray,
     ) -> None:
@@ -114,33 +115,32 @@ class Sensor:
 
         Args:
             state: changed in place.
-            equipment: the robots' constants.
-            around: casts rays.
+            constants: the robots' constants.
+            rays: casts rays.
             rows: robots that have the sensor, k of them, whose axes were turned to `at_s`.
             at_s: when, for each, shape (k,).
         """
-        readings, mine = self.readings(state), self.numbers(equipment)[rows]
+        readings, mine = self.readings(state), self.numbers(constants)[rows]
         due = is_due(readings.at_s[mine], at_s, self.interval_s[mine])
         rows, mine, at_s = rows[due], mine[due], at_s[due]
         settings = {name: column[mine] for name, column in self._settings.items()}
-        value = self.row.measure(Measurement(state, equipment, around, rows, at_s, settings))
+        value = self.row.measure(Measurement(state, constants, rays, rows, at_s, settings))
         if self._sigma is not None:
             value = value + self._noise.rows(rows, readings.count[mine]) * self._sigma[mine, None]
-        value = equipment.degradations.alter(state, self.row.name, rows, value, at_s)
+        value = constants.degradations.alter(state, self.row.name, rows, value, at_s)
         readings.value[mine], readings.at_s[mine] = value, at_s
         readings.count[mine] += 1
 
-    def answer(self, asked: Asked) -> BoolArray:
+    def answer(self, context: RequestContext) -> BoolArray:
         """Answer the sensor's request; refuse robots without it, and readings without a value."""
-        state, equipment, rows = asked.state, asked.equipment, asked.rows
-        numbers = self.numbers(equipment)[rows]
+        numbers = self.numbers(context.constants)[context.rows]
         has = np.asarray(numbers >= 0)
-        measures = has & state.timers.on_request(rows, self.row.number)
-        self.read(state, equipment, asked.around, rows[measures], asked.at_s[measures])
-        value = self.readings(state).value[numbers[has]]
+        read_on_request(context, self.read, self.row.number, has)
+        value = self.readings(context.state).value[numbers[has]]
         there = np.isfinite(value).all(axis=1)
         has[has] = there
         convert, limit = _IN_C[self.row.kind.name]
-        whole = np.clip(np.rint(convert(value[there])), -limit, limit)
-        asked.messages["i"][has, : len(self.row.values)] = whole.astype(np.int32)
+        whole = np.clip(np.rint(convert(value[there])), -limit, limit).astype(np.int32)
+        for column, each in zip(whole.T, self.row.values, strict=True):
+            context.put(each.name, column, has)
         return has

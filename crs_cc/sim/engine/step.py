@@ -13,7 +13,7 @@ from typing import Final
 import numpy as np
 
 from crs_cc.core.arrays import BoolArray, FloatArray, IndexArray, Int32Array, Int64Array, Records
-from crs_cc.requests import CODES, REGISTERED, REQUESTS
+from crs_cc.requests import CODES, REQUESTS, Field
 from crs_cc.sim.devices.vendor_state import (
     BUMPER,
     COMPASS,
@@ -46,15 +46,6 @@ _ANSWERS: Final = {
     CODES["GET_RV"]: (_SPEEDS,),
 }
 
-TELLS: Final = frozenset(
-    code
-    for code, request in REQUESTS.items()
-    if request.server != "host"
-    and not request.tells_state
-    and any(result.place != "result" for result in request.results)
-) | frozenset(REGISTERED)
-"""The codes of the requests whose replies tell something of their own."""
-
 _TEXT: Final = 40  # so much of a text is shown
 
 
@@ -68,8 +59,9 @@ class Served:
         clock_s: when each program went on.
         arguments: the integer arguments, shape (k, 8).
         results: 0 refused, else 1 or what the request counts (results in `REQUESTS`), (k,).
-        states: `State` as it was told, shape (k, 45).
-        told: the whole replies, of dtype `requests.MESSAGE`, for the codes in `TELLS`; else None.
+        states: `State` as it was told, shape (k, 45), for requests answered with it; else None.
+        told: the whole replies, of dtype `requests.MESSAGE`, for requests that are `traced`; else
+            None.
     """
 
     code: int
@@ -77,7 +69,7 @@ class Served:
     clock_s: FloatArray
     arguments: Int32Array
     results: Int32Array
-    states: Int32Array
+    states: Int32Array | None
     told: Records | None = None
 
 
@@ -284,31 +276,22 @@ def _answers(step: Step, robot: int) -> tuple[Answer, ...]:
 
 
 def _values(served: Served, row: int) -> dict[str, tuple[int | float | str, ...]]:
-    """Gives what a request told one robot."""
-    if served.told is None:
+    """Return what a request told one robot."""
+    if served.states is not None:
         state = served.states[row].tolist()
         return {name: tuple(state[part]) for name, part in _ANSWERS.get(served.code, ())}
-    if not served.results[row]:
+    if served.told is None or not served.results[row]:
         return {}
-    message = served.told[row]
-    places = [each.place for each in REQUESTS[served.code].results]
-    numbers = (_number(message, place) for place in places if place[:2] in {"i[", "f["})
-    return {"told": (*numbers, *_data(message, served.code))}
+    message, results = served.told[row], REQUESTS[served.code].results
+    positions = [result.position for result in results]
+    numbers = (message[array][place].item() for array, place in positions if place >= 0)
+    content = (field for field in results if field.place == "data")
+    return {"told": (*numbers, *(value for field in content for value in _data(message, field)))}
 
 
-def _number(message: np.void, place: str) -> int | float:
-    """Gives the number at a place in a message: `i[0]`, `f[1]`."""
-    field, number = place.rstrip("]").split("[")
-    value: int | float = message[field][int(number)].item()
-    return value
-
-
-def _data(message: np.void, code: int) -> tuple[int | float | str, ...]:
-    """Gives a reply's data: numbers where the table says so, or else text."""
-    form = next((each.name for each in REQUESTS[code].results if each.place == "data"), None)
-    if form is None:
-        return ()
+def _data(message: np.void, field: Field) -> tuple[int | str, ...]:
+    """Return a reply's data: numbers where the table says so, or else text."""
     data = message["data"][: max(int(message["size"]), 0)]
-    if "int32" in form:
+    if field.data_type == "int32":
         return tuple(data[: len(data) // 4 * 4].view("<i4").tolist())
     return (repr(data[:_TEXT].tobytes())[1:],)

@@ -38,7 +38,7 @@ import numpy as np
 from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.obstacles import Obstacles
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.geometry.shape_table import Things
+from crs_cc.sim.geometry.shape_table import ShapeTable
 from crs_cc.sim.geometry.terrain import Terrain
 from crs_cc.sim.model.ground import Ground, Patch
 from crs_cc.sim.model.world import TALL_M
@@ -93,7 +93,7 @@ class Outlook:
         self._moving = len(scene.start)
         self._heights_m = np.array([thing.height_m for thing in scene.things])
         self.tops_m = np.append(self._heights_m, np.inf)
-        x_m, y_m = Things.of(scene).fixed[:, :2].T
+        x_m, y_m = ShapeTable.of(scene).fixed[:, :2].T
         self.tops_m[self._moving : -1] += self.terrain.height_m(x_m, y_m)
 
     def place(self, position_m: FloatArray) -> None:

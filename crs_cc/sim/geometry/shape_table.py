@@ -6,7 +6,7 @@ rectangle is a point and the margin its radius, of a wall it is a line. Polygons
 >>> from crs_cc.sim.model.world import Area, Box, Cylinder, Pose, WorldModel
 >>> desk, bin = Box("desk", Pose(3.0, 0.0), 2.0, 1.0), Cylinder("bin", Pose(0.0, 4.0), 0.5)
 >>> area = Area(-5, -5, 10, 10, edge_m=0)
->>> things = Things.of(Scene(WorldModel("w", area, boxes=(desk,), cylinders=(bin,))))
+>>> things = ShapeTable.of(Scene(WorldModel("w", area, boxes=(desk,), cylinders=(bin,))))
 >>> things.distance_m(things.fixed, np.array([0, 1]), np.zeros(2), np.zeros(2)).tolist()
 [2.0, 3.5]
 """
@@ -38,7 +38,7 @@ class Placed(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class Things:
+class ShapeTable:
     """The shapes of all things, in the order of `Scene.names`.
 
     Attributes:

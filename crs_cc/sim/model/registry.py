@@ -17,7 +17,7 @@ from typing import Final
 
 from crs_cc.core.errors import DeviceError
 from crs_cc.core.source import Location
-from crs_cc.requests import CODES, REGISTERED, Argument, RequestCode, device_request, register
+from crs_cc.requests import CODES, REGISTERED, Field, Request, device_request, register
 from crs_cc.sim.model.device import Device
 
 GROUP: Final = "crs_cc.devices"
@@ -106,10 +106,10 @@ def _numbered(rows: list[Device], ours: int) -> Iterator[Device]:
         )
 
 
-def _request(device: Device) -> RequestCode:
+def _request(device: Device) -> Request:
     """Return the request of a device's C function."""
     results = [
-        Argument(f"i[{place}]", value.meaning, device.unit)
+        Field(value.name, f"i[{place}]", device.unit, value.meaning)
         for place, value in enumerate(device.values)
     ]
     return device_request(

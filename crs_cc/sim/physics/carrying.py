@@ -18,7 +18,7 @@ import numpy as np
 from crs_cc.core.arrays import FloatArray, IndexArray
 from crs_cc.sim.geometry.frames import compose, relative, wrapped
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.geometry.shape_table import Things
+from crs_cc.sim.geometry.shape_table import ShapeTable
 from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.state.bodies import Bodies, Pull
 from crs_cc.sim.state.holds import GRIPPER, HAND, Holds
@@ -86,7 +86,7 @@ class Load:
         weight_kg[hands] += thing_kg[lifted]
         mass_kg[hands] += thing_kg[lifted]
         grasp = holds.grasp[rows[alone], GRIPPER]
-        size_m = Things.of(scene).reach_m[len(world.robots) + things[alone]]
+        size_m = ShapeTable.of(scene).reach_m[len(world.robots) + things[alone]]
         return cls(
             rows[alone],
             things[alone],

@@ -9,7 +9,7 @@ import numpy as np
 
 from crs_cc.core.arrays import Int32Array
 from crs_cc.sim.model.world import WorldModel
-from crs_cc.sim.state.last_measurement import Moments
+from crs_cc.sim.state.last_measurement import LastMeasurement
 
 
 @dataclass(slots=True)
@@ -22,10 +22,10 @@ class BumperState:
     """
 
     pressed: Int32Array
-    hit: Moments
+    hit: LastMeasurement
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
         """Gives switches that nothing presses."""
         count = len(world.robots)
-        return cls(np.zeros(count, dtype=np.int32), Moments.never(count))
+        return cls(np.zeros(count, dtype=np.int32), LastMeasurement.never(count))

@@ -10,7 +10,7 @@ import numpy as np
 from crs_cc.core.arrays import FloatArray, Int32Array, Int64Array
 from crs_cc.sim.model.sensors import MAX_COLUMNS
 from crs_cc.sim.model.world import WorldModel
-from crs_cc.sim.state.paged_reply import Told
+from crs_cc.sim.state.paged_reply import PagedReply
 
 _PIXEL = 2
 
@@ -31,7 +31,7 @@ class CameraState:
     range: Int32Array
     at_s: FloatArray
     count: Int64Array
-    told: Told
+    told: PagedReply
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
@@ -42,5 +42,5 @@ class CameraState:
             np.full((count, MAX_COLUMNS), -1, dtype=np.int32),
             np.full(count, -1.0),
             np.zeros(count, dtype=np.int64),
-            Told.nothing(count, _PIXEL * MAX_COLUMNS),
+            PagedReply.nothing(count, _PIXEL * MAX_COLUMNS),
         )

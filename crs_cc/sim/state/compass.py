@@ -9,7 +9,7 @@ import numpy as np
 
 from crs_cc.core.arrays import BoolArray, Int32Array, Int64Array
 from crs_cc.sim.model.world import WorldModel
-from crs_cc.sim.state.last_measurement import Moments
+from crs_cc.sim.state.last_measurement import LastMeasurement
 
 
 @dataclass(slots=True)
@@ -28,7 +28,7 @@ class CompassState:
     calibrated: BoolArray
     reading: Int32Array
     count: Int64Array
-    measured: Moments
+    measured: LastMeasurement
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
@@ -40,5 +40,5 @@ class CompassState:
             np.zeros(count, dtype=np.bool_),
             np.zeros(count, dtype=np.int32),
             np.zeros(count, dtype=np.int64),
-            Moments.never(count),
+            LastMeasurement.never(count),
         )

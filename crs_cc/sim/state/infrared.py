@@ -10,7 +10,7 @@ import numpy as np
 from crs_cc.core.arrays import BoolArray, FloatArray, Int64Array
 from crs_cc.sim.model.sensors import MAX_INFRARED
 from crs_cc.sim.model.world import WorldModel
-from crs_cc.sim.state.last_measurement import Moments
+from crs_cc.sim.state.last_measurement import LastMeasurement
 
 FARTHEST: Final = 15
 """The largest reading, four bits on the line (vendor source `Ndirect.c` 2.7): nothing is near."""
@@ -32,7 +32,7 @@ class InfraredState:
     share: FloatArray
     level: FloatArray
     count: Int64Array
-    measured: Moments
+    measured: LastMeasurement
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
@@ -46,5 +46,5 @@ class InfraredState:
             np.array([ring.share for ring in rings], dtype=np.float64),
             np.full((len(rings), MAX_INFRARED), float(FARTHEST)),
             np.zeros(len(rings), dtype=np.int64),
-            Moments.never(len(rings)),
+            LastMeasurement.never(len(rings)),
         )

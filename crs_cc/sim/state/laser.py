@@ -10,8 +10,8 @@ import numpy as np
 from crs_cc.core.arrays import Int32Array, Int64Array
 from crs_cc.sim.model.sensors import NUM_LASER
 from crs_cc.sim.model.world import WorldModel
-from crs_cc.sim.state.last_measurement import Moments
-from crs_cc.sim.state.paged_reply import Told
+from crs_cc.sim.state.last_measurement import LastMeasurement
+from crs_cc.sim.state.paged_reply import PagedReply
 
 _USUAL_SEGMENTS: Final = (50, 4, 30)
 """What the vendor's header advises to give to `conf_sg`."""
@@ -43,9 +43,9 @@ class LaserState:
     seen: Int32Array
     ranges: Int32Array
     count: Int64Array
-    measured: Moments
-    told: Told
-    predicted: Told
+    measured: LastMeasurement
+    told: PagedReply
+    predicted: PagedReply
 
     @classmethod
     def at_start(cls, world: WorldModel) -> Self:
@@ -61,7 +61,7 @@ class LaserState:
             seen=np.zeros((count, 2 * NUM_LASER), dtype=np.int32),
             ranges=np.full((count, NUM_LASER), -1, dtype=np.int32),
             count=np.zeros(count, dtype=np.int64),
-            measured=Moments.never(count),
-            told=Told.nothing(count, 2 * NUM_LASER),
-            predicted=Told.nothing(count, 2 * NUM_LASER),
+            measured=LastMeasurement.never(count),
+            told=PagedReply.nothing(count, 2 * NUM_LASER),
+            predicted=PagedReply.nothing(count, 2 * NUM_LASER),
         )

@@ -1,6 +1,6 @@
 """When and where something was measured last, for the vendor's `PosData`.
 
->>> moments = Moments.never(2)
+>>> moments = LastMeasurement.never(2)
 >>> moments.note(np.array([1]), np.array([0.5]), np.array([[10, 0, 900, 900, 0, 0, 0]]))
 >>> moments.at_s.tolist(), moments.configuration[1, 2]
 ([-1.0, 0.5], np.int32(900))
@@ -24,7 +24,7 @@ _CONFIGURATION: Final = 7  # x, y, heading, turret, and the speeds of three axes
 
 
 @dataclass(slots=True)
-class Moments:
+class LastMeasurement:
     """The last measurement of each of some robots.
 
     Attributes:

@@ -1,7 +1,7 @@
 """Readings that are too long for a message: what the last reply told of, for the pages after it.
 
 >>> from crs_cc.requests import MESSAGE
->>> told = Told.nothing(1, room=6)
+>>> told = PagedReply.nothing(1, room=6)
 >>> told.keep(0, width=2, numbers=np.array([1, 2, 3, 4]))
 >>> message = np.zeros(1, MESSAGE)
 >>> told.page(0, first=1, message=message[0])
@@ -24,7 +24,7 @@ _PAGE: Final = DATA_SIZE // 4  # numbers
 
 
 @dataclass(slots=True)
-class Told:
+class PagedReply:
     """Readings for the pages that programs ask for; a row for each robot with the device.
 
     Attributes:

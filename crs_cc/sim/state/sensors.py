@@ -18,7 +18,6 @@ from crs_cc.core.arrays import FloatArray, Int64Array
 from crs_cc.sim.model.registry import devices
 from crs_cc.sim.model.world import WorldModel
 
-
 _NAME: Final = "SensorStates"
 
 

@@ -117,7 +117,9 @@ def test_the_scout_is_as_the_vendor_describes_it():
 
 
 def test_a_robot_definition_beside_the_world_is_found(tmp_path):
-    text = (SIM / "files" / "robots" / "scout.xml").read_text().replace('name="scout"', 'name="own"')
+    text = (
+        (SIM / "files" / "robots" / "scout.xml").read_text().replace('name="scout"', 'name="own"')
+    )
     (tmp_path / "own.xml").write_text(text)
     path = tmp_path / "w.xml"
     path.write_bytes(lines(AREA, '<robot definition="own.xml" x="1" y="1"/>'))

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.sim.devices.ray_caster import Surroundings
+from crs_cc.sim.devices.ray_caster import RayCaster
 from crs_cc.sim.devices.sonar import SonarRing
 from crs_cc.sim.devices.vendor_state import BUMPER, SONAR_0
 from crs_cc.sim.engine.environment import Environment
@@ -48,8 +48,8 @@ def sonars_at(deep_m: float, things: str, heading: int = 0, y_m: float = 1.5) ->
     state.x_m[0], state.y_m[0] = 2 + deep_m - SCOUT_RADIUS_M, y_m
     state.heading_rad[0] = math.radians(heading)
     ring, pose = SonarRing(world, 1), [state.x_m[0], y_m, state.heading_rad[0]]
-    around = Surroundings(Scene(world), ring.fans)
-    readings = ring.look(state, around, np.array([0]), np.array([pose]))[0].tolist()
+    rays = RayCaster(Scene(world), ring.fans)
+    readings = ring.look(state, rays, np.array([0]), np.array([pose]))[0].tolist()
     turned = round(heading / 22.5)
     return readings[-turned:] + readings[:-turned]
 

@@ -11,13 +11,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from crs_cc.sim.devices.ray_caster import Surroundings
+from crs_cc.sim.devices.ray_caster import RayCaster
 from crs_cc.sim.geometry.echoes import ANY_ANGLE, Pings, first_echo
 from crs_cc.sim.geometry.line_of_sight import Sight
 from crs_cc.sim.geometry.placement import misplaced
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.geometry.shape_table import Things
+from crs_cc.sim.geometry.shape_table import ShapeTable
 from crs_cc.sim.model.robot import Drive, RobotModel
 from crs_cc.sim.model.world import (
     Area,
@@ -103,8 +103,8 @@ class Watcher:
         scene = Scene(world)
         self.state = EnvState.at_start(world)
         self.ahead = Fan.of([(0.0, 0.0, 0.0, 0.0, 2.0 * SIDE)])
-        self.around = Surroundings(scene, [*FANS.values(), self.ahead])
-        self.sight, self.things = Sight(scene), Things.of(scene)
+        self.around = RayCaster(scene, [*FANS.values(), self.ahead])
+        self.sight, self.things = Sight(scene), ShapeTable.of(scene)
         self.poses = self.things.poses(self.state.bodies)
         grid = np.stack(np.meshgrid(np.arange(0.5, SIDE), np.arange(0.5, SIDE)), axis=-1)
         self.lights = np.array(

@@ -5,10 +5,10 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.sim.devices.ray_caster import Surroundings
+from crs_cc.sim.devices.ray_caster import RayCaster
 from crs_cc.sim.geometry.rays import NO_THING, Fan
 from crs_cc.sim.geometry.scene import Scene
-from crs_cc.sim.geometry.shape_table import Things
+from crs_cc.sim.geometry.shape_table import ShapeTable
 from crs_cc.sim.model.world import Wall
 from crs_cc.sim.state.env_state import EnvState
 from tests.sim.driver import open_world
@@ -19,10 +19,10 @@ def looked(world, fan):
     """Gives the distances that all robots see along their beams, and the names of what they see."""
     scene, state = Scene(world), EnvState.at_start(world)
     count = len(world.robots)
-    around = Surroundings(scene, [fan])
-    distance_m, thing = around.seen(state, fan, scene.start[:count], np.arange(count))
+    rays = RayCaster(scene, [fan])
+    distance_m, thing = rays.seen(state, fan, scene.start[:count], np.arange(count))
     assert np.array_equal(
-        distance_m, around.distances_m(state, fan, scene.start[:count], np.arange(count))
+        distance_m, rays.distances_m(state, fan, scene.start[:count], np.arange(count))
     )
     return distance_m, thing, scene
 
@@ -77,7 +77,7 @@ def test_the_place_that_a_beam_hits_lies_on_the_thing_that_it_names(robots):
     seen = (thing != NO_THING) & (distance_m > 0.0)
     seen &= ~is_wall[np.where(seen, thing, 0)]
     assert seen.sum() > 20 * len(world.robots) / 3
-    things = Things.of(scene)
+    things = ShapeTable.of(scene)
     poses = np.concatenate([scene.start, things.fixed])
     off_m = things.distance_m(poses, thing[seen], x_m[seen], y_m[seen])
     assert np.abs(off_m).max() < 1e-7
@@ -91,11 +91,11 @@ def test_beams_see_where_things_are_however_long_they_stood_there():
     )
     scene, state = Scene(world), EnvState.at_start(world)
     fan, own = Fan.of([(0.0, 0.0, 0.0, 0.0, 5.0)]), np.array([0])
-    around, seen = Surroundings(scene, [fan]), []
+    rays, seen = RayCaster(scene, [fan]), []
     for x_m in (2.0, 2.0, 3.0, 2.0):
         state.bodies.position_m[1, 0] = x_m
-        seen.append(float(around.distances_m(state, fan, scene.start[:1], own)[0, 0]))
+        seen.append(float(rays.distances_m(state, fan, scene.start[:1], own)[0, 0]))
         state.cycle += 1
     state.bodies.angle_rad[1] = math.pi / 4
-    seen.append(float(around.distances_m(state, fan, scene.start[:1], own)[0, 0]))
+    seen.append(float(rays.distances_m(state, fan, scene.start[:1], own)[0, 0]))
     assert seen == pytest.approx([1.5, 1.5, 2.5, 1.5, 2 - math.sqrt(0.5)])

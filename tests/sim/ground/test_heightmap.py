@@ -11,7 +11,7 @@ import pytest
 from PIL import Image
 
 from crs_cc.core.errors import WorldError
-from crs_cc.sim.devices.ray_caster import Surroundings
+from crs_cc.sim.devices.ray_caster import RayCaster
 from crs_cc.sim.files.world_xml import load_world
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene
@@ -97,9 +97,9 @@ def test_a_beam_meets_the_first_pixel_that_is_as_high(tmp_path):
     """0.4 m: the pixel of 0.5 m begins at 2 m; from above nothing is met but the edge."""
     world = hill(tmp_path)
     fan = Fan.of([(0.0, 0.0, 0.0, 0.0, 9.0)], 0.4)
-    around, state = Surroundings(Scene(world), [fan]), Driver.of(world).state
+    rays, state = RayCaster(Scene(world), [fan]), Driver.of(world).state
     poses = np.array([[0.4, 2.0, 0.0], [5.2, 2.0, 0.0], [7.9, 2.0, math.pi]])
-    seen_m = around.distances_m(state, fan, poses, np.array([0, 0, 0]))[:, 0]
+    seen_m = rays.distances_m(state, fan, poses, np.array([0, 0, 0]))[:, 0]
     assert seen_m == pytest.approx([1.6, 2.8, 0.9])
 
 

@@ -13,7 +13,7 @@ import math
 import numpy as np
 import pytest
 
-from crs_cc.sim.devices.ray_caster import Surroundings
+from crs_cc.sim.devices.ray_caster import RayCaster
 from crs_cc.sim.engine.environment import Environment
 from crs_cc.sim.geometry.rays import Fan
 from crs_cc.sim.geometry.scene import Scene
@@ -28,10 +28,10 @@ def sees(things: str, z_m: float, x_m: float = 1.0, direction: float = 0.0) -> f
     """Gives what a thin beam measures from y = 5 m."""
     fan = Fan.of([(0.0, 0.0, 0.0, 0.0, 25.0)], z_m)
     world = world_of(things + '<robot x="29m" y="1m"/>', BIG)
-    around = Surroundings(Scene(world), [fan])
+    rays = RayCaster(Scene(world), [fan])
     state = Environment(world, 1).state
     pose = np.array([[x_m, 5.0, math.radians(direction)]])
-    return float(around.distances_m(state, fan, pose, np.array([0]))[0, 0])
+    return float(rays.distances_m(state, fan, pose, np.array([0]))[0, 0])
 
 
 def sonar_m(things: str, number: int = 0) -> float:
@@ -120,4 +120,4 @@ def test_a_robot_at_a_ledge_hears_it_at_once():
 
 def test_worlds_without_heights_take_the_way_without_them():
     world = world_of('<robot x="1m" y="5m"/>' + BOX.format(""), BIG)
-    assert Environment(world, 1)._around._outlook is None
+    assert Environment(world, 1)._data.rays._outlook is None

@@ -42,10 +42,10 @@ class Altimeter:
 
 def measure(now: Measurement) -> FloatArray:
     """Return the height of the ground [m], (k, 1)."""
-    if now.equipment.inclines is None:
+    if now.constants.inclines is None:
         return np.zeros((len(now.rows), 1))
-    x_m, y_m, _ = mount_poses(now.state, now.equipment, now.rows).T
-    return now.equipment.inclines.terrain.height_m(x_m, y_m)[:, None]
+    x_m, y_m, _ = mount_poses(now.state, now.constants, now.rows).T
+    return now.constants.inclines.terrain.height_m(x_m, y_m)[:, None]
 
 
 DEVICE = Device(

@@ -39,7 +39,7 @@ class Gps:
 
 def measure(now: Measurement) -> FloatArray:
     """Return x and y in the world frame [m], (k, 2)."""
-    return mount_poses(now.state, now.equipment, now.rows)[:, :2]
+    return mount_poses(now.state, now.constants, now.rows)[:, :2]
 
 
 DEVICE = Device(

@@ -44,9 +44,9 @@ class Inclinometer:
 def measure(now: Measurement) -> FloatArray:
     """Return pitch and roll [rad], (k, 2)."""
     tilt_rad = np.zeros((len(now.rows), 2))
-    if now.equipment.inclines is not None:
-        x_m, y_m, direction = mount_poses(now.state, now.equipment, now.rows).T
-        gradient = now.equipment.inclines.terrain.gradient(x_m, y_m)
+    if now.constants.inclines is not None:
+        x_m, y_m, direction = mount_poses(now.state, now.constants, now.rows).T
+        gradient = now.constants.inclines.terrain.gradient(x_m, y_m)
         cos, sin = np.cos(direction), np.sin(direction)
         tilt_rad[:, 0] = np.arctan(cos * gradient[:, 0] + sin * gradient[:, 1])
         tilt_rad[:, 1] = np.arctan(cos * gradient[:, 1] - sin * gradient[:, 0])

@@ -25,12 +25,11 @@ from typing import TYPE_CHECKING, Final, TypeAlias
 
 import numpy as np
 
-from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray, Records
+from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray
 from crs_cc.core.units import m_to_tenths_inch, tenths_inch_to_m
 
 if TYPE_CHECKING:
-    from crs_cc.sim.devices.robot_constants import Equipment
-    from crs_cc.sim.state.env_state import EnvState
+    from crs_cc.sim.devices.request_context import RequestContext
 
 
 _SEGMENT: Final = 0
@@ -43,29 +42,28 @@ _AHEAD_M: Final = 1e-3  # so far ahead on the path it shows whether a contact ge
 _CLOSER_M: Final = 1e-10
 
 
-def motion_check(
-    state: EnvState, equipment: Equipment, rows: IndexArray, messages: Records
-) -> BoolArray:
-    """Answers with the first contact on each robot's path; refuses where there is none."""
-    position_m, angle_rad = state.bodies.position_m, state.bodies.angle_rad
-    outlines = (equipment.scene.fixed, equipment.scene.moving(position_m, angle_rad))
+def motion_check(context: RequestContext) -> BoolArray:
+    """Answer with the first contact on each robot's path; refuse where there is none."""
+    bodies, scene = context.state.bodies, context.constants.scene
+    outlines = (scene.fixed, scene.moving(bodies.position_m, bodies.angle_rad))
     segments = np.concatenate([each.segments for each in outlines])
     circles = np.concatenate([each.circles for each in outlines])
     owners = np.concatenate([each.owners for each in outlines])
-    hits = np.zeros(len(rows), dtype=np.bool_)
-    for row, (robot, message) in enumerate(zip(rows, messages, strict=True)):
-        numbers = message["data"][: 8 * _NUMBERS].view("<f8").copy()
-        path = _path(int(message["i"][0]), numbers)
+    hits = np.zeros(len(context), dtype=np.bool_)
+    kinds = context["path"].tolist()
+    numbers = context["numbers"][:, : 8 * _NUMBERS].copy().view("<f8")
+    for row, robot in enumerate(context.rows.tolist()):
+        path = _path(kinds[row], numbers[row])
         if path is None:
             continue
-        shapes = Shapes.of(segments, circles[owners != robot], equipment.radius_m[robot])
+        shapes = Shapes.of(segments, circles[owners != robot], context.constants.radius_m[robot])
         contact = first_contact(path, shapes)
         if contact is not None:
             hits[row] = True
             place, normal_rad = contact
-            message["f"][0] = m_to_tenths_inch(place.real)
-            message["f"][1] = m_to_tenths_inch(place.imag)
-            message["f"][2] = normal_rad
+            context.put("x", m_to_tenths_inch(place.real), row)
+            context.put("y", m_to_tenths_inch(place.imag), row)
+            context.put("normal_rad", normal_rad, row)
     return hits
 
 
