@@ -117,7 +117,7 @@ def test_the_scout_is_as_the_vendor_describes_it():
 
 
 def test_a_robot_definition_beside_the_world_is_found(tmp_path):
-    text = (SIM / "robots" / "scout.xml").read_text().replace('name="scout"', 'name="own"')
+    text = (SIM / "files" / "robots" / "scout.xml").read_text().replace('name="scout"', 'name="own"')
     (tmp_path / "own.xml").write_text(text)
     path = tmp_path / "w.xml"
     path.write_bytes(lines(AREA, '<robot definition="own.xml" x="1" y="1"/>'))
@@ -144,7 +144,7 @@ def test_a_sensor_in_the_words_of_the_report_is_read(tmp_path):
 def test_every_name_of_a_robot_can_be_loaded():
     assert "scout" in known_robots()
     for name in known_robots():
-        assert load_robot(SIM / "robots" / f"{name}.xml").name == name
+        assert load_robot(SIM / "files" / "robots" / f"{name}.xml").name == name
 
 
 # -- what is refused ---------------------------------------------------------------------------
@@ -430,7 +430,7 @@ def test_things_that_only_touch_are_let_be():
 
 
 def test_a_sensor_outside_of_the_body_is_told(tmp_path):
-    scout = (SIM / "robots" / "scout.xml").read_text()
+    scout = (SIM / "files" / "robots" / "scout.xml").read_text()
     (tmp_path / "r.xml").write_text(scout.replace('radius="', 'radius="0.0', 1))
     with pytest.raises(WorldError) as caught:
         load_robot(tmp_path / "r.xml")
@@ -558,7 +558,7 @@ def test_a_missing_program_is_told(tmp_path):
 
 
 def test_a_robot_definition_behind_a_link_is_refused(tmp_path):
-    (tmp_path / "own.xml").symlink_to(SIM / "robots" / "scout.xml")
+    (tmp_path / "own.xml").symlink_to(SIM / "files" / "robots" / "scout.xml")
     path = tmp_path / "w.xml"
     path.write_bytes(lines(AREA, '<robot definition="own.xml" x="1" y="1"/>'))
     with pytest.raises(WorldError, match="is, or lies behind, a link"):
@@ -566,7 +566,7 @@ def test_a_robot_definition_behind_a_link_is_refused(tmp_path):
 
 
 def test_mistakes_in_a_robot_definition_are_told_with_their_own_place(tmp_path):
-    text = (SIM / "robots" / "scout.xml").read_text()
+    text = (SIM / "files" / "robots" / "scout.xml").read_text()
     bad = text.replace('radius="8in"', 'radius="8"').replace('radius="8"', 'radius="-8in"')
     bad = bad.replace("<id>3</id>", "<id>2</id>").replace('name="VM"', 'name="FLY"')
     bad = bad.replace('switches="8"', 'switches="99"')
@@ -639,7 +639,7 @@ def test_each_robot_of_a_world_can_have_its_setup():
 
 @pytest.mark.parametrize("robot", known_robots())
 def test_every_setup_that_comes_with_crs_can_be_used(robot):
-    path = SIM / "robots" / f"{robot}.xml"
+    path = SIM / "files" / "robots" / f"{robot}.xml"
     for setup in re.findall(r'<setup name="([^"]*)"', path.read_text()):
         assert load_robot(path, setup).name == robot
 
@@ -666,7 +666,7 @@ def test_a_sonar_board_that_makes_no_sense_is_refused(tmp_path, attribute, compl
 
 
 def definition(tmp_path, setup):
-    text = (SIM / "robots" / "scout.xml").read_text()
+    text = (SIM / "files" / "robots" / "scout.xml").read_text()
     path = tmp_path / "own.xml"
     path.write_text(text.replace("</robot-definition>", setup + "</robot-definition>"))
     return path
