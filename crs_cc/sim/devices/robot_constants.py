@@ -20,7 +20,7 @@ from crs_cc.sim.model.world import WorldModel
 from crs_cc.sim.physics.inclines import Inclines
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class RobotConstants:
     """Constants of all robots; arrays have shape (robots,), those of `shapes` apart.
 
@@ -92,38 +92,44 @@ class RobotConstants:
         models = [robot.model for robot in world.robots]
         scene = Scene(world)
         return cls(
-            world.timestep_s,
-            Drives.of(world),
-            np.array([model.vendor_model for model in models], dtype=np.int64),
-            np.array([model.sonar_board.least_interval_s for model in models]),
-            _sonars(models),
-            np.array([len(model.sonar_modes) if model.sonars else 0 for model in models], np.int64),
-            np.array([bool(model.bumpers) for model in models], dtype=np.bool_),
-            _numbers([model.infrared is not None for model in models]),
-            _numbers([model.compass is not None for model in models]),
-            _numbers([model.laser is not None for model in models]),
-            {
+            timestep_s=world.timestep_s,
+            drives=Drives.of(world),
+            vendor_model=np.array([model.vendor_model for model in models], dtype=np.int64),
+            least_interval_s=np.array([model.sonar_board.least_interval_s for model in models]),
+            sonars=_sonars(models),
+            sonar_modes=np.array(
+                [len(model.sonar_modes) if model.sonars else 0 for model in models], np.int64
+            ),
+            bumpers=np.array([bool(model.bumpers) for model in models], dtype=np.bool_),
+            infrared=_numbers([model.infrared is not None for model in models]),
+            compass=_numbers([model.compass is not None for model in models]),
+            laser=_numbers([model.laser is not None for model in models]),
+            sensors={
                 device.name: _numbers([model.device(device.name) is not None for model in models])
                 for device in devices()
             },
-            _numbers([model.camera is not None for model in models]),
-            _numbers([model.gripper is not None for model in models]),
-            _numbers([model.arm is not None for model in models]),
-            _numbers([model.heat.range_m > 0.0 for model in models]),
-            _numbers([model.light_sensors is not None for model in models]),
-            _numbers([model.microphones is not None for model in models]),
-            np.array([model.brightest for model in models]),
-            np.array([model.loudest for model in models]),
-            np.array([model.laser.points if model.laser else 0 for model in models], np.int32),
-            np.array([model.compass.calibration_s if model.compass else 0.0 for model in models]),
-            np.array([model.heat.range_m for model in models]),
-            np.array([model.heat.tag_range_m for model in models]),
-            np.array([model.radius_m for model in models]),
-            Degradations(seed),
-            world,
-            scene,
-            ShapeTable.of(scene),
-            None if world.surface.is_flat else Inclines(world, scene),
+            camera=_numbers([model.camera is not None for model in models]),
+            gripper=_numbers([model.gripper is not None for model in models]),
+            arm=_numbers([model.arm is not None for model in models]),
+            heat=_numbers([model.heat.range_m > 0.0 for model in models]),
+            light=_numbers([model.light_sensors is not None for model in models]),
+            sound=_numbers([model.microphones is not None for model in models]),
+            brightest=np.array([model.brightest for model in models]),
+            loudest=np.array([model.loudest for model in models]),
+            laser_points=np.array(
+                [model.laser.points if model.laser else 0 for model in models], np.int32
+            ),
+            calibration_s=np.array(
+                [model.compass.calibration_s if model.compass else 0.0 for model in models]
+            ),
+            heat_range_m=np.array([model.heat.range_m for model in models]),
+            tag_range_m=np.array([model.heat.tag_range_m for model in models]),
+            radius_m=np.array([model.radius_m for model in models]),
+            degradations=Degradations(seed),
+            world=world,
+            scene=scene,
+            shapes=ShapeTable.of(scene),
+            inclines=None if world.surface.is_flat else Inclines(world, scene),
         )
 
     def last_instant_s(self, cycle: int) -> float:

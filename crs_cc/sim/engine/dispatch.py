@@ -158,6 +158,14 @@ class Dispatcher:
         if request.replies_state:
             context = self._context(request, rows, messages, at_s)
             states = self._data.devices.sensor_board.reply(context, good)
-        results = messages["result"].copy()
-        told = messages.copy() if request.traced else None
-        self.served.append(Served(request.code, rows, at_s, arguments, results, states, told))
+        self.served.append(
+            Served(
+                code=request.code,
+                robots=rows,
+                clock_s=at_s,
+                arguments=arguments,
+                results=messages["result"].copy(),
+                states=states,
+                told=messages.copy() if request.traced else None,
+            )
+        )

@@ -107,8 +107,8 @@ class Environment:
         # Contacts number things as they still are: whoever comes or goes below changes that.
         before = state.bumpers.pressed
         began = data.bumpers.touch(state, data.constants, contacts, end_s)
-        pressed = state.bumpers.pressed
-        touches = (began, pressed & ~before, before & ~pressed, data.names)
+        now, names = state.bumpers.pressed, data.names
+        pressed, released = now & ~before, before & ~now
         # Degradations that begin are told before the devices that work at the end.
         cycle, time_s, served = state.cycle, self.time_s, tuple(self._dispatcher.served)
         if state.degradation.next_s < end_s:
@@ -120,8 +120,21 @@ class Environment:
         ended, at_s, messages = self._dispatcher.end_waits()
         if data.is_anybody_due():
             data.come_and_go()
-        heard = (slices, served, data.log.take(self.time_s), traffic)
-        return Step(cycle, time_s, ended, at_s, messages, *touches, *heard)
+        return Step(
+            cycle=cycle,
+            time_s=time_s,
+            robots=ended,
+            at_s=at_s,
+            messages=messages,
+            contacts=began,
+            pressed=pressed,
+            released=released,
+            names=names,
+            slices=slices,
+            served=served,
+            events=data.log.take(self.time_s),
+            traffic=traffic,
+        )
 
     def _move(self) -> tuple[Slices, Contacts]:
         """Move the bodies along the slices of the cycle, which are complete now."""

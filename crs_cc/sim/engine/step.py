@@ -49,7 +49,7 @@ _ANSWERS: Final = {
 _TEXT: Final = 40  # so much of a text is shown
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Served:
     """Requests of one kind that were answered together; arrays have a row for each robot.
 
@@ -73,7 +73,7 @@ class Served:
     told: Records | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Slices:
     """The slice of its motion command that each robot ran in a cycle.
 
@@ -100,7 +100,7 @@ class Slices:
     present: BoolArray
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Step:
     """One cycle that has ended.
 
@@ -220,15 +220,15 @@ def slices_of(state: EnvState, axes: tuple[tuple[str, ...], ...], timestep_s: fl
     number = state.cycle - state.drive.command_cycle + 1
     runs = (state.drive.command != 0) & (endless | (number <= count))
     return Slices(
-        axes,
-        np.where(runs, state.drive.command, 0),
-        number,
-        np.where(endless, 0, count),
-        state.drive.slice.copy(),
-        state.drive.axes.travelled.copy(),
-        state.drive.axes.total.copy(),
-        state.waits.code != 0,
-        state.presence.present,
+        axes=axes,
+        command=np.where(runs, state.drive.command, 0),
+        number=number,
+        count=np.where(endless, 0, count),
+        way=state.drive.slice.copy(),
+        travelled=state.drive.axes.travelled.copy(),
+        total=state.drive.axes.total.copy(),
+        waiting=state.waits.code != 0,
+        present=state.presence.present,
     )
 
 

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from crs_cc.core import segment
 from crs_cc.core.arrays import FloatArray
 from crs_cc.sim.geometry.scene import Outlines, Scene
 
@@ -33,10 +34,8 @@ def clearance_m(scene: Scene, position_m: FloatArray, angle_rad: FloatArray) -> 
 
 
 def _to_segments(x_m: FloatArray, y_m: FloatArray, segments: FloatArray) -> FloatArray:
-    ax, ay, bx, by, length = segments.T
-    along_x, along_y = (bx - ax) / length, (by - ay) / length
-    share = np.clip((x_m - ax) * along_x + (y_m - ay) * along_y, 0.0, length)
-    return np.asarray(np.hypot(x_m - ax - share * along_x, y_m - ay - share * along_y))
+    ax, ay, bx, by, _ = segments.T
+    return segment.distance(x_m - ax, y_m - ay, bx - ax, by - ay)
 
 
 def _to_circles(x_m: FloatArray, y_m: FloatArray, outlines: Outlines) -> FloatArray:

@@ -35,6 +35,7 @@ from typing import Final, TypeAlias
 
 import numpy as np
 
+from crs_cc.core import segment
 from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.obstacles import Obstacles
 from crs_cc.sim.geometry.scene import Scene
@@ -185,9 +186,9 @@ class Level:
     def _segments(self, place: ComplexArray) -> tuple[Segments, BoolArray, Segments]:
         obstacles, plane = self.outlook.obstacles, self.outlook.plane(place)
         viewers, start, end, length_m = obstacles.segments_near(place)
-        a, along = start - place.take(viewers), end - start
-        share = -(a * along.conj()).real / np.maximum(length_m * length_m, _ON_M)
-        foot = a + np.clip(share, 0.0, 1.0) * along
+        away, along = start - place.take(viewers), end - start
+        share = segment.nearest_share(-away.real, -away.imag, along.real, along.imag)
+        foot = away + share * along
         keep = self._is_high(plane, viewers, foot, obstacles.segment_things(place))
         return (viewers, start, end, length_m), keep, self._ground(place, plane)
 

@@ -21,6 +21,7 @@ from typing import Final
 
 import numpy as np
 
+from crs_cc.core import segment
 from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.cell_list import CellList, expand, few_pairs
 from crs_cc.sim.geometry.obstacles import Grid
@@ -127,7 +128,6 @@ def _meet_circles(
     """Gives those pairs of piece and circle where the piece comes into the circle."""
     away = circles[shape, 0] + 1j * circles[shape, 1] - a[piece]
     along = step[piece]
-    length2 = np.maximum(along.real**2 + along.imag**2, np.finfo(np.float64).tiny)
-    share = np.clip((np.conjugate(along) * away).real / length2, 0.0, 1.0)
-    inside = np.abs(away - share * along) < circles[shape, 2]
+    distance_m = segment.distance(away.real, away.imag, along.real, along.imag)
+    inside = distance_m < circles[shape, 2]
     return piece[inside], shape[inside]

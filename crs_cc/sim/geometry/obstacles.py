@@ -13,6 +13,7 @@ from typing import Final, Self
 
 import numpy as np
 
+from crs_cc.core import segment
 from crs_cc.core.arrays import ComplexArray, FloatArray, IndexArray
 from crs_cc.sim.geometry.cell_list import CellList, expand, few_pairs
 from crs_cc.sim.geometry.scene import Outlines
@@ -243,12 +244,10 @@ class Grid:
 
 
 def _to_segments(x: FloatArray, y: FloatArray, ends: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Gives how far points are from segments, and how far to the left of their lines."""
-    ax, ay, bx, by = ends[:, 0], ends[:, 1], ends[:, 2], ends[:, 3]
-    along_x, along_y = bx - ax, by - ay
+    """Return how far points are from segments, and how far to the left of their lines."""
+    across_x, across_y = x - ends[:, 0], y - ends[:, 1]
+    along_x, along_y = ends[:, 2] - ends[:, 0], ends[:, 3] - ends[:, 1]
     length = np.hypot(along_x, along_y)
     length[length == 0.0] = 1.0
-    along_x, along_y, x, y = along_x / length, along_y / length, x - ax, y - ay
-    share = np.clip(x * along_x + y * along_y, 0.0, length)
-    distance = np.hypot(x - share * along_x, y - share * along_y)
-    return distance, along_x * y - along_y * x
+    left = (along_x * across_y - along_y * across_x) / length
+    return segment.distance(across_x, across_y, along_x, along_y), left

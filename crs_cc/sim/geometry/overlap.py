@@ -16,6 +16,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from crs_cc.core import segment
 from crs_cc.core.arrays import FloatArray
 from crs_cc.sim.geometry.scene import convex_parts_of, corners_m
 from crs_cc.sim.model.world import Box, Cylinder, Solid, Wall
@@ -64,9 +65,5 @@ def _apart_m(one: FloatArray, other: FloatArray) -> float:
 
 def _distance_m(corners: FloatArray, other: FloatArray) -> float:
     """Gives the shortest distance from corners to the sides of another part."""
-    sides = np.roll(other, -1, axis=0) - other
-    across = corners[:, None] - other
-    length2 = np.maximum((sides * sides).sum(axis=1), np.finfo(np.float64).tiny)
-    share = np.clip((across * sides).sum(axis=2) / length2, 0.0, 1.0)
-    off = across - share[..., None] * sides
-    return float(np.hypot(off[..., 0], off[..., 1]).min())
+    sides, across = np.roll(other, -1, axis=0) - other, corners[:, None] - other
+    return float(segment.distance(across[..., 0], across[..., 1], *sides.T).min())

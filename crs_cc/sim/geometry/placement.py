@@ -20,6 +20,7 @@ from typing import Final
 
 import numpy as np
 
+from crs_cc.core import segment
 from crs_cc.core.arrays import BoolArray, FloatArray
 from crs_cc.sim.geometry.cell_list import Discs, overlapping
 from crs_cc.sim.geometry.overlap import overlap_m
@@ -87,12 +88,8 @@ def distance_from_m(solid: Solid, x_m: FloatArray, y_m: FloatArray) -> FloatArra
 
 def _from_wall_m(wall: Wall, x_m: FloatArray, y_m: FloatArray) -> FloatArray:
     along_x, along_y = wall.x2_m - wall.x1_m, wall.y2_m - wall.y1_m
-    length2 = along_x * along_x + along_y * along_y
-    share = ((x_m - wall.x1_m) * along_x + (y_m - wall.y1_m) * along_y) / (length2 or 1.0)
-    share = np.clip(share, 0.0, 1.0)
-    across_x = x_m - wall.x1_m - share * along_x
-    across_y = y_m - wall.y1_m - share * along_y
-    return np.asarray(np.hypot(across_x, across_y) - wall.thickness_m / 2)
+    middle_m = segment.distance(x_m - wall.x1_m, y_m - wall.y1_m, along_x, along_y)
+    return np.asarray(middle_m - wall.thickness_m / 2)
 
 
 def _from_box_m(box: Box, across_x: FloatArray, across_y: FloatArray) -> FloatArray:

@@ -19,6 +19,7 @@ from typing import Final
 
 import numpy as np
 
+from crs_cc.core import segment
 from crs_cc.core.arrays import FloatArray, IndexArray
 
 SHORTEST_M: Final = 1e-3
@@ -72,9 +73,8 @@ def distances_m(points_m: FloatArray, corners_m: FloatArray, counts: IndexArray)
     after[ends - 1] = ends - counts
     side = corners_m[after] - corners_m
     across = np.repeat(points_m, counts, axis=0) - corners_m
-    share = (across * side).sum(axis=1) / (side * side).sum(axis=1)
-    off = across - np.clip(share, 0.0, 1.0)[:, None] * side
-    nearest_m = np.minimum.reduceat(np.hypot(off[:, 0], off[:, 1]), ends - counts)
+    sides_m = segment.distance(*across.T, *side.T)
+    nearest_m = np.minimum.reduceat(sides_m, ends - counts)
     spans = (across[:, 1] < 0.0) != (across[:, 1] < side[:, 1])
     rise = np.where(spans, side[:, 1], 1.0)
     meets = spans & (across[:, 0] < side[:, 0] * across[:, 1] / rise)
@@ -194,6 +194,4 @@ def _apart_m(a: FloatArray, b: FloatArray, c: FloatArray, d: FloatArray) -> Floa
 
 def _to_segment_m(point: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
     along, across = end - start, point - start
-    share = (along * across).sum(axis=-1) / (along * along).sum(axis=-1)
-    nearest = start + np.clip(share, 0.0, 1.0)[..., None] * along
-    return np.asarray(np.hypot(*np.moveaxis(point - nearest, -1, 0)))
+    return segment.distance(across[..., 0], across[..., 1], along[..., 0], along[..., 1])

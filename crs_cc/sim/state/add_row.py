@@ -38,9 +38,9 @@ def grown(state: EnvState, world: WorldModel) -> EnvState:
 def _grown(value: Any, before: Any, after: Any) -> Any:
     """Gives a value, behind it what one has after that the other did not have before."""
     if is_dataclass(value) and not isinstance(value, type):
+        three = (value, before, after)
         names = [field.name for field in fields(value)]
-        parts = ([getattr(each, name) for each in (value, before, after)] for name in names)
-        return type(value)(*(_grown(*three) for three in parts))
+        return type(value)(**{name: _grown(*(getattr(e, name) for e in three)) for name in names})
     if isinstance(value, np.ndarray):
         more = after[len(before) :]
         return np.concatenate([value, more]) if len(more) else value

@@ -56,7 +56,7 @@ from crs_cc.sim.state.timers import TimerState
 from crs_cc.sim.state.waits import WaitState
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, kw_only=True)
 class EnvState:
     """The state of a world at an instant; arrays have a row for each robot unless said otherwise.
 

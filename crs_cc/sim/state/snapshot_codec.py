@@ -100,7 +100,7 @@ class _Unpacking:
             array: np.ndarray[Any, Any] = np.ndarray(shape, dtype, self._content, self._at)
             self._at += -(-array.nbytes // _ALIGN) * _ALIGN
             return array
-        return part(*[self.next() for _ in _names(part) or ()])
+        return part(**{name: self.next() for name in _names(part) or ()})
 
 
 @cache

@@ -25,6 +25,7 @@ from typing import TYPE_CHECKING, Final, TypeAlias
 
 import numpy as np
 
+from crs_cc.core import segment
 from crs_cc.core.arrays import BoolArray, ComplexArray, FloatArray, IndexArray
 from crs_cc.core.units import m_to_tenths_inch, tenths_inch_to_m
 
@@ -96,9 +97,8 @@ class Shapes:
 
     def nearest(self, place: ComplexArray | complex) -> ComplexArray:
         """Gives the point on each segment that is nearest to a place."""
-        along = self.end - self.start
-        length2 = np.maximum(np.abs(along) ** 2, _ON_M**2)
-        share = np.clip(((place - self.start) * along.conjugate()).real / length2, 0.0, 1.0)
+        across, along = place - self.start, self.end - self.start
+        share = segment.nearest_share(across.real, across.imag, along.real, along.imag)
         return np.asarray(self.start + share * along)
 
     def take(self, which: IndexArray) -> Shapes:
