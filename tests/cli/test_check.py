@@ -20,14 +20,14 @@ def in_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_program_is_linked_as_run_would(capfd: pytest.CaptureFixture[str]) -> None:
     Path("main.c").write_text("int turn(int);\nint main(void)\n{\n    return turn(1);\n}\n")
     assert main(["check", "main.c"]) == 121
-    assert "main.c:4:12: error: 'turn' is used, but defined nowhere" in capfd.readouterr().err
+    assert "main.c:4:12: error: 'turn' is used, but not defined" in capfd.readouterr().err
     Path("turn.c").write_text("int turn(int n) { return n; }\n")
     assert main(["check", "main.c", "turn.c"]) == 0
     Path("again.c").write_text("\nint turn(int n) { return -n; }\n")
     assert main(["check", "main.c", "turn.c", "again.c"]) == 121
     shown = capfd.readouterr().err
     assert "again.c:2:5: error: multiple definition of 'turn'" in shown
-    assert "it is also defined at turn.c:1:5" in shown
+    assert "also defined at turn.c:1:5" in shown
 
 
 def test_a_part_of_a_program_is_checked_alone(capfd: pytest.CaptureFixture[str]) -> None:

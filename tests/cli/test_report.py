@@ -20,7 +20,7 @@ BLOCK = Object("heap block", 4096, 16, allocated=(CallSite("main", Location("wan
 REPORT = ErrorReport(
     "out of bounds",
     PLACE,
-    "out of bounds: reads 4 bytes right behind the end of a heap block of 16 bytes",
+    "out of bounds: reads 4 bytes right after the end of a heap block of 16 bytes",
     "    total += order[i];",
     (("order", "0x1000"), ("i", "4")),
     ("allocated at wander.c:30:9 in main",),
@@ -33,7 +33,7 @@ REPORT = ErrorReport(
     BLOCK,
 )
 SHOWN = """\
-wander.c:12:14: error: out of bounds: reads 4 bytes right behind the end of a heap block of 16 bytes
+wander.c:12:14: error: out of bounds: reads 4 bytes right after the end of a heap block of 16 bytes
         total += order[i];
                  ^~~~~~~~
     order = 0x1000, i = 4

@@ -89,7 +89,7 @@ def test_two_initialised_objects_are_refused() -> None:
 
 def test_a_missing_function_is_told_with_its_place_and_a_suggestion() -> None:
     message = refusal('int prinft(const char *, ...);\nint main(void) {\n  prinft("");\n}')
-    assert message.text == "'prinft' is used, but defined nowhere"
+    assert message.text == "'prinft' is used, but not defined"
     assert message.location.line == 3
     assert message.hint == "did you mean 'printf'?"
 

@@ -1,8 +1,8 @@
-"""Code as a graph of nodes: the form between IR blocks and WebAssembly's nesting.
+"""The control flow graph between IR blocks and WebAssembly's nested blocks.
 
-A C function may jump anywhere (`goto`), and a suspended one must be able to go on in the middle of
-its loops. WebAssembly has neither. Two steps lead there: `dispatch` makes every loop enterable at
-one node only, `nesting` then writes blocks and loops. Neither recurses, so a graph of any size and
+A C function may jump anywhere (`goto`), and a suspended one must be able to resume in the middle of
+its loops. WebAssembly allows neither. There are two steps: `dispatch` makes the graph reducible,
+`nesting` then writes blocks and loops. Neither recurses, so a graph of any size and
 depth is fine.
 """
 
@@ -14,23 +14,23 @@ from typing import Final, Literal
 from crs_cc.runtime.wasm import Instr
 
 UNWIND: Final = "br_unwind"
-"""Pseudo-instruction: leaves to the code behind the function's outermost block."""
+"""Pseudo-instruction: branch to the code after the function's outermost block."""
 FAULTED: Final = "br_faulted"
-"""Pseudo-instruction: leaves to the code that notes the failure in locals `SITE` and `ADDRESS`."""
+"""Pseudo-instruction: branch to the code that reports the failure in `SITE` and `ADDRESS`."""
 LANDING: Final = "i32.const_landing"
-"""Pseudo-instruction `(LANDING, landing)`: pushes the landing's number."""
+"""Pseudo-instruction `(LANDING, landing)`: push the landing's number."""
 
 
 @dataclass(slots=True, eq=False)
 class Node:
-    """Straight code and where it goes next.
+    """A basic block with its exit.
 
     Attributes:
         code: instructions; for "branch" and "table" they leave an i32 on the stack.
-        exit: "jump" to the one target; "branch" to the first target if not zero, else the second;
-            "table" to the target of that number, the last one for all others; "leave": the code
+        exit: "jump" to the only target; "branch" to the first target if not zero, else the second;
+            "table" to the target of that number, by default the last; "leave": the code
             itself has left the function.
-        targets: the nodes that come next.
+        targets: the successors.
     """
 
     code: list[Instr] = field(default_factory=list)
@@ -44,10 +44,10 @@ class Node:
 
 @dataclass(slots=True, eq=False)
 class Landing:
-    """A node that the function's entry, or a jump into a tangled loop, reaches by its number.
+    """A node that is reached by number, from the function's entry or by a jump into a loop.
 
     Attributes:
-        node: where the code goes on.
+        node: the node.
         number: its number, from 1; known once `add_dispatchers` has run.
     """
 

@@ -69,7 +69,7 @@ def blamed(error: ErrorReport) -> str:
 
 def test_a_failure_in_the_library_is_told_where_the_program_called_it(tmp_path: Path) -> None:
     error = report_of(tmp_path, 'copy(0, "x")')
-    assert error.text == "null pointer: strcpy is given a null pointer as 'to'"
+    assert error.text == "null pointer: strcpy is passed a null pointer as 'to'"
     assert blamed(error) == "strcpy(to, text)"
     assert stack(error) == [
         'strcpy(to=null, from="x")', 'copy(to=null, text="x")', "main()",
