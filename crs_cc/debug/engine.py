@@ -66,7 +66,7 @@ class Debugger(Points):
         files: Mapping[str, bytes] | None = None,
         client: Client = "nclient",
     ) -> None:
-        """Puts the programs into the robots; nothing has run yet. For the arguments see `Session`."""
+        """Put the programs into the robots; nothing has run yet. See `Session`."""
         super().__init__(
             Run(
                 world,

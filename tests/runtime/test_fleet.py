@@ -95,7 +95,7 @@ def test_a_trap_stops_its_robot_alone_and_the_round_is_finished() -> None:
 def test_a_wild_access_without_checks_is_the_programs_fault_not_ours() -> None:
     fleet = Fleet([wild_program(MEMORY_BYTES, checked=False)])
     run(fleet)
-    assert "without the checks of memory" in fleet.report(0).text
+    assert "without memory checks" in fleet.report(0).text
 
 
 def test_a_snapshot_goes_on_in_another_fleet() -> None:

@@ -70,7 +70,7 @@ def test_a_program_that_brings_the_vendors_client_is_warned() -> None:
            diagnostics=diagnostics)  # fmt: skip
     (message,) = diagnostics.messages
     assert (message.severity, str(message.location)) == ("warning", "b.c:1:5")
-    assert "does not reach its simulated robot" in message.text
+    assert "cannot reach its simulated robot" in message.text
     assert "Ndirect.c" in message.hint
 
 
@@ -103,7 +103,7 @@ def test_a_misspelt_main_is_shown(name: str) -> None:
     message = refusal(f"int f(void) {{ return 0; }}\nint {name}(void) {{ return 0; }}")
     assert message.text == "the program has no function 'main'"
     assert message.location.line == 2
-    assert message.hint == f"is '{name}' to be 'main'?"
+    assert message.hint == f"should '{name}' be 'main'?"
 
 
 def test_statics_of_one_name_in_two_files_are_two() -> None:
