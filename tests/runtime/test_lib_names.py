@@ -49,7 +49,7 @@ FAMILIES = (
 
 
 @pytest.mark.parametrize("name", PUBLIC)
-def test_each_header_compiles_alone_and_twice_without_a_word(name: str) -> None:
+def test_each_header_compiles_alone_and_twice_without_warnings(name: str) -> None:
     diagnostics = Diagnostics()
     text = f"#include <{name}>\n#include <{name}>\nint unit;\n"
     compile_text(text, "unit.c", Options(system_paths=(HEADERS,)), diagnostics)
@@ -90,7 +90,7 @@ def test_a_program_may_define_what_c89_leaves_free() -> None:
             assert not used, f"{name} of {unit}"
 
 
-def test_sources_keep_to_the_projects_measures() -> None:
+def test_library_sources_respect_the_size_limits() -> None:
     for path in [*SOURCES.rglob("*.c"), *SOURCES.rglob("*.h")]:
         lines = path.read_text().splitlines()
         assert len(lines) <= 500, path

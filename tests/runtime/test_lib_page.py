@@ -128,7 +128,7 @@ def test_the_page_of_the_library_is_up_to_date(
     check_golden(PAGE, page().encode())
 
 
-def test_what_the_page_says_of_errors_keeps_the_promises() -> None:
+def test_the_errors_on_the_page_are_within_the_documented_bounds() -> None:
     for line in MEASURED.read_text().splitlines()[1:]:
         name, promised, found = line.split("\t")
         assert float(found) <= float(promised), name

@@ -45,7 +45,7 @@ def system(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> s
 
 
 @pytest.mark.usefixtures("system")
-def test_a_memory_comes_back_as_it_was() -> None:
+def test_a_memory_is_restored_exactly() -> None:
     rng, memory = np.random.default_rng(3), fresh()
     places = rng.integers(0, len(memory), 20)
     memory[places] = rng.integers(1, 256, 20)
@@ -66,7 +66,7 @@ def test_pages_of_zeros_are_left_out() -> None:
 
 
 @pytest.mark.skipif(not Path("/proc/self/pagemap").exists(), reason="this system tells nothing")
-def test_to_look_at_a_memory_does_not_make_its_pages() -> None:
+def test_saving_a_memory_maps_no_pages() -> None:
     memory = fresh()
     memory[3 * pages.CHUNK] = 1
     pages.save(memory, NO_OBJECTS)
@@ -75,7 +75,7 @@ def test_to_look_at_a_memory_does_not_make_its_pages() -> None:
 
 @pytest.mark.usefixtures("system")
 @pytest.mark.parametrize("fuel", [0, 60, 200, 10_000])
-def test_objects_that_a_program_never_touched_are_kept(tmp_path: Path, fuel: int) -> None:
+def test_untouched_initialised_objects_are_saved(tmp_path: Path, fuel: int) -> None:
     path = tmp_path / "table.c"
     path.write_text(TABLE)
     executable = build_executable([path], Diagnostics())

@@ -31,5 +31,5 @@ def test_every_request_is_answered_and_described(request_code: RequestCode) -> N
         assert re.search(declaration, HEADERS, re.MULTILINE), function[1]
 
 
-def test_the_host_answers_nothing_else() -> None:
+def test_the_host_rejects_other_requests() -> None:
     assert set(Host([], discard, no_input)._serve) == HOST_CODES

@@ -238,7 +238,7 @@ def _invalid_free(case: Case) -> Explanation:
 
 def _double_free(case: Case) -> Explanation:
     failure = case.failure
-    text = f"{object_name(failure.object)}  was freed already"
+    text = f"{object_name(failure.object)} was freed already"
     return Explanation(text, object_notes(failure.object, failure.value))
 
 

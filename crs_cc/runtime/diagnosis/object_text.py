@@ -44,7 +44,7 @@ def object_notes(found: Object | None, address: int | None = None) -> tuple[str,
         size = count(found.size, "byte")
         notes.append(f"'{name}' is {spell(ctype)}, {size}, declared at {found.location}{this}")
     elif found.kind == "string" and found.location is not None:
-        notes.append(f"the string has {count(found.size, 'byte')}  and is at {found.location}")
+        notes.append(f"the string has {count(found.size, 'byte')} and is at {found.location}")
     if found.allocated:
         notes.append(f"allocated {_sites(found.allocated)}")
     if found.freed:

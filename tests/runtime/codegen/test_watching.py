@@ -118,7 +118,7 @@ def test_a_program_can_move_from_one_build_to_the_other(
         ("pairs", (8, 8), READ, [16]),  # pairs[1], by assignment
     ],
 )
-def test_it_stops_behind_each_access(
+def test_it_stops_after_each_access(
     watching: Executable, name: str, part: tuple[int, int], kind: int, lines: list[int]
 ) -> None:
     stepped, (offset, size) = Stepped(watching), part
