@@ -28,13 +28,13 @@ import wasmtime
 from crs_cc.core.arrays import ByteArray, IndexArray, Records
 from crs_cc.core.source import Location
 from crs_cc.requests import ERROR_KINDS, FAILED, MESSAGE, SLOT
-from crs_cc.runtime import pages
+from crs_cc.runtime import resident_pages
 from crs_cc.runtime.driver import HEADER, SLOTS, driver
 from crs_cc.runtime.executable import Executable, engine
 from crs_cc.runtime.layout import MEMORY_BYTES, STACK_TOP
-from crs_cc.runtime.pages import CHUNK
+from crs_cc.runtime.resident_pages import CHUNK
 from crs_cc.runtime.wasm import PAGE
-from crs_cc.runtime.watched import WATCHED
+from crs_cc.runtime.watch_ranges import WATCHED
 
 if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
@@ -291,7 +291,7 @@ class Fleet:
                 # The only trap in unchecked code, which stores no site.
                 slot["error_kind"] = ERROR_KINDS.index("pointer outside memory")
                 return
-            from crs_cc.runtime.diagnosis.trapped import blamed_site  # rarely needed
+            from crs_cc.runtime.diagnosis.trap import blamed_site  # rarely needed
 
             compiled = self.executable(robot).detail().compiled
             site = blamed_site(trap, self.memory(robot), compiled)
@@ -364,14 +364,14 @@ class Fleet:
         for wish in _WISHES:
             slot[wish] = 0
         sandbox = self._sandboxes[robot]
-        kept = pages.save(sandbox.memory, sandbox.initial)
-        return Snapshot(slot, *kept, *pages.save(sandbox.shadow, _NONE))
+        kept = resident_pages.save(sandbox.memory, sandbox.initial)
+        return Snapshot(slot, *kept, *resident_pages.save(sandbox.shadow, _NONE))
 
     def restore(self, robot: int, snapshot: Snapshot) -> None:
         """Restore a snapshot of one robot's program."""
         sandbox = self._sandboxes[robot]
-        pages.load(sandbox.memory, sandbox.initial, snapshot.chunks, snapshot.content)
-        pages.load(sandbox.shadow, _NONE, snapshot.shadow_chunks, snapshot.shadow_content)
+        resident_pages.load(sandbox.memory, sandbox.initial, snapshot.chunks, snapshot.content)
+        resident_pages.load(sandbox.shadow, _NONE, snapshot.shadow_chunks, snapshot.shadow_content)
         slot = self.slots[robot : robot + 1]
         wishes = {name: slot[name].copy() for name in _WISHES}
         slot[:] = snapshot.slot

@@ -1,4 +1,4 @@
-"""`crs cache`: what is shown of the cache, and what is cleared."""
+"""`crs cache`: showing and clearing the cache."""
 
 from __future__ import annotations
 

@@ -63,7 +63,7 @@ def test_a_trace_shows_robots_while_they_are_present(
 
 
 def test_the_picture_shows_where_they_were(files: list[str], tmp_path: Path):
-    """Who never came is not drawn, who is gone is hollow at its end."""
+    """A robot that never joined is not drawn; one that has left is hollow at its end."""
     picture = tmp_path / "picture.svg"
     assert main(["run", *files, "--plot", str(picture)]) == 0
     text = picture.read_text()
@@ -96,7 +96,7 @@ def test_invalid_join_times_are_rejected(
 
 
 def test_a_later_robot_may_overlap_moving_objects(tmp_path: Path):
-    """Three robots come in by the same door, where a box stands at first."""
+    """Three robots join at the same place, where there is a box at first."""
     robots = "".join(f'<robot x="1m" y="1m" join="{n}s"/>' for n in range(1, 4))
     things = '<robot x="1.3m" y="1m"/><box x="1m" y="1m" length="9cm" width="9cm" mass="1kg"/>'
     world = tmp_path / "world.xml"

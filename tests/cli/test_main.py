@@ -196,7 +196,7 @@ def test_a_lack_of_address_space_is_reported(tmp_path: Path) -> None:
 
     done = run_crs("run", str(tmp_path / "hello.c"), preexec_fn=limited)
     assert done.returncode == 1
-    assert "error: the system gives no memory for 1 program" in done.stderr
+    assert "error: cannot allocate memory for 1 program" in done.stderr
 
 
 def run_without_reader(*arguments: str, stderr: bool = False, **options: Any) -> tuple[int, str]:

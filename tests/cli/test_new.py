@@ -1,4 +1,4 @@
-"""`crs new`, and what `crs check` tells of worlds, robots and files to be included."""
+"""`crs new`, and the contents that `crs check` lists for worlds, robots and included files."""
 
 from __future__ import annotations
 

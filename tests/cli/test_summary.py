@@ -7,9 +7,9 @@ from typing import Any
 
 import pytest
 
-from crs_cc.cli import table
+from crs_cc.cli import summary_table
 from crs_cc.cli.summary import Run, as_json, exit_status
-from crs_cc.cli.table import MAX_ROWS, print_summary
+from crs_cc.cli.summary_table import MAX_ROWS, print_summary
 from crs_cc.core.source import Location
 from crs_cc.runtime.diagnosis.active_call import ActiveCall
 from crs_cc.runtime.diagnosis.report import ErrorReport
@@ -38,7 +38,7 @@ def robot(name: str = "robot0", **changes: Any) -> RobotResult:
 
 
 def run_of(*robots: RobotResult, interrupted: bool = False, call: ActiveCall | None = None) -> Run:
-    """Make a run; a program that runs stands in `call`."""
+    """Return a run; running programs are in `call`."""
     result = RunResult(tuple(robots), 250, 12.5, "0123456789abcdef" * 4)
     calls = tuple(call if robot.outcome == "running" else None for robot in robots)
     return Run(result, "room.xml", 7, wall_s=0.5, interrupted=interrupted, calls=calls)
@@ -150,7 +150,7 @@ def test_a_robot_without_calls_for_long_is_reported(
 def test_the_summary_is_no_wider_than_the_terminal(
     columns: int, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(table, "is_terminal", lambda _stream: True)
+    monkeypatch.setattr(summary_table, "is_terminal", lambda _stream: True)
     monkeypatch.setenv("COLUMNS", str(columns))
     robots = [robot(f"robot{n}", odometry=(-12.5, -13.25, 3.1), fuel=10**9) for n in range(3)]
     for run in (run_of(robots[0]), run_of(*robots), run_of(RUNNING, call=TURN)):

@@ -1,4 +1,4 @@
-"""Table 2 of the CRS report runs with nothing changed but what is not C in it.
+"""Table 2 of the CRS report runs with only its non-C parts changed.
 
 `table2.txt` is the excerpt as the report prints it, `samples/scout_c/report_table2.c` the sample.
 """

@@ -45,7 +45,7 @@ FAMILIES = (
     "math/float.c", "math/float_exact.c", "math/long_double.c", "stdio/print", "stdio/scan",
     "wide/numbers.c",
 )  # fmt: skip
-"""Their functions stand on those of the same family, such as `expm1f` on `expm1`."""
+"""The functions are based on those of the same family, such as `expm1f` on `expm1`."""
 
 
 @pytest.mark.parametrize("name", PUBLIC)

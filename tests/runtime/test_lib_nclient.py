@@ -1,4 +1,4 @@
-"""The Nomadic client: what each call posts, what it takes from the reply, what it gives."""
+"""The Nomadic client: the request, the use of the reply and the result of each call."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The cache is bounded: the least recently used entries give way, whoever stores."""
+"""The cache is bounded: the least recently used entries are evicted, by any process."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def kept(folder: Path) -> set[int]:
 
 
 def age(folder: Path) -> None:
-    """Let what is there look as if an hour had passed: in a test all happens at once."""
+    """Make the entries an hour older: in a test everything happens at once."""
     for path in folder.iterdir():
         used_ns = path.stat().st_mtime_ns - 3600 * 10**9
         os.utime(path, ns=(used_ns, used_ns))

@@ -134,7 +134,7 @@ def test_an_absent_robot_does_not_take_part(roam: Executable):
 
 
 def test_a_robot_waits_until_its_place_is_free(roam: Executable):
-    """Sitter stands at the gate until it leaves; the guest, due before, comes in then."""
+    """The sitter is at the gate until it leaves; the guest, due before, joins then."""
     world = yard('join="0.5s"', '<robot id="sitter" x="18.8m" y="2m" leave="1.5s"/>')
     idle = build(Path(roam.name).parent, LOOP, "idle.c")
     session = run_to(Session(world, [roam, idle, roam]), 2.0)
@@ -150,7 +150,7 @@ def test_a_robot_blocked_until_its_leave_time_never_joins(roam: Executable):
 
 
 def test_a_run_continues_until_all_robots_have_joined(roam: Executable):
-    """When nobody runs and the place of the last one is taken it is over."""
+    """The run ends when no program runs and the last robot's place stays occupied."""
     quiet = build(Path(roam.name).parent, "int main(void) { return 0; }\n", "quiet.c")
     session = Session(yard('join="1s"'), [quiet, quiet])
     steps = 1

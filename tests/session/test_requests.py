@@ -1,4 +1,4 @@
-"""Every request has somebody to answer it, units, and a function that posts it."""
+"""Every request has a handler, units, and a function that posts it."""
 
 from __future__ import annotations
 

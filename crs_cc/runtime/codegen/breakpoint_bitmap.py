@@ -1,6 +1,6 @@
 """The breakpoint map of debug builds: a byte for each statement in the user's files, 1 to stop.
 
-It is in a memory of its own, after the watched ranges (`runtime.watched`). It is followed by as
+It is in a memory of its own, after the watched ranges (`runtime.watch_ranges`), and followed by as
 many bytes that are all set, which are used for stepping.
 """
 
@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from crs_cc.requests import slot_offset
 from crs_cc.runtime.codegen.indices import BEGUN_GLOBAL, MAILBOX, MARKS_GLOBAL, SLOT_GLOBAL
-from crs_cc.runtime.codegen.watching import is_pending, stops
+from crs_cc.runtime.codegen.watchpoints import is_pending, stops
 from crs_cc.runtime.wasm import PAGE, UNLIKELY, Instr, Module
-from crs_cc.runtime.watched import WATCHED
+from crs_cc.runtime.watch_ranges import WATCHED
 
 
 def add_marks(module: Module, statements: int) -> None:

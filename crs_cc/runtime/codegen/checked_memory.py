@@ -33,7 +33,7 @@ from crs_cc.ir.program import (
 )
 from crs_cc.requests import slot_offset
 from crs_cc.runtime.codegen import indices, shadow
-from crs_cc.runtime.codegen.deferred_checks import Carried
+from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
 from crs_cc.runtime.codegen.indices import (
     ADDRESS,
     MAILBOX,
@@ -43,8 +43,8 @@ from crs_cc.runtime.codegen.indices import (
     STATES,
     WIDE_STATES,
 )
-from crs_cc.runtime.codegen.locations import Places, Proved
 from crs_cc.runtime.codegen.plain_memory import PlainMemory
+from crs_cc.runtime.codegen.value_numbering import Places, Proved
 from crs_cc.runtime.codegen.writer import LOADS, STORES, Writer
 from crs_cc.runtime.layout import NULL_SIZE
 from crs_cc.runtime.sites import Access, Site
@@ -78,13 +78,13 @@ class CheckedMemory(PlainMemory):
     """Writes checked accesses.
 
     Attributes:
-        carried: the loads whose states are copied, and their targets.
+        deferred: the loads whose states are copied, and their targets.
         assignments: the variables in registers that may be uninitialised.
     """
 
-    def __init__(self, writer: Writer, carried: Carried, assignments: Assignments) -> None:
+    def __init__(self, writer: Writer, deferred: DeferredChecks, assignments: Assignments) -> None:
         super().__init__(writer, shadowed=True)
-        self.carried = carried
+        self.deferred = deferred
         self.assignments = assignments
         self.places = Places()
         self.proved = Proved()
@@ -178,13 +178,13 @@ class CheckedMemory(PlainMemory):
         at = push, offset = self.place(it.base, it.offset)
         site = Site("memory", it.location, "read", size)
         found = [push, shadow.load(size, offset)]
-        copied, flag = self.carried.states_of(it), self.carried.flag_of(it)
+        copied, flag = self.deferred.states_of(it), self.deferred.flag_of(it)
         if copied is not None:
             self.writer.code += found
             self.writer.pop(copied)
             self._taken.add(copied)
             found = [self.writer.value(copied)]
-        unjudged = it.unjudged or copied is not None or self.carried.is_unused(it)
+        unjudged = it.unjudged or copied is not None or self.deferred.is_unused(it)
         if flag is not None:
             self._raise(flag, found, site, None if accessible else at)
         elif not unjudged:
@@ -237,7 +237,7 @@ class CheckedMemory(PlainMemory):
         """Return the states of the stored value."""
         value = shadow.repeated(ByteState.WITH_VALUE, size)
         none = shadow.repeated(ByteState.WITHOUT_VALUE, size)
-        copied, flag = self.carried.copied_by(it), self.carried.computed_for(it)
+        copied, flag = self.deferred.copied_by(it), self.deferred.computed_for(it)
         assigned = self.assignments.stored.get(it)
         if copied in self._taken:
             states = self.writer.value(self._last_use(copied, it))
@@ -254,7 +254,7 @@ class CheckedMemory(PlainMemory):
     def _last_use(self, register: Register | None, it: Store) -> Register:
         """Return a register with states, or a flag, and release it at its last use."""
         assert register is not None
-        if self.carried.is_last(it, register):
+        if self.deferred.is_last(it, register):
             self._taken.discard(register)
             self.writer.release(register)
         return register

@@ -93,7 +93,7 @@ class _Flow:
                 self.judged.update(loads)
 
 
-class Carried:
+class DeferredChecks:
     """The loads of a function whose checks are deferred, and the stores of their values.
 
     Attributes:

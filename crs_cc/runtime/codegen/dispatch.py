@@ -13,7 +13,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Final
 
-from crs_cc.runtime.codegen.flow import LANDING, Landing, Node
+from crs_cc.runtime.codegen.flow_graph import LANDING, Landing, Node
 
 MOST_NESTED_LOOPS: Final = 16
 """Loops nested deeper, which only irreducible jumps create, become one flat dispatcher.

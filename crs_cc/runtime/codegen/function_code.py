@@ -42,9 +42,9 @@ from crs_cc.runtime.codegen import frame_states, jumps, spill_slots
 from crs_cc.runtime.codegen.breakpoint_bitmap import begin, stop_if_marked
 from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
 from crs_cc.runtime.codegen.checked_memory import CheckedMemory
-from crs_cc.runtime.codegen.deferred_checks import Carried
+from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
 from crs_cc.runtime.codegen.dispatch import add_dispatchers
-from crs_cc.runtime.codegen.flow import LANDING, UNWIND, Landing, Node
+from crs_cc.runtime.codegen.flow_graph import LANDING, UNWIND, Landing, Node
 from crs_cc.runtime.codegen.indices import (
     ADDRESS,
     BEGUN_GLOBAL,
@@ -61,14 +61,14 @@ from crs_cc.runtime.codegen.indices import (
     SP,
     STATUS,
 )
-from crs_cc.runtime.codegen.names import Names
-from crs_cc.runtime.codegen.nesting import emit
 from crs_cc.runtime.codegen.plain_memory import PlainMemory
 from crs_cc.runtime.codegen.registers import Registers
 from crs_cc.runtime.codegen.selection import Selector
 from crs_cc.runtime.codegen.signatures import call_shape
+from crs_cc.runtime.codegen.structuring import emit
 from crs_cc.runtime.codegen.switches import lower_switch
-from crs_cc.runtime.codegen.watching import Watching
+from crs_cc.runtime.codegen.symbols import Symbols
+from crs_cc.runtime.codegen.watchpoints import Watchpoints
 from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.compiled import FunctionInfo
 from crs_cc.runtime.layout import (
@@ -105,13 +105,13 @@ class Build:
     trap_overflow: bool
 
 
-def generate(function: Function, names: Names, build: Build) -> tuple[Code, FunctionInfo]:
+def generate(function: Function, names: Symbols, build: Build) -> tuple[Code, FunctionInfo]:
     """Generate the code of a verified function."""
     return _FunctionCode(function, names, build).run()
 
 
 class _FunctionCode:
-    def __init__(self, function: Function, names: Names, build: Build) -> None:
+    def __init__(self, function: Function, names: Symbols, build: Build) -> None:
         self.function = function
         self.checked = checked = build.checked
         self.debug = debug = build.debug
@@ -128,9 +128,9 @@ class _FunctionCode:
         if self.shadowed:
             assigned = Assignments(function, steps=self.steps)
             self.flags, self.unset = assigned.flags, assigned.unset
-            carried = Carried(function, liveness, keep=debug)
-            more = [*self.flags.values(), *(carried.registers if debug else [])]
-            charge = 0 if debug else carried.charge
+            deferred = DeferredChecks(function, liveness, keep=debug)
+            more = [*self.flags.values(), *(deferred.registers if debug else [])]
+            charge = 0 if debug else deferred.charge
         self.registers = Registers(function, liveness, more, debug=debug)
         self.saved = self.registers.saved
         charge += self.registers.charge
@@ -141,12 +141,12 @@ class _FunctionCode:
         self.memory = PlainMemory(writer, shadowed=checked)
         arithmetic = None
         if self.shadowed:
-            self.memory = CheckedMemory(writer, carried, assigned)
+            self.memory = CheckedMemory(writer, deferred, assigned)
             arithmetic = CheckedArithmetic(writer, traps_overflow=build.trap_overflow)
-        self.watching: Watching | None = None
+        self.watching: Watchpoints | None = None
         if build.watch and not function.trusted:
             library = in_library(function.location)
-            self.watching = Watching(writer, build.watch, self.marks, library=library)
+            self.watching = Watchpoints(writer, build.watch, self.marks, library=library)
         self.selector = Selector(writer, self.memory, arithmetic, self.watching)
         self.nodes = {block: Node() for block in function.blocks}
         self.landings: list[tuple[Landing, Instruction]] = []

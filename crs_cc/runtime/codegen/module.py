@@ -25,9 +25,9 @@ from crs_cc.runtime.codegen.indices import (
     SHADOW,
     SLOT_GLOBAL,
 )
-from crs_cc.runtime.codegen.names import Names
 from crs_cc.runtime.codegen.signatures import asked_for_values, pointer_tables
-from crs_cc.runtime.codegen.watching import watch, watching_begins
+from crs_cc.runtime.codegen.symbols import Symbols
+from crs_cc.runtime.codegen.watchpoints import watch, watching_begins
 from crs_cc.runtime.compiled import Compiled
 from crs_cc.runtime.layout import (
     HEADER_SIZE,
@@ -73,7 +73,7 @@ def compile_program(
     checks = [shadow.inaccessible(), shadow.callers(), product_fits()]
     own = [_fault(), *(checks if checked else [_outside()])]
     numbers = {name: number for number, name in enumerate(program.functions, start=len(own))}
-    names = Names(
+    names = Symbols(
         addresses,
         numbers,
         {data.name: data.size for data in program.data.values()},
@@ -165,7 +165,7 @@ def _place(program: Program) -> dict[str, int]:
         if end > MEMORY_BYTES:
             raise CompileError.at(
                 data.location,
-                f"'{data.name}' does not fit:   {data.size} bytes of {MEMORY_BYTES - STACK_TOP}",
+                f"'{data.name}' does not fit: {data.size} bytes of {MEMORY_BYTES - STACK_TOP}",
                 "a robot's memory is limited; use a smaller array",
                 "linking",
             )

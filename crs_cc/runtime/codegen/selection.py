@@ -27,7 +27,7 @@ from crs_cc.ir.program import (
 )
 from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
 from crs_cc.runtime.codegen.plain_memory import PlainMemory
-from crs_cc.runtime.codegen.watching import Watching
+from crs_cc.runtime.codegen.watchpoints import Watchpoints
 from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.sites import Site
 
@@ -43,7 +43,7 @@ class Selector:
         writer: Writer,
         memory: PlainMemory,
         arithmetic: CheckedArithmetic | None,
-        watching: Watching | None,
+        watching: Watchpoints | None,
     ) -> None:
         """Set the parts that generate code.
 

@@ -17,9 +17,9 @@ from crs_cc.ir.program import (
     Slot,
     ValueType,
 )
-from crs_cc.runtime.codegen.flow import FAULTED
+from crs_cc.runtime.codegen.flow_graph import FAULTED
 from crs_cc.runtime.codegen.indices import ADDRESS, FIXED_LOCALS, FUEL, MEMORY, SITE, SP
-from crs_cc.runtime.codegen.names import Names
+from crs_cc.runtime.codegen.symbols import Symbols
 from crs_cc.runtime.layout import Frame
 from crs_cc.runtime.sites import Site
 from crs_cc.runtime.wasm import UNLIKELY, Instr
@@ -46,7 +46,7 @@ class Writer:
         local_types: the types of the locals after the parameters.
     """
 
-    def __init__(self, names: Names, frame: Frame) -> None:
+    def __init__(self, names: Symbols, frame: Frame) -> None:
         self.names = names
         self.frame = frame
         self.code: list[Instr] = []

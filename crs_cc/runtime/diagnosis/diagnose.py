@@ -12,9 +12,9 @@ import numpy as np
 
 from crs_cc.ir.names import in_library
 from crs_cc.ir.program import ByteState
+from crs_cc.runtime.diagnosis.dead_frames import returned_local
 from crs_cc.runtime.diagnosis.inspect import Stopped
 from crs_cc.runtime.diagnosis.objects import Object, find_object
-from crs_cc.runtime.diagnosis.returned import returned_local
 from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE, STACK_TOP
 from crs_cc.runtime.sites import Access
 

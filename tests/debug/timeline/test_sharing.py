@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from crs_cc.debug.timeline.chunk_store import Store
-from crs_cc.runtime.pages import CHUNK
+from crs_cc.runtime.resident_pages import CHUNK
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""The report of a stopped program names what the user's own files say, and shows what is there."""
+"""Reports of stopped programs: locations in the user's files, values and call stack."""
 
 from __future__ import annotations
 

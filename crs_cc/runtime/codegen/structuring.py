@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from crs_cc.runtime.codegen.flow import FAULTED, LANDING, UNWIND, Node
+from crs_cc.runtime.codegen.flow_graph import FAULTED, LANDING, UNWIND, Node
 from crs_cc.runtime.wasm import Instr
 
 

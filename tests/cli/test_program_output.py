@@ -6,7 +6,7 @@ import io
 
 import pytest
 
-from crs_cc.cli.output import ProgramOutput, ProgressLine, read_line
+from crs_cc.cli.program_output import ProgramOutput, ProgressLine, read_line
 
 
 class Terminal(io.BytesIO):

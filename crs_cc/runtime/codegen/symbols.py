@@ -9,7 +9,7 @@ from crs_cc.runtime.sites import CallSite, Site, StatementSite
 
 
 @dataclass(slots=True)
-class Names:
+class Symbols:
     """The symbols and sites of the whole program.
 
     Attributes:
@@ -23,7 +23,7 @@ class Names:
         sites: every site that can fail.
         call_sites: every call site, by its number minus 1.
         statements: the statements on which breakpoints can be set.
-        accesses: number of numbered accesses, see `watching.accesses`.
+        accesses: number of numbered accesses, see `watchpoints.accesses`.
     """
 
     addresses: dict[str, int]

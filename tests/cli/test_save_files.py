@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from crs_cc.cli.main import main
-from crs_cc.cli.save_files import keep
+from crs_cc.cli.save_files import save_files
 
 COPY = r"""
 #include <stdio.h>
@@ -116,7 +116,7 @@ def test_links_and_devices_are_not_followed(name: bytes, folder: Path) -> None:
     (out / "link").symlink_to(outside / "file")
     (out / "inner").symlink_to(outside)
     os.mkfifo(out / "pipe")
-    (failed,) = keep(out, {name: b"content"})
+    (failed,) = save_files(out, {name: b"content"})
     assert failed.location.file == str(out / name.decode())
     assert list(outside.iterdir()) == []
 

@@ -2,7 +2,7 @@
 
 A watching build is a debug build with the same frames and the same landings, so that a program can
 be moved from one to the other wherever it has stopped; it runs in the slower one only while there
-are watchpoints. The ranges are stored before the marks, see `runtime.watched`.
+are watchpoints. The ranges are stored before the marks, see `runtime.watch_ranges`.
 
 An access outside the watched ranges is ruled out quickly: for its variables, a function tests once
 whether its frame overlaps a range; other addresses are compared with the bounds of
@@ -55,7 +55,7 @@ from crs_cc.runtime.codegen.indices import (
 from crs_cc.runtime.layout import RESULT
 from crs_cc.runtime.sites import FRAME_BITS, FRAME_UNIT, SITE_BITS, StatementSite
 from crs_cc.runtime.wasm import UNLIKELY, Code, FuncType, Instr
-from crs_cc.runtime.watched import (
+from crs_cc.runtime.watch_ranges import (
     CALLERS,
     ENTER,
     GRAIN,
@@ -87,7 +87,7 @@ def accesses(program: Program) -> list[StatementSite]:
     ]
 
 
-class Watching:
+class Watchpoints:
     """Writes the reports of the accesses of one function."""
 
     def __init__(self, writer: Writer, watch: int, marks: int, *, library: bool) -> None:
