@@ -15,7 +15,7 @@ from pathlib import Path
 import click
 import pytest
 
-from crs_cc.cli import status
+from crs_cc.cli import exit_status
 from crs_cc.cli.main import main
 from crs_cc.core import errors
 
@@ -72,9 +72,9 @@ def test_the_readmes_lines_of_python_run(folder: Path, capsys: pytest.CaptureFix
 
 
 def exit_statuses() -> set[int]:
-    """Gives every exit status of our own."""
+    """Return every exit status of our own."""
     classes = [each for each in vars(errors).values() if isinstance(each, type)]
-    named = [value for name, value in vars(status).items() if name.isupper()]
+    named = [value for name, value in vars(exit_status).items() if name.isupper()]
     blamed = [each.exit_status for each in classes if issubclass(each, errors.CrsError)]
     return {click.UsageError.exit_code, *named, *blamed}
 

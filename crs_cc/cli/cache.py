@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Final
 
 import click
 
+from crs_cc.cli.exit_status import SYSTEM
 from crs_cc.cli.messages import say
-from crs_cc.cli.status import SYSTEM
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

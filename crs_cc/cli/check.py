@@ -82,12 +82,12 @@ def _world_messages(path: Path, contents: list[str]) -> tuple[Sequence[Diagnosti
         path: the file.
         contents: receives lines that describe its contents.
     """
-    from crs_cc.cli.inventory import inventory
+    from crs_cc.cli.describe import describe
     from crs_cc.sim.files.world_xml import load_any
 
     try:
         demand_readable(path)
-        contents += [f"{path}: {line}" for line in inventory(load_any(path))]
+        contents += [f"{path}: {line}" for line in describe(load_any(path))]
     except WorldError as error:
         return error.diagnostics, error.exit_status
     return (), 0

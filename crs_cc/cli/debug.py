@@ -89,12 +89,12 @@ def debug(**options: Any) -> int:
     """
     wanted = DebugOptions(**options)
     if wanted.dap is not None:
-        from crs_cc.cli.editor import serve_editor
+        from crs_cc.cli.serve_editor import serve_editor
 
         return serve_editor(wanted.dap, read_options)
     if not wanted.inputs.sources and wanted.inputs.world is None:
         raise click.UsageError("no C file to debug.")
-    from crs_cc.cli.debugging import debug_programs
+    from crs_cc.cli.start_debugger import debug_programs
 
     return debug_programs(wanted)
 

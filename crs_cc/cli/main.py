@@ -27,10 +27,10 @@ from crs_cc.cli.cache import cache
 from crs_cc.cli.check import check
 from crs_cc.cli.compile import compile_
 from crs_cc.cli.debug import debug
+from crs_cc.cli.exit_status import BROKEN_PIPE, INTERRUPTED, SYSTEM
 from crs_cc.cli.messages import say, show
 from crs_cc.cli.new import new
 from crs_cc.cli.run import run
-from crs_cc.cli.status import BROKEN_PIPE, INTERRUPTED, SYSTEM
 from crs_cc.cli.streams import mute, prepare_streams
 from crs_cc.core.errors import CrsError, InternalError
 

@@ -30,7 +30,7 @@ def new(kind: str, name: str) -> int:
         path = path.with_name(path.name + _ENDINGS[kind])
     if not _NAME.fullmatch(path.stem):
         raise click.UsageError(
-            f"'{path.stem}' is not a valid name: up to 64 letters, digits, _ . - and no leading digit."
+            f"'{path.stem}' is not a valid name: up to 64 letters, digits, _ . -; no leading digit."
         )
     text = (_TEMPLATES / f"{kind}{_ENDINGS[kind]}").read_text(encoding="utf-8")
     try:

@@ -14,9 +14,9 @@ from typing import Final
 import numpy as np
 
 from crs_cc.cli.beacons import draw_beacons, draw_fingers
-from crs_cc.cli.relief import PAPER, draw_relief, ground_m
 from crs_cc.cli.sensor_overlay import draw_sights
 from crs_cc.cli.svg import Page, Point, View
+from crs_cc.cli.terrain_layer import PAPER, draw_terrain, terrain_corners_m
 from crs_cc.cli.tracks import simplified
 from crs_cc.cli.x11_colours import HEX
 from crs_cc.core.arrays import FloatArray
@@ -124,7 +124,7 @@ class _Drawing:
         with self.page.group(font_family=_FONT, font_size=12.0, fill=_INK):
             self._heading()
             self._grid()
-            draw_relief(self.page, self.view, self.picture.world.surface)
+            draw_terrain(self.page, self.view, self.picture.world.surface)
             draw_sights(self.page, self.view, self.picture.sights)
             self._solids()
             draw_beacons(self.page, self.view, self.picture.world)
@@ -344,7 +344,7 @@ def _bounds(picture: Picture) -> tuple[FloatArray, FloatArray]:
     for trip in (trip for trip in picture.trips if len(trip.path)):
         clouds += [trip.path - trip.robot.model.radius_m, trip.path + trip.robot.model.radius_m]
     clouds += [_drawn(picture, drawing) for drawing in picture.drawings]
-    clouds += ground_m(picture.world.surface)
+    clouds += terrain_corners_m(picture.world.surface)
     clouds += [_outline(solid) for solid in (*picture.world.solids(), *picture.pushed)]
     clouds += [np.array([[light.x_m, light.y_m]]) for light in picture.world.lights]
     clouds += [np.array([[sound.x_m, sound.y_m]]) for sound in picture.world.sounds]

@@ -23,7 +23,7 @@ _FOLDER: Final = os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW
 _FILE: Final = os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_NOFOLLOW | os.O_NONBLOCK
 
 
-def keep(folder: Path, files: Mapping[bytes, bytes]) -> list[Diagnostic]:
+def save_files(folder: Path, files: Mapping[bytes, bytes]) -> list[Diagnostic]:
     """Write files below a folder, which is created if only its last component is missing.
 
     Returns:
@@ -33,20 +33,20 @@ def keep(folder: Path, files: Mapping[bytes, bytes]) -> list[Diagnostic]:
         folder.mkdir(exist_ok=True)
         top = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
     except OSError as error:
-        return [_not_kept(folder, error)]
+        return [_not_saved(folder, error)]
     failed = []
     try:
         for name, content in files.items():
             try:
                 _write(top, name.split(b"/"), content)
             except OSError as error:
-                failed.append(_not_kept(folder / os.fsdecode(name), error))
+                failed.append(_not_saved(folder / os.fsdecode(name), error))
     finally:
         os.close(top)
     return failed
 
 
-def keep_all(folder: Path, robots: Sequence[tuple[str, Mapping[bytes, bytes]]]) -> bool:
+def save_all(folder: Path, robots: Sequence[tuple[str, Mapping[bytes, bytes]]]) -> bool:
     """Write the files of robots below a folder, and report each that cannot be written.
 
     Args:
@@ -58,12 +58,12 @@ def keep_all(folder: Path, robots: Sequence[tuple[str, Mapping[bytes, bytes]]]) 
     """
     failed = []
     for name, files in robots:
-        failed += keep(folder / name if len(robots) > 1 else folder, files)
+        failed += save_files(folder / name if len(robots) > 1 else folder, files)
     show(failed)
     return not failed
 
 
-def _not_kept(path: Path, error: OSError) -> Diagnostic:
+def _not_saved(path: Path, error: OSError) -> Diagnostic:
     return Diagnostic("error", Location(str(path)), f"cannot be written: {error.strerror}")
 
 
@@ -79,7 +79,7 @@ def _write(top: int, parts: Sequence[bytes], content: bytes) -> None:
             file.write(content)
 
 
-def dropped(robot: RobotResult, files: Mapping[bytes, bytes]) -> Diagnostic:
+def discarded_warning(robot: RobotResult, files: Mapping[bytes, bytes]) -> Diagnostic:
     """Return the warning that a program's files are not saved."""
     names = [name.decode(errors="replace") for name in files]
     text = ", ".join(names[:_NAMED])
@@ -89,7 +89,7 @@ def dropped(robot: RobotResult, files: Mapping[bytes, bytes]) -> Diagnostic:
     return Diagnostic("warning", place, f"'{robot.id}' wrote {text}, which is not saved", hint=hint)
 
 
-def missed(robot: RobotResult, names: Sequence[bytes]) -> Diagnostic | None:
+def missed_warning(robot: RobotResult, names: Sequence[bytes]) -> Diagnostic | None:
     """Return the warning that a program did not find files which exist here, if any."""
     here = [name for name in map(os.fsdecode, names) if Path(name).is_file()]
     if not here:

@@ -14,14 +14,14 @@ from typing import TYPE_CHECKING, Final
 import click
 import numpy as np
 
+from crs_cc.cli.exit_status import SYSTEM
 from crs_cc.cli.interrupt import Interrupt
 from crs_cc.cli.load import Loaded, load
 from crs_cc.cli.messages import as_data, is_terminal, say, show, show_before_run
-from crs_cc.cli.output import ProgramOutput, ProgressLine, read_line
 from crs_cc.cli.plot import Picture, Trip
+from crs_cc.cli.program_output import ProgramOutput, ProgressLine, read_line
 from crs_cc.cli.report import show_reports
-from crs_cc.cli.save_files import dropped, keep_all, missed
-from crs_cc.cli.status import SYSTEM
+from crs_cc.cli.save_files import discarded_warning, missed_warning, save_all
 from crs_cc.cli.summary import Run, as_json, exit_status
 from crs_cc.cli.tracks import Tracks
 from crs_cc.core.arrays import FloatArray
@@ -72,7 +72,7 @@ def _simulate(options: RunOptions) -> int:
     _report(run, options)
     if not options.quiet:
         show(list(runner.unconnected()))
-    is_kept = _keep_files(runner.session, run, options)
+    is_kept = _save_files(runner.session, run, options)
     if options.plot is not None:
         _write(options.plot, runner.picture(run).render())
     return exit_status(run) if is_kept else SYSTEM
@@ -268,7 +268,7 @@ def _write(path: Path, picture: bytes) -> None:
         ) from None  # for a full disk, there is no file name
 
 
-def _keep_files(session: Session, run: Run, options: RunOptions) -> bool:
+def _save_files(session: Session, run: Run, options: RunOptions) -> bool:
     """Save the files that the programs wrote, or warn that they are discarded.
 
     Warn also of files that they did not find although they exist here.
@@ -278,15 +278,15 @@ def _keep_files(session: Session, run: Run, options: RunOptions) -> bool:
     """
     robots = run.result.robots
     if not options.quiet:
-        found = [missed(robot, session.missed_files(n)) for n, robot in enumerate(robots)]
+        found = [missed_warning(robot, session.missed_files(n)) for n, robot in enumerate(robots)]
         show([each for each in found if each is not None])
     written = {number: session.files(number) for number in range(len(robots))}
     lost = [number for number, files in written.items() if files]
     if options.outputs is None:
         if lost and not options.quiet:
-            show([dropped(robots[number], written[number]) for number in lost])
+            show([discarded_warning(robots[number], written[number]) for number in lost])
         return True
-    return keep_all(options.outputs, [(robots[n].id, files) for n, files in written.items()])
+    return save_all(options.outputs, [(robots[n].id, files) for n, files in written.items()])
 
 
 def _report(run: Run, options: RunOptions) -> None:
@@ -295,6 +295,6 @@ def _report(run: Run, options: RunOptions) -> None:
     if options.as_json:
         click.echo(as_json(run))
     if shows_summary(options):
-        from crs_cc.cli.table import print_summary
+        from crs_cc.cli.summary_table import print_summary
 
         print_summary(run)

@@ -1,4 +1,4 @@
-"""The results of a run: as an exit status and as JSON; `cli.table` prints them for people."""
+"""The results of a run: as an exit status and as JSON; `cli.summary_table` prints them."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from crs_cc import __version__
+from crs_cc.cli.exit_status import INTERRUPTED
 from crs_cc.cli.report import call_data, report_data
-from crs_cc.cli.status import INTERRUPTED
 from crs_cc.core.errors import ProgramError
 
 if TYPE_CHECKING:

@@ -77,7 +77,7 @@ class Debugger:
         files: Mapping[str, bytes] | None = None,
         client: Client = "nclient",
     ) -> None:
-        """Puts the programs into the robots; nothing has run yet. For arguments see `Session`."""
+        """Put the programs into the robots; nothing has run yet. For arguments see `Session`."""
         self.run = RecordedRun(
             world,
             programs,

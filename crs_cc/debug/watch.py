@@ -1,6 +1,6 @@
 """Watches objects in one robot's memory: which accesses there were since the program stopped last.
 
-While something is watched, the robot's program runs in its watching build (`codegen.watching`),
+While something is watched, the robot's program runs in its watching build (`codegen.watchpoints`),
 else in the debug build; the frames are the same, and `WatchSet.arm` moves it from one to the other.
 What is watched, and what was found, lies outside of the program's state: no snapshot has it, and
 slots are left alone. So `stop_before_all`, `stop_from` and the marks belong to who steps. A program
@@ -29,9 +29,9 @@ import numpy as np
 from crs_cc.core.arrays import Records
 from crs_cc.debug.errors import DebugError
 from crs_cc.ir.names import in_library, plain_name
-from crs_cc.runtime.codegen.watching import accesses
+from crs_cc.runtime.codegen.watchpoints import accesses
 from crs_cc.runtime.layout import STACK_TOP
-from crs_cc.runtime.watched import (
+from crs_cc.runtime.watch_ranges import (
     ENTER,
     LONGEST,
     RANGE,

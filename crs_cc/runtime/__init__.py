@@ -1,1 +1,1 @@
-"""From IR to running programs: WebAssembly, the fleet of robots, the C library."""
+"""From IR to running programs: code generation, the fleet of sandboxes, the C library."""

@@ -1,4 +1,4 @@
-"""A compiled program: its module, and what finds functions, variables and places in its memory."""
+"""A compiled program: its module and its debug information."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from crs_cc.runtime.wasm import Module
 
 @dataclass(slots=True)
 class FunctionInfo:
-    """What a debugger needs to read a stopped function's frame.
+    """Debug information of a function, for reading the frames of a stopped program.
 
     Attributes:
         function: the IR function.
-        frame: where its registers and slots lie.
-        landings: where in the source each landing is, by its number; the entry for 0.
+        frame: the layout of its registers and slots.
+        landings: the source location of each landing, by number; 0 is the entry.
         callees: for landings at calls, by the landing's number, the callee: its name, or the
             register that holds the function pointer.
         calls: the landing of each call, by the number of its call site (checked builds only).
-        flags: for registers that may have no value, the register that tells: not zero if one does.
-        unset: in debug builds, by the landing's number, the variables that have no value there.
+        flags: for registers that may be uninitialised, the flag register: not zero if initialised.
+        unset: in debug builds, by the landing's number, the variables uninitialised there.
     """
 
     function: Function
@@ -37,17 +37,17 @@ class FunctionInfo:
 
 @dataclass(slots=True)
 class Compiled:
-    """A module and what is needed to read a robot's memory.
+    """A module and the debug information for reading a robot's memory.
 
     Attributes:
         module: the WebAssembly module.
-        sites: every place that can fail, by the number in the slot's `error_site`.
-        call_sites: every place that calls, by its number less 1; see `sites`.
-        statements: the statements before which a debugger can stop, by their numbers.
-        functions: the functions in the order of the numbers in their frames.
+        sites: every site that can fail, by the number in the slot's `error_site`.
+        call_sites: every call site, by its number minus 1; see `sites`.
+        statements: the statements on which breakpoints can be set, by number.
+        functions: the functions, by the numbers in their frames.
         addresses: address of each global object and function pointer of each function.
         first_function: index in the module of the first function of the program.
-        checked: whether accesses are tested.
+        checked: whether accesses are checked.
         trap_overflow: whether it stops at signed overflow.
     """
 
@@ -72,5 +72,5 @@ class Compiled:
         return self._numbers
 
     def info(self, function: str) -> FunctionInfo:
-        """Return what is known of a function."""
+        """Return the debug information of a function."""
         return self.functions[self.numbers[function]]

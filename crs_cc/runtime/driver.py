@@ -1,9 +1,9 @@
 """The module that runs one round of the whole fleet in one call from Python.
 
-It holds the robots' `resume` functions in a table. `round()` resumes every robot, from number
-`current` on, whose slot says so. It takes and leaves its numbers at the start of the mailbox
-(`HEADER`), because a call without arguments costs Python a third of one with them. `current` also
-tells on which robot to blame a trap, which only a bug of ours or unchecked code can cause.
+It holds the robots' `resume` functions in a table. `round()` resumes every robot from number
+`current` on whose slot has `run` set. Its arguments and results are at the start of the mailbox
+(`HEADER`), because a call without arguments costs Python a third of one with. `current` also
+identifies the robot of a trap, which only a bug of ours or unchecked code can cause.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from crs_cc.runtime.wasm import Code, Module
 
 HEADER: Final = np.dtype([("current", "<u4"), ("count", "<u4")])
 CURRENT, COUNT = (int(HEADER.fields[name][1]) for name in HEADER.names)  # type: ignore[index,union-attr]
-SLOTS: Final = SLOT.itemsize  # address of the first slot; what lies below is the driver's
+SLOTS: Final = SLOT.itemsize  # address of the first slot, after the header
 
 
 def driver(robots: int) -> Module:
-    """Return the driver of a fleet of so many robots."""
+    """Return the driver of a fleet of a number of robots."""
     return Module(
         functions=[Code("round", ((), ()), ["i32", "i32"], _round())],
         memory_imports=[("crs", "mailbox")],

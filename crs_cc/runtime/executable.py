@@ -1,7 +1,7 @@
-"""A compiled program, ready to be put into robots.
+"""Compiled programs, ready to be instantiated.
 
-All robots of a process share one wasmtime `Engine`, whose settings decide what machine code looks
-like; an `Executable` holds that machine code.
+All robots of a process share one wasmtime `Engine`, whose settings determine the machine
+code; an `Executable` holds that machine code.
 """
 
 from __future__ import annotations
@@ -20,16 +20,16 @@ if TYPE_CHECKING:
     from crs_cc.runtime.compiled import Compiled
 
 MAX_WASM_STACK = 6 * 2**20
-"""Host stack for the deepest recursion [bytes], three times our own stack.
+"""Host stack for the deepest recursion [bytes], three times the program's stack.
 
-Every frame of ours is charged for the locals that the host may keep in its frame, see `registers`,
-so that our own stack check comes first. With a small `ulimit -s` the host's stack is smaller still
-and can run out before, see `fleet`.
+Every frame is charged for the locals that the host may spill to its stack, see `registers`,
+so that the program's stack check fails first. With a small `ulimit -s` the host's stack is smaller
+and can overflow before, see `fleet`.
 """
 
 
 def _host_stack() -> int:
-    """Return how much of the host's stack programs may use: three quarters at most [bytes]."""
+    """Return the limit on the host's stack for programs: three quarters at most [bytes]."""
     limit, _ = resource.getrlimit(resource.RLIMIT_STACK)
     return MAX_WASM_STACK if limit < 0 else min(MAX_WASM_STACK, limit * 3 // 4)
 
@@ -38,7 +38,7 @@ def _host_stack() -> int:
 def engine() -> wasmtime.Engine:
     """Return the engine that all fleets share."""
     config = wasmtime.Config()
-    # The C API refuses a stack above that of asynchronous calls, which Python has no name for.
+    # The C API rejects a stack above that of asynchronous calls, which the Python API lacks.
     _bindings.wasmtime_config_async_stack_size_set(config.ptr(), _host_stack())
     config.max_wasm_stack = _host_stack()
     config.cranelift_opt_level = "speed"
@@ -53,7 +53,7 @@ class Executable:
     Attributes:
         name: the program as the user named it.
         machine_code: wasmtime's serialised module.
-        detail: gives what only messages and debuggers need, see `Detail`.
+        detail: returns what only messages and debuggers need, see `Detail`.
     """
 
     name: str
@@ -62,11 +62,11 @@ class Executable:
     _module: wasmtime.Module | None = field(default=None, repr=False)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle with all that messages need, which nobody can ask for elsewhere."""
+        """Pickle with the detail, which cannot be loaded lazily elsewhere."""
         return _executable, (self.name, self.machine_code, self.detail())
 
     def module(self) -> wasmtime.Module:
-        """Return the module, loaded once."""
+        """Return the module, loaded on first use."""
         if self._module is None:
             self._module = wasmtime.Module.deserialize(engine(), self.machine_code)
         return self._module
@@ -87,12 +87,12 @@ def _executable(name: str, machine_code: bytes, detail: Detail) -> Executable:
 
 @dataclass(slots=True)
 class Detail:
-    """A program in the forms that it had on its way to machine code.
+    """The intermediate forms of a program.
 
     Attributes:
         program: linked, as IR.
         compiled: as WebAssembly.
-        lines: the lines of the user's files, by their names.
+        lines: the lines of the user's files, by name.
     """
 
     program: Program
@@ -103,10 +103,10 @@ class Detail:
 def load_executable(
     name: str, machine_code: bytes, detail: Callable[[], Detail]
 ) -> Executable | None:
-    """Return a program that was compiled before, or None when this computer cannot run it.
+    """Load a cached program; return None if this computer cannot run it.
 
-    Machine code is made for the processor that it was compiled on; a user's files may have moved
-    to another, which wasmtime finds out.
+    Machine code is specific to the processor that it was compiled on; the cache may have been moved
+    to another, which wasmtime detects.
     """
     executable = Executable(name, machine_code, detail)
     try:
@@ -131,11 +131,11 @@ def make_executable(
     Args:
         program: the program.
         name: the program as the user named it.
-        lines: the lines of the user's files, by their names; messages show them.
-        checked: test every access through a pointer.
-        debug: make every statement a place to stop at.
-        watching: compare every access with the ranges that are watched; in debug builds only.
-        trap_overflow: stop at signed overflow, where accesses are tested.
+        lines: the lines of the user's files, by name, for messages.
+        checked: check every access through a pointer.
+        debug: allow breakpoints on every statement.
+        watching: compare every access with the watched ranges; in debug builds only.
+        trap_overflow: stop at signed overflow, in checked builds.
     """
     from crs_cc.runtime.codegen.module import compile_program
 

@@ -1,8 +1,8 @@
-"""All robots' programs, side by side: one store, one mailbox, one call for a round of all.
+"""The fleet: all robots' programs in one store, with one mailbox and one call for a round of all.
 
-Whoever owns a fleet sets `run` and `fuel` in the slots of the robots that shall go on, calls
-`run_round`, and finds in each slot how the program came back: a request to serve, no fuel left,
-ended, or stopped by an error.
+The owner of a fleet sets `run` and `fuel` in the slots of the robots to be resumed, calls
+`run_round`, and finds in each slot why the program returned: a request to serve, no fuel left,
+exit, or a run-time error.
 
 >>> from crs_cc.runtime.testing import counting_program
 >>> fleet = Fleet([counting_program()] * 2)
@@ -28,13 +28,13 @@ import wasmtime
 from crs_cc.core.arrays import ByteArray, IndexArray, Records
 from crs_cc.core.source import Location
 from crs_cc.requests import ERROR_KINDS, FAILED, MESSAGE, SLOT
-from crs_cc.runtime import pages
+from crs_cc.runtime import resident_pages
 from crs_cc.runtime.driver import HEADER, SLOTS, driver
 from crs_cc.runtime.executable import Executable, engine
 from crs_cc.runtime.layout import MEMORY_BYTES, STACK_TOP
-from crs_cc.runtime.pages import CHUNK
+from crs_cc.runtime.resident_pages import CHUNK
 from crs_cc.runtime.wasm import PAGE
-from crs_cc.runtime.watched import WATCHED
+from crs_cc.runtime.watch_ranges import WATCHED
 
 if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.active_call import ActiveCall
@@ -42,19 +42,19 @@ if TYPE_CHECKING:
     from crs_cc.runtime.diagnosis.inspect import Stopped
     from crs_cc.runtime.diagnosis.report import ErrorReport
 
-MEMORY_END: Final = 0xFFFFFFFF  # the last address there could be
-_MOST_PAGES: Final = 2**16  # of the mailbox: all that a memory can have, so that it never moves
+MEMORY_END: Final = 0xFFFFFFFF  # the largest address
+_MOST_PAGES: Final = 2**16  # of the mailbox: the maximum, so that it never moves
 
 
 @dataclass(frozen=True, slots=True)
 class Snapshot:
-    """The whole state of one program: it can go on from here in any fleet of the same program.
+    """The whole state of one program, which can be resumed in any fleet of the same program.
 
     Attributes:
         slot: its slot, one element of dtype `SLOT`.
-        chunks: numbers of the chunks of memory that are not all zero.
+        chunks: numbers of the non-zero chunks of memory.
         content: those chunks, shape (len(chunks), CHUNK).
-        shadow_chunks: the same of the shadow memory; none in unchecked builds.
+        shadow_chunks: the same for the shadow memory; empty in unchecked builds.
         shadow_content: those chunks.
     """
 
@@ -67,11 +67,11 @@ class Snapshot:
 
 @dataclass(frozen=True, slots=True)
 class _Sandbox:
-    """An instance of a program, and the memories that it has.
+    """An instance of a program, and its memories.
 
     Attributes:
-        initial: chunks of its memory that hold objects of the program.
-        begun: how many statements have begun, while it runs; None in builds without statements.
+        initial: chunks of its memory that hold initialised objects.
+        begun: the global counting statements begun; None in builds without statements.
     """
 
     executable: Executable
@@ -88,17 +88,17 @@ class Fleet:
 
     Attributes:
         slots: the slots, an array of dtype `SLOT`, one for each robot.
-        marks: for each robot with a debug build, a byte for each of its statements: 1 to stop
-            before it. A round ends with the first robot that does.
-        watched: for each robot, what is watched in its memory, of dtype `WATCHED`, one element;
-            only watching builds look there.
+        marks: for each robot with a debug build, a byte for each statement: 1 to stop
+            before it. A round ends at the first robot that stops.
+        watched: for each robot, its watched ranges, one element of dtype `WATCHED`;
+            only watching builds use them.
     """
 
     def __init__(self, executables: Sequence[Executable]) -> None:
-        """Make a sandbox for each program.
+        """Create a sandbox for each program.
 
         Raises:
-            OSError: the system does not give the memory, or the room for addresses.
+            OSError: there is not enough memory or address space.
         """
         with _memory_demanded(len(executables)):
             self._make(executables)
@@ -110,8 +110,8 @@ class Fleet:
         self.marks: list[ByteArray] = []
         self.watched: list[Records] = []
         self._sandboxes: list[_Sandbox] = []
-        self._builds: list[list[_Sandbox]] = []  # of each program all that were used
-        self._fresh: list[Snapshot | None] = []  # of programs that were added
+        self._builds: list[list[_Sandbox]] = []  # of each program, all builds used
+        self._fresh: list[Snapshot | None] = []  # of added programs
         self._made = 0
         self._start_driver(len(executables))
         for executable in executables:
@@ -122,7 +122,7 @@ class Fleet:
         return len(self.slots)
 
     def add(self, executable: Executable) -> int:
-        """Make a sandbox for one more program; gives its number. `slots` is another array then.
+        """Create a sandbox for one more program, and return its number; replaces `slots`.
 
         Raises:
             OSError: as for a new fleet.
@@ -145,11 +145,11 @@ class Fleet:
         return number
 
     def keep(self, count: int) -> None:
-        """Takes out all programs but the first ones; the last may be added again."""
+        """Remove all programs but the first `count`; the removed may be added again."""
         self._open(count, count)
 
     def _open(self, first: int, count: int) -> None:
-        """Lets `slots` be those of so many programs, from the first one on as new."""
+        """Set `slots` for `count` programs, initialised from number `first` on."""
         more = _pages(count) - self._mailbox.size(self._store)
         if more > 0:
             self._mailbox.grow(self._store, more)
@@ -160,7 +160,7 @@ class Fleet:
         self.slots[first:] = np.zeros((), SLOT)
 
     def _start_driver(self, robots: int) -> None:
-        """Make a driver with room for so many programs, and hands over those that there are."""
+        """Create a driver with room for a number of programs, and register the existing ones."""
         self._allow_another()
         module = wasmtime.Module(engine(), driver(robots).to_binary())
         exports = wasmtime.Instance(self._store, module, [self._mailbox]).exports(self._store)
@@ -172,7 +172,7 @@ class Fleet:
             table.set(self._store, number, sandbox.resume)
 
     def _instantiate(self, executable: Executable) -> None:
-        """Return a program that is new a place behind the others."""
+        """Append a new program."""
         sandbox = self._sandbox(executable)
         self.marks.append(_NO_MARKS)
         self.watched.append(_NO_MARKS.view(WATCHED))
@@ -182,7 +182,7 @@ class Fleet:
         self._seat(len(self._sandboxes) - 1, sandbox)
 
     def _seat(self, robot: int, sandbox: _Sandbox) -> None:
-        """Lets a sandbox be that of a robot."""
+        """Assign a sandbox to a robot."""
         self._table.set(self._store, robot, sandbox.resume)
         self._sandboxes[robot] = sandbox
         if len(sandbox.marks):
@@ -206,14 +206,14 @@ class Fleet:
         return _Sandbox(executable, resume, memory, shadow[:MEMORY_BYTES], marks, initial, begun)
 
     def exchange(self, robot: int, executable: Executable) -> None:
-        """Move a robot's program, as it stands, to another build of it with the same frames.
+        """Move a robot's program, in its current state, to another build with the same frames.
 
-        Its marks come along; what is watched does not. Builds that were used once are kept, so that
-        to change back and forth costs no more than a snapshot.
+        Its marks are copied; watched ranges are not. Builds that were used once are kept, so that
+        switching back and forth costs no more than a snapshot.
 
         Args:
-            robot: whose program.
-            executable: a debug build or a watching build of the program that the robot has.
+            robot: the robot's number.
+            executable: a debug or watching build of the robot's program.
 
         Raises:
             OSError: as for a new fleet.
@@ -233,7 +233,7 @@ class Fleet:
         self.marks[robot][:] = marks
 
     def _allow_another(self) -> None:
-        """Lets the store hold another instance: programs that were taken out stay in it."""
+        """Raise the store's limit of instances by one: removed programs stay in it."""
         self._made += 1
         made = self._made
         self._store.set_limits(instances=made, memories=3 * made + 1, tables=made)
@@ -243,26 +243,26 @@ class Fleet:
         return self._sandboxes[robot].executable
 
     def memory(self, robot: int) -> ByteArray:
-        """Return a robot's memory as an array of bytes that shows every change."""
+        """Return a live view of a robot's memory."""
         return self._sandboxes[robot].memory
 
     def shadow(self, robot: int) -> ByteArray:
-        """Return what C may do with the bytes of a robot's memory; nothing in unchecked builds."""
+        """Return a live view of a robot's shadow memory; empty in unchecked builds."""
         return self._sandboxes[robot].shadow
 
     def messages(self, robots: IndexArray) -> Records:
-        """Return copies of what robots posted, of dtype `MESSAGE`."""
+        """Return copies of the messages that robots posted, of dtype `MESSAGE`."""
         return self.slots["message"].view(_BYTES)[robots].view(MESSAGE)
 
     def reply(self, robots: IndexArray, messages: Records) -> None:
-        """Write replies over what robots posted."""
+        """Overwrite posted messages with replies."""
         self.slots["message"].view(_BYTES)[robots] = messages.view(_BYTES)
 
     def run_round(self) -> int | None:
-        """Resume every robot whose slot says `run`.
+        """Resume every robot whose slot has `run` set.
 
-        Gives the first one that stops before a marked statement, which ends the round: those behind
-        it have not run. None when all have.
+        Return the first one that stops before a marked statement, which ends the round: those after
+        it have not run. None if all have.
         """
         self._header["current"] = 0
         while True:
@@ -278,7 +278,7 @@ class Fleet:
             return robot if is_one else None
 
     def _trapped(self, robot: int, trap: Exception) -> None:
-        """Note a trap as the robot's own failure, so that the others go on."""
+        """Record a trap as the robot's failure, so that the others continue."""
         slot = self.slots[robot]
         slot["status"] = FAILED
         slot["fuel"] = min(int(slot["fuel"]), 0)
@@ -288,10 +288,10 @@ class Fleet:
         outside = wasmtime.TrapCode.MEMORY_OUT_OF_BOUNDS
         if isinstance(trap, wasmtime.Trap) and trap.trap_code is outside:
             if not len(self.shadow(robot)):
-                # Nothing but this stops a program without checks, so that no place is noted.
+                # The only trap in unchecked code, which stores no site.
                 slot["error_kind"] = ERROR_KINDS.index("pointer outside memory")
                 return
-            from crs_cc.runtime.diagnosis.trapped import blamed_site  # few runs need it
+            from crs_cc.runtime.diagnosis.trap import blamed_site  # rarely needed
 
             compiled = self.executable(robot).detail().compiled
             site = blamed_site(trap, self.memory(robot), compiled)
@@ -302,9 +302,9 @@ class Fleet:
         slot["error_kind"] = ERROR_KINDS.index("stack overflow" if deep else "internal trap")
 
     def failure(self, robot: int) -> Failure:
-        """Return why a robot with status FAILED was stopped."""
+        """Return the failure of a robot with status FAILED."""
         slot = self.slots[robot]
-        # Few runs need these.
+        # Rarely needed.
         from crs_cc.runtime.diagnosis.diagnose import diagnose
         from crs_cc.runtime.diagnosis.failure import Failure
         from crs_cc.runtime.diagnosis.objects import find_object, of_variable
@@ -329,7 +329,7 @@ class Fleet:
     def stopped(
         self, robot: int, failed_at: Location | None = None, *, saved: bool = True
     ) -> Stopped:
-        """Return a program that has come back, and all that tells where it stands, see `Stopped`."""
+        """Return a suspended program for inspection, see `Stopped`."""
         from crs_cc.runtime.diagnosis.inspect import Stopped, call_stack
 
         detail, memory = self.executable(robot).detail(), self.memory(robot)
@@ -338,40 +338,40 @@ class Fleet:
         return Stopped(memory, self.shadow(robot), *parts)
 
     def current_call(self, robot: int) -> ActiveCall | None:
-        """Return the innermost active function of the user's own files, and where it stands.
+        """Return the innermost active call in the user's files.
 
-        There is none before a program has been resumed, and once it has ended.
+        None before a program has been resumed, and after it has ended.
         """
-        from crs_cc.runtime.diagnosis.report import current_call  # few runs need it
+        from crs_cc.runtime.diagnosis.report import current_call  # rarely needed
 
         return current_call(self.stopped(robot))
 
     def library_call(self, robot: int) -> ActiveCall | None:
-        """Return the library's function that the user's code has called, and where it did."""
-        from crs_cc.runtime.diagnosis.report import library_call  # few runs need it
+        """Return the library function called by the user's code, with the call's location."""
+        from crs_cc.runtime.diagnosis.report import library_call  # rarely needed
 
         return library_call(self.stopped(robot))
 
     def report(self, robot: int) -> ErrorReport:
-        """Return the report on a robot with status FAILED: its failure in words."""
-        from crs_cc.runtime.diagnosis.report import report  # few runs need it
+        """Return the error report of a robot with status FAILED."""
+        from crs_cc.runtime.diagnosis.report import report  # rarely needed
 
         return report(self.failure(robot))
 
     def snapshot(self, robot: int) -> Snapshot:
-        """Return the whole state of one robot's program; where it shall stop is no part of it."""
+        """Return the whole state of one robot's program, breakpoints excluded."""
         slot = self.slots[robot : robot + 1].copy()
         for wish in _WISHES:
             slot[wish] = 0
         sandbox = self._sandboxes[robot]
-        kept = pages.save(sandbox.memory, sandbox.initial)
-        return Snapshot(slot, *kept, *pages.save(sandbox.shadow, _NONE))
+        kept = resident_pages.save(sandbox.memory, sandbox.initial)
+        return Snapshot(slot, *kept, *resident_pages.save(sandbox.shadow, _NONE))
 
     def restore(self, robot: int, snapshot: Snapshot) -> None:
-        """Put a state that `snapshot` gave into one robot's program."""
+        """Restore a snapshot of one robot's program."""
         sandbox = self._sandboxes[robot]
-        pages.load(sandbox.memory, sandbox.initial, snapshot.chunks, snapshot.content)
-        pages.load(sandbox.shadow, _NONE, snapshot.shadow_chunks, snapshot.shadow_content)
+        resident_pages.load(sandbox.memory, sandbox.initial, snapshot.chunks, snapshot.content)
+        resident_pages.load(sandbox.shadow, _NONE, snapshot.shadow_chunks, snapshot.shadow_content)
         slot = self.slots[robot : robot + 1]
         wishes = {name: slot[name].copy() for name in _WISHES}
         slot[:] = snapshot.slot
@@ -381,21 +381,21 @@ class Fleet:
 
 @contextlib.contextmanager
 def _memory_demanded(programs: int) -> Iterator[None]:
-    """Say it so that a user understands when the system gives no memory."""
+    """Translate wasmtime's out-of-memory error."""
     try:
         yield
     except wasmtime.WasmtimeError as error:
         if f"os error {errno.ENOMEM}" not in str(error):
             raise
         text = (
-            f"the system gives no memory for {programs} program(s): each needs up to"
-            " 9 GiB of addresses, though little memory (see 'ulimit -v')"
+            f"cannot allocate memory for {programs} program(s): each needs up to"
+            " 9 GiB of address space, but little memory (see 'ulimit -v')"
         )
         raise OSError(errno.ENOMEM, text) from error
 
 
 def _pages(programs: int) -> int:
-    """Return how many pages the mailbox of so many programs has."""
+    """Return the size of the mailbox for a number of programs [pages]."""
     return -(-(SLOTS + programs * SLOT.itemsize) // PAGE)
 
 
@@ -404,11 +404,11 @@ _NO_SHADOW: Final = np.zeros(0, np.uint8)
 _NO_MARKS: Final = np.zeros(0, np.uint8)
 _NONE: Final = range(0)
 _WISHES: Final = ("stop_before_all", "stop_from")
-"""Where a program shall stop: no part of its state."""
+"""Fields that control where a program stops, which are not part of its state."""
 
 
 def _view(store: wasmtime.Store, memory: object) -> ByteArray:
-    """Return a memory as an array, which keeps the store alive; our memories never move."""
+    """Return a memory as an array that keeps the store alive; our memories never move."""
     assert isinstance(memory, wasmtime.Memory)
     address = ctypes.addressof(memory.data_ptr(store).contents)
     buffer = (ctypes.c_uint8 * memory.data_len(store)).from_address(address)

@@ -1,21 +1,21 @@
-"""Where things lie in a robot's memory, and how a stack frame looks.
+"""The layout of a robot's memory and of stack frames.
 
     0           NULL_SIZE        STACK_TOP                          MEMORY_BYTES
     | null page | stack  <------ | objects with addresses | heap ... |
 
-The null page is never accessible. The stack grows down. Every call gets the address `fp` of a
-header that its caller set up, with the arguments behind it as on i386; its own frame lies below,
-with the lower end `sp`, which is the `fp` of the functions that it calls in turn:
+The null page is never accessible. The stack grows down. Every call is passed the address `fp` of a
+header that its caller set up, followed by the arguments as on i386; its own frame is below it,
+with the lower end `sp`, which is the `fp` of the functions that it calls:
 
     fp + 16   arguments, each rounded up to 4 bytes
-    fp + 12   number of the landing at which to go on; 0 for a fresh start
+    fp + 12   number of the landing at which to resume; 0 for a fresh call
     fp + 8    number of the function, written when it is suspended
     fp + 0    returned value; before that, in checked builds, the call word, see `sites`
               --- the callee's own frame ---
-    ...       homes of registers, slots
+    ...       spill slots of registers, slots
     sp        header and arguments of the functions that it calls
 
-In checked builds red zones, which C may not touch, lie around every slot and every object.
+In checked builds every slot and every object is surrounded by inaccessible red zones.
 """
 
 from __future__ import annotations
@@ -36,8 +36,8 @@ RESULT, FUNCTION, RESUME = 0, 8, 12  # offsets from fp
 
 ALIGN: Final = 16  # of every frame [bytes]
 MINIMUM_FRAME: Final = 96
-"""With the charge for each local, see `registers`, this keeps the host's stack, which grows with
-ours, within three times of ours."""
+"""With the charge for each local, see `registers`, this bounds the host's stack, which grows with
+the program's, to three times the latter."""
 
 
 def round_up(value: int, align: int) -> int:
@@ -51,12 +51,12 @@ class Frame:
 
     Attributes:
         size: its size in bytes, a multiple of 16: fp - sp.
-        offsets: offset from sp of the home of each register that is saved, and of each slot.
+        offsets: offset from sp of the spill slot of each saved register, and of each slot.
         parameters: offset from sp of each parameter.
-        varargs: offset from sp of what follows the parameters.
-        jump_value: offset from sp of the value that a `longjmp` brings.
-        entered: offset from sp of how many statements had begun when the function was entered; -1
-            where that is not noted. Together with fp it tells one activation from all others in
+        varargs: offset from sp of the variable arguments.
+        jump_value: offset from sp of the value passed by `longjmp`.
+        entered: offset from sp of the number of statements begun at function entry; -1
+            where it is not stored. Together with fp it identifies an activation among all in
             which the program ever stops.
     """
 
@@ -69,12 +69,12 @@ class Frame:
 
 
 def red_zone(size: int) -> int:
-    """Return how many bytes to leave behind an object: more for larger ones, as indices go wider."""
+    """Return the size of the red zone after an object, which grows with it (indices go wider)."""
     return min(256, max(16, round_up(size // 4, 16)))
 
 
 def argument_offsets(sizes: list[int]) -> list[int]:
-    """Return the offset of each argument, and the offset behind the last one."""
+    """Return the offset of each argument, and the end offset."""
     offsets = [0]
     for size in sizes:
         offsets.append(offsets[-1] + round_up(size, 4))
@@ -94,14 +94,14 @@ def lay_out(
 
     Args:
         function: the function.
-        saved: its registers that need a home.
-        arguments_size: of the functions that it calls, the most [bytes].
-        charge: what to count for the locals, which the host may keep on its stack [bytes].
-        checked: leave red zones.
-        stamped: note when the function was entered.
+        saved: its registers that need a spill slot.
+        arguments_size: the largest of the functions that it calls [bytes].
+        charge: the charge for locals, which the host may spill to its stack [bytes].
+        checked: insert red zones.
+        stamped: reserve space for the time of entry.
 
     Raises:
-        CompileError: a local variable wants to be aligned more strictly than frames are.
+        CompileError: a local variable needs a stricter alignment than frames have.
     """
     frame = Frame()
     offset = HEADER_SIZE + arguments_size if arguments_size >= 0 else 0
@@ -135,7 +135,7 @@ def _check_alignment(slot: Slot, function: Function) -> None:
         raise CompileError.at(
             function.location,
             f"'{what}' in '{function.name}' is aligned to {slot.align} bytes",
-            f"local variables can be aligned to {ALIGN} bytes at most; make it static",
+            f"the maximum alignment of local variables is {ALIGN} bytes; make it static",
         )
 
 

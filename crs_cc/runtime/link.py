@@ -1,8 +1,8 @@
-"""Joins the programs of several C files, and what they need of the library, into one.
+"""The linker: join the programs of several C files, and the library units that they need.
 
-The user's files are joined as object files are: two definitions of one name are an error, and
-tentative definitions (`int count;` in several files, or in a header) become one object, as with
-gcc's `-fcommon`. The library is joined as an archive is: only what is needed and not defined by
+The user's files are linked like object files: two definitions of a name are an error, and
+tentative definitions (`int count;` in several files, or in a header) are merged, as with
+gcc's `-fcommon`. The library is linked like an archive: only what is needed and not defined by
 the user.
 """
 
@@ -36,43 +36,43 @@ ROOT: Final = "__crs_start"
 """The library's function that calls `main`; everything reachable from it is linked."""
 
 ALLOCATOR: Final = LIBRARY + "stdlib/malloc.c"
-"""The library's file whose functions work on memory that C may not touch."""
+"""The library's file whose functions access memory that C may not."""
 
 STARTS: Final = "__crs_starts"
-"""The array of the functions to be called before `main`, with a null pointer at its end."""
+"""The null-terminated array of functions to be called before `main`."""
 
 ENDS: Final = "__crs_ends"
-"""The same of those to be called after the end."""
+"""The null-terminated array of functions to be called at exit."""
 
 HEAP_SYMBOLS: Final = ("__heap_start", "__heap_end")
 """Names that the code generator defines: the ends of the memory left for `malloc`."""
 
 CONNECTS: Final = "connect_robot"
-"""The function with which every program begins to talk to its robot."""
+"""The function with which every program connects to its robot."""
 
-_SIMILAR: Final = 0.7  # of four letters three
+_SIMILAR: Final = 0.7  # three of four letters
 
 
 class Library(Protocol):
-    """Where definitions that the user's files lack are looked for."""
+    """Where undefined names of the user's files are looked up."""
 
     def find(self, name: str) -> Function | Data | None:
         """Return the library's definition of a name."""
 
     def names(self) -> Sequence[str]:
-        """Return all names that the library defines for programs to use."""
+        """Return all public names of the library."""
 
 
 def link(units: Sequence[Program], library: Library, diagnostics: Diagnostics) -> Program:
-    """Return the whole program.
+    """Link a program.
 
     Args:
         units: the user's files.
         library: the C library.
-        diagnostics: takes the errors.
+        diagnostics: receives the errors.
 
     Raises:
-        CompileError: a name is defined twice, or used and not defined.
+        CompileError: a name is defined twice, or undefined.
     """
     diagnostics.stage = "linking"
     user = join(units, diagnostics)
@@ -102,11 +102,11 @@ def link(units: Sequence[Program], library: Library, diagnostics: Diagnostics) -
 
 
 def _check_client(whole: Program, diagnostics: Diagnostics) -> None:
-    """Warn of a program that brings the vendor's client, and so talks to no simulated robot."""
+    """Warn of a program that defines the vendor's client, and so reaches no simulated robot."""
     connects = whole.functions.get(CONNECTS)
     if connects is not None and not in_library(connects.location):
-        text = f"'{CONNECTS}' is defined here: the program does not reach its simulated robot"
-        hint = "leave out the vendor's Ndirect.c or Nclient.c: crs has their functions"
+        text = f"'{CONNECTS}' is redefined: the program cannot reach its simulated robot"
+        hint = "omit the vendor's Ndirect.c or Nclient.c: crs provides their functions"
         diagnostics.warning(connects.location, text, hint)
 
 
@@ -128,14 +128,14 @@ def _check_uses(whole: Program, diagnostics: Diagnostics) -> None:
                 else:
                     continue
                 told.add(name)
-                # What the library uses wrongly, as it calls main, is the fault of its definition.
+                # The library calls main: report a mismatch at the definition.
                 by_library = in_library(instruction.location)
                 place = defined if by_library else instruction.location
-                diagnostics.error(place, text, f"it is defined at {defined}")
+                diagnostics.error(place, text, f"defined at {defined}")
 
 
 def _check_arguments(whole: Program, diagnostics: Diagnostics) -> None:
-    """Warn of arguments that no prototype converted to what the called function takes."""
+    """Warn of arguments that no prototype converted to the parameter's type."""
     for function in whole.functions.values():
         if in_library(function.location):
             continue
@@ -153,13 +153,13 @@ def _compare_arguments(call: Call, callee: Function, diagnostics: Diagnostics) -
         passed, taken = _passed_as(argument.memory), _passed_as(parameter.memory)
         if passed != taken:
             text = f"argument {number} is passed as {passed}, but '{callee.name}' takes {taken}"
-            hint = "without a prototype nothing converts it; " + _where_defined(callee)
+            hint = "without a prototype it is not converted; " + _where_defined(callee)
             diagnostics.warning(call.location, text, hint)
             return
 
 
 def _passed_as(memory: MemoryType | None) -> str:
-    """Return what a value is among arguments, where everything takes 4 bytes or more."""
+    """Return the type that a value is passed as; everything takes 4 bytes or more."""
     match memory:
         case None:
             return "a struct"
@@ -176,11 +176,11 @@ def _passed_as(memory: MemoryType | None) -> str:
 def _where_defined(callee: Function) -> str:
     if in_library(callee.location):
         return "include the header that declares it"
-    return f"it is defined at {callee.location}"
+    return f"defined at {callee.location}"
 
 
 def join(units: Sequence[Program], diagnostics: Diagnostics) -> Program:
-    """Return one program with the definitions of all units; reports what is defined twice."""
+    """Return one program with the definitions of all units; report multiple definitions."""
     whole = Program()
     for unit in units:
         _add_functions(unit, whole, diagnostics)
@@ -221,7 +221,7 @@ def _add_data(unit: Program, whole: Program, diagnostics: Diagnostics) -> None:
 def _compare(
     name: str, ctype: CType, location: Location, whole: Program, diagnostics: Diagnostics
 ) -> None:
-    """Warn of a declaration that does not agree with the definition in another file."""
+    """Warn of a declaration whose type differs from the definition in another file."""
     function, data = whole.functions.get(name), whole.data.get(name)
     defined, place = None, location
     if function is not None:
@@ -234,7 +234,7 @@ def _compare(
 
 
 def _gives_way(name: str, unit: Program, whole: Program) -> bool:
-    """Return whether a definition is weak and not the first; takes away a weak one before it."""
+    """Return whether a weak definition is overridden; remove an earlier weak one."""
     if name not in whole.functions and name not in whole.data:
         if name in unit.weak:
             whole.weak.add(name)
@@ -253,7 +253,7 @@ def _in_order(calls: list[tuple[int, str]]) -> list[str]:
 
 
 def _table(name: str, functions: list[str]) -> Data:
-    """Make an array of pointers to functions with a null pointer at its end."""
+    """Return a null-terminated array of function pointers."""
     size = 4 * len(functions) + 4
     relocations = [Relocation(4 * i, function, 0) for i, function in enumerate(functions)]
     place = Location(LIBRARY)
@@ -261,7 +261,7 @@ def _table(name: str, functions: list[str]) -> Data:
 
 
 def references(definition: Function | Data) -> Iterator[str]:
-    """Return the names that a definition uses, in the order of their use."""
+    """Yield the names that a definition uses, in order."""
     if isinstance(definition, Data):
         for relocation in definition.relocations:
             yield relocation.symbol
@@ -299,7 +299,7 @@ def pointed_functions(program: Program) -> list[str]:
 
 
 def _find(name: str, user: Program, library: Library) -> Function | Data | None:
-    """Return the definition of a name; a tentative object of the user's joins the library's."""
+    """Return the definition of a name; a tentative one of the user's is merged."""
     mine = user.functions.get(name) or user.data.get(name)
     if mine is not None and not (isinstance(mine, Data) and mine.tentative):
         return mine
@@ -310,7 +310,7 @@ def _find(name: str, user: Program, library: Library) -> Function | Data | None:
 
 
 def _larger(first: Data, second: Data) -> Data:
-    """Join two objects of one name, of which one at least is tentative (gcc -fcommon)."""
+    """Merge two objects of one name, at least one of which is tentative (gcc -fcommon)."""
     chosen = first if second.tentative else second
     other = second if chosen is first else first
     size, align = max(chosen.size, other.size), max(chosen.align, other.align)
@@ -330,14 +330,12 @@ def _common(first: Data, second: Data, whole: Program, diagnostics: Diagnostics)
 def _defined_twice(name: str, location: Location, whole: Program, diagnostics: Diagnostics) -> None:
     function = whole.functions.get(name)
     first = function.location if function else whole.data[name].location
-    diagnostics.error(
-        location, f"multiple definition of '{name}'", f"it is also defined at {first}"
-    )
+    diagnostics.error(location, f"multiple definition of '{name}'", f"also defined at {first}")
 
 
 def _undefined(name: str, user: Program, library: Library, diagnostics: Diagnostics) -> None:
     location = user.undefined.get(name) or Location("<program>")
-    if name == "runcode" and name not in user.undefined:  # the library's main asks for it
+    if name == "runcode" and name not in user.undefined:  # the library's main calls it
         _no_main(user, diagnostics)
         return
     hint = _where_declared(name, location, user)
@@ -348,8 +346,8 @@ def _undefined(name: str, user: Program, library: Library, diagnostics: Diagnost
     told = [each for each in diagnostics.messages if each.location == location]
     for each in told:
         if each.severity == "warning" and f"'{name}'" in each.text:
-            diagnostics.messages.remove(each)  # that it is not declared: this says more
-    diagnostics.error(location, f"'{name}' is used, but defined nowhere", hint)
+            diagnostics.messages.remove(each)  # the implicit declaration: this error is more useful
+    diagnostics.error(location, f"'{name}' is used, but not defined", hint)
 
 
 def _no_main(user: Program, diagnostics: Diagnostics) -> None:
@@ -358,22 +356,22 @@ def _no_main(user: Program, diagnostics: Diagnostics) -> None:
     close = difflib.get_close_matches("main", own, 1, _SIMILAR)
     if close:
         found = user.functions[own[close[0]]]
-        diagnostics.error(found.location, text, f"is '{found.name}' to be 'main'?")
+        diagnostics.error(found.location, text, f"should '{found.name}' be 'main'?")
         return
-    diagnostics.error(_first_place(user, diagnostics), text, "it is where a program begins")
+    diagnostics.error(_first_place(user, diagnostics), text, "a program starts there")
 
 
 def _where_declared(name: str, used: Location, user: Program) -> str:
-    """Return a hint to the header that promises a name, none when there is none."""
+    """Return a hint to the declaration of a name in a header, if any."""
     declared = user.declared.get(name)
     if declared is None or declared[1].file == used.file:
         return ""
     place = declared[1]
-    return f"it is declared at {place.file}:{place.line}; is its C file missing from the command?"
+    return f"declared at {place.file}:{place.line}; is its C file missing from the command line?"
 
 
 def _first_place(user: Program, diagnostics: Diagnostics) -> Location:
-    """Return the user's first file; there may be nothing in it."""
+    """Return the start of the user's first file, which may be empty."""
     places = [function.location for function in user.functions.values()]
     places += [data.location for data in user.data.values()]
     files = [place.file for place in places if not in_library(place)]

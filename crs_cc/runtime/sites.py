@@ -1,12 +1,12 @@
-"""Places in the code: where a program can fail, and where it calls.
+"""Numbered sites in the code: where a program can fail, calls, or can be stopped.
 
-A failing program notes the number of its `Site`. Every call notes the number of its `CallSite` in
+A failing program stores the number of its `Site`. Every call stores the number of its `CallSite` in
 the header of the function that it calls (checked builds only), so that the stack can be walked
-while the program runs: the heap keeps the calls that allocated and freed each block. The header's
-first eight bytes hold, until the returned value takes their place, a call word:
+while the program runs: the heap records the calls that allocated and freed each block. The header's
+first eight bytes hold a call word, until the returned value replaces it:
 
     bits 0 to 23    number of the call site, from 1
-    bits 24 to 41   size of the caller's frame, in units of 16 bytes: its own header lies above it
+    bits 24 to 41   size of the caller's frame, in units of 16 bytes: its own header is above it
     bits 42 to 63   size of the arguments that were passed, in units of 4 bytes
 
 >>> hex(call_word(5, frame_size=96, arguments_size=8))
@@ -31,7 +31,7 @@ ARGUMENT_UNIT: Final = 4  # bytes
 
 @dataclass(frozen=True, slots=True)
 class Site:
-    """A place that can fail.
+    """A site that can fail.
 
     Attributes:
         kind: one of `requests.ERROR_KINDS`, or "memory" for accesses, whose kind shows only from

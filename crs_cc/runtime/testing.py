@@ -1,4 +1,4 @@
-"""A program made by hand, for examples and tests that need no compiler."""
+"""A hand-made program, for examples and tests that need no compiler."""
 
 from __future__ import annotations
 

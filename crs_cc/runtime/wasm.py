@@ -1,9 +1,9 @@
-"""WebAssembly modules as data: instructions as tuples, written as binary or as text.
+"""WebAssembly modules as data: instructions as tuples, encoded as binary or text.
 
 An instruction is a tuple of its name and its immediates, for example `("local.get", 0)` or
 `("i32.load", memory, offset)`. Only the part of WebAssembly that the code generator uses is here
 (core specification 3.0, chapters 5 "Binary format" and 6 "Text format"). An `UNLIKELY` test is an
-`if` with a branch hint (7.4.2 "Custom Sections"): what it guards is put out of the way.
+`if` with a branch hint (7.4.2 "Custom Sections"): the guarded code is placed out of line.
 
 >>> body = [("local.get", 0), ("i32.const", 1), ("i32.add",)]
 >>> plus_one = Code("plus_one", TYPE_I32_I32, [], body)
@@ -27,7 +27,7 @@ FuncType: TypeAlias = tuple[tuple[ValueType, ...], tuple[ValueType, ...]]
 
 TYPE_I32_I32: Final[FuncType] = (("i32",), ("i32",))
 TYPE_CALL: Final[FuncType] = (("i32", "i64"), ("i32", "i64"))
-"""A C function: its frame pointer and fuel come in, its status and what fuel is left go out."""
+"""The type of a C function: (frame pointer, fuel) -> (status, remaining fuel)."""
 PAGE: Final = 65536
 
 UNLIKELY: Final[Instr] = ("if", "unlikely")
@@ -54,7 +54,7 @@ _INDEX: Final = {
 
 
 def unsigned(value: int) -> bytes:
-    """Return an unsigned LEB128 number."""
+    """Encode an unsigned LEB128 number."""
     if value < 0x80:
         return bytes((value,))
     out = bytearray()
@@ -66,7 +66,7 @@ def unsigned(value: int) -> bytes:
 
 
 def signed(value: int) -> bytes:
-    """Return a signed LEB128 number."""
+    """Encode a signed LEB128 number."""
     out = bytearray()
     while not -0x40 <= value < 0x40:
         out.append(value & 0x7F | 0x80)
@@ -90,7 +90,7 @@ def _section(number: int, content: bytes) -> bytes:
 
 
 def encode(instr: Instr) -> bytes:
-    """Return the bytes of one instruction."""
+    """Encode one instruction."""
     name = instr[0]
     if name in _PLAIN:
         return _PLAIN[name]
@@ -128,7 +128,7 @@ def _encode_rare(instr: Instr) -> bytes:
 
 @dataclass(slots=True)
 class Code:
-    """A function: its type, the types of its locals behind the parameters, its instructions."""
+    """A function: its type, the types of its locals after the parameters, its instructions."""
 
     name: str
     type: FuncType
@@ -136,7 +136,7 @@ class Code:
     body: list[Instr]
 
     def to_binary(self) -> tuple[bytes, list[int]]:
-        """Return the entry in the code section, and where in its content `UNLIKELY` tests stand."""
+        """Return the entry in the code section, and the offsets of `UNLIKELY` tests in it."""
         content, hints = bytearray(self._head()), []
         for instr in self.body:
             if instr is UNLIKELY:
@@ -146,11 +146,11 @@ class Code:
         return unsigned(len(content)) + content, hints
 
     def start(self) -> int:
-        """Return where in the entry's content the instructions begin [bytes]."""
+        """Return the offset of the instructions in the entry's content [bytes]."""
         return len(self._head())
 
     def _head(self) -> bytes:
-        """Return the part of the entry that tells of the locals."""
+        """Return the declarations of the locals in the entry."""
         runs: list[tuple[int, str]] = []
         for kind in self.locals:
             if runs and runs[-1][1] == kind:
@@ -162,17 +162,17 @@ class Code:
 
 @dataclass(slots=True)
 class Module:
-    """A module that may import memories and define more, behind the imported ones.
+    """A module that may import memories and define more, numbered after the imported ones.
 
     Attributes:
         memory_imports: (module, name) of each imported memory, of one page or more.
         memories: sizes of the module's own memories, in pages.
         tables: sizes of its tables of functions.
         globals: (type, initial value) of its mutable globals.
-        elements: (table, first index, functions) written into tables when it is made.
-        data: (memory, address, bytes) written into memory when it is made; what has a memory
-            below 0 is there for `memory.init`.
-        start: index of a function to call when it is made.
+        elements: (table, first index, functions) written into tables at instantiation.
+        data: (memory, address, bytes) written into memory at instantiation; segments with a memory
+            below 0 are passive, for `memory.init`.
+        start: index of a function to call at instantiation.
         exports: (name, "func" | "memory" | "table" | "global", index).
     """
 
@@ -220,7 +220,7 @@ class Module:
         return b"\x00asm\x01\x00\x00\x00" + b"".join(parts.get(each, b"") for each in order)
 
     def to_text(self) -> str:
-        """Return the functions in the text format, for people to read."""
+        """Return the functions in the text format."""
         return "\n".join(_function_text(code) for code in self.functions)
 
 
@@ -244,7 +244,7 @@ def _element(table: int, first: int, functions: list[int]) -> bytes:
 
 
 def _branch_hints(hints: Sequence[list[int]]) -> bytes:
-    """Return the custom section that calls the tests at these places of each function unlikely."""
+    """Return the custom section of branch hints, from the offsets of unlikely tests by function."""
     rows = []
     for function, places in enumerate(hints):
         if places:

@@ -139,7 +139,7 @@ def _compile(
 def build_watching(executable: Executable) -> Executable:
     """Return the watching build of a program, from the cache if possible.
 
-    Both builds have the same debug information, see `codegen.watching`; so this one shares that of
+    Both builds have the same debug information, see `codegen.watchpoints`; so this shares that of
     the other.
 
     Args:

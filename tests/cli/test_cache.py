@@ -1,4 +1,4 @@
-"""`crs cache`: what is shown of the cache, and what is cleared."""
+"""`crs cache`: showing and clearing the cache."""
 
 from __future__ import annotations
 
@@ -28,15 +28,13 @@ def test_the_cache_is_shown_and_cleared(folder: Path, capsys: pytest.CaptureFixt
     assert [path.name for path in folder.iterdir()] == ["notes.txt"]
 
 
-def test_a_cache_that_is_not_there_yet_is_empty(
-    folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_missing_cache_folder_is_empty(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["cache"]) == main(["cache", "clear"]) == 0
     assert "entries  0\nsize     0 bytes\n" in capsys.readouterr().out
     assert not folder.exists()
 
 
-def test_a_limit_that_is_not_a_size_is_said(
+def test_an_invalid_cache_limit_is_reported(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setenv("CRS_CACHE_SIZE", "much")
@@ -46,14 +44,16 @@ def test_a_limit_that_is_not_a_size_is_said(
     assert said.err == "warning: CRS_CACHE_SIZE=much is not a size such as 500M or 2G\n"
 
 
-def test_a_cache_that_is_not_used_is_said(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_unused_cache_folder_is_reported(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     folder.mkdir()
     folder.chmod(0o777)
     assert main(["cache"]) == 0
     assert f"warning: {folder} is not used: " in capsys.readouterr().err
 
 
-def test_a_folder_that_is_none_is_a_failure_of_the_system(
+def test_a_cache_folder_that_is_a_file_is_a_system_error(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     folder.write_text("a file")
@@ -61,7 +61,7 @@ def test_a_folder_that_is_none_is_a_failure_of_the_system(
     assert capsys.readouterr().err == f"crs: error: Not a directory: {folder}\n"
 
 
-def test_an_entry_that_cannot_be_removed_does_not_keep_the_others(
+def test_an_entry_that_cannot_be_removed_does_not_block_the_others(
     folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for number in range(3):

@@ -17,17 +17,17 @@ def in_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
 
 
-def test_a_program_is_linked_as_run_would(capfd: pytest.CaptureFixture[str]) -> None:
+def test_check_links_programs_as_run_does(capfd: pytest.CaptureFixture[str]) -> None:
     Path("main.c").write_text("int turn(int);\nint main(void)\n{\n    return turn(1);\n}\n")
     assert main(["check", "main.c"]) == 121
-    assert "main.c:4:12: error: 'turn' is used, but defined nowhere" in capfd.readouterr().err
+    assert "main.c:4:12: error: 'turn' is used, but not defined" in capfd.readouterr().err
     Path("turn.c").write_text("int turn(int n) { return n; }\n")
     assert main(["check", "main.c", "turn.c"]) == 0
     Path("again.c").write_text("\nint turn(int n) { return -n; }\n")
     assert main(["check", "main.c", "turn.c", "again.c"]) == 121
     shown = capfd.readouterr().err
     assert "again.c:2:5: error: multiple definition of 'turn'" in shown
-    assert "it is also defined at turn.c:1:5" in shown
+    assert "also defined at turn.c:1:5" in shown
 
 
 def test_a_part_of_a_program_is_checked_alone(capfd: pytest.CaptureFixture[str]) -> None:
@@ -36,7 +36,7 @@ def test_a_part_of_a_program_is_checked_alone(capfd: pytest.CaptureFixture[str])
     assert capfd.readouterr().err == "1 file checked: 0 errors, 0 warnings\n"
 
 
-def test_a_misspelt_function_is_told_once(capfd: pytest.CaptureFixture[str]) -> None:
+def test_a_misspelt_function_is_reported_once(capfd: pytest.CaptureFixture[str]) -> None:
     Path("main.c").write_text('int main(void)\n{\n    return prinft("x");\n}\n')
     assert main(["check", "main.c"]) == 121
     shown = capfd.readouterr().err
@@ -44,7 +44,7 @@ def test_a_misspelt_function_is_told_once(capfd: pytest.CaptureFixture[str]) -> 
     assert "did you mean 'printf'?" in shown
 
 
-def test_messages_as_data_tell_stage_place_and_hint(capfd: pytest.CaptureFixture[str]) -> None:
+def test_messages_as_data_have_stage_location_and_hint(capfd: pytest.CaptureFixture[str]) -> None:
     Path("main.c").write_text("int speed;\nint main(void)\n{\n    return sped\n}\n")
     assert main(["check", "--json", "main.c"]) == 121
     first, second = json.loads(capfd.readouterr().out)
@@ -55,7 +55,7 @@ def test_messages_as_data_tell_stage_place_and_hint(capfd: pytest.CaptureFixture
     assert (second["stage"], second["line"], second["column"]) == ("parsing", 4, 16)
 
 
-def test_a_folder_of_headers_that_is_not_there_is_left_out(
+def test_a_missing_include_folder_is_ignored(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
     Path("main.c").write_text("int main(void) { return 0; }\n")
@@ -63,7 +63,7 @@ def test_a_folder_of_headers_that_is_not_there_is_left_out(
     assert "warning: -I nowhere: no such folder" in capfd.readouterr().err
 
 
-def test_what_goes_wrong_in_a_world_is_told(capfd: pytest.CaptureFixture[str]) -> None:
+def test_errors_in_a_world_are_reported(capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["check", str(WORLDS / "faulty.xml")]) == 0
     told = capfd.readouterr()
     assert "degradation 'weak' of 'robot0': drive right, gain 0.97, from 50 s on for 10 s" in (
@@ -84,7 +84,7 @@ def test_what_goes_wrong_in_a_world_is_told(capfd: pytest.CaptureFixture[str]) -
         ),
     ],
 )
-def test_check_refuses_what_no_robot_has_room_for_as_run_does(
+def test_check_rejects_programs_that_do_not_fit_as_run_does(
     source: str, message: str, capfd: pytest.CaptureFixture[str]
 ) -> None:
     Path("large.c").write_text(source)

@@ -27,7 +27,7 @@ def program(tmp_path: Path) -> str:
     return str(path)
 
 
-def test_commands_of_the_command_line_are_done_and_shown(
+def test_commands_on_the_command_line_are_executed_and_shown(
     program: str, capfd: pytest.CaptureFixture[str]
 ) -> None:
     words = ["debug", "--batch", "-ex", "break 6", "-ex", "continue", "-ex", "rs", program]
@@ -38,7 +38,7 @@ def test_commands_of_the_command_line_are_done_and_shown(
     assert shown[-1] == "=>    5      for (i = 0; i < 3; i++)"
 
 
-def test_a_command_that_cannot_be_done_is_one_line_and_the_status_says_so(
+def test_a_failed_command_is_one_line_and_sets_the_status(
     program: str, capfd: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["debug", "--batch", "-ex", "foo", "-ex", "next", program]) == 1
@@ -48,7 +48,9 @@ def test_a_command_that_cannot_be_done_is_one_line_and_the_status_says_so(
     assert not shown.err
 
 
-def test_behind_the_end_the_way_leads_back(program: str, capfd: pytest.CaptureFixture[str]) -> None:
+def test_after_the_end_execution_can_be_reversed(
+    program: str, capfd: pytest.CaptureFixture[str]
+) -> None:
     main(["debug", "--batch", "-ex", "continue", "-ex", "reverse-step", program])
     shown = capfd.readouterr().out.splitlines()
     end = shown.index(
@@ -58,7 +60,7 @@ def test_behind_the_end_the_way_leads_back(program: str, capfd: pytest.CaptureFi
     assert shown[-1] == "=>    8      return sum;"
 
 
-def test_what_is_no_command_line_is_refused(
+def test_an_invalid_command_line_is_rejected(
     program: str, capfd: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["debug"]) == 2

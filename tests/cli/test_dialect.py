@@ -25,12 +25,12 @@ def in_a_folder_with_programs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     Path("world.xml").write_text(WORLD.format(""))
 
 
-def test_a_body_runs_with_the_dialect_that_is_asked_for(capfd: pytest.CaptureFixture[str]) -> None:
+def test_a_body_runs_with_the_requested_dialect(capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "--dialect", "report", "body.c", "world.xml"]) == 4
     assert capfd.readouterr() == ("5\n", "")
 
 
-def test_a_body_without_it_gets_a_hint(capfd: pytest.CaptureFixture[str]) -> None:
+def test_a_body_without_the_dialect_gets_a_hint(capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "body.c"]) == 121
     assert "--dialect report" in capfd.readouterr().err
     assert main(["run", "--dialect", "nomad", "body.c"]) == 121
@@ -40,16 +40,16 @@ def test_a_body_without_it_gets_a_hint(capfd: pytest.CaptureFixture[str]) -> Non
     assert "--dialect" not in capfd.readouterr().err
 
 
-def test_a_runcode_tells_its_dialect_itself(capfd: pytest.CaptureFixture[str]) -> None:
+def test_runcode_determines_its_dialect(capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "runcode.c"]) == 0
     assert capfd.readouterr() == ("-1\n", "")
 
 
-def test_the_vendors_header_tells_it_too() -> None:
+def test_the_vendors_header_determines_it_too() -> None:
     assert main(["run", "-q", "vendors.c"]) == 255
 
 
-def test_a_world_file_tells_the_dialect_of_each_robots_program(
+def test_a_world_file_sets_the_dialect_of_each_robots_program(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
     Path("both.xml").write_text(
@@ -64,13 +64,13 @@ def test_a_world_file_tells_the_dialect_of_each_robots_program(
     assert "dialect" in capfd.readouterr().err
 
 
-def test_the_command_line_prevails_over_the_world(capfd: pytest.CaptureFixture[str]) -> None:
+def test_the_command_line_overrides_the_world(capfd: pytest.CaptureFixture[str]) -> None:
     Path("world.xml").write_text(WORLD.format(' dialect="nomad"'))
     assert main(["run", "body.c", "world.xml"]) == 121
     assert main(["run", "--dialect", "report", "body.c", "world.xml"]) == 4
 
 
-def test_check_takes_files_for_what_they_are_and_parts_for_what_the_others_are(
+def test_check_detects_the_dialect_of_files_and_of_parts_by_the_others(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
     Path("part.c").write_text("int look(void) { sonarSensorCheck(); return State[STATE_HEAT]; }\n")
@@ -87,6 +87,6 @@ def test_compile_shows_the_body_as_runcode(capfd: pytest.CaptureFixture[str]) ->
     assert main(["compile", "--emit", "wat", "runcode.c"]) == 0
 
 
-def test_a_dialect_that_there_is_not_is_refused(capfd: pytest.CaptureFixture[str]) -> None:
+def test_an_unknown_dialect_is_rejected(capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "--dialect", "java", "body.c"]) == 2
     assert "java" in capfd.readouterr().err

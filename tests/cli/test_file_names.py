@@ -74,7 +74,7 @@ def test_no_name_in_a_world_or_a_script_is_an_internal_error() -> None:
     assert (status, out.count("at köpie.c:8")) == (0, 2)
 
 
-def test_a_macro_of_the_command_line_is_text_as_that_of_a_file_is() -> None:
+def test_a_macro_on_the_command_line_is_decoded_as_in_a_file() -> None:
     Path("wide.c").write_text("int main(void) { return größe; }\n", encoding="utf-8")
     assert crs("run wide.c -D größe=5")[0] == 5
 
@@ -89,7 +89,7 @@ def test_messages_show_a_name_as_it_is() -> None:
     assert json.loads(crs("check --json nüll.c")[1])[0]["text"] == "no such file"
 
 
-def test_a_name_that_is_no_utf_8_is_a_name_as_all_others(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_name_that_is_not_utf_8_works_as_any_other(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("LC_ALL", "C.UTF-8")
     name = os.fsdecode(b"h\xff.c")
     Path(name).write_bytes(b"int main(void) { return none; }\n")

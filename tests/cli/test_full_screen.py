@@ -26,7 +26,7 @@ def terminal(monkeypatch: pytest.MonkeyPatch) -> pytest.MonkeyPatch:
     return monkeypatch
 
 
-def test_it_is_what_a_terminal_shows_unless_told_otherwise(terminal: pytest.MonkeyPatch) -> None:
+def test_it_is_the_default_on_a_terminal(terminal: pytest.MonkeyPatch) -> None:
     assert full_screen.is_wanted(read_options([PROGRAM]))
     assert full_screen.is_wanted(read_options(["--tui", PROGRAM]))
     assert not full_screen.is_wanted(read_options(["--repl", PROGRAM]))
@@ -35,7 +35,7 @@ def test_it_is_what_a_terminal_shows_unless_told_otherwise(terminal: pytest.Monk
         full_screen.is_wanted(read_options(["--batch", "--tui", PROGRAM]))
 
 
-def test_without_a_terminal_nothing_is_said(capsys: pytest.CaptureFixture[str]) -> None:
+def test_without_a_terminal_there_is_no_message(capsys: pytest.CaptureFixture[str]) -> None:
     assert not full_screen.is_wanted(read_options([PROGRAM]))
     assert capsys.readouterr().err == ""
     with pytest.raises(click.UsageError, match="not a terminal"):
@@ -44,7 +44,7 @@ def test_without_a_terminal_nothing_is_said(capsys: pytest.CaptureFixture[str]) 
     assert "Traceback" not in capsys.readouterr().err
 
 
-def test_a_line_says_why_there_is_none(
+def test_a_line_explains_why_it_is_not_shown(
     terminal: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     terminal.setenv("TERM", "dumb")
@@ -58,7 +58,7 @@ def test_a_line_says_why_there_is_none(
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="needs a pseudo-terminal")
-def test_it_comes_up_on_a_terminal_and_leaves_it_as_it_was(tmp_path: Path) -> None:
+def test_it_starts_on_a_terminal_and_restores_it(tmp_path: Path) -> None:
     import pty
 
     child, master = pty.fork()

@@ -28,7 +28,7 @@ def files(tmp_path: Path) -> list[str]:
     return [str(tmp_path / "drives.c"), str(tmp_path / "world.xml"), "--max-time", "2"]
 
 
-def test_results_say_who_came_and_went(files: list[str], capfd: pytest.CaptureFixture[str]):
+def test_results_include_join_and_leave_times(files: list[str], capfd: pytest.CaptureFixture[str]):
     assert main(["run", *files, "--json"]) == 0
     robots = json.loads(capfd.readouterr().out)["robots"]
     assert [(robot["outcome"], robot["joined_s"], robot["left_s"]) for robot in robots] == [
@@ -39,14 +39,14 @@ def test_results_say_who_came_and_went(files: list[str], capfd: pytest.CaptureFi
     ]
 
 
-def test_the_summary_says_so_too(files: list[str], capfd: pytest.CaptureFixture[str]):
+def test_the_summary_includes_joins_and_leaves(files: list[str], capfd: pytest.CaptureFixture[str]):
     assert main(["run", *files, "--summary"]) == 0
     shown = capfd.readouterr().err
     assert re.search(r"goes +left at 1.00 s", shown)
     assert re.search(r"never +never joined", shown)
 
 
-def test_a_trace_shows_robots_while_they_are_there(
+def test_a_trace_shows_robots_while_they_are_present(
     files: list[str], capfd: pytest.CaptureFixture[str]
 ):
     assert main(["run", *files, "--trace", "requests"]) == 0
@@ -63,7 +63,7 @@ def test_a_trace_shows_robots_while_they_are_there(
 
 
 def test_the_picture_shows_where_they_were(files: list[str], tmp_path: Path):
-    """Who never came is not drawn, who is gone is hollow at its end."""
+    """A robot that never joined is not drawn; one that has left is hollow at its end."""
     picture = tmp_path / "picture.svg"
     assert main(["run", *files, "--plot", str(picture)]) == 0
     text = picture.read_text()
@@ -84,7 +84,7 @@ def test_the_picture_shows_where_they_were(files: list[str], tmp_path: Path):
         ('join="nan"', "is not a time"),
     ],
 )
-def test_times_without_sense_are_refused(
+def test_invalid_join_times_are_rejected(
     stay: str, message: str, tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ):
     world = tmp_path / "world.xml"
@@ -95,8 +95,8 @@ def test_times_without_sense_are_refused(
     assert message in " ".join(capfd.readouterr())
 
 
-def test_who_comes_later_may_be_in_the_way_of_what_moves(tmp_path: Path):
-    """Three robots come in by the same door, where a box stands at first."""
+def test_a_later_robot_may_overlap_moving_objects(tmp_path: Path):
+    """Three robots join at the same place, where there is a box at first."""
     robots = "".join(f'<robot x="1m" y="1m" join="{n}s"/>' for n in range(1, 4))
     things = '<robot x="1.3m" y="1m"/><box x="1m" y="1m" length="9cm" width="9cm" mass="1kg"/>'
     world = tmp_path / "world.xml"

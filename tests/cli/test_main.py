@@ -64,7 +64,7 @@ def test_help_imports_nothing_heavy() -> None:
         (["compile", "--emit", "exe", "a.c"], "'exe' is not one of"),
     ],
 )
-def test_a_wrong_command_line_ends_with_2(
+def test_an_invalid_command_line_exits_with_2(
     arguments: list[str],
     message: str,
     capsys: pytest.CaptureFixture[str],
@@ -79,7 +79,7 @@ def test_a_wrong_command_line_ends_with_2(
 
 
 @pytest.mark.parametrize("command", ["run", "check", "compile"])
-def test_a_missing_file_is_named_with_a_proposal(
+def test_a_missing_file_is_reported_with_a_suggestion(
     command: str,
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],
@@ -101,7 +101,7 @@ def test_a_missing_file_is_named_with_a_proposal(
         (["-v"], 2, "No such option '-v'. Options of the program itself follow --."),
     ],
 )
-def test_arguments_without_the_dashes_in_front_of_them_are_told_about(
+def test_program_arguments_without_dashes_get_a_hint(
     forgotten: list[str],
     status: int,
     message: str,
@@ -115,7 +115,7 @@ def test_arguments_without_the_dashes_in_front_of_them_are_told_about(
 
 
 @pytest.mark.parametrize(("name", "status"), [("folder.c", 121), ("folder.xml", 122)])
-def test_a_folder_is_no_file(
+def test_a_folder_is_not_a_file(
     name: str, status: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / name).mkdir()
@@ -123,7 +123,7 @@ def test_a_folder_is_no_file(
     assert capsys.readouterr().err == f"{tmp_path / name}: error: is a directory, not a file\n"
 
 
-def test_an_unreadable_file_is_named(
+def test_an_unreadable_file_is_reported(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # not by its mode: root, who may run the tests, can read everything
@@ -134,12 +134,14 @@ def test_an_unreadable_file_is_named(
     assert capsys.readouterr().err == "secret.c: error: cannot be read: permission denied\n"
 
 
-def test_a_name_that_cannot_be_a_files_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_invalid_file_name_is_rejected(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["check", "-q", "x" * 10_000 + ".c"]) == 121
     assert "cannot be read: File name too long" in capsys.readouterr().err
 
 
-def test_the_file_named_first_decides_the_status(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_first_file_with_errors_determines_the_status(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
     assert main(["check", "no.xml", "no.c"]) == 122
     assert main(["check", "no.c", "no.xml"]) == 121
     assert "2 files checked: 2 errors, 0 warnings" in capsys.readouterr().err
@@ -153,7 +155,7 @@ def test_the_file_named_first_decides_the_status(capsys: pytest.CaptureFixture[s
         (InternalError.at(Location("a.c", 3), "malformed IR"), "a.c:3: error: malformed IR"),
     ],
 )
-def test_our_own_mistakes_ask_for_a_report_and_show_no_traceback(
+def test_internal_errors_ask_for_a_report_and_show_no_traceback(
     error: Exception,
     message: str,
     capsys: pytest.CaptureFixture[str],
@@ -174,7 +176,7 @@ def test_our_own_mistakes_ask_for_a_report_and_show_no_traceback(
     assert "Traceback" in capsys.readouterr().err
 
 
-def test_ctrl_c_while_compiling_ends_with_130(
+def test_ctrl_c_while_compiling_exits_with_130(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def fail(*_arguments: object) -> None:
@@ -185,7 +187,7 @@ def test_ctrl_c_while_compiling_ends_with_130(
     assert capsys.readouterr().err == "\ncrs: interrupted\n"
 
 
-def test_a_system_that_gives_no_room_for_addresses_is_said_to(tmp_path: Path) -> None:
+def test_a_lack_of_address_space_is_reported(tmp_path: Path) -> None:
     (tmp_path / "hello.c").write_text("int main(void) { return 0; }\n")
     limit = 3 * 2**30
 
@@ -194,7 +196,7 @@ def test_a_system_that_gives_no_room_for_addresses_is_said_to(tmp_path: Path) ->
 
     done = run_crs("run", str(tmp_path / "hello.c"), preexec_fn=limited)
     assert done.returncode == 1
-    assert "error: the system gives no memory for 1 program" in done.stderr
+    assert "error: cannot allocate memory for 1 program" in done.stderr
 
 
 def run_without_reader(*arguments: str, stderr: bool = False, **options: Any) -> tuple[int, str]:
@@ -224,7 +226,7 @@ def run_without_reader(*arguments: str, stderr: bool = False, **options: Any) ->
     ],
     ids=" ".join,
 )
-def test_a_broken_pipe_ends_with_141_and_without_a_traceback(
+def test_a_broken_pipe_exits_with_141_without_a_traceback(
     arguments: list[str], tmp_path: Path
 ) -> None:
     hello = '#include <stdio.h>\nint main(void) { puts("hello"); return 0; }\n'
@@ -240,7 +242,7 @@ def test_a_broken_pipe_ends_with_141_and_without_a_traceback(
     [["--help"], ["--bogus"], ["check", "no.c"], ["run", "silent.c", "--summary"]],
     ids=" ".join,
 )
-def test_a_broken_pipe_to_which_messages_go_too_ends_with_141(
+def test_a_broken_pipe_for_both_streams_exits_with_141(
     arguments: list[str], tmp_path: Path
 ) -> None:
     (tmp_path / "silent.c").write_text("int main(void) { return 0; }\n")

@@ -20,7 +20,7 @@ class Terminal(io.StringIO):
         return True
 
 
-def test_without_colours_a_message_has_the_form_of_the_diagnostic() -> None:
+def test_without_colours_a_message_has_the_format_of_the_diagnostic() -> None:
     for message in (
         ORDINARY,
         Diagnostic("warning", Location("wander.c"), "whole file"),
@@ -65,7 +65,7 @@ def test_a_flood_of_messages_is_cut_with_a_count(capsys: pytest.CaptureFixture[s
     ("environment", "coloured"),
     [({}, True), ({"NO_COLOR": "1"}, False), ({"NO_COLOR": ""}, True), ({"TERM": "dumb"}, False)],
 )
-def test_colours_are_for_terminals_that_want_them(
+def test_colours_are_used_on_terminals_that_support_them(
     monkeypatch: pytest.MonkeyPatch, environment: dict[str, str], coloured: bool
 ) -> None:
     monkeypatch.delenv("NO_COLOR", raising=False)

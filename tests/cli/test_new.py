@@ -1,4 +1,4 @@
-"""`crs new`, and what `crs check` tells of worlds, robots and files to be included."""
+"""`crs new`, and the contents that `crs check` lists for worlds, robots and included files."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def in_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
 
 
-def test_what_new_writes_can_be_checked_and_run(capfd: pytest.CaptureFixture[str]) -> None:
+def test_templates_can_be_checked_and_run(capfd: pytest.CaptureFixture[str]) -> None:
     for kind, name in (("world", "room"), ("robot", "rover.xml"), ("program", "go")):
         assert main(["new", kind, name]) == 0
     assert capfd.readouterr().out.splitlines()[0] == (
@@ -37,7 +37,7 @@ def test_what_new_writes_can_be_checked_and_run(capfd: pytest.CaptureFixture[str
     assert re.match(r"at x = -?[0-9.]+, y = -?[0-9.]+ inches", capfd.readouterr().out)
 
 
-def test_check_tells_what_is_there(capfd: pytest.CaptureFixture[str]) -> None:
+def test_check_lists_the_contents(capfd: pytest.CaptureFixture[str]) -> None:
     main(["new", "world", "room"])
     main(["new", "robot", "rover"])
     Path("lib.xml").write_text(
@@ -58,7 +58,7 @@ def test_check_tells_what_is_there(capfd: pytest.CaptureFixture[str]) -> None:
     assert capfd.readouterr().out == ""
 
 
-def test_check_tells_what_is_wrong_with_robots_and_included_files(
+def test_check_reports_errors_in_robots_and_included_files(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
     Path("r.xml").write_text('<robot-definition version="1" name="r"/>')
@@ -75,7 +75,7 @@ def test_check_tells_what_is_wrong_with_robots_and_included_files(
         assert capfd.readouterr().err.splitlines()[0] == expected
 
 
-def test_check_tells_of_the_ground_and_of_degradations(
+def test_check_lists_terrain_and_degradations(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
     for name in ("plateau", "hills", "faulty"):
@@ -86,7 +86,7 @@ def test_check_tells_of_the_ground_and_of_degradations(
     assert re.search(r"faulty.xml: \d+ degradations?\n", shown)
 
 
-def test_the_robots_that_come_with_crs_are_told(capfd: pytest.CaptureFixture[str]) -> None:
+def test_the_predefined_robots_are_listed(capfd: pytest.CaptureFixture[str]) -> None:
     for path in sorted((ROOT / "crs_cc" / "sim" / "files" / "robots").glob("*.xml")):
         assert main(["check", str(path)]) == 0
     assert "synchro drive" in capfd.readouterr().out
@@ -104,7 +104,7 @@ def test_the_robots_that_come_with_crs_are_told(capfd: pytest.CaptureFixture[str
         (["planet", "room"], "'planet' is not one of 'world', 'robot', 'program'."),
     ],
 )
-def test_new_writes_over_nothing(
+def test_new_never_overwrites_a_file(
     arguments: list[str], expected: str, capfd: pytest.CaptureFixture[str]
 ) -> None:
     shutil.copy(ROOT / "worlds" / "room.xml", "room.xml")
@@ -114,7 +114,7 @@ def test_new_writes_over_nothing(
     assert Path("room.xml").read_bytes() == before
 
 
-def test_what_the_robots_template_keeps_in_a_comment_can_be_taken_out(
+def test_the_commented_parts_of_the_robot_template_are_valid(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(tmp_path)

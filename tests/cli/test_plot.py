@@ -74,7 +74,7 @@ def test_it_shows_world_path_contact_names_and_title() -> None:
     assert len([row for row in root.iter(f"{SVG}line") if row.get("stroke") == "#d1242f"]) == 4
 
 
-def test_things_have_the_colours_of_their_materials() -> None:
+def test_objects_have_the_colours_of_their_materials() -> None:
     red, blue = Material((255, 0, 0)), Material((0, 0, 255))
     room = replace(
         ROOM,
@@ -85,7 +85,7 @@ def test_things_have_the_colours_of_their_materials() -> None:
     assert {"#ff0000", "#0000ff"} <= set(painted)
 
 
-def test_walls_as_light_as_the_paper_have_an_outline() -> None:
+def test_walls_as_light_as_the_background_have_an_outline() -> None:
     white = Wall("white", -3.0, 0.0, 3.0, 0.0, material=Material((255, 255, 255)))
     plain = Wall("plain", -3.0, 2.0, 3.0, 2.0)
     root = draw(Picture("", "", replace(OPEN, walls=(white, plain)), [trip((1, 1), (1, 2))]))
@@ -107,7 +107,7 @@ def test_up_in_the_world_is_up_on_the_page() -> None:
 
 
 @pytest.mark.parametrize("places", [[(0.0, 0.0)], [(5.0, 5.0)] * 3, [(0, 0), (1e4, 3.0)]])
-def test_everything_lies_on_the_page_however_odd_the_path(
+def test_everything_is_on_the_page_whatever_the_path(
     places: list[tuple[float, float]],
 ) -> None:
     root = draw(Picture("t", "", OPEN, [trip(*places)]))
@@ -117,7 +117,7 @@ def test_everything_lies_on_the_page_however_odd_the_path(
         assert 0 <= y <= height
 
 
-def test_drawings_of_programs_end_at_the_frame() -> None:
+def test_drawings_of_programs_are_clipped_to_the_frame() -> None:
     drawings = [
         Drawing.of(0, [LINE, 0, 0, 100, 100, 0, 0, 18]),
         Drawing.of(0, [LINE, 0, 0, 10**9, 0, 0, 0, 1]),
@@ -194,7 +194,7 @@ def test_contacts_at_one_place_are_kept_once() -> None:
     assert tracks.contacts == [(0, 1.0, 0.0), (0, 2.0, 0.0), (1, 1.0, 0.0)]
 
 
-def test_the_ground_is_darker_the_higher_and_arrows_point_up() -> None:
+def test_higher_terrain_is_darker_and_arrows_point_up() -> None:
     """A ramp from 0 to 0.5 m along x, and a plateau of 1 m behind it."""
     ramp, plateau = (
         Patch(2.0, 2.0, 0.0, 2.0, 1.0, 0.0, 0.5),
@@ -212,14 +212,14 @@ def test_the_ground_is_darker_the_higher_and_arrows_point_up() -> None:
     assert shaft.get("y1") == shaft.get("y2")
 
 
-def test_all_of_the_ground_is_in_the_picture() -> None:
+def test_the_plot_includes_all_terrain() -> None:
     far = replace(OPEN, surface=Ground((Patch(30.0, 0.0, 0.5, 4.0, 2.0, 0.1, 0.1),)))
     root = draw(Picture("", "", far, [trip((0, 0), (1, 0))]))
     width = float(root.get("width"))
     assert all(0 <= x <= width for x, _ in all_points(root))
 
 
-def test_pixels_of_a_picture_of_heights_are_drawn_in_runs() -> None:
+def test_height_map_pixels_are_drawn_in_runs() -> None:
     """Two rows of three pixels: 0 1 1 above 0 0 0.5."""
     ground = HeightMap(0.0, 0.0, 1.0, 3, (0.0, 0.0, 0.5, 0.0, 1.0, 1.0))
     root = draw(Picture("", "", replace(OPEN, surface=Ground((), ground)), [trip((0, 0), (3, 2))]))

@@ -20,7 +20,7 @@ BLOCK = Object("heap block", 4096, 16, allocated=(CallSite("main", Location("wan
 REPORT = ErrorReport(
     "out of bounds",
     PLACE,
-    "out of bounds: reads 4 bytes right behind the end of a heap block of 16 bytes",
+    "out of bounds: reads 4 bytes right after the end of a heap block of 16 bytes",
     "    total += order[i];",
     (("order", "0x1000"), ("i", "4")),
     ("allocated at wander.c:30:9 in main",),
@@ -33,7 +33,7 @@ REPORT = ErrorReport(
     BLOCK,
 )
 SHOWN = """\
-wander.c:12:14: error: out of bounds: reads 4 bytes right behind the end of a heap block of 16 bytes
+wander.c:12:14: error: out of bounds: reads 4 bytes right after the end of a heap block of 16 bytes
         total += order[i];
                  ^~~~~~~~
     order = 0x1000, i = 4
@@ -44,7 +44,7 @@ wander.c:12:14: error: out of bounds: reads 4 bytes right behind the end of a he
     from main() at wander.c:31:5"""
 
 
-def test_a_report_tells_what_with_what_and_how_it_came_to_it() -> None:
+def test_a_report_shows_error_values_and_call_stack() -> None:
     assert render_report(REPORT) == SHOWN
     assert render_report(REPORT, "robot7").startswith("wander.c:12:14: error: [robot7] out of")
 
@@ -55,7 +55,7 @@ def test_colours_change_nothing_but_the_colours() -> None:
     assert click.unstyle(painted) == SHOWN
 
 
-def test_a_program_cannot_write_to_the_terminal_by_its_variables() -> None:
+def test_a_program_cannot_send_escape_codes_in_its_variables() -> None:
     evil = "\x1b[2J\n\x07\u202e"
     calls = (ActiveCall(evil, ((evil, evil),), Location(evil)),) * 2
     report = ErrorReport("out of bounds", PLACE, evil, evil, ((evil, evil),), (evil,), calls)
@@ -63,7 +63,7 @@ def test_a_program_cannot_write_to_the_terminal_by_its_variables() -> None:
     assert not set(shown) & set("\x1b\x07\u202e")
 
 
-def test_a_report_as_data_says_the_same() -> None:
+def test_a_report_as_data_has_the_same_contents() -> None:
     data = json.loads(json.dumps(report_data(REPORT)))
     assert (data["kind"], data["file"], data["line"]) == ("out of bounds", "wander.c", 12)
     assert data["values"] == {"order": "0x1000", "i": "4"}
@@ -75,7 +75,7 @@ def test_a_report_as_data_says_the_same() -> None:
     assert data["stack"][1]["file"] is None
 
 
-def test_of_many_robots_that_failed_alike_the_first_are_shown(
+def test_of_many_identical_failures_the_first_are_shown(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     robots = [robot(f"robot{n}", outcome="failed", error=REPORT) for n in range(50)]

@@ -59,7 +59,9 @@ def start(*arguments: str, **options: object) -> subprocess.Popen[str]:
 # -- output and exit status ------------------------------------------------------------------------
 
 
-def test_one_robots_output_and_exit_status_are_ours(capfd: pytest.CaptureFixture[str]) -> None:
+def test_one_robots_output_and_exit_status_are_passed_through(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
     assert main(["run", "hello.c"]) == 7
     assert capfd.readouterr() == ("hello\n", "")
 
@@ -69,7 +71,7 @@ def test_each_line_of_several_robots_names_its_robot(capfd: pytest.CaptureFixtur
     assert capfd.readouterr() == ("[left] hello\n[right] hello\n", "")
 
 
-def test_streams_stay_apart_and_bytes_stay_as_they_are(
+def test_streams_are_separate_and_bytes_unchanged(
     capfdbinary: pytest.CaptureFixture[bytes],
 ) -> None:
     Path("bytes.c").write_text(
@@ -91,7 +93,7 @@ def test_a_program_that_still_runs_at_max_time_counts_as_0(
     assert (place["function"], place["file"], place["line"]) == ("main", "loop.c", 1)
 
 
-def test_seed_and_duration_of_the_world_hold_unless_the_command_line_says_otherwise(
+def test_the_command_line_overrides_seed_and_duration_of_the_world(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
     Path("short.xml").write_text(PAIR.replace("<world", '<world seed="5" duration="400ms"'))
@@ -117,7 +119,7 @@ def test_errors_of_several_robots_name_them(capfd: pytest.CaptureFixture[str]) -
 
 
 @pytest.mark.parametrize("flag", [[], ["--json"]])
-def test_a_mistake_in_the_source_ends_with_121(
+def test_an_error_in_the_source_exits_with_121(
     flag: list[str], capfd: pytest.CaptureFixture[str]
 ) -> None:
     Path("bad.c").write_text("int main(void)\n{\n    return sped;\n}\n")
@@ -131,7 +133,7 @@ def test_a_mistake_in_the_source_ends_with_121(
         assert data["diagnostics"][0]["line"] == 3
 
 
-def test_a_mistake_in_the_world_ends_with_122(capfd: pytest.CaptureFixture[str]) -> None:
+def test_an_error_in_the_world_exits_with_122(capfd: pytest.CaptureFixture[str]) -> None:
     Path("pair.xml").write_text(PAIR.replace('id="right"', 'id="left"'))
     assert main(["run", "hello.c", "pair.xml"]) == 122
     assert re.match(r"pair\.xml:2.*error: ", capfd.readouterr().err)
@@ -140,7 +142,7 @@ def test_a_mistake_in_the_world_ends_with_122(capfd: pytest.CaptureFixture[str])
 @pytest.mark.parametrize(
     "content", [b"", b"\x00\xff\x7fELF" * 999, b'int main(void) { return "\xfe; }']
 )
-def test_files_full_of_junk_are_refused(content: bytes, capfd: pytest.CaptureFixture[str]) -> None:
+def test_binary_junk_is_rejected(content: bytes, capfd: pytest.CaptureFixture[str]) -> None:
     Path("junk.c").write_bytes(content)
     Path("junk.xml").write_bytes(content)
     assert main(["run", "junk.c"]) == 121
@@ -160,7 +162,7 @@ def test_warnings_are_shown_unless_quiet(capfd: pytest.CaptureFixture[str]) -> N
 
 
 @pytest.mark.parametrize("command", ["run", "compile"])
-def test_beside_an_error_no_warning_is_shown_if_quiet(
+def test_quiet_suppresses_warnings_beside_errors(
     command: str, capfd: pytest.CaptureFixture[str]
 ) -> None:
     Path("old.c").write_text("main()\n{\n    return missing;\n}\n")
@@ -175,7 +177,7 @@ def test_beside_an_error_no_warning_is_shown_if_quiet(
 # -- programs, arguments, input --------------------------------------------------------------------
 
 
-def test_arguments_behind_two_dashes_go_to_main(capfd: pytest.CaptureFixture[str]) -> None:
+def test_arguments_after_two_dashes_are_passed_to_main(capfd: pytest.CaptureFixture[str]) -> None:
     Path("args.c").write_text(
         "#include <stdio.h>\nint main(int c, char **v)\n{ while (*++v) puts(*v); return c; }\n"
     )
@@ -183,7 +185,7 @@ def test_arguments_behind_two_dashes_go_to_main(capfd: pytest.CaptureFixture[str
     assert capfd.readouterr().out == "--seed\n-1\ntwo words\nü\n"
 
 
-def test_a_program_reads_our_input(
+def test_a_program_reads_standard_input(
     capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     Path("cat.c").write_text(
@@ -211,7 +213,7 @@ def test_headers_are_found_in_the_folders_given(capfd: pytest.CaptureFixture[str
     assert main(["run", "uses.c", "-I", "include"]) == 9
 
 
-def test_robots_run_the_program_that_the_world_names_or_else_ours(
+def test_robots_run_the_worlds_program_or_else_the_command_lines(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
     world = PAIR.replace(
@@ -226,7 +228,7 @@ def test_robots_run_the_program_that_the_world_names_or_else_ours(
     assert "no program for 'right'" in capfd.readouterr().err
 
 
-def test_a_program_that_no_robot_runs_is_mentioned(capfd: pytest.CaptureFixture[str]) -> None:
+def test_an_unused_program_is_warned_about(capfd: pytest.CaptureFixture[str]) -> None:
     Path("pair.xml").write_text(PAIR.replace('y="2m"', 'y="2m" program="drive.c"'))
     assert main(["run", "hello.c", "pair.xml"]) == 0
     assert "hello.c: warning: unused" in capfd.readouterr().err
@@ -251,7 +253,7 @@ int main(void)
 """
 
 
-def test_a_call_of_the_robot_before_it_is_connected_is_shown_once(
+def test_a_robot_call_before_connecting_is_warned_about_once(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
     Path("lost.c").write_text(LOST)
@@ -284,7 +286,7 @@ def test_json_on_stdout_is_pure_and_the_programs_output_goes_to_stderr(
     assert left["exit_status"] == 0
 
 
-def test_the_same_run_gives_the_same_data_in_any_process(
+def test_runs_are_reproducible_in_another_process(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
     command = ["run", "drive.c", "pair.xml", "--json", "--seed", "3"]
@@ -316,7 +318,7 @@ def test_a_robot_whose_program_misbehaves_changes_nothing_for_the_others(
     assert left[other] == left["hello.c"]
 
 
-def test_the_summary_comes_when_asked_for(capfd: pytest.CaptureFixture[str]) -> None:
+def test_the_summary_is_shown_on_request(capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "drive.c", "-q", "--summary"]) == 0
     shown = capfd.readouterr()
     assert "exit 0 at" in shown.err
@@ -324,14 +326,14 @@ def test_the_summary_comes_when_asked_for(capfd: pytest.CaptureFixture[str]) -> 
     assert shown.out == "drive there at 50\n"
 
 
-def test_the_picture_shows_the_way(capfd: pytest.CaptureFixture[str]) -> None:
+def test_the_plot_shows_the_path(capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "drive.c", "pair.xml", "--plot", "way.svg"]) == 0
     root = etree.parse("way.svg").getroot()
     assert len(root.findall(".//{*}polyline")) == 2
     assert "drive.c in pair.xml" in [row.text for row in root.iter("{*}text")]
 
 
-def test_two_robots_that_touch_are_one_collision_in_the_picture() -> None:
+def test_two_robots_that_touch_are_one_collision_in_the_plot() -> None:
     """They drive at each other, 2 m apart; the edge is out of reach."""
     program = "int main(void) { connect_robot(1); vm(200, 200, 0); sleep(6); return 0; }"
     Path("ram.c").write_text('#include <unistd.h>\n#include "Nclient.h"\n' + program)
@@ -369,7 +371,7 @@ def test_a_picture_that_cannot_be_written_is_refused_before_the_run(
     assert shown.out == ""
 
 
-def test_a_picture_on_a_full_disk_costs_no_results() -> None:
+def test_a_full_disk_for_the_plot_loses_no_results() -> None:
     process = start("run", "drive.c", "--plot", "/dev/full", "--json", "--summary")
     out, err = process.communicate(timeout=60)
     assert process.returncode == 1
@@ -392,7 +394,7 @@ def test_the_trace_has_a_line_for_each_robot_and_timestep(
     assert any(each.startswith("WS(") for row in rows for each in row)
 
 
-def test_the_trace_of_messages_tells_what_becomes_of_each(
+def test_the_message_trace_shows_the_life_of_each_message(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
     Path("call.c").write_text(
@@ -446,7 +448,7 @@ def test_ctrl_c_while_waiting_for_input_ends_the_run_too() -> None:
     assert "Traceback" not in shown
 
 
-def test_a_reader_that_goes_away_ends_the_run_quietly() -> None:
+def test_a_closed_pipe_ends_the_run_quietly() -> None:
     Path("talk.c").write_text(TALK)
     process = start("run", "talk.c")
     assert process.stdout
@@ -468,7 +470,7 @@ def test_a_reader_that_goes_away_ends_the_run_quietly() -> None:
         ("crs check nothing.c 2>/dev/full", 1, ""),
     ],
 )
-def test_closed_and_full_streams_are_no_mistakes_of_ours(
+def test_closed_and_full_streams_are_not_internal_errors(
     shell: str, status: int, shown: str
 ) -> None:
     command = shell.replace("crs", f"{sys.executable} -m crs_cc", 1)
@@ -507,7 +509,7 @@ def test_a_picture_never_overwrites_a_source(
     assert {path.name: path.read_bytes() for path in tmp_path.iterdir() if path.is_file()} == before
 
 
-def test_a_run_shows_a_few_of_many_warnings_and_check_all(
+def test_a_run_shows_a_few_warnings_and_check_shows_all(
     tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     lines = [f"void f{number}(int a) {{ a == {number}; }}" for number in range(9)]
@@ -523,7 +525,7 @@ def test_a_run_shows_a_few_of_many_warnings_and_check_all(
 # -- setup, link and client ------------------------------------------------------------------------
 
 
-def test_an_ideal_link_lets_a_program_run_faster(capfd: pytest.CaptureFixture[str]) -> None:
+def test_a_program_is_faster_on_an_ideal_link(capfd: pytest.CaptureFixture[str]) -> None:
     ends_s = []
     for link in ("serial", "ideal"):
         assert main(["run", "drive.c", "--link", link, "--json"]) == 0
@@ -532,20 +534,18 @@ def test_an_ideal_link_lets_a_program_run_faster(capfd: pytest.CaptureFixture[st
 
 
 @pytest.mark.parametrize("dialect", ["nomad", "report"])
-def test_an_empty_file_is_named_as_it_has_no_main(
-    dialect: str, capfd: pytest.CaptureFixture[str]
-) -> None:
+def test_an_empty_file_has_no_main(dialect: str, capfd: pytest.CaptureFixture[str]) -> None:
     Path("empty.c").write_text("")
     assert main(["run", "empty.c", "--dialect", dialect]) == 121
     assert "empty.c: error: the program has no function 'main'" in capfd.readouterr().err
 
 
-def test_an_unknown_robot_is_told_with_those_there_are(capfd: pytest.CaptureFixture[str]) -> None:
+def test_an_unknown_robot_lists_the_known_ones(capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "drive.c", "--robot", "marvin"]) == 2
     assert "scout" in capfd.readouterr().err
 
 
-def test_a_robot_can_be_of_ones_own_making(capfd: pytest.CaptureFixture[str]) -> None:
+def test_a_robot_can_be_defined_by_the_user(capfd: pytest.CaptureFixture[str]) -> None:
     text = (Path(crs_cc.sim.__file__).parent / "files" / "robots" / "scout.xml").read_text()
     Path("slow.xml").write_text(text.replace('speed="10in/s"', 'speed="1in/s"'))
     for world, ends_s in (((), 5), (("pair.xml",), 5)):
@@ -553,16 +553,16 @@ def test_a_robot_can_be_of_ones_own_making(capfd: pytest.CaptureFixture[str]) ->
         assert json.loads(capfd.readouterr().out)["robots"][0]["time_s"] > ends_s
 
 
-def test_a_robot_definition_that_is_not_there_is_named(capfd: pytest.CaptureFixture[str]) -> None:
+def test_a_missing_robot_definition_is_reported(capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "drive.c", "--robot", "none.xml"]) == 122
     assert "none.xml: error: cannot be read" in capfd.readouterr().err
 
 
-def test_an_unknown_setup_is_told_with_those_there_are(capfd: pytest.CaptureFixture[str]) -> None:
+def test_an_unknown_setup_lists_the_known_ones(capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "drive.c", "--setup", "loud"]) == 122
     assert "ideal, noisy" in capfd.readouterr().err
 
 
 @pytest.mark.parametrize("option", ["--link=radio", "--client=vendor"])
-def test_a_choice_that_there_is_not_is_a_usage_error(option: str) -> None:
+def test_an_invalid_choice_is_a_usage_error(option: str) -> None:
     assert main(["run", "drive.c", option]) == 2

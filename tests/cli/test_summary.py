@@ -7,9 +7,9 @@ from typing import Any
 
 import pytest
 
-from crs_cc.cli import table
+from crs_cc.cli import summary_table
 from crs_cc.cli.summary import Run, as_json, exit_status
-from crs_cc.cli.table import MAX_ROWS, print_summary
+from crs_cc.cli.summary_table import MAX_ROWS, print_summary
 from crs_cc.core.source import Location
 from crs_cc.runtime.diagnosis.active_call import ActiveCall
 from crs_cc.runtime.diagnosis.report import ErrorReport
@@ -38,7 +38,7 @@ def robot(name: str = "robot0", **changes: Any) -> RobotResult:
 
 
 def run_of(*robots: RobotResult, interrupted: bool = False, call: ActiveCall | None = None) -> Run:
-    """Make a run; a program that runs stands in `call`."""
+    """Return a run; running programs are in `call`."""
     result = RunResult(tuple(robots), 250, 12.5, "0123456789abcdef" * 4)
     calls = tuple(call if robot.outcome == "running" else None for robot in robots)
     return Run(result, "room.xml", 7, wall_s=0.5, interrupted=interrupted, calls=calls)
@@ -67,7 +67,7 @@ def test_exit_status(run: Run, status: int) -> None:
     assert exit_status(run) == status
 
 
-def test_json_holds_every_figure_of_every_robot() -> None:
+def test_json_contains_all_results_of_every_robot() -> None:
     data = json.loads(as_json(run_of(robot(), FAILED)))
     assert data["world"] == "room.xml"
     assert data["seed"] == 7
@@ -85,7 +85,7 @@ def test_json_holds_every_figure_of_every_robot() -> None:
     assert set(first) == {*RobotResult.__slots__, "stands_in"}
 
 
-def test_the_card_of_one_robot(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_summary_of_one_robot(capsys: pytest.CaptureFixture[str]) -> None:
     print_summary(run_of(robot()))
     shown = capsys.readouterr()
     assert shown.out == ""
@@ -112,7 +112,7 @@ def test_the_table_of_many_robots_is_cut_with_a_count(capsys: pytest.CaptureFixt
 TURN = ActiveCall("turn", (("angle", "90"),), Location("wander.c", 31, 5))
 
 
-def test_a_program_that_has_not_ended_shows_where_it_is(
+def test_a_running_program_shows_its_location(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     print_summary(run_of(RUNNING, call=TURN))
@@ -123,7 +123,7 @@ def test_a_program_that_has_not_ended_shows_where_it_is(
     assert data["robots"][1]["stands_in"] is None
 
 
-def test_robots_that_are_at_the_same_place_are_told_of_in_one_line(
+def test_robots_at_the_same_location_share_a_line(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     robots = [robot(f"r{n}", outcome="running", robot_call_s=None) for n in range(7)]
@@ -136,7 +136,7 @@ def test_robots_that_are_at_the_same_place_are_told_of_in_one_line(
     ("called_s", "told"),
     [(12.5, ""), (8.0, ""), (3.25, "no robot call since 3.25 s"), (None, "so far")],
 )
-def test_a_robot_that_has_heard_nothing_for_long_is_told_of(
+def test_a_robot_without_calls_for_long_is_reported(
     called_s: float | None, told: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     quiet = robot(outcome="running", robot_call_s=called_s)
@@ -150,7 +150,7 @@ def test_a_robot_that_has_heard_nothing_for_long_is_told_of(
 def test_the_summary_is_no_wider_than_the_terminal(
     columns: int, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(table, "is_terminal", lambda _stream: True)
+    monkeypatch.setattr(summary_table, "is_terminal", lambda _stream: True)
     monkeypatch.setenv("COLUMNS", str(columns))
     robots = [robot(f"robot{n}", odometry=(-12.5, -13.25, 3.1), fuel=10**9) for n in range(3)]
     for run in (run_of(robots[0]), run_of(*robots), run_of(RUNNING, call=TURN)):

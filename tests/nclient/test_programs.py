@@ -144,7 +144,7 @@ def test_writing_behind_the_mask_is_told():
     done = drive("int i; connect_robot(1); for (i = 0; i <= NUM_MASK; i++) Smask[i] = 1;")
     error = done.session.result().robots[0].error
     assert error is not None
-    assert "right behind the end of 'Smask'" in error.text
+    assert "right after the end of 'Smask'" in error.text
 
 
 @pytest.mark.parametrize(

@@ -91,7 +91,7 @@ def test_ws_waits_for_both_wheels_whatever_its_arguments(arguments: str):
     assert done.x_in[-1] == pytest.approx(3.0, abs=0.005)
 
 
-def test_ws_ends_when_something_holds_the_robot_up():
+def test_ws_ends_when_the_robot_is_blocked():
     done = run(f"pr(1000, 0, 0); {STANDING} get_bp(); return State[STATE_BUMPER];", cylinder(60))
     assert done.status == 1
     assert done.session.time_s < 8
@@ -108,7 +108,7 @@ def test_ac_and_sp_set_what_pr_moves_with():
     assert fastest_ips == pytest.approx(2.0, abs=0.01)
 
 
-def test_conf_tm_stops_a_robot_that_hears_nothing():
+def test_conf_tm_stops_a_robot_without_commands():
     done = run("#include <unistd.h>\nconf_tm(1); vm(100); sleep(5);")
     assert done.x_in[-1] < 16
     assert done.x_in[-1] == done.x_in[-20]
@@ -137,13 +137,13 @@ PRINT_SONARS = """for (int i = STATE_SONAR_0; i <= STATE_SONAR_15; i++)
 printf("\\n");"""
 
 
-def test_sonars_tell_tenths_of_inches_and_minus_1_for_nothing():
+def test_sonars_read_tenths_of_inches_and_minus_1_for_no_echo():
     readings = run(f"sonarSensorCheck(); {PRINT_SONARS}", cylinder(50.3)).numbers
     assert readings[0] == 323
     assert readings[2:15] == [-1] * 13
 
 
-def test_nothing_is_seen_before_somebody_looks():
+def test_nothing_is_measured_before_a_check():
     assert run(f"dp(0, 0); {PRINT_SONARS}", cylinder(50)).numbers == [-1] * 16
 
 
@@ -155,7 +155,7 @@ def test_a_sonar_reading_stays_until_the_next_check():
     assert run(program, cylinder(100)).numbers == [820, 720]
 
 
-def test_get_sn_tells_the_sonars_in_the_firing_order():
+def test_get_sn_reads_the_sonars_in_the_firing_order():
     program = f"""int s_order[6] = {{0, 1, 4, 12, 15, 255}};
         conf_sn(1, s_order);
         for (int i = 0; i < 40; i++) get_sn();
@@ -167,7 +167,7 @@ def test_get_sn_tells_the_sonars_in_the_firing_order():
     assert all(reading > 0 for reading in checked)
 
 
-def test_a_bumper_tells_1_while_the_robot_touches_something():
+def test_a_bumper_reads_1_during_contact():
     program = f"""get_bp(); printf("%ld ", State[STATE_BUMPER]);
         while (State[STATE_BUMPER] != 1) {{ pr(100, 100, 0); {STANDING} get_bp(); }}
         printf("%ld ", State[STATE_BUMPER]);
@@ -176,21 +176,21 @@ def test_a_bumper_tells_1_while_the_robot_touches_something():
 
 
 @pytest.mark.parametrize("side", [(30, 0), (0, 30), (-30, 0)])
-def test_a_bumper_on_any_side_tells_1(side: tuple[float, float]):
+def test_a_bumper_on_any_side_reads_1(side: tuple[float, float]):
     x_in, y_in = side
     turn = f"scout_pr(0, {-10 * round(math.degrees(math.atan2(y_in, x_in)))}); {STANDING}"
     program = f"{turn} pr(250, 0, 0); {STANDING} get_bp(); return State[STATE_BUMPER];"
     assert run(program, cylinder(x_in, y_in)).status == 1
 
 
-def test_the_heat_sensor_tells_the_heat_in_its_range():
+def test_the_heat_sensor_reads_the_heat_in_its_range():
     look = 'heatSensorCheck(); printf("%ld ", State[STATE_HEAT]);'
     assert run(look, cylinder(50, heat=1)).numbers == [1]
     assert run(look, cylinder(50, heat=0)).numbers == [0]
     assert run(look, cylinder(300, heat=1)).numbers == [0]
 
 
-def test_tag_target_takes_the_heat_away():
+def test_tag_target_removes_the_heat():
     program = """heatSensorCheck(); printf("%ld ", State[STATE_HEAT]);
         tagTarget(); printf("%ld ", State[STATE_HEAT]);
         heatSensorCheck(); printf("%ld\\n", State[STATE_HEAT]);"""
@@ -208,7 +208,7 @@ def test_tag_target_takes_the_heat_away():
         "1",
     ],
 )
-def test_connect_robot_takes_what_tables_and_appendix_give_it(arguments: str):
+def test_connect_robot_accepts_the_arguments_of_tables_and_appendix(arguments: str):
     names = """int ROBOT_ID = 1; int SERV_TCP_PORT = 7019;
         String SERVER_MACHINE_NAME = "procyon.cis.ksu.edu";"""
     program = f'{names} if (!connect_robot({arguments})) return 1; printf("%d\\n", vm(10));'

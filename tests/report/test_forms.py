@@ -60,7 +60,7 @@ def errors_in(source: str, tmp_path: Path, dialect: Dialect | None = "report") -
         (["int runcode() { int x = 3; struct { int a; } b = {1}; return b.a + x; }"], "report"),
     ],
 )
-def test_header_main_and_runcode_tell_the_dialect(
+def test_header_main_and_runcode_determine_the_dialect(
     sources: list[str], expected: str, tmp_path: Path
 ):
     paths = [tmp_path / f"part{number}.c" for number in range(len(sources))]
@@ -69,7 +69,7 @@ def test_header_main_and_runcode_tell_the_dialect(
     assert dialect_of(paths, OPTIONS) == expected
 
 
-def test_a_copy_of_the_vendors_header_tells_it_too(tmp_path: Path):
+def test_a_copy_of_the_vendors_header_determines_it_too(tmp_path: Path):
     (tmp_path / "Nclient.h").write_text("extern long State[45];\nint vm(int t, int s, int r);\n")
     (tmp_path / "robot.h").write_text('#include "Nclient.h"\n')
     path = tmp_path / "program.c"
@@ -77,7 +77,7 @@ def test_a_copy_of_the_vendors_header_tells_it_too(tmp_path: Path):
     assert dialect_of([path], OPTIONS) == "nomad"
 
 
-def test_files_that_are_none_are_left_to_others(tmp_path: Path):
+def test_files_that_are_not_c_are_left_to_others(tmp_path: Path):
     assert dialect_of([tmp_path / "missing.c", tmp_path], OPTIONS) == "nomad"
 
 
@@ -108,19 +108,19 @@ def test_parts_of_a_program_share_its_dialect(tmp_path: Path):
     assert not messages.messages
 
 
-def test_with_the_vendors_header_runcode_lives_by_the_vendors_rules():
+def test_with_the_vendors_header_runcode_follows_the_vendors_rules():
     source = '#include "Nclient.h"\nint runcode() { connect_robot(1); get_sn(); return State[17]; }'
     assert drive(source).status == 255
 
 
-def test_the_dialect_that_is_asked_for_prevails(tmp_path: Path):
+def test_the_requested_dialect_takes_precedence(tmp_path: Path):
     source = '#include "Nclient.h"\nint main(void) { sonarSensorCheck(); return State[17] == -1; }'
     assert drive(source, dialect="report").status == 1
     errors = errors_in("int runcode() { return STATE_HEAT; }", tmp_path, dialect="nomad")
     assert "'STATE_HEAT'" in errors[0]
 
 
-def test_a_program_without_a_beginning_is_told_so(tmp_path: Path):
+def test_a_program_without_an_entry_point_is_reported(tmp_path: Path):
     for dialect in (None, "nomad", "report"):
         assert "no function 'main'" in errors_in(PART, tmp_path, dialect)[0]
 
@@ -146,7 +146,7 @@ def test_a_body_returns_the_exit_status():
     assert body('if (!vm(0)) return(1);\nprintf("on\\n"); return(7);', status=7) == "on\n"
 
 
-def test_functions_before_and_behind_a_body_stand_outside():
+def test_functions_before_and_after_a_body_are_outside_it():
     source = """
         #include <math.h>
         struct point { double x, y; };
@@ -186,7 +186,7 @@ def test_a_body_may_be_empty_but_for_a_comment(tmp_path: Path):
     assert "no function 'main'" in errors_in("/* nothing yet */\n", tmp_path)[0]
 
 
-def test_mistakes_in_a_body_are_told_at_their_place(tmp_path: Path):
+def test_errors_in_a_body_are_reported_at_their_location(tmp_path: Path):
     source = "int speed = 10;\n\nwhile (1) {\n    pr(sped, 0, 0);\n}\n  st(1);\n"
     assert errors_in(source, tmp_path)[0] == (
         "4:8: use of undeclared identifier 'sped' (did you mean 'speed'?)"
@@ -206,9 +206,7 @@ def test_mistakes_in_a_body_are_told_at_their_place(tmp_path: Path):
         ("while (State[STATE BUMPER] != 1) { st(); }", "1:20: expected ']' before 'BUMPER'"),
     ],
 )  # fmt: skip
-def test_a_body_that_does_not_hold_together_is_told_where(
-    source: str, expected: str, tmp_path: Path
-):
+def test_syntax_errors_in_a_body_are_located(source: str, expected: str, tmp_path: Path):
     assert any(each.startswith(expected) for each in errors_in(source, tmp_path)), errors_in(
         source, tmp_path
     )

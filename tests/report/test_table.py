@@ -34,7 +34,7 @@ connect_robot disconnect_robot dp get_bp heatSensorCheck pr scout_pr sonarSensor
 """
 
 
-def test_the_table_has_what_the_header_declares_in_its_order_and_no_more() -> None:
+def test_the_table_lists_exactly_the_headers_declarations_in_order() -> None:
     assert sorted(each.prototype for each in COMMANDS) == sorted(
         " ".join(prototype.split()) for prototype, label in DECLARED if label != VM_OF_WHEELS
     )

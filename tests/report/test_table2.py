@@ -1,4 +1,4 @@
-"""Table 2 of the CRS report runs with nothing changed but what is not C in it.
+"""Table 2 of the CRS report runs with only its non-C parts changed.
 
 `table2.txt` is the excerpt as the report prints it, `samples/scout_c/report_table2.c` the sample.
 """
@@ -45,7 +45,7 @@ CHANGES = (
 
 
 def changed(changes: tuple[Change, ...]) -> list[str]:
-    """Return the excerpt with changes; lines of which nothing is left are left out in the sample."""
+    """Return the excerpt with changes; empty lines are dropped in the sample."""
     lines = list(EXCERPT)
     for change in changes:
         assert lines[change.line - 1].count(change.written) == 1
@@ -71,7 +71,7 @@ def test_each_change_is_needed(change: Change, tmp_path: Path) -> None:
     assert change.error in first.text
 
 
-def test_nothing_more_is_said_of_it() -> None:
+def test_there_are_no_other_diagnostics() -> None:
     messages = Diagnostics()
     build_executable([SAMPLE], messages, dialect="report")
     assert not messages.messages

@@ -45,7 +45,7 @@ def run(
     stdin: bytes = b"",
     robot: Robot | None = None,
 ) -> Outcome:
-    """Compile and runs a program to its end; the clock stands still but for its own sleeping."""
+    """Compile a program and run it to its end; time advances only while it sleeps."""
     outcome = Outcome()
     rest = bytearray(stdin)
     streams = {1: bytearray(), 2: bytearray()}

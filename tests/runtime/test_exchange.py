@@ -112,14 +112,14 @@ def test_every_kind_of_program_can_change_builds(path: Path) -> None:
     compare(both(path), 53)
 
 
-def test_changing_back_and_forth_makes_no_more_sandboxes(builds: list[Executable]) -> None:
+def test_changing_back_and_forth_creates_no_more_sandboxes(builds: list[Executable]) -> None:
     fleet = Fleet(builds[:1])
     for turn in range(10):
         fleet.exchange(0, builds[turn % 2])
     assert fleet._made == 3  # the driver, and one of each build
 
 
-def test_marks_come_along(builds: list[Executable]) -> None:
+def test_breakpoints_are_kept_when_builds_change(builds: list[Executable]) -> None:
     fleet = Fleet(builds[:1])
     fleet.marks[0][2] = 1
     fleet.exchange(0, builds[1])
@@ -129,7 +129,7 @@ def test_marks_come_along(builds: list[Executable]) -> None:
     assert np.flatnonzero(fleet.marks[0])[0] == 5
 
 
-def test_a_snapshot_made_in_one_build_goes_on_in_the_other(builds: list[Executable]) -> None:
+def test_a_snapshot_of_one_build_resumes_in_the_other(builds: list[Executable]) -> None:
     one, other = Moving(builds), Moving(builds[::-1])
     one.run(60)
     other.fleet.restore(0, one.fleet.snapshot(0))
@@ -140,7 +140,7 @@ def test_a_snapshot_made_in_one_build_goes_on_in_the_other(builds: list[Executab
     assert one.output == other.output
 
 
-def test_programs_are_added_and_taken_out_as_ever(builds: list[Executable]) -> None:
+def test_programs_can_be_added_and_removed_after_an_exchange(builds: list[Executable]) -> None:
     fleet = Fleet(builds[:1])
     fleet.add(builds[0])
     fresh = fleet.snapshot(1)

@@ -49,7 +49,7 @@ def run(fleet: Fleet, fuel: int = 1000) -> None:
     fleet.run_round()
 
 
-def test_only_robots_that_shall_run_are_resumed() -> None:
+def test_only_robots_marked_to_run_are_resumed() -> None:
     fleet = Fleet([counting_program()] * 5)
     fleet.slots["fuel"] = 1000
     fleet.slots["run"][[1, 4]] = 1
@@ -57,7 +57,7 @@ def test_only_robots_that_shall_run_are_resumed() -> None:
     assert fleet.slots["code"].tolist() == [0, CODES["EXIT"], 0, 0, CODES["EXIT"]]
 
 
-def test_a_loop_without_end_comes_back_when_its_fuel_is_used_up() -> None:
+def test_an_endless_loop_is_suspended_when_out_of_fuel() -> None:
     fleet = Fleet([wild_program(MEMORY_BYTES - 4, checked=False)])
     run(fleet, 500)
     assert fleet.slots["status"][0] == SUSPENDED
@@ -65,7 +65,7 @@ def test_a_loop_without_end_comes_back_when_its_fuel_is_used_up() -> None:
     assert -10 <= fleet.slots["fuel"][0] < 0
 
 
-def test_a_wild_read_is_named_and_stops_only_its_robot() -> None:
+def test_a_wild_read_is_reported_and_stops_only_its_robot() -> None:
     good = counting_program()
     fleet = Fleet([good, wild_program(MEMORY_BYTES - 3, checked=True), good])
     run(fleet)
@@ -76,7 +76,7 @@ def test_a_wild_read_is_named_and_stops_only_its_robot() -> None:
     assert failure.value == MEMORY_BYTES - 3
 
 
-def test_a_null_pointer_is_told_from_a_wild_one() -> None:
+def test_null_and_wild_pointers_are_distinguished() -> None:
     fleet = Fleet([wild_program(12, checked=True)])
     run(fleet)
     assert fleet.failure(0).kind == "null pointer"
@@ -91,13 +91,13 @@ def test_a_trap_stops_its_robot_alone_and_the_round_is_finished() -> None:
     assert ERROR_KINDS[fleet.slots["error_kind"][1]] == "pointer outside memory"
 
 
-def test_a_wild_access_without_checks_is_the_programs_fault_not_ours() -> None:
+def test_a_wild_access_in_an_unchecked_build_is_an_error_of_the_program() -> None:
     fleet = Fleet([wild_program(MEMORY_BYTES, checked=False)])
     run(fleet)
-    assert "without the checks of memory" in fleet.report(0).text
+    assert "without memory checks" in fleet.report(0).text
 
 
-def test_a_snapshot_goes_on_in_another_fleet() -> None:
+def test_a_snapshot_resumes_in_another_fleet() -> None:
     program = counting_program(rounds=1000)
     first, second = Fleet([program]), Fleet([program, program])
     run(first, 100)
@@ -124,12 +124,12 @@ def test_ten_thousand_robots_can_be_made() -> None:
     assert (fleet.slots["code"] == CODES["EXIT"]).all()
 
 
-def test_slots_do_not_reach_into_each_other() -> None:
+def test_slots_do_not_overlap() -> None:
     assert SLOT.itemsize == 384
     assert SLOT.fields["message"][1] + SLOT["message"].itemsize == SLOT.itemsize
 
 
-def test_a_slot_in_the_frame_survives_a_stop() -> None:
+def test_a_slot_in_the_frame_survives_suspension() -> None:
     slot, pointer, value = Slot("x", 4, 4), Register(0, "i32"), Register(1, "i32")
     entry, loop = Block("entry"), Block("loop")
     entry.instructions = [

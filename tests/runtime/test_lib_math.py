@@ -176,15 +176,15 @@ def check_floats(count: int) -> None:
     assert {n: found for n, found in worst.items() if found[0] > 0.5000001} == {}
 
 
-def test_functions_are_as_exact_as_promised() -> None:
+def test_functions_are_as_accurate_as_documented() -> None:
     check(100)
 
 
-def test_functions_for_float_are_rounded_correctly_or_nearly() -> None:
+def test_float_functions_are_correctly_or_faithfully_rounded() -> None:
     check_floats(60)
 
 
-def test_functions_are_as_exact_as_promised_at_many_points(
+def test_functions_are_as_accurate_as_documented_at_many_points(
     check_golden: Callable[[Path, bytes], None],
 ) -> None:
     worst = worst_errors(3000)
@@ -193,5 +193,5 @@ def test_functions_are_as_exact_as_promised_at_many_points(
     check_golden(MEASURED, "\n".join(["# function\tpromised\tmeasured [ulp]", *rows, ""]).encode())
 
 
-def test_functions_for_float_are_rounded_correctly_or_nearly_at_many_points() -> None:
+def test_float_functions_are_correctly_or_faithfully_rounded_at_many_points() -> None:
     check_floats(2000)

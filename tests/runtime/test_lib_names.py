@@ -45,11 +45,11 @@ FAMILIES = (
     "math/float.c", "math/float_exact.c", "math/long_double.c", "stdio/print", "stdio/scan",
     "wide/numbers.c",
 )  # fmt: skip
-"""Their functions stand on those of the same family, such as `expm1f` on `expm1`."""
+"""The functions are based on those of the same family, such as `expm1f` on `expm1`."""
 
 
 @pytest.mark.parametrize("name", PUBLIC)
-def test_each_header_compiles_alone_and_twice_without_a_word(name: str) -> None:
+def test_each_header_compiles_alone_and_twice_without_warnings(name: str) -> None:
     diagnostics = Diagnostics()
     text = f"#include <{name}>\n#include <{name}>\nint unit;\n"
     compile_text(text, "unit.c", library_options(), diagnostics)
@@ -98,7 +98,7 @@ def uses(name: str) -> set[str]:
     return found
 
 
-def test_sources_keep_to_the_projects_measures() -> None:
+def test_library_sources_respect_the_size_limits() -> None:
     for path in [*SOURCES.rglob("*.c"), *SOURCES.rglob("*.h")]:
         lines = path.read_text().splitlines()
         assert len(lines) <= 500, path

@@ -1,4 +1,4 @@
-"""The Nomadic client: what each call posts, what it takes from the reply, what it gives."""
+"""The Nomadic client: the request, the use of the reply and the result of each call."""
 
 from __future__ import annotations
 
@@ -133,7 +133,7 @@ def test_connection() -> None:
     assert posted == [("CONNECT", 1), ("DISCONNECT", 1), ("CONNECT", 2)]
 
 
-def test_a_server_that_is_gone() -> None:
+def test_calls_fail_when_the_server_is_gone() -> None:
     source = r"""
     #include <stdio.h>
     #include <Nclient.h>

@@ -10,7 +10,7 @@ def test_the_page_shows_what_was_measured() -> None:
     assert ACCURACY == MEASURED
 
 
-def test_measured_errors_keep_the_guarantees() -> None:
+def test_the_errors_on_the_page_are_within_the_documented_bounds() -> None:
     for line in MEASURED.read_text().splitlines()[1:]:
         name, promised, found = line.split("\t")
         assert float(found) <= float(promised), name

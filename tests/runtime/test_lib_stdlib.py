@@ -21,7 +21,7 @@ static unsigned below(unsigned n)      /* xorshift (G. Marsaglia, 2003) */
 """
 
 
-def test_blocks_keep_their_content_and_memory_is_used_again() -> None:
+def test_blocks_keep_their_content_and_memory_is_reused() -> None:
     source = (
         RANDOM
         + r"""
@@ -116,7 +116,7 @@ def test_the_end_of_memory_is_a_null_pointer() -> None:
     assert run(source).out.decode().split() == ["1"] * 5
 
 
-def test_misused_blocks_stop_the_program() -> None:
+def test_misuse_of_blocks_stops_the_program() -> None:
     misuses = (
         ("double free", "char *p = malloc(10); free(p); free(p);"),
         ("double free", "char *p = malloc(10); free(p); p = realloc(p, 0);"),
@@ -195,14 +195,14 @@ def test_qsort_is_stable_and_never_slow() -> None:
             assert int(next(counts)) <= n * math.ceil(math.log2(n or 1)) + 1
 
 
-def test_qsort_without_memory_is_never_slow_either() -> None:
+def test_qsort_is_fast_without_memory_too() -> None:
     counts = iter(run(SORT, ["full"]).out.decode().splitlines())
     for n in SIZES:
         for _ in range(7):
             assert int(next(counts)) <= 2 * n * math.ceil(math.log2(n or 1)) + 2
 
 
-def test_bsearch_finds_what_is_there() -> None:
+def test_bsearch_finds_existing_elements() -> None:
     source = (
         RANDOM
         + r"""
@@ -269,7 +269,7 @@ def test_integer_arithmetic() -> None:
     ]
 
 
-def test_random_numbers_without_a_seed_are_even_and_the_same_every_time() -> None:
+def test_unseeded_random_numbers_are_uniform_and_reproducible() -> None:
     source = r"""
     #include <stdio.h>
     #include <stdlib.h>

@@ -91,7 +91,7 @@ def test_input_by_lines_and_characters() -> None:
     assert outcome.out.decode() == expected
 
 
-def test_a_prompt_is_seen_before_input_is_read() -> None:
+def test_a_prompt_is_flushed_before_input_is_read() -> None:
     source = body('printf("name? "); getchar(); fprintf(stderr, "!"); abort();')
     assert run(source, stdin=b"x").out == b"name? "
 
@@ -105,7 +105,7 @@ def test_standard_output_is_line_buffered_and_setvbuf_changes_that() -> None:
     assert run(body(long)).out == b"ab" * 2048
 
 
-def test_what_cannot_be_opened_or_written_has_a_reason() -> None:
+def test_failed_opens_and_writes_set_errno() -> None:
     source = body(r"""
     FILE *file = fopen("map.txt", "r");
     if (file == NULL)
@@ -204,7 +204,7 @@ def test_clocks_follow_simulated_time() -> None:
     ]
 
 
-def test_lines_lie_in_place_until_the_next() -> None:
+def test_the_buffer_of_fgetln_lasts_until_the_next_call() -> None:
     source = body(
         "size_t n; char *line; while ((line = fgetln(stdin, &n)) != NULL)"
         ' printf("%u %.*s|", (unsigned)n, (int)n, line); printf("%u", (unsigned)n); return 0;'

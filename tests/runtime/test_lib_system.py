@@ -82,7 +82,7 @@ def test_an_alarm_without_handler_ends_the_program() -> None:
     assert outcome.err == b"signal 14 (Alarm clock) is not handled\n"
 
 
-def test_an_alarm_comes_while_the_robot_is_talked_to(tmp_path: Path) -> None:
+def test_an_alarm_interrupts_a_robot_call(tmp_path: Path) -> None:
     source = r"""
     #include "Nclient.h"
     #include <signal.h>
@@ -150,7 +150,7 @@ def test_waiting_for_input_is_a_sleep_and_output_is_ready() -> None:
     ]
 
 
-def test_the_time_is_read_as_before_gettimeofday() -> None:
+def test_the_time_functions_before_gettimeofday_work() -> None:
     source = r"""
     #include <sys/timeb.h>
     int main(void)
@@ -165,7 +165,7 @@ def test_the_time_is_read_as_before_gettimeofday() -> None:
     assert lines(source) == ["0 2 345 0"]
 
 
-def test_how_much_can_be_read_is_known() -> None:
+def test_fionread_reports_the_readable_bytes() -> None:
     source = r"""
     #include <fcntl.h>
     #include <sys/ioctl.h>
@@ -232,7 +232,7 @@ def test_memory_comes_by_the_page_and_a_file_as_a_copy() -> None:
     ]
 
 
-def test_what_a_sandbox_cannot_give_is_said_once() -> None:
+def test_unsupported_calls_are_reported_once() -> None:
     source = r"""
     #include <arpa/inet.h>
     #include <dirent.h>
@@ -305,7 +305,7 @@ def test_messages_begin_with_the_programs_name() -> None:
     ]
 
 
-def test_who_and_where_a_program_is() -> None:
+def test_user_host_and_folder_of_a_program() -> None:
     source = r"""
     #include <pwd.h>
     #include <sys/resource.h>

@@ -47,7 +47,7 @@ def test_tentative_definitions_become_one_object() -> None:
     assert whole.data["n"].content == b"\5\0\0\0"
 
 
-def test_the_larger_of_two_tentative_arrays_counts() -> None:
+def test_the_larger_of_two_tentative_arrays_wins() -> None:
     whole = linked("int n[2]; int main(void) { return n[0]; }", "int n[7];")
     assert whole.data["n"].size == 28
 
@@ -62,47 +62,47 @@ def test_the_users_definition_replaces_the_librarys() -> None:
     assert whole.functions["abs"].location.file == "a.c"
 
 
-def test_a_program_that_brings_the_vendors_client_is_warned() -> None:
+def test_redefining_the_vendors_client_is_warned_about() -> None:
     client = "int connect_robot(long id, ...)\n{ return id == 1; }"
     diagnostics = Diagnostics()
     linked('#include "Nclient.h"\nint main(void) { return connect_robot(1); }', client,
            diagnostics=diagnostics)  # fmt: skip
     (message,) = diagnostics.messages
     assert (message.severity, str(message.location)) == ("warning", "b.c:1:5")
-    assert "does not reach its simulated robot" in message.text
+    assert "cannot reach its simulated robot" in message.text
     assert "Ndirect.c" in message.hint
 
 
-def test_two_definitions_of_a_function_are_refused() -> None:
+def test_two_definitions_of_a_function_are_an_error() -> None:
     message = refusal("int main(void) { return 0; }", "\nint main(void) { return 1; }")
     assert message.text == "multiple definition of 'main'"
     assert message.location.line == 2
     assert "a.c:1" in message.hint
 
 
-def test_two_initialised_objects_are_refused() -> None:
+def test_two_initialised_objects_are_an_error() -> None:
     assert refusal("int n = 1; int main(void) { return n; }", "int n = 1;").text == (
         "multiple definition of 'n'"
     )
 
 
-def test_a_missing_function_is_told_with_its_place_and_a_suggestion() -> None:
+def test_an_undefined_function_is_reported_with_a_suggestion() -> None:
     message = refusal('int prinft(const char *, ...);\nint main(void) {\n  prinft("");\n}')
-    assert message.text == "'prinft' is used, but defined nowhere"
+    assert message.text == "'prinft' is used, but not defined"
     assert message.location.line == 3
     assert message.hint == "did you mean 'printf'?"
 
 
-def test_a_program_without_main_is_refused() -> None:
+def test_a_program_without_main_is_an_error() -> None:
     assert refusal("int f(void) { return 0; }").text == "the program has no function 'main'"
 
 
 @pytest.mark.parametrize("name", ["mian", "Main", "mainn"])
-def test_a_misspelt_main_is_shown(name: str) -> None:
+def test_a_misspelt_main_is_suggested(name: str) -> None:
     message = refusal(f"int f(void) {{ return 0; }}\nint {name}(void) {{ return 0; }}")
     assert message.text == "the program has no function 'main'"
     assert message.location.line == 2
-    assert message.hint == f"is '{name}' to be 'main'?"
+    assert message.hint == f"should '{name}' be 'main'?"
 
 
 def test_statics_of_one_name_in_two_files_are_two() -> None:

@@ -58,7 +58,7 @@ def program(tmp_path: Path) -> Path:
     return path
 
 
-def test_the_second_time_nothing_is_compiled_and_warnings_are_said_again(
+def test_a_cached_program_is_not_compiled_but_its_warnings_are_repeated(
     program: Path, compilations: list[str]
 ) -> None:
     first, second = Diagnostics(), Diagnostics()
@@ -93,7 +93,7 @@ def test_a_header_that_appears_in_an_earlier_folder_is_noticed(
     assert one.machine_code != two.machine_code
 
 
-def test_a_header_that_was_only_asked_for_is_noticed(
+def test_a_header_looked_up_by_has_include_is_tracked(
     program: Path, compilations: list[str]
 ) -> None:
     program.write_text(
@@ -126,7 +126,7 @@ def test_an_edit_while_it_is_compiled_is_noticed(
     assert len(compilations) == 2
 
 
-def test_only_warnings_of_the_same_build_are_said_again(
+def test_only_warnings_of_the_same_build_are_repeated(
     program: Path, compilations: list[str]
 ) -> None:
     first, second = Diagnostics(), Diagnostics()
@@ -136,7 +136,7 @@ def test_only_warnings_of_the_same_build_are_said_again(
     assert second.messages == first.messages[1:]
 
 
-def test_options_have_entries_of_their_own(program: Path, compilations: list[str]) -> None:
+def test_each_set_of_options_has_its_own_entry(program: Path, compilations: list[str]) -> None:
     build_executable([program], Diagnostics())
     build_executable([program], Diagnostics(), checked=False)
     build_executable([program], Diagnostics(), debug=True)
@@ -177,7 +177,7 @@ damages = pytest.mark.parametrize(
 
 
 @damages
-def test_a_damaged_entry_is_made_again(
+def test_a_corrupt_entry_is_rebuilt(
     program: Path, compilations: list[str], damaged: Callable[[bytes], bytes]
 ) -> None:
     one = build_executable([program], Diagnostics())
@@ -191,7 +191,7 @@ def test_a_damaged_entry_is_made_again(
 
 
 @damages
-def test_a_damaged_library_is_made_again(
+def test_a_corrupt_library_entry_is_rebuilt(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, damaged: Callable[[bytes], bytes]
 ) -> None:
     monkeypatch.setenv("CRS_CACHE", str(tmp_path / "cache"))
@@ -206,7 +206,7 @@ def test_a_damaged_library_is_made_again(
     assert again.name == "twice"
 
 
-def test_without_a_home_nothing_is_kept(
+def test_without_a_home_folder_nothing_is_cached(
     program: Path, compilations: list[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def nobody() -> Path:
@@ -221,7 +221,7 @@ def test_without_a_home_nothing_is_kept(
 
 
 @pytest.mark.parametrize("mode", [0o777, 0o720])
-def test_a_folder_that_others_can_write_is_not_used(
+def test_a_cache_folder_writable_by_others_is_not_used(
     program: Path, compilations: list[str], mode: int
 ) -> None:
     build_executable([program], Diagnostics())
@@ -233,7 +233,7 @@ def test_a_folder_that_others_can_write_is_not_used(
     assert {entry.name: entry.stat().st_mtime_ns for entry in folder.iterdir()} == before
 
 
-def test_a_folder_of_someone_else_is_not_used(
+def test_a_cache_folder_of_another_user_is_not_used(
     program: Path, compilations: list[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     build_executable([program], Diagnostics())
@@ -253,7 +253,7 @@ def test_an_entry_that_cannot_be_written_leaves_nothing_behind(
     assert list((tmp_path / "cache").iterdir()) == []
 
 
-def test_errors_of_all_files_are_told_at_once(tmp_path: Path) -> None:
+def test_errors_in_all_files_are_reported_at_once(tmp_path: Path) -> None:
     for name in ("a.c", "b.c"):
         (tmp_path / name).write_text("int f(void) { return missing; }\n")
     with pytest.raises(CompileError) as caught:
@@ -262,7 +262,7 @@ def test_errors_of_all_files_are_told_at_once(tmp_path: Path) -> None:
     assert files == ["a.c", "b.c"]
 
 
-def test_all_that_takes_part_in_compiling_is_in_the_fingerprint(tmp_path: Path) -> None:
+def test_the_fingerprint_covers_all_modules_used_to_compile(tmp_path: Path) -> None:
     program = tmp_path / "a.c"
     program.write_text("#include <stdio.h>\nint main(void) { puts(0); return *(int *)0; }\n")
     done = subprocess.run(

@@ -1,4 +1,4 @@
-"""The cache is bounded: the least recently used entries give way, whoever stores."""
+"""The cache is bounded: the least recently used entries are evicted, by any process."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def kept(folder: Path) -> set[int]:
 
 
 def age(folder: Path) -> None:
-    """Let what is there look as if an hour had passed: in a test all happens at once."""
+    """Make the entries an hour older: in a test everything happens at once."""
     for path in folder.iterdir():
         used_ns = path.stat().st_mtime_ns - 3600 * 10**9
         os.utime(path, ns=(used_ns, used_ns))
@@ -58,7 +58,7 @@ def test_the_cache_grew_without_end(folder: Path) -> None:
     assert 5 * SIZE < sum(entry.size for entry in stored_entries(folder)) <= 11 * SIZE
 
 
-def test_what_was_used_last_stays(folder: Path) -> None:
+def test_the_most_recently_used_entries_stay(folder: Path) -> None:
     store(*range(10))
     age(folder)
     assert is_stored(0)  # and so it is used
@@ -68,7 +68,7 @@ def test_what_was_used_last_stays(folder: Path) -> None:
     assert not {1, 2} & kept(folder)
 
 
-def test_neither_a_hit_nor_most_stores_look_through_the_folder(
+def test_neither_a_hit_nor_most_stores_scan_the_folder(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("CRS_CACHE_SIZE", str(1000 * SIZE))
@@ -108,7 +108,7 @@ def test_other_files_in_the_folder_are_left_alone(folder: Path) -> None:
     assert len(kept(folder)) > 5
 
 
-def test_what_a_killed_process_was_writing_gives_way_too(folder: Path) -> None:
+def test_temporary_files_of_killed_processes_are_evicted(folder: Path) -> None:
     folder.mkdir(mode=0o700)
     (folder / "crs-abcd1234.tmp").write_bytes(bytes(5 * SIZE))
     age(folder)
@@ -128,7 +128,7 @@ def test_processes_that_store_and_evict_at_once_do_not_disturb_each_other(folder
     assert 0 < len(names) <= 10 + 3
 
 
-def test_a_folder_that_cannot_be_looked_through_is_harmless(
+def test_an_unreadable_cache_folder_is_harmless(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def refuse(_path: object) -> None:
@@ -139,7 +139,7 @@ def test_a_folder_that_cannot_be_looked_through_is_harmless(
     assert not is_stored(1)
 
 
-def test_a_hit_in_a_folder_that_can_only_be_read_is_a_hit(
+def test_a_read_only_cache_folder_still_gives_hits(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def refuse(_path: object) -> None:

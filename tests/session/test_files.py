@@ -54,14 +54,14 @@ def test_a_name_of_the_longest_length_is_a_name() -> None:
     assert disk.open(b"f" * (NAME_MAX + 1), CREATE) == -files.ENAMETOOLONG
 
 
-def test_no_name_leads_outside_of_the_disk() -> None:
+def test_no_path_escapes_the_disk() -> None:
     disk = Disk({})
     for name in (b"../../etc/passwd", b"/etc/passwd", b"etc/./x/../passwd/"):
         assert disk.write(disk.open(name, CREATE), -1, b"x") > 0
     assert disk.outputs() == {b"etc/passwd": b"xxx"}
 
 
-def test_a_file_without_a_name_lives_as_long_as_it_is_open() -> None:
+def test_an_unlinked_file_exists_until_it_is_closed() -> None:
     disk = Disk({})
     for _ in range(3 * DISK_FILES):
         temporary, named = disk.open(b"", NAMELESS), disk.open(b"log", CREATE)
@@ -88,7 +88,7 @@ def test_the_disk_is_bounded() -> None:
     assert min(opened[: DISK_FILES - 10]) > 0
 
 
-def test_wrong_numbers_and_places_are_errors() -> None:
+def test_invalid_descriptors_and_offsets_are_errors() -> None:
     disk = Disk({})
     number = disk.open(b"a", CREATE)
     assert disk.close(99) == disk.write(99, 0, b"") == disk.resize(-1, 0) == -files.EBADF
@@ -98,7 +98,7 @@ def test_wrong_numbers_and_places_are_errors() -> None:
     assert disk.remove(b"b") == disk.rename(b"b", b"c") == -files.ENOENT
 
 
-def test_renaming_takes_another_files_place() -> None:
+def test_renaming_replaces_an_existing_file() -> None:
     disk = Disk({"old": b"input"})
     disk.write(disk.open(b"new", CREATE), 0, b"new")
     disk.open(b"d/x", CREATE)
@@ -111,7 +111,7 @@ def test_renaming_takes_another_files_place() -> None:
     assert sorted(disk.outputs()) == [b"d/x/y", b"old"]
 
 
-def test_the_null_device_takes_all_and_gives_nothing() -> None:
+def test_the_null_device_discards_writes_and_reads_nothing() -> None:
     disk = Disk({})
     number = disk.open(b"/dev/null", CREATE | TRUNCATE)
     assert disk.write(number, 0, b"gone") == 4
@@ -121,7 +121,7 @@ def test_the_null_device_takes_all_and_gives_nothing() -> None:
     assert disk.open(b"dev/null", 0) == number
 
 
-def test_a_snapshot_brings_everything_back() -> None:
+def test_a_snapshot_restores_everything() -> None:
     disk = Disk({"in": b"input"})
     number = disk.open(b"out", CREATE)
     disk.write(number, 0, b"first")
@@ -183,7 +183,7 @@ def test_each_robot_has_its_own_files_and_they_are_part_of_the_state(tmp_path: P
     assert begun.state_hash() != later.state_hash()
 
 
-def test_files_alone_make_two_states_differ(tmp_path: Path) -> None:
+def test_files_are_part_of_the_state_hash(tmp_path: Path) -> None:
     source = '#include <fcntl.h>\nint main(void) { return write(creat("%s", 0), "x", 1) < 0; }'
     hashes = set()
     for name in ("first", "other"):

@@ -64,7 +64,7 @@ def test_a_robot_joins_at_its_time(roam: Executable):
     assert 0 < session.fuel[1] < session.fuel[0]
 
 
-def test_a_time_between_two_timesteps_means_the_later_one(roam: Executable):
+def test_join_times_are_rounded_up_to_a_timestep(roam: Executable):
     session = run_to(begun(yard('join="0.51s" leave="0.98s"'), roam), 2.0)
     guest = session.result().robots[1]
     assert guest.joined_s == pytest.approx(0.55)
@@ -83,7 +83,7 @@ def test_a_robot_leaves_and_keeps_its_result(roam: Executable):
 
 
 @pytest.mark.parametrize("join_s", [0.0, 0.05, 1.0, 2.35])
-def test_by_file_and_by_call_is_the_same(roam: Executable, join_s: float):
+def test_joining_by_world_file_and_by_call_is_equivalent(roam: Executable, join_s: float):
     by_file = begun(yard(f'join="{join_s}s" leave="3s"'), roam)
     by_call = run_to(begun(yard(), roam), join_s)
     assert by_call.add_robot(GUEST, roam) == 1
@@ -98,7 +98,7 @@ def test_by_file_and_by_call_is_the_same(roam: Executable, join_s: float):
     assert by_file.state_hash() == by_call.state_hash()
 
 
-def test_noise_is_that_of_the_robots_number(roam: Executable):
+def test_noise_depends_on_the_robots_number(roam: Executable):
     text = """<world version="1"><area length="20m" width="4m"/>
     <robot id="home" x="1m" y="2m" setup="noisy"/></world>"""
     alone = parse_world(text.encode(), "yard", setup="noisy")
@@ -109,13 +109,13 @@ def test_noise_is_that_of_the_robots_number(roam: Executable):
     assert by_file.state_hash() == run_to(by_call, 1.5).state_hash()
 
 
-def test_who_joins_far_away_changes_nothing_for_the_others(roam: Executable):
+def test_a_robot_joining_far_away_does_not_affect_the_others(roam: Executable):
     alone, visited = begun(yard(), roam), begun(yard('join="1s" leave="2s"'), roam)
     results = [run_to(session, 4.0).result().robots[0] for session in (alone, visited)]
     assert results[0] == results[1]
 
 
-def test_an_absent_robot_is_nowhere(roam: Executable):
+def test_an_absent_robot_does_not_take_part(roam: Executable):
     """Home drives east through the place where another one joins later, and back, unhindered."""
     straight = """#include "Nclient.h"
     int main(void) { connect_robot(1); vm(200, 200, 0); ws(1, 1, 0, 9); return 0; }
@@ -133,8 +133,8 @@ def test_an_absent_robot_is_nowhere(roam: Executable):
     assert there.collisions == 0
 
 
-def test_a_taken_place_is_waited_for(roam: Executable):
-    """Sitter stands at the gate until it leaves; the guest, due before, comes in then."""
+def test_a_robot_waits_until_its_place_is_free(roam: Executable):
+    """The sitter is at the gate until it leaves; the guest, due before, joins then."""
     world = yard('join="0.5s"', '<robot id="sitter" x="18.8m" y="2m" leave="1.5s"/>')
     idle = build(Path(roam.name).parent, LOOP, "idle.c")
     session = run_to(Session(world, [roam, idle, roam]), 2.0)
@@ -142,15 +142,15 @@ def test_a_taken_place_is_waited_for(roam: Executable):
     assert sitter.left_s == guest.joined_s == 1.5
 
 
-def test_who_cannot_join_before_it_leaves_never_does(roam: Executable):
+def test_a_robot_blocked_until_its_leave_time_never_joins(roam: Executable):
     world = yard('join="0.5s" leave="1s"', '<robot id="sitter" x="18.8m" y="2m"/>')
     idle = build(Path(roam.name).parent, LOOP, "idle.c")
     guest = run_to(Session(world, [roam, idle, roam]), 2.0).result().robots[2]
     assert (guest.outcome, guest.joined_s, guest.left_s) == ("absent", None, 1.0)
 
 
-def test_a_run_waits_for_those_to_come(roam: Executable):
-    """When nobody runs and the place of the last one is taken it is over."""
+def test_a_run_continues_until_all_robots_have_joined(roam: Executable):
+    """The run ends when no program runs and the last robot's place stays occupied."""
     quiet = build(Path(roam.name).parent, "int main(void) { return 0; }\n", "quiet.c")
     session = Session(yard('join="1s"'), [quiet, quiet])
     steps = 1
@@ -166,7 +166,7 @@ def test_a_run_waits_for_those_to_come(roam: Executable):
     assert blocked.result().robots[2].outcome == "absent"
 
 
-def test_events_say_who_comes_and_goes(roam: Executable):
+def test_joins_and_leaves_are_events(roam: Executable):
     heard = []
 
     class Ear:
@@ -185,7 +185,7 @@ def test_events_say_who_comes_and_goes(roam: Executable):
     ]
 
 
-def test_snapshots_lead_across_joining_and_leaving(roam: Executable):
+def test_snapshots_work_across_joins_and_leaves(roam: Executable):
     """Back before the guest, forward again, and into a session that never knew of it."""
     session = run_to(begun(yard(), roam), 0.5)
     before = session.snapshot()
@@ -210,7 +210,7 @@ def test_snapshots_lead_across_joining_and_leaving(roam: Executable):
         assert run_to(other, 2.0).state_hash() == end
 
 
-def test_many_come_and_go(roam: Executable):
+def test_many_robots_join_and_leave(roam: Executable):
     """A queue at the gate: each comes in where the one before has left."""
     session = begun(yard(), roam)
     for number in range(12):
@@ -224,7 +224,7 @@ def test_many_come_and_go(roam: Executable):
     )
 
 
-def test_another_kind_of_robot_joins(roam: Executable, tmp_path: Path):
+def test_a_robot_of_another_model_joins(roam: Executable, tmp_path: Path):
     nomad = load_robot(Path(__file__).parents[2] / "crs_cc/sim/files/robots/nomad200.xml")
     session = run_to(begun(yard(), roam), 0.5)
     session.add_robot(replace(GUEST, model=nomad), roam)
@@ -261,7 +261,7 @@ def test_another_kind_of_robot_joins(roam: Executable, tmp_path: Path):
         ({"join_s": 5.0, "leave_s": 4.0}, "it leaves before it joins"),
     ],
 )
-def test_who_cannot_be_there_is_refused(roam: Executable, changes, reason: str):
+def test_a_robot_in_an_invalid_place_is_rejected(roam: Executable, changes, reason: str):
     session = run_to(begun(yard(), roam), 1.0)
     before = session.state_hash()
     with pytest.raises(ValueError, match=reason):
@@ -270,7 +270,7 @@ def test_who_cannot_be_there_is_refused(roam: Executable, changes, reason: str):
     assert len(session.result().robots) == 1
 
 
-def test_only_who_is_there_can_leave(roam: Executable):
+def test_only_a_present_robot_can_leave(roam: Executable):
     session = begun(yard('join="5s"'), roam)
     for robot in ("nobody", 2, -1):
         with pytest.raises(ValueError, match="unknown robot|no robot number"):
@@ -306,7 +306,7 @@ def test_a_waiting_robot_that_leaves_is_not_answered(roam: Executable):
     assert session.result().robots[1] == left
 
 
-def test_who_has_ended_before_it_leaves_has_exited(roam: Executable):
+def test_a_program_that_ends_before_its_robot_leaves_has_exited(roam: Executable):
     quiet = build(Path(roam.name).parent, "int main(void) { return 4; }\n", "quiet.c")
     guest = run_to(Session(yard('leave="0.5s"'), [roam, quiet]), 1.0).result().robots[1]
     assert (guest.outcome, guest.exit_status, guest.left_s) == ("exited", 4, 0.5)

@@ -34,7 +34,7 @@ def test_only_the_units_that_are_needed_are_compiled(
     assert len(list(tmp_path.iterdir())) == 1
 
 
-def test_a_name_defined_twice_is_our_mistake(
+def test_a_name_defined_twice_in_the_library_is_an_internal_error(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(library_module, "SOURCES", tmp_path)

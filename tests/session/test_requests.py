@@ -1,4 +1,4 @@
-"""Every request has somebody to answer it, units, and a function that posts it."""
+"""Every request has a handler, units, and a function that posts it."""
 
 from __future__ import annotations
 
@@ -46,5 +46,5 @@ def test_every_request_is_answered_and_described(row: Request, environment: Envi
         assert re.search(declaration, HEADERS, re.MULTILINE), function[1]
 
 
-def test_the_host_answers_nothing_else() -> None:
+def test_the_host_rejects_other_requests() -> None:
     assert set(Host([], discard, no_input)._serve) == HOST_CODES

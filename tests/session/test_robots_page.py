@@ -21,7 +21,7 @@ def blocks(language: str) -> list[str]:
     return re.findall(rf"```{language}\n(.*?)```", PAGE.read_text(), re.DOTALL)
 
 
-def test_all_that_the_page_shows_works(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+def test_the_examples_on_the_page_work(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.chdir(tmp_path)
     definition, world = blocks("xml")
     Path("cart.xml").write_text(definition)
@@ -36,6 +36,6 @@ def test_all_that_the_page_shows_works(tmp_path: Path, monkeypatch: pytest.Monke
     exec(example, names)
 
 
-def test_the_picture_is_there():
+def test_the_picture_exists():
     for name in re.findall(r"!\[[^]]*\]\(([^)]*)\)", PAGE.read_text()):
         assert (PAGE.parent / name).is_file()

@@ -39,7 +39,7 @@ def test_the_same_run_has_the_same_hash_in_another_process(tmp_path: Path) -> No
     assert found.stdout.decode().strip() == here
 
 
-def test_the_state_hash_sees_one_step_more(tmp_path: Path) -> None:
+def test_the_state_hash_changes_with_each_step(tmp_path: Path) -> None:
     roam = build(tmp_path, ROAM)
     assert (
         run(HALL, [roam, roam], STEPS).session.state_hash()
@@ -47,14 +47,14 @@ def test_the_state_hash_sees_one_step_more(tmp_path: Path) -> None:
     )
 
 
-def test_the_state_hash_sees_which_bytes_may_be_touched(tmp_path: Path) -> None:
+def test_the_state_hash_covers_the_shadow_memory(tmp_path: Path) -> None:
     session = run(HALL, [build(tmp_path, ROAM)] * 2, 1).session
     before, program = session.state_hash(), session.fleet.snapshot(0)
     session.fleet.restore(0, replace(program, shadow_chunks=program.shadow_chunks + 1))
     assert session.state_hash() != before
 
 
-def test_the_state_hash_sees_what_a_program_returned(tmp_path: Path) -> None:
+def test_the_state_hash_covers_the_exit_status(tmp_path: Path) -> None:
     session = run(HALL, [build(tmp_path, "int main(void) { return 3; }\n")] * 2, 1).session
     before, snapshot = session.state_hash(), session.snapshot()
     session.restore(replace(snapshot, exit_status=(3, 4)))
@@ -108,7 +108,7 @@ def test_sleep_takes_simulated_time_and_no_fuel(tmp_path: Path) -> None:
     assert recorded.session.timesteps == 51
 
 
-def test_a_command_takes_its_time_on_the_link(tmp_path: Path) -> None:
+def test_a_command_takes_transmission_time_on_the_link(tmp_path: Path) -> None:
     source = """
     #include "Nclient.h"
     int main(void) { int i; connect_robot(1); for (i = 0; i < 100; i++) gs(); return 0; }
@@ -126,7 +126,7 @@ def test_an_unknown_request_is_refused(tmp_path: Path) -> None:
     assert robot.exit_status == 3
 
 
-def test_a_run_goes_on_from_a_snapshot_in_a_fresh_session(tmp_path: Path) -> None:
+def test_a_snapshot_resumes_in_a_fresh_session(tmp_path: Path) -> None:
     roam = build(tmp_path, ROAM)
     first = run(HALL, [roam, roam], STEPS, seed=3).session
     snapshot = pickle.loads(pickle.dumps(first.snapshot()))
@@ -157,7 +157,7 @@ int main(void)
 """
 
 
-def test_messages_on_their_way_and_programs_that_wait_for_them_are_in_a_snapshot(
+def test_messages_in_transit_and_waiting_programs_are_in_a_snapshot(
     tmp_path: Path,
 ) -> None:
     talk = build(tmp_path, TALK)
@@ -191,7 +191,7 @@ int main(void)
 """
 
 
-def test_a_program_that_runs_says_where_it_is(tmp_path: Path) -> None:
+def test_the_current_call_of_a_running_program_is_known(tmp_path: Path) -> None:
     program = build(tmp_path, CALLS)
     session = run(HALL, [program, program], 0).session
     assert session.current_call(1) is None

@@ -60,7 +60,7 @@ def test_a_host_of_twice_the_speed_needs_half_the_time(tmp_path: Path) -> None:
     assert slow > 1_000_000 / 10  # at least one instruction each time round
 
 
-def test_reading_the_state_takes_its_bytes_on_the_line(tmp_path: Path) -> None:
+def test_reading_the_state_takes_transmission_time_for_its_bytes(tmp_path: Path) -> None:
     used = printed(empty_world(), tmp_path, ASK) / 100
     assert used == pytest.approx((6 + 48) * 10 / 38400 * 1e6, rel=0.02)
 
@@ -85,7 +85,7 @@ int main(void)
     ("request_name", "is_ideal"),
     [("LASER_PAGE", False), ("POS_DATA", False), ("CONNECT", False), ("GS", True)],
 )
-def test_a_request_that_is_not_on_the_line_costs_the_time_of_a_system_call(
+def test_a_request_off_the_link_costs_the_time_of_a_system_call(
     request_name: str, is_ideal: bool, tmp_path: Path
 ) -> None:
     trace = Requests()
@@ -116,7 +116,7 @@ int main(int argc, char **argv)
 """
 
 
-def test_programs_that_ask_for_time_together_get_what_each_gets_alone(tmp_path: Path) -> None:
+def test_time_requests_served_together_are_answered_as_if_alone(tmp_path: Path) -> None:
     program = build(tmp_path, TELL_TIME)
     own = [["p", str(number)] for number in (1, 2, 3, 3)]
     alone = [written([row], program)[0] for row in own]

@@ -23,7 +23,7 @@ int main(void) { connect_robot(1); pr(100, 50, 0); ws(1, 1, 0, 20); get_sn(); re
 """
 
 
-def test_each_timestep_says_command_slice_and_answers(tmp_path: Path) -> None:
+def test_a_trace_line_shows_command_slice_and_replies(tmp_path: Path) -> None:
     rows: list[str] = []
     trace = Trace(rows.append, ["scout"])
     session = Session(empty_world(), [build(tmp_path, SOURCE)], trace=trace)
@@ -47,7 +47,7 @@ int main(void) { connect_robot(1); vm(100, 100, 0); usleep(200000); get_rc(); re
 """
 
 
-def test_the_example_of_the_module_is_a_real_line(tmp_path: Path) -> None:
+def test_the_example_in_the_module_is_a_real_line(tmp_path: Path) -> None:
     rows: list[str] = []
     trace = Trace(rows.append, ["robot0"])
     session = Session(empty_world(), [build(tmp_path, EXAMPLE)], trace=trace)
@@ -64,7 +64,7 @@ int main(void) { int x, y; crs_gps(&x, &y); connect_robot(1); get_sn(); return 0
 """
 
 
-def test_answers_of_devices_and_what_else_happens_are_told_too(tmp_path: Path) -> None:
+def test_device_replies_and_events_are_traced(tmp_path: Path) -> None:
     rows: list[str] = []
     (tmp_path / "own.xml").write_text(
         (ROBOTS / "scout.xml").read_text().replace("<computer-b", "<gps/><computer-b", 1)
@@ -88,7 +88,7 @@ def test_answers_of_devices_and_what_else_happens_are_told_too(tmp_path: Path) -
     ]
 
 
-def test_an_event_is_one_line_whatever_it_says() -> None:
+def test_an_event_is_one_line_whatever_its_text() -> None:
     rows: list[str] = []
     step = Environment(empty_world(), seed=1).step()
     events = (Event(0.04, "message", "sent \n\x1b[2J", -1), Event(0.01, "light", "on", 0))

@@ -19,11 +19,11 @@ from crs_cc.debug.world.state_fields import StateField
 from crs_cc.ir.names import in_library
 from crs_cc.ir.program import ByteState
 from crs_cc.ir.types import LONG, ArrayType, CType, IntegerType
+from crs_cc.runtime.diagnosis.dead_frames import returned_local
 from crs_cc.runtime.diagnosis.diagnose import diagnose
 from crs_cc.runtime.diagnosis.inspect import Stopped
 from crs_cc.runtime.diagnosis.object_text import count, object_name
 from crs_cc.runtime.diagnosis.objects import Object
-from crs_cc.runtime.diagnosis.returned import returned_local
 from crs_cc.runtime.diagnosis.values import Style, Values, place_name
 from crs_cc.runtime.diagnosis.variables import Variables
 from crs_cc.runtime.layout import NULL_SIZE, STACK_TOP

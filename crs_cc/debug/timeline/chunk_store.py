@@ -27,7 +27,7 @@ from typing import Any, Final, cast
 import numpy as np
 
 from crs_cc.runtime.executable import Executable
-from crs_cc.runtime.pages import CHUNK
+from crs_cc.runtime.resident_pages import CHUNK
 from crs_cc.sim.model.world import WorldModel
 
 _HELD: Final = 112

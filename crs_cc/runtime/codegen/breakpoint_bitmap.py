@@ -1,20 +1,20 @@
-"""The marks of debug builds: a byte for each statement of the user's files, 1 to stop before it.
+"""The breakpoint map of debug builds: a byte for each statement in the user's files, 1 to stop.
 
-They lie in a memory of their own, behind what is watched (`runtime.watched`). Behind them are as
-many that are all set: to stop before every statement is to look there.
+It is in a memory of its own, after the watched ranges (`runtime.watch_ranges`), and followed by as
+many bytes that are all set, which are used for stepping.
 """
 
 from __future__ import annotations
 
 from crs_cc.requests import slot_offset
 from crs_cc.runtime.codegen.indices import BEGUN_GLOBAL, MAILBOX, MARKS_GLOBAL, SLOT_GLOBAL
-from crs_cc.runtime.codegen.watching import is_pending, stops
+from crs_cc.runtime.codegen.watchpoints import is_pending, stops
 from crs_cc.runtime.wasm import PAGE, UNLIKELY, Instr, Module
-from crs_cc.runtime.watched import WATCHED
+from crs_cc.runtime.watch_ranges import WATCHED
 
 
 def add_marks(module: Module, statements: int) -> None:
-    """Add the memory `marks` to a module with so many statements, and exports their count."""
+    """Add the memory `marks` to a module with a number of statements, and export their count."""
     first = WATCHED.itemsize + statements
     module.exports.append(("marks", "memory", len(module.memories) + 1))
     module.exports.append(("begun", "global", BEGUN_GLOBAL))
@@ -27,9 +27,9 @@ def stop_if_marked(marks: int, number: int, suspend: list[Instr], *, watching: b
 
     Args:
         marks: index of the memory of the marks.
-        number: the statement's.
-        suspend: leaves the function.
-        watching: stop, too, where something that is watched was accessed.
+        number: the number of the statement.
+        suspend: code that leaves the function.
+        watching: stop also after an access to a watched range.
     """
     return [
         ("global.get", MARKS_GLOBAL), ("i32.load8_u", marks, WATCHED.itemsize + number), UNLIKELY,
@@ -43,7 +43,7 @@ def stop_if_marked(marks: int, number: int, suspend: list[Instr], *, watching: b
 
 
 def begin() -> list[Instr]:
-    """Count a statement that begins."""
+    """Return the code that counts a statement."""
     return [
         ("global.get", BEGUN_GLOBAL), ("i64.const", 1), ("i64.add",),
         ("global.set", BEGUN_GLOBAL),

@@ -1,7 +1,7 @@
-"""Tests before arithmetic that may have no result in C: shifts, and signed overflow on demand.
+"""Checks of arithmetic that may be undefined in C: shifts, and optionally signed overflow.
 
-Shifts wrap in WebAssembly, as on i386, and signed numbers wrap around; a program that relies on
-the latter is an old and honest one, so that overflow is only stopped when it is asked for.
+Shifts wrap in WebAssembly, as on i386, and signed numbers wrap around; old programs rely on
+the latter, so that overflow only stops a program if that is requested.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ _SHIFTS: Final = frozenset({"shl", "shr_s", "shr_u"})
 
 
 class CheckedArithmetic:
-    """Writes the tests of one function.
+    """Writes the checks of one function.
 
     Attributes:
         traps_overflow: whether signed overflow stops the program.
@@ -32,11 +32,11 @@ class CheckedArithmetic:
         self._most: dict[Register, int] = {}
 
     def forget(self) -> None:
-        """Drop what is known, where code from elsewhere joins."""
+        """Discard known facts at a join of control flow."""
         self._most.clear()
 
     def before(self, it: Instruction) -> None:
-        """Test the operands of an operation."""
+        """Check the operands of an operation."""
         if not isinstance(it, Binary) or not it.checked:
             return
         kind, _, op = it.op.partition(".")
@@ -48,7 +48,7 @@ class CheckedArithmetic:
             self._product(it, kind)
 
     def follow(self, it: Instruction) -> None:
-        """Takes note of results that are surely small."""
+        """Note results that are known to be small."""
         target = writes(it)
         if target is None:
             return
@@ -78,9 +78,9 @@ class CheckedArithmetic:
             self._fail_if("shift out of range", it, value)
 
     def _sum(self, it: Binary, kind: str, op: str) -> None:
-        """Test whether a sum has another sign than both operands (Warren, Hacker's Delight 2-13).
+        """Check whether a sum differs in sign from both operands (Warren, Hacker's Delight 2-13).
 
-        For a difference the second operand counts with the opposite sign.
+        For a difference the second operand is taken with the opposite sign.
         """
         left, right = self.writer.value(it.left), self.writer.value(it.right)
         result = [left, right, (f"{kind}.{op}",)]
@@ -105,7 +105,7 @@ class CheckedArithmetic:
 
 
 def product_fits() -> Code:
-    """`product_fits(left, right)`: whether the product of two i64 is one, by dividing it again."""
+    """`product_fits(left, right)`: whether the product of two i64 fits, checked by division."""
     left, right = 0, 1
     body = [
         ("local.get", left), ("i64.eqz",), ("if",), ("i32.const", 1), ("return",), ("end",),

@@ -1,11 +1,11 @@
-"""Access to memory with a test by the shadow memory before each access that is not surely right.
+"""Checked memory access: the shadow memory is tested before each access not known to be valid.
 
-What is known needs no test: a constant place in an object that the function knows by name, and
+Known facts need no test: a constant offset in an object that is named, and
 whatever was tested before in the same block and cannot have changed since. Only allocation, calls
-and the ends of scopes take bytes away, and only copies of bytes without a value take values away.
+and ends of scopes make bytes inaccessible, and only copies of uninitialised bytes make them so.
 
-A value that is loaded only to be stored elsewhere is not judged: it takes its state along. So
-`t = a[i]; a[i] = a[j]; a[j] = t` works on bytes that have no value yet, as it does in C.
+A value that is loaded only to be stored elsewhere is not checked: its state is copied with it. So
+`t = a[i]; a[i] = a[j]; a[j] = t` works on uninitialised bytes, as it does in C.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from crs_cc.ir.program import (
 )
 from crs_cc.requests import slot_offset
 from crs_cc.runtime.codegen import indices, shadow
-from crs_cc.runtime.codegen.deferred_checks import Carried
+from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
 from crs_cc.runtime.codegen.indices import (
     ADDRESS,
     MAILBOX,
@@ -43,25 +43,25 @@ from crs_cc.runtime.codegen.indices import (
     STATES,
     WIDE_STATES,
 )
-from crs_cc.runtime.codegen.locations import Places, Proved
 from crs_cc.runtime.codegen.plain_memory import PlainMemory
+from crs_cc.runtime.codegen.value_numbering import Places, Proved
 from crs_cc.runtime.codegen.writer import LOADS, STORES, Writer
 from crs_cc.runtime.layout import NULL_SIZE
 from crs_cc.runtime.sites import Access, Site
 from crs_cc.runtime.wasm import UNLIKELY, Instr
 
 _At: TypeAlias = tuple[Instr, int]
-"""An instruction that pushes an address, and the offset to use with it."""
+"""An instruction that pushes an address, and the static offset to use with it."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Given:
-    """The states of what is stored, as code.
+    """The states of a stored value, as code.
 
     Attributes:
-        states: pushes them.
-        joined: combines them with those on the stack, so that all is well if both are.
-        doubt: makes the i32 on the stack not zero if what is stored may have no value.
+        states: code that pushes them.
+        joined: code that combines them with those on the stack, valid if both are.
+        doubt: code that makes the i32 on the stack not zero if the value may be uninitialised.
     """
 
     states: list[Instr]
@@ -70,37 +70,37 @@ class _Given:
 
     @property
     def is_sure(self) -> bool:
-        """Return whether what is stored surely has a value."""
+        """Return whether the value is known to be initialised."""
         return len(self.states) == 1 and not self.joined
 
 
 class CheckedMemory(PlainMemory):
-    """Writes accesses with their tests.
+    """Writes checked accesses.
 
     Attributes:
-        carried: which loads take states along, and where to.
-        assignments: which variables in registers may have no value.
+        deferred: the loads whose states are copied, and their targets.
+        assignments: the variables in registers that may be uninitialised.
     """
 
-    def __init__(self, writer: Writer, carried: Carried, assignments: Assignments) -> None:
+    def __init__(self, writer: Writer, deferred: DeferredChecks, assignments: Assignments) -> None:
         super().__init__(writer, shadowed=True)
-        self.carried = carried
+        self.deferred = deferred
         self.assignments = assignments
         self.places = Places()
         self.proved = Proved()
         self._taken: set[Register] = set()
 
     def forget(self) -> None:
-        """Drop what is known, where code from elsewhere joins."""
+        """Discard known facts at a join of control flow."""
         self.places.forget()
         self.proved.forget()
 
     def follow(self, it: Instruction) -> None:
-        """Takes note of what an instruction has written."""
+        """Update known facts after an instruction."""
         self.places.follow(it)
 
     def before(self, it: Instruction) -> None:
-        """Test whether the registers that an instruction reads have values, and notes changes."""
+        """Check that the registers read by an instruction are initialised, and update the flags."""
         writer, found = self.writer, self.assignments
         for register, variable in found.tests.get(it, ()):
             writer.code += [writer.value(found.flags[register]), ("i32.eqz",)]
@@ -115,7 +115,7 @@ class CheckedMemory(PlainMemory):
     # -- what is known -----------------------------------------------------------------------
 
     def _inside(self, base: Base, offset: int, size: int) -> bool:
-        """Return whether an access surely lies in an object that is known by name."""
+        """Return whether an access is known to be inside a named object."""
         match base:
             case Slot() if base is not VARARGS:
                 return offset >= 0 and offset + size <= base.size
@@ -139,9 +139,9 @@ class CheckedMemory(PlainMemory):
     # -- tests -------------------------------------------------------------------------------
 
     def place(self, base: Base, offset: int) -> tuple[Instr, int]:
-        """Return an instruction that pushes an address, and the offset to use with it.
+        """Return an instruction that pushes an address, and the static offset to use with it.
 
-        A pointer that was never tested may wrap around when the offset is added.
+        A pointer that was not checked may wrap around when the offset is added.
         """
         writer = self.writer
         if not isinstance(base, Register) or offset == 0:
@@ -153,7 +153,7 @@ class CheckedMemory(PlainMemory):
         return ("local.get", ADDRESS), 0
 
     def _test(self, states: list[Instr], test: list[Instr], site: Site, at: _At) -> None:
-        """Stop the program if `test` finds fault with the states that are pushed."""
+        """Stop the program if `test` fails on the pushed states."""
         push, offset = at
         blamed = [push, ("i32.const", offset), ("i32.add",)] if offset else [push]
         self.writer.code += [*states, *test]
@@ -178,13 +178,13 @@ class CheckedMemory(PlainMemory):
         at = push, offset = self.place(it.base, it.offset)
         site = Site("memory", it.location, "read", size)
         found = [push, shadow.load(size, offset)]
-        copied, flag = self.carried.states_of(it), self.carried.flag_of(it)
+        copied, flag = self.deferred.states_of(it), self.deferred.flag_of(it)
         if copied is not None:
             self.writer.code += found
             self.writer.pop(copied)
             self._taken.add(copied)
             found = [self.writer.value(copied)]
-        unjudged = it.unjudged or copied is not None or self.carried.is_unused(it)
+        unjudged = it.unjudged or copied is not None or self.deferred.is_unused(it)
         if flag is not None:
             self._raise(flag, found, site, None if accessible else at)
         elif not unjudged:
@@ -195,13 +195,13 @@ class CheckedMemory(PlainMemory):
         self._load(it, at)
 
     def _raise(self, flag: Register, found: list[Instr], site: Site, at: _At | None) -> None:
-        """Raise a flag if the states that are found tell of a missing value.
+        """Set a flag if the states loaded include an uninitialised byte.
 
         Args:
             flag: the flag.
-            found: pushes the states.
-            site: whom to blame if the bytes are inaccessible.
-            at: where they are; None when they surely are accessible.
+            found: code that pushes the states.
+            site: the site to report if the bytes are inaccessible.
+            at: their address; None if they are known to be accessible.
         """
         writer = self.writer
         if flag not in self._taken:
@@ -234,10 +234,10 @@ class CheckedMemory(PlainMemory):
         code += [push, self.writer.value(it.source), (STORES[it.memory], MEMORY, offset)]
 
     def _given(self, it: Store, size: int) -> _Given:
-        """Return the states of what is stored."""
+        """Return the states of the stored value."""
         value = shadow.repeated(ByteState.WITH_VALUE, size)
         none = shadow.repeated(ByteState.WITHOUT_VALUE, size)
-        copied, flag = self.carried.copied_by(it), self.carried.computed_for(it)
+        copied, flag = self.deferred.copied_by(it), self.deferred.computed_for(it)
         assigned = self.assignments.stored.get(it)
         if copied in self._taken:
             states = self.writer.value(self._last_use(copied, it))
@@ -252,17 +252,17 @@ class CheckedMemory(PlainMemory):
         return _Given([value])
 
     def _last_use(self, register: Register | None, it: Store) -> Register:
-        """Return a register with states, or a flag, and lets it go when it is not used again."""
+        """Return a register with states, or a flag, and release it at its last use."""
         assert register is not None
-        if self.carried.is_last(it, register):
+        if self.deferred.is_last(it, register):
             self._taken.discard(register)
             self.writer.release(register)
         return register
 
     def _test_store(self, it: Store, at: _At, given: _Given) -> None:
-        """Test an address and sets the states of what is stored there.
+        """Check an address and set the states of the value stored there.
 
-        Where bytes had values and get values, as nearly always, there is but one test.
+        In the common case, initialised before and after, there is a single test.
         """
         size, code = MEMORY_SIZE[it.memory], self.writer.code
         push, offset = at
@@ -276,7 +276,7 @@ class CheckedMemory(PlainMemory):
     def check_range(
         self, address: Operand, size: Operand, location: Location, access: Access
     ) -> None:
-        """Stop the program unless `size` bytes at `address` are accessible."""
+        """Check that `size` bytes at `address` are accessible."""
         if isinstance(size, Constant) and isinstance(address, Register):
             where, length = self.places.of(address, 0), int(size.value)
             if length == 0 or self._accessible(address, 0, length):
@@ -293,7 +293,7 @@ class CheckedMemory(PlainMemory):
         writer.code.append(("end",))
 
     def copy(self, it: Copy) -> None:
-        """Write a `memmove`; values and their absence go along."""
+        """Write a `memmove`, which copies states too."""
         self.check_range(it.target, it.size, it.location, "write")
         self.check_range(it.source, it.size, it.location, "read")
         super().copy(it)
@@ -308,11 +308,11 @@ class CheckedMemory(PlainMemory):
             self.proved.add(where, int(it.size.value), valued=True)
 
     def check_message(self, address: Operand, size: Operand, location: Location) -> None:
-        """Stop the program unless a message to the world outside is accessible."""
+        """Check that the message of a request is accessible."""
         self.check_range(address, size, location, "read")
 
     def lifetime(self, it: Lifetime) -> None:
-        """Begin or ends an object in a slot."""
+        """Start or end the lifetime of an object in a slot."""
         state = ByteState.WITHOUT_VALUE if it.begins else ByteState.INACCESSIBLE
         offset = self.writer.frame.offsets[it.slot]
         self.writer.code += shadow.fill(("local.get", SP), offset, it.slot.size, state)

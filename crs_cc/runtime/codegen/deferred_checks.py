@@ -1,14 +1,14 @@
-"""Finds loads whose value decides nothing: within its block it only goes into other places.
+"""Find loads whose check can be deferred: within the block the value is only stored elsewhere.
 
-Such a load is not judged; whoever looks at the value later is. There are two kinds.
+Such a load is not checked; a later use of the value is. There are two kinds.
 
-- A copy: the value is stored as it is, in the same width. The states of its bytes are stored with
-  it, so that a loop which copies a struct byte by byte, or swaps two elements, loses nothing.
-- A computation: the value goes through arithmetic into stores, as in `p->count++`. A flag tells
-  whether some value was missing; what is stored then has no value either.
+- A copy: the value is stored unchanged, in the same width. The states of its bytes are stored with
+  it, so that a loop which copies a struct byte by byte, or swaps two elements, is exact.
+- A computation: the value is stored after arithmetic, as in `p->count++`. A flag is set
+  if an operand was uninitialised; the stored value is then uninitialised too.
 
-A value that reaches a branch, an address, a comparison, a division, a call, or that lives on behind
-the block, is judged where it is loaded.
+A value that reaches a branch, an address, a comparison, a division, a call, or that is live after
+the block, is checked where it is loaded.
 """
 
 from __future__ import annotations
@@ -33,20 +33,20 @@ from crs_cc.runtime.codegen import shadow
 from crs_cc.runtime.codegen.registers import CHARGES
 
 _ARITHMETIC: Final = frozenset({"add", "sub", "mul", "and", "or", "xor", "shl", "shr_s", "shr_u"})
-_NO_INDEX: Final = -1  # the registers made here are not the IR function's
+_NO_INDEX: Final = -1  # for registers that are not the IR function's
 
 Loads: TypeAlias = "dict[Load, None]"
-"""A set of loads, in order."""
+"""An ordered set of loads."""
 
 
 @dataclass(slots=True)
 class _Flow:
-    """What is found out about one block.
+    """The data flow of one block.
 
     Attributes:
-        values: the loads that each register's value is made of, and whether it is one as it was.
-        stores: where the value of each load is stored.
-        judged: the loads whose value decides something.
+        values: the loads that each register's value depends on, and whether it is a copy.
+        stores: the stores of each load's value.
+        judged: the loads that must be checked.
     """
 
     values: dict[Register, tuple[Loads, bool]] = field(default_factory=dict)
@@ -87,22 +87,22 @@ class _Flow:
                 self.changed.add(load)
 
     def end(self, alive: int) -> None:
-        """Judge what lives on behind the block."""
+        """Check the values that are live after the block."""
         for register, (loads, _) in self.values.items():
             if alive >> register.index & 1:
                 self.judged.update(loads)
 
 
-class Carried:
-    """The loads of a function that are not judged, and the stores that they lead to.
+class DeferredChecks:
+    """The loads of a function whose checks are deferred, and the stores of their values.
 
     Attributes:
-        registers: what holds states and flags between load and store.
-        charge: what a frame must count for the most of them at once, see `registers` [bytes].
+        registers: the registers that hold states and flags between load and store.
+        charge: the frame's charge for the maximum live at once, see `registers` [bytes].
     """
 
     def __init__(self, function: Function, liveness: Liveness, *, keep: bool) -> None:
-        """Look through all blocks; `keep` when the program may stop within one."""
+        """Analyse all blocks; `keep` if the program may stop within one."""
         self.registers: list[Register] = []
         self._keep = keep
         self._states: dict[Load, Register] = {}
@@ -118,28 +118,28 @@ class Carried:
         self.charge = max(map(self._most, function.blocks), default=0)
 
     def states_of(self, load: Load) -> Register | None:
-        """Return the register that takes the states of what is loaded, if it is copied."""
+        """Return the register for the states of a loaded value, if it is copied."""
         return self._states.get(load)
 
     def flag_of(self, load: Load) -> Register | None:
-        """Return the flag that tells of a missing value, if the value is computed with."""
+        """Return the flag for an uninitialised value, if it is used in a computation."""
         return self._flags.get(load)
 
     def copied_by(self, store: Store) -> Register | None:
-        """Return the register with the states of what is stored, if that is a copy."""
+        """Return the register with the states of the stored value, if it is a copy."""
         load = self._copies.get(store)
         return None if load is None else self._states[load]
 
     def computed_for(self, store: Store) -> Register | None:
-        """Return the flag that tells whether what is stored was made of a missing value."""
+        """Return the flag that is set if the stored value depends on an uninitialised one."""
         return self._computed.get(store)
 
     def is_last(self, store: Store, register: Register) -> bool:
-        """Return whether states or a flag are not needed behind a store."""
+        """Return whether a store is the last use of states or a flag."""
         return not self._keep and self._last[register] is store
 
     def is_unused(self, load: Load) -> bool:
-        """Return whether nobody looks at the loaded value."""
+        """Return whether the loaded value is unused."""
         return load in self._unused
 
     def _find(self, block: Block, alive: int) -> None:
@@ -165,7 +165,7 @@ class Carried:
         self._last[states] = stores[-1]
 
     def _compute(self, load: Load, stores: list[Store]) -> None:
-        """Return the load a flag, together with the other loads that go into the same stores."""
+        """Assign a flag to a load, shared with the other loads that reach the same stores."""
         computed = [self._computed[each] for each in stores if each in self._computed]
         shared = list(dict.fromkeys(map(self._representative, computed)))
         if shared:
@@ -178,7 +178,7 @@ class Carried:
         self._computed.update(dict.fromkeys(stores, flag))
 
     def _representative(self, flag: Register) -> Register:
-        """Return the flag that a flag was joined into, and shortens the way to it (union-find)."""
+        """Return the representative of a flag (union-find with path compression)."""
         end = flag
         while end in self._joined:
             end = self._joined[end]
@@ -187,7 +187,7 @@ class Carried:
         return end
 
     def _resolve(self, function: Function) -> None:
-        """Put the flags that are left everywhere, and notes the last store of each."""
+        """Replace all flags by their representatives, and note the last store of each."""
         self.registers = [each for each in self.registers if each not in self._joined]
         self._flags = {load: self._representative(flag) for load, flag in self._flags.items()}
         for block in function.blocks:
@@ -197,7 +197,7 @@ class Carried:
                     self._last[flag] = it
 
     def _most(self, block: Block) -> int:
-        """Return the charge for the states and flags of a block that live at once [bytes]."""
+        """Return the maximum charge for the states and flags of a block live at once [bytes]."""
         size = most = 0
         alive: set[Register] = set()
         for it in block.instructions:
@@ -216,12 +216,12 @@ class Carried:
 
 
 def _is_shift(it: Binary) -> bool:
-    """Return whether an operation tests its right operand, see `checked_arithmetic`."""
+    """Return whether the right operand of an operation is checked, see `checked_arithmetic`."""
     return it.checked and it.op.partition(".")[2] in {"shl", "shr_s", "shr_u"}
 
 
 def _passes_on(it: Instruction) -> bool:
-    """Return whether an instruction makes a value of others without deciding anything by them."""
+    """Return whether an instruction propagates uninitialised operands to its result."""
     if isinstance(it, Binary):
         kind, _, op = it.op.partition(".")
         return op in _ARITHMETIC or (kind in {"f32", "f64"} and op in {"div", "copysign"})

@@ -1,11 +1,11 @@
-"""Makes every loop enterable at one node only, and every landing reachable from the entry.
+"""Make every loop reducible, and every landing reachable from the entry.
 
-A place where a function can be resumed is a `Landing`. A loop with landings inside gets a
-dispatcher as its new first node: it looks at the local `label` and goes to the landing that it
-names, or, when it is 0, on to the old first node. The function's entry dispatches in the same way,
-so a resumed call walks from dispatcher to dispatcher down to its landing. A loop that `goto` enters
-at several nodes is treated likewise: each jump to it sets `label` and goes to the dispatcher.
-Loops without landings stay as they are: the price is paid only at loops around calls.
+A point at which a function can be resumed is a `Landing`. A loop that contains landings is given a
+dispatcher as its new header: it jumps to the landing whose number is in the local `label`,
+or, when that is 0, to the old header. The function's entry dispatches in the same way,
+so a resumed call passes from dispatcher to dispatcher to its landing. A loop that `goto` enters
+at several nodes is treated alike: each jump to it sets `label` and goes to the dispatcher.
+Loops without landings are unchanged: only loops around calls pay for dispatch.
 """
 
 from __future__ import annotations
@@ -13,18 +13,18 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Final
 
-from crs_cc.runtime.codegen.flow import LANDING, Landing, Node
+from crs_cc.runtime.codegen.flow_graph import LANDING, Landing, Node
 
 MOST_NESTED_LOOPS: Final = 16
-"""Loops nested deeper, which only a tangle of jumps back makes, become one flat dispatcher.
+"""Loops nested deeper, which only irreducible jumps create, become one flat dispatcher.
 
-It keeps the work in proportion to the size of the function.
+It keeps the work linear in the size of the function.
 """
 
 
 @dataclass(slots=True, eq=False)
 class _Dispatcher:
-    """A table node under construction: the landings and dispatchers that it leads to, in order."""
+    """A table node under construction: its landings and dispatchers, in order."""
 
     node: Node
     default: Node
@@ -34,14 +34,14 @@ class _Dispatcher:
 def add_dispatchers(
     again: Node, start: Node, landings: list[Landing], label: int, damaged: Node
 ) -> None:
-    """Make `again` lead to the landings, and every loop enterable at one node only.
+    """Connect `again` to the landings, and make every loop reducible.
 
     Args:
-        again: a node without an exit, where a function that was suspended begins.
-        start: where a fresh call begins; no node of its graph may jump there.
-        landings: the places to resume at; they get their numbers here.
-        label: index of the i32 local that carries the number, 0 on all other ways.
-        damaged: where a number goes that no landing has.
+        again: a node without an exit, where a suspended function resumes.
+        start: the entry of a fresh call; no node of its graph may jump there.
+        landings: the points of resumption; they are numbered here.
+        label: index of the i32 local that holds the number, 0 on all other paths.
+        damaged: the target for a number that no landing has.
     """
     root = _Dispatcher(again, damaged, list(landings))
     _Loops(root, start, label).run()
@@ -50,7 +50,7 @@ def add_dispatchers(
 
 
 class _Loops:
-    """Finds loops from the outside in, and gives a dispatcher to each that needs one."""
+    """Finds loops from the outside in, and adds a dispatcher to each that needs one."""
 
     def __init__(self, root: _Dispatcher, start: Node, label: int) -> None:
         self.label = label
@@ -67,7 +67,7 @@ class _Loops:
                 self.predecessors[target].append(node)
 
     def run(self) -> None:
-        """Work through the regions of the graph, each a list of nodes without its loop header."""
+        """Process the regions of the graph, each a list of nodes without its loop header."""
         regions = [(self.nodes, 0)]
         while regions:
             region, depth = regions.pop()
@@ -76,7 +76,7 @@ class _Loops:
                 regions.append(([node for node in component if node is not header], depth + 1))
 
     def loop(self, component: list[Node], depth: int) -> Node:
-        """Return the one node at which the loop may be entered; makes one when there are several."""
+        """Return the header of the loop; create one if it has several entries."""
         inside = set(component)
         heads = [node for node in component if self._entered(node, inside)] or component[:1]
         if depth >= MOST_NESTED_LOOPS:
@@ -99,7 +99,7 @@ class _Loops:
         return any(source not in inside for source in self.predecessors[node])
 
     def _adopt(self, dispatcher: _Dispatcher, landings: list[Landing]) -> None:
-        """Move landings from their owner, the loop around, to `dispatcher` in their place."""
+        """Move landings from their owner, the enclosing loop, to `dispatcher`."""
         owner = self.owner[landings[0]]
         moved = set(landings)
         place = owner.children.index(landings[0])
@@ -109,7 +109,7 @@ class _Loops:
         self.owner.update(dict.fromkeys(landings, dispatcher))
 
     def _detour(self, head: Node, dispatcher: _Dispatcher, inside: set[Node]) -> None:
-        """Send all jumps to `head` through the dispatcher, setting the label on the way."""
+        """Redirect all jumps to `head` to the dispatcher, setting the label."""
         landing = self.landing_of.get(head)
         if landing is None:
             landing = Landing(head)
@@ -137,7 +137,7 @@ class _Loops:
 
 
 def _number(root: _Dispatcher) -> None:
-    """Numbers the landings so that those below one dispatcher follow each other."""
+    """Number the landings so that those below one dispatcher are consecutive."""
     number = 0
     work: list[Landing | _Dispatcher] = [root]
     while work:
@@ -167,7 +167,7 @@ def _finish(root: _Dispatcher, label: int) -> None:
                 numbers.extend(below[child])
         below[dispatcher] = numbers
         table = dispatcher.node
-        if dispatcher is not root:  # one cheap test where nothing is resumed
+        if dispatcher is not root:  # one cheap test when not resuming
             table = Node()
             dispatcher.node.code.append(("local.get", label))
             dispatcher.node.exit = "branch"
@@ -188,7 +188,7 @@ def _reachable(roots: list[Node]) -> list[Node]:
 
 
 def _components(region: list[Node]) -> list[list[Node]]:
-    """Return the strongly connected parts that are loops (Tarjan 1972, without recursion)."""
+    """Return the strongly connected components that are loops (Tarjan 1972, iterative)."""
     index: dict[Node, int] = dict.fromkeys(region, -1)
     low: dict[Node, int] = {}
     stack: list[Node] = []

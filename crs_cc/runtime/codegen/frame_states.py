@@ -1,8 +1,8 @@
-"""What entering and leaving a function does to the shadow of its frame, in checked builds.
+"""The shadow memory of frames at function entry and exit, in checked builds.
 
-Below the stack pointer everything is inaccessible. A function gives itself its slots, those of its
-parameters that lie in memory, and what was passed behind them if it is variadic; on its way out it
-takes them away again. A function that has only registers pays nothing.
+Everything below the stack pointer is inaccessible. A function makes accessible its slots, its
+parameters in memory and, if it is variadic, the variable arguments; at exit it makes them
+inaccessible again. A function that has only registers pays nothing.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from crs_cc.runtime.sites import ARGUMENT_UNIT, FRAME_BITS, SITE_BITS
 from crs_cc.runtime.wasm import Instr
 
 MOST_STORES: Final = 12
-"""Slots that need more stores than this to be taken away go by one `memory.fill`."""
+"""Slots that need more stores than this are made inaccessible by one `memory.fill`."""
 
 _SP: Final[Instr] = ("local.get", SP)
 
@@ -60,7 +60,7 @@ def _parameters(function: Function) -> list[Slot]:
 
 
 def _rest(function: Function, frame: Frame, state: int) -> list[Instr]:
-    """Set the states of the arguments behind the parameters; the call word tells their size."""
+    """Set the states of the variable arguments, whose size is in the call word."""
     if not function.variadic:
         return []
     named = frame.varargs - frame.size - HEADER_SIZE

@@ -1,9 +1,9 @@
 """One IR function as one WebAssembly function `(fp, fuel) -> (status, fuel)`.
 
-The function keeps its registers in WebAssembly locals. Whenever it must stop (a request, no fuel
-left, a callee that stopped, a statement the debugger waits for) it notes in local `label` the
-landing where it will go on and leaves through its epilogue, which saves the registers to their
-homes in the frame. When it is called again it loads them back and goes to that landing. See
+The function keeps its registers in WebAssembly locals. To suspend (a request, out of fuel,
+a suspended callee, a breakpoint) it stores in local `label` the
+landing where it will resume and leaves through its epilogue, which saves the registers to their
+spill slots in the frame. When it is called again it reloads them and jumps to that landing. See
 `layout` for the frame and `dispatch` for landings.
 """
 
@@ -42,9 +42,9 @@ from crs_cc.runtime.codegen import frame_states, jumps, spill_slots
 from crs_cc.runtime.codegen.breakpoint_bitmap import begin, stop_if_marked
 from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
 from crs_cc.runtime.codegen.checked_memory import CheckedMemory
-from crs_cc.runtime.codegen.deferred_checks import Carried
+from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
 from crs_cc.runtime.codegen.dispatch import add_dispatchers
-from crs_cc.runtime.codegen.flow import LANDING, UNWIND, Landing, Node
+from crs_cc.runtime.codegen.flow_graph import LANDING, UNWIND, Landing, Node
 from crs_cc.runtime.codegen.indices import (
     ADDRESS,
     BEGUN_GLOBAL,
@@ -61,14 +61,14 @@ from crs_cc.runtime.codegen.indices import (
     SP,
     STATUS,
 )
-from crs_cc.runtime.codegen.names import Names
-from crs_cc.runtime.codegen.nesting import emit
 from crs_cc.runtime.codegen.plain_memory import PlainMemory
 from crs_cc.runtime.codegen.registers import Registers
 from crs_cc.runtime.codegen.selection import Selector
 from crs_cc.runtime.codegen.signatures import call_shape
+from crs_cc.runtime.codegen.structuring import emit
 from crs_cc.runtime.codegen.switches import lower_switch
-from crs_cc.runtime.codegen.watching import Watching
+from crs_cc.runtime.codegen.symbols import Symbols
+from crs_cc.runtime.codegen.watchpoints import Watchpoints
 from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.compiled import FunctionInfo
 from crs_cc.runtime.layout import (
@@ -88,15 +88,15 @@ MESSAGE_OFFSET = slot_offset("message")
 RESULT_OFFSET = MESSAGE_OFFSET + int(MESSAGE.fields["result"][1])  # type: ignore[index]
 MESSAGE_SIZE = Constant("i32", MESSAGE.itemsize)
 MOST_WAYS: Final = 250_000
-"""Registers times landings of a function at most; at 160,000 compiling takes half a gigabyte."""
-NO_VALUE: Final = -1  # takes the place of the number of a function that ended without a value
+"""Limit on registers times landings of a function; at 160,000 compiling takes half a gigabyte."""
+NO_VALUE: Final = -1  # in place of the number of a function that ended without a value
 
 
 @dataclass(frozen=True, slots=True)
 class Build:
-    """How a program is compiled, see `module.compile_program`.
+    """The build options, see `module.compile_program`.
 
-    `watch` is the index of the function that is told of all accesses, 0 where nobody is.
+    `watch` is the index of the function to which accesses are reported, 0 for none.
     """
 
     checked: bool
@@ -105,13 +105,13 @@ class Build:
     trap_overflow: bool
 
 
-def generate(function: Function, names: Names, build: Build) -> tuple[Code, FunctionInfo]:
-    """Return the code of one verified function."""
+def generate(function: Function, names: Symbols, build: Build) -> tuple[Code, FunctionInfo]:
+    """Generate the code of a verified function."""
     return _FunctionCode(function, names, build).run()
 
 
 class _FunctionCode:
-    def __init__(self, function: Function, names: Names, build: Build) -> None:
+    def __init__(self, function: Function, names: Symbols, build: Build) -> None:
         self.function = function
         self.checked = checked = build.checked
         self.debug = debug = build.debug
@@ -128,9 +128,9 @@ class _FunctionCode:
         if self.shadowed:
             assigned = Assignments(function, steps=self.steps)
             self.flags, self.unset = assigned.flags, assigned.unset
-            carried = Carried(function, liveness, keep=debug)
-            more = [*self.flags.values(), *(carried.registers if debug else [])]
-            charge = 0 if debug else carried.charge
+            deferred = DeferredChecks(function, liveness, keep=debug)
+            more = [*self.flags.values(), *(deferred.registers if debug else [])]
+            charge = 0 if debug else deferred.charge
         self.registers = Registers(function, liveness, more, debug=debug)
         self.saved = self.registers.saved
         charge += self.registers.charge
@@ -141,21 +141,21 @@ class _FunctionCode:
         self.memory = PlainMemory(writer, shadowed=checked)
         arithmetic = None
         if self.shadowed:
-            self.memory = CheckedMemory(writer, carried, assigned)
+            self.memory = CheckedMemory(writer, deferred, assigned)
             arithmetic = CheckedArithmetic(writer, traps_overflow=build.trap_overflow)
-        self.watching: Watching | None = None
+        self.watching: Watchpoints | None = None
         if build.watch and not function.trusted:
             library = in_library(function.location)
-            self.watching = Watching(writer, build.watch, self.marks, library=library)
+            self.watching = Watchpoints(writer, build.watch, self.marks, library=library)
         self.selector = Selector(writer, self.memory, arithmetic, self.watching)
         self.nodes = {block: Node() for block in function.blocks}
         self.landings: list[tuple[Landing, Instruction]] = []
         self.calls: dict[int, Landing] = {}
 
     def _arguments_size(self) -> int:
-        """Return the size of the arguments of all calls, the most; -1 when there are no calls.
+        """Return the maximum size of the arguments of all calls; -1 if there are no calls.
 
-        A callee may believe in more arguments than it is passed.
+        A callee may have more parameters than it is passed arguments.
         """
         most = -1
         for block in self.function.blocks:
@@ -169,23 +169,23 @@ class _FunctionCode:
     # -- the whole ----------------------------------------------------------------------------
 
     def limit_effort(self) -> None:
-        """Refuse a function that would take gigabytes to compile.
+        """Reject a function that would take gigabytes to compile.
 
-        Each landing is a way into the middle of the function, and each register that lasts has to
-        be the same on all of them.
+        Each landing is an entry into the middle of the function, and each lasting register has to
+        be merged at all of them.
         """
         if len(self.landings) * len(self.registers.lasting) > MOST_WAYS:
             raise CompileError.at(
                 self.function.location,
                 f"'{self.function.name}' is too complex: {len(self.registers.lasting)} values"
-                f" are kept over {len(self.landings)} calls and loops",
-                "split the function, or the expression with the many calls",
+                f" are live across {len(self.landings)} calls and loops",
+                "split the function, or the expression with many calls",
                 "linking",
             )
 
     def run(self) -> tuple[Code, FunctionInfo]:
-        """Return the code and what a debugger needs to read its frames."""
-        if self.frame.size > STACK_SIZE:  # its offsets might not even fit an instruction
+        """Return the code and its debug information."""
+        if self.frame.size > STACK_SIZE:  # its offsets might not fit an instruction
             body = self.overflow()
             return Code(self.function.name, TYPE_CALL, [], body), self.info()
         for register in self.registers.lasting:
@@ -228,13 +228,13 @@ class _FunctionCode:
         return node
 
     def overflow(self) -> list[Instr]:
-        """Leave without the epilogue, which would write to the frame there is no room for."""
+        """Fail without the epilogue, which would write to the frame."""
         number = self.names.number(Site("stack overflow", self.function.location))
         note = [("i32.const", number), ("local.get", FP), ("call", FAULT)]
         return [*note, ("local.get", FUEL), ("return",)]
 
     def again(self, start: Node) -> Node:
-        """Load the registers back when the function was suspended, and goes to its landing."""
+        """Resume a suspended function: reload its registers and jump to its landing."""
         node, damaged = Node(), Node()
         self.writer.code = damaged.code
         site = Site("damaged stack", self.function.location)
@@ -246,7 +246,7 @@ class _FunctionCode:
         return node
 
     def start(self) -> Node:
-        """Begin a fresh call: stops if there is no fuel, loads the parameters."""
+        """Start a fresh call: suspend if out of fuel, load the parameters."""
         node = Node()
         code = self.writer.code = node.code
         code += [("local.get", FUEL), ("i64.const", 0), ("i64.lt_s",), UNLIKELY]
@@ -272,7 +272,7 @@ class _FunctionCode:
             self.writer.pop(place)
 
     def epilogue(self) -> list[Instr]:
-        """Save what a suspended function must keep, and leaves with the status."""
+        """Save the registers of a suspended function, and return its status."""
         code: list[Instr] = []
         self.writer.code = code
         ends = [block.terminator for block in self.function.blocks]
@@ -325,7 +325,7 @@ class _FunctionCode:
             writer.release(register)
 
     def statement(self, node: Node, statement: Statement) -> Node:
-        """Debug density: stops before a marked statement, when enough others have begun."""
+        """Debug builds: stop before a marked statement, when enough others have begun."""
         following = Node()
         landing = self.land(following, statement)
         number = self.names.statement_number(StatementSite(self.function.name, statement.location))
@@ -369,7 +369,7 @@ class _FunctionCode:
         node.code += [("i32.const", 0), ("local.get", FUEL), ("return",)]
 
     def returning(self) -> list[Instr]:
-        """Watching builds: tells that the frame ends."""
+        """Watching builds: report that the frame ends."""
         return [] if self.watching is None else self.watching.returning()
 
     def left(self) -> list[Instr]:
@@ -401,7 +401,7 @@ class _FunctionCode:
         self._enter(call, after)
 
     def _enter(self, call: Call, after: Node) -> None:
-        """Enter the callee, fresh or again: this is where a suspended caller goes on."""
+        """Call the callee, fresh or resumed: this is where a suspended caller resumes."""
         selector, writer = self.selector, self.writer
         landing = self.land(after, call)
         self.calls[len(self.names.call_sites)] = landing
@@ -424,7 +424,7 @@ class _FunctionCode:
         after.jump(self.nodes[call.then])
 
     def _check_pointer(self, call: Call, pointer: Register) -> None:
-        """Stop the program unless a function pointer is one, and its function fits the call."""
+        """Check that a function pointer is valid, and its function compatible with the call."""
         writer, code = self.writer, self.writer.code
         push = writer.value(pointer)
         code += [push, ("i32.const", 1), ("i32.sub",)]
@@ -436,7 +436,7 @@ class _FunctionCode:
             writer.fail_if(Site("mismatched call", call.location), [push])
 
     def _check_value(self, call: Call) -> None:
-        """Stop the program when the callee has ended without a value, see `leave`."""
+        """Check that the callee has returned a value, see `leave`."""
         callee, without = call.callee, self.names.without_value
         if callee in without or (isinstance(callee, Register) and without):
             self.writer.load_at(SP, FUNCTION, "i32")
@@ -445,7 +445,7 @@ class _FunctionCode:
             self.writer.fail_if(site, [("i32.const", 0)])
 
     def request(self, node: Node, request: Request) -> None:
-        """Copy the message to the slot and stops; copies the reply back when resumed."""
+        """Copy the message to the slot and suspend; copy the reply back when resumed."""
         selector, writer = self.selector, self.writer
         after = Node()
         landing = self.land(after, request)
@@ -471,7 +471,7 @@ class _FunctionCode:
         after.jump(self.nodes[request.then])
 
     def set_jump(self, node: Node, jump: SetJump) -> None:
-        """Note where to come back to; whoever does finds the value in this function's result."""
+        """Store the landing to return to; `longjmp` passes the value in the frame."""
         selector, writer = self.selector, self.writer
         landed, after = Node(), self.nodes[jump.then]
         landing = self.land(landed, jump)
@@ -490,7 +490,7 @@ class _FunctionCode:
         landed.jump(after)
 
     def long_jump(self, node: Node, jump: LongJump) -> None:
-        """Say where to go, and lets `leave` and `resume` do the rest."""
+        """Start unwinding; `leave` and `resume` do the rest."""
         writer = self.writer
         site = self.names.number(Site("longjmp to a function that has returned", jump.location))
         operands = [jump.activation, jump.place, jump.value, Constant("i32", site)]

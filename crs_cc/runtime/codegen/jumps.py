@@ -1,9 +1,9 @@
-"""C's `longjmp`: a suspension that goes on elsewhere, at once.
+"""C's `longjmp`: a suspension that resumes elsewhere immediately.
 
-All functions leave as if the program were suspended (see `function_code`). The one that the jump
-names notes another landing than that of its call, so that it goes on there when `resume` calls the
-outermost function again, without anybody outside noticing. What the jump has left behind lies
-below the frames that go on, and is forgotten. Nothing of this costs a program that never jumps.
+All functions unwind as if the program were suspended (see `function_code`). The target of the jump
+stores another landing than that of its call, so that it continues there when `resume` calls the
+outermost function again, which is invisible from outside. The frames that the jump has left are
+below those that continue, and are dropped. Programs that never jump pay nothing.
 """
 
 from __future__ import annotations
@@ -16,19 +16,19 @@ from crs_cc.runtime.codegen.indices import FAULT, FUEL, LABEL, MEMORY, SP, STATU
 from crs_cc.runtime.wasm import Instr
 
 JUMPED: Final = 3
-"""Status of functions on the way of a jump; it never leaves `resume`."""
+"""Status of functions unwound by a jump; it never leaves `resume`."""
 
 ACTIVATION, PLACE, VALUE, JUMP_SITE = range(5, 9)
-"""Globals of a jump on its way; the activation becomes 0 when its function has been found."""
+"""Globals of a jump in progress; the activation becomes 0 when its function has been reached."""
 
 GLOBALS: Final[list[tuple[ValueType, int]]] = [("i32", 0)] * 4
 
 UNWINDING: Final = 4
-"""Fuel for each function that a jump leaves and enters again, about the time that it takes."""
+"""Fuel for each function that a jump leaves and re-enters, about the time that it takes."""
 
 
 def start(operands: list[Instr]) -> list[Instr]:
-    """Begin a jump; `operands` push the values of the globals."""
+    """Return the start of a jump; `operands` push the values of the globals."""
     code: list[Instr] = []
     for operand, number in zip(operands, (ACTIVATION, PLACE, VALUE, JUMP_SITE), strict=True):
         code += [operand, ("global.set", number)]
@@ -36,12 +36,12 @@ def start(operands: list[Instr]) -> list[Instr]:
 
 
 def leave(activation: list[Instr], jump_value: int, left: list[Instr]) -> list[Instr]:
-    """Return what a function does on the way out when a jump leaves it, or leads to it.
+    """Return the epilogue code of a function that a jump leaves or targets.
 
     Args:
         activation: pushes the function's activation; empty when it has no `setjmp`.
-        jump_value: offset from SP of what takes the value.
-        left: what to do when the jump goes further out.
+        jump_value: offset from SP of the passed value.
+        left: code to execute when the jump leaves the function.
     """
     found: list[Instr] = []
     if activation:
@@ -62,13 +62,13 @@ def leave(activation: list[Instr], jump_value: int, left: list[Instr]) -> list[I
 
 
 def call_root(root: int, fp: int, *, fuel: int, status: int) -> list[Instr]:
-    """Call the outermost function until it comes back for another reason than a jump.
+    """Call the outermost function until it returns for a reason other than a jump.
 
     Args:
         root: index of the function.
         fp: address of its header.
         fuel: index of the i64 local with the fuel, in and out.
-        status: index of the i32 local that takes the status.
+        status: index of the i32 local that receives the status.
     """
     return [
         ("loop",),

@@ -1,9 +1,9 @@
 """A linked program as one WebAssembly module.
 
 The module imports the mailbox, the memory in which the slots of all robots lie, and nothing else.
-It exports its own memory, and `resume(slot) -> status`, which starts the program or lets it go on:
-the address of the robot's slot comes in, the fuel is taken from the slot and what is left of it
-is written back. The global `heap` says where the program's own objects end.
+It exports its own memory, and `resume(slot) -> status`, which starts or resumes the program:
+its argument is the address of the robot's slot; the fuel is read from the slot and what remains
+is written back. The global `heap` is the end of the program's own objects.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ from crs_cc.runtime.codegen.indices import (
     SHADOW,
     SLOT_GLOBAL,
 )
-from crs_cc.runtime.codegen.names import Names
 from crs_cc.runtime.codegen.signatures import asked_for_values, pointer_tables
-from crs_cc.runtime.codegen.watching import watch, watching_begins
+from crs_cc.runtime.codegen.symbols import Symbols
+from crs_cc.runtime.codegen.watchpoints import watch, watching_begins
 from crs_cc.runtime.compiled import Compiled
 from crs_cc.runtime.layout import (
     HEADER_SIZE,
@@ -44,7 +44,7 @@ from crs_cc.runtime.wasm import PAGE, TYPE_I32_I32, Code, FuncType, Instr, Modul
 _TWO_I32: Final[FuncType] = (("i32", "i32"), ("i32",))
 
 SMALL: Final = 1024
-"""The states of smaller objects come from a data segment of the module, those of others by code."""
+"""The states of smaller objects are initialised by a data segment, those of larger ones by code."""
 
 
 def compile_program(
@@ -59,9 +59,9 @@ def compile_program(
 
     Args:
         program: the program; it must define `__crs_start`.
-        checked: test every access through a pointer.
-        debug: make every statement a place to stop at.
-        watching: compare every access with the ranges that are watched; in debug builds only.
+        checked: check every access through a pointer.
+        debug: allow breakpoints on every statement.
+        watching: compare every access with the watched ranges; in debug builds only.
         trap_overflow: stop at signed overflow; in checked builds only.
 
     Raises:
@@ -73,7 +73,7 @@ def compile_program(
     checks = [shadow.inaccessible(), shadow.callers(), product_fits()]
     own = [_fault(), *(checks if checked else [_outside()])]
     numbers = {name: number for number, name in enumerate(program.functions, start=len(own))}
-    names = Names(
+    names = Symbols(
         addresses,
         numbers,
         {data.name: data.size for data in program.data.values()},
@@ -152,9 +152,9 @@ def compile_program(
 
 
 def _place(program: Program) -> dict[str, int]:
-    """Return every object its address, behind the stack; the heap takes the rest.
+    """Assign an address after the stack to every object; the heap is the rest.
 
-    With checks or without, they are the same: what a program does must not depend on it.
+    Addresses do not depend on whether the build is checked, nor must a program's behaviour.
     """
     addresses: dict[str, int] = {}
     end = STACK_TOP + red_zone(0)
@@ -175,7 +175,7 @@ def _place(program: Program) -> dict[str, int]:
 
 
 def _content(data: Data, addresses: dict[str, int]) -> bytes:
-    """Return an object's initial bytes with the addresses filled in."""
+    """Return an object's initial bytes with addresses relocated."""
     content = bytearray(data.content or bytes(data.size))
     for relocation in data.relocations:
         value = addresses[relocation.symbol] + relocation.addend
@@ -185,7 +185,7 @@ def _content(data: Data, addresses: dict[str, int]) -> bytes:
 
 
 def _add_start(module: Module, program: Program, addresses: dict[str, int]) -> None:
-    """Make a function that marks all objects in the shadow memory when a robot is made."""
+    """Return a function that initialises the shadow memory of all objects at instantiation."""
     body: list[Instr] = []
     run: list[Data] = []
     for data in [*program.data.values(), None]:
@@ -203,7 +203,7 @@ def _add_start(module: Module, program: Program, addresses: dict[str, int]) -> N
 
 
 def _marks(module: Module, run: list[Data], addresses: dict[str, int]) -> list[Instr]:
-    """Add the states of some objects, and what lies between them, to the module's data."""
+    """Add the states of some objects, and of the gaps between them, to the module's data."""
     start = addresses[run[0].name]
     states = bytearray()
     for data in run:
@@ -216,7 +216,7 @@ def _marks(module: Module, run: list[Data], addresses: dict[str, int]) -> list[I
 
 
 def _fault() -> Code:
-    """`fault(site, value) -> FAILED`: notes in the slot what went wrong where."""
+    """`fault(site, value) -> FAILED`: stores the failure in the slot."""
     body = [
         ("global.get", SLOT_GLOBAL), ("local.get", 0),
         ("i32.store", MAILBOX, slot_offset("error_site")),
@@ -228,7 +228,7 @@ def _fault() -> Code:
 
 
 def _outside() -> Code:
-    """`outside(address, size)`: whether some of the bytes lie outside the accessible memory."""
+    """`outside(address, size)`: whether some of the bytes are outside the accessible memory."""
     body = [
         ("local.get", 1), ("i32.eqz",), ("if",), ("i32.const", 0), ("return",), ("end",),
         ("local.get", 1), ("i32.const", MEMORY_BYTES - NULL_SIZE), ("i32.gt_u",),

@@ -1,7 +1,7 @@
-"""Access to memory without tests: for unchecked builds, and for the allocator in all builds.
+"""Unchecked memory access: for unchecked builds, and for the allocator in all builds.
 
-`CheckedMemory` does the same with tests. Which of the two a `Selector` has decides how `Load`,
-`Store` and all that works on whole ranges are written.
+`CheckedMemory` does the same with checks. The one that a `Selector` has decides how `Load`,
+`Store` and operations on ranges are generated.
 """
 
 from __future__ import annotations
@@ -32,10 +32,10 @@ from crs_cc.runtime.wasm import Instr
 
 
 class PlainMemory:
-    """Writes accesses that are not tested.
+    """Writes unchecked accesses.
 
     Attributes:
-        shadowed: whether there is a shadow memory, to be kept up to date all the same.
+        shadowed: whether there is a shadow memory to be updated.
     """
 
     def __init__(self, writer: Writer, *, shadowed: bool) -> None:
@@ -43,18 +43,18 @@ class PlainMemory:
         self.shadowed = shadowed
 
     def forget(self) -> None:
-        """Drop what is known, where code from elsewhere joins."""
+        """Discard known facts at a join of control flow."""
 
     def before(self, it: Instruction) -> None:
-        """Test what an instruction reads of registers."""
+        """Check the registers that an instruction reads."""
 
     def follow(self, it: Instruction) -> None:
-        """Takes note of what an instruction has written."""
+        """Update known facts after an instruction."""
 
     def place(self, base: Base, offset: int) -> tuple[Instr, int]:
-        """Return an instruction that pushes an address, and the offset to use with it.
+        """Return an instruction that pushes an address, and the static offset to use with it.
 
-        The code that comes before may change local `ADDRESS`.
+        The code written before it may change local `ADDRESS`.
         """
         writer = self.writer
         if isinstance(base, Slot):
@@ -107,35 +107,35 @@ class PlainMemory:
     def check_range(
         self, address: Operand, size: Operand, location: Location, access: Access
     ) -> None:
-        """Stop the program unless `size` bytes at `address` are accessible."""
+        """Check that `size` bytes at `address` are accessible."""
 
     def check_message(self, address: Operand, size: Operand, location: Location) -> None:
-        """Stop the program unless a message to the world outside lies in memory."""
+        """Check that the message of a request is in memory."""
         writer = self.writer
         writer.code += [writer.value(address), writer.value(size), ("call", OUTSIDE)]
         writer.fail_if(Site("memory", location, "read"), [writer.value(address)])
 
     def set_states(self, address: Operand, size: Operand, state: int) -> None:
-        """Set the states of bytes, where there are any."""
+        """Set the states of bytes, if there is a shadow memory."""
         if self.shadowed:
             writer = self.writer
             writer.code += [writer.value(address), ("i32.const", state), writer.value(size)]
             writer.code.append(("memory.fill", SHADOW))
 
     def mark(self, it: Mark) -> None:
-        """Say what C may do with a block of the heap."""
+        """Set the states of a heap block."""
         self.writer.charge(it.size)
         self.set_states(it.target, it.size, it.state)
 
     def callers(self, it: Callers) -> None:
-        """Write down who called."""
+        """Store the call sites on the stack."""
         if self.shadowed:
             writer = self.writer
             writer.code += [("local.get", FP), writer.value(it.target)]
             writer.code += [("i32.const", it.count), ("call", indices.CALLERS)]
 
     def state(self, it: State) -> None:
-        """Return what C may do with a byte."""
+        """Load the state of a byte."""
         writer = self.writer
         if self.shadowed:
             writer.code += [writer.value(it.address), ("i32.load8_u", SHADOW, 0)]
@@ -144,4 +144,4 @@ class PlainMemory:
         writer.pop(it.result)
 
     def lifetime(self, it: Lifetime) -> None:
-        """Begin or ends an object in a slot."""
+        """Start or end the lifetime of an object in a slot."""

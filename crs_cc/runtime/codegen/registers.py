@@ -1,8 +1,8 @@
-"""Which registers of a function need a home in its frame, and which a local of their own.
+"""Which registers of a function need a spill slot in its frame, and which a local of their own.
 
-The host keeps locals that it has no processor register for in its own frames, in debug builds each
-up to three times over. Its stack is three times ours, see `executable`; a frame of ours that counts
-8 bytes for an integer and 16 for a floating-point number fills ours first.
+The host spills locals to its own frames, in debug builds each
+up to three times. Its stack is three times the program's, see `executable`; if a frame is charged
+8 bytes for an integer and 16 for a floating-point number, the program's stack overflows first.
 """
 
 from __future__ import annotations
@@ -15,17 +15,17 @@ from crs_cc.ir.loops import loop_headers
 from crs_cc.ir.program import Block, Call, Function, Register, Request, SetJump, Statement
 
 CHARGES: Final = {"i32": 8, "i64": 8, "f32": 16, "f64": 16}
-"""What a frame must count for a local [bytes], by its type."""
+"""The charge of a frame for a local [bytes], by its type."""
 
 
 class Registers:
-    """The registers of a function, by how long they live.
+    """The registers of a function, by lifetime.
 
     Attributes:
-        headers: the blocks where the function may be suspended for lack of fuel.
+        headers: the blocks where the function may be suspended when it is out of fuel.
         saved: the registers that must survive a suspension, and all that hold variables.
         lasting: the registers that keep their local through the whole function.
-        charge: what a frame must count for these and for the most others at once [bytes].
+        charge: the frame's charge for these and the maximum of others live at once [bytes].
     """
 
     def __init__(
@@ -38,7 +38,7 @@ class Registers:
                 alive |= liveness.at_start(block)
             if isinstance(block.terminator, Call | Request | SetJump):
                 behind = liveness.at_end(block)
-                result = writes(block.terminator)  # known only when the function goes on
+                result = writes(block.terminator)  # known only when the function continues
                 if result is not None:
                     behind &= ~(1 << result.index)
                 alive |= behind
@@ -56,7 +56,7 @@ class Registers:
         self.charge += max(map(self._most, function.blocks), default=0)
 
     def _most(self, block: Block) -> int:
-        """Return the charge for the registers of a block that live at once, the most [bytes]."""
+        """Return the maximum charge for the registers of a block that are live at once [bytes]."""
         size = most = 0
         alive: set[Register] = set()
         for instruction, last in zip(all_instructions(block), self.last_uses(block), strict=True):
@@ -71,7 +71,7 @@ class Registers:
         return most
 
     def last_uses(self, block: Block) -> list[list[Register]]:
-        """Return for each instruction the short-lived registers that are not needed behind it."""
+        """Return, for each instruction, the short-lived registers whose last use it is."""
         instructions = all_instructions(block)
         last: list[list[Register]] = [[] for _ in instructions]
         seen: set[Register] = set()

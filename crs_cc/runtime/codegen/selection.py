@@ -1,7 +1,7 @@
-"""Instruction selection: which WebAssembly instructions each IR instruction becomes.
+"""Instruction selection: from IR instructions to WebAssembly instructions.
 
-C's operators that can fail (division, access through a pointer) are preceded by a test. The cold
-side of a test notes the place in the code (its site) and leaves the function with FAILED.
+C's operators that can fail (division, access through a pointer) are preceded by a check. The cold
+path of a check stores the number of its site and leaves the function with FAILED.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from crs_cc.ir.program import (
 )
 from crs_cc.runtime.codegen.checked_arithmetic import CheckedArithmetic
 from crs_cc.runtime.codegen.plain_memory import PlainMemory
-from crs_cc.runtime.codegen.watching import Watching
+from crs_cc.runtime.codegen.watchpoints import Watchpoints
 from crs_cc.runtime.codegen.writer import Writer
 from crs_cc.runtime.sites import Site
 
@@ -43,13 +43,13 @@ class Selector:
         writer: Writer,
         memory: PlainMemory,
         arithmetic: CheckedArithmetic | None,
-        watching: Watching | None,
+        watching: Watchpoints | None,
     ) -> None:
-        """Set the parts that write code.
+        """Set the parts that generate code.
 
         Args:
-            writer: appends the instructions.
-            memory: writes accesses to memory, with checks or without.
+            writer: the writer of the function.
+            memory: generates accesses to memory, with checks or without.
             arithmetic: checks the operands of arithmetic; None in unchecked code.
             watching: reports accesses to watchpoints; None in builds without watchpoints.
         """
@@ -59,13 +59,13 @@ class Selector:
         self._watching = watching
 
     def forget(self) -> None:
-        """Drop what is known, where code from elsewhere joins."""
+        """Discard known facts at a join of control flow."""
         self._memory.forget()
         if self._arithmetic is not None:
             self._arithmetic.forget()
 
     def before(self, instruction: Instruction) -> None:
-        """Write the tests that come before an instruction, terminators too."""
+        """Write the checks before an instruction, terminators included."""
         self._memory.before(instruction)
         if self._arithmetic is not None:
             self._arithmetic.before(instruction)
@@ -73,7 +73,7 @@ class Selector:
             self._watching.before(instruction)
 
     def follow(self, instruction: Instruction) -> None:
-        """Write what comes behind an instruction that has a result, terminators too."""
+        """Write the code after an instruction that has a result, terminators included."""
         if self._watching is not None:
             self._watching.follow(instruction)
 
@@ -113,7 +113,7 @@ class Selector:
         writer.pop(it.result)
 
     def _check_division(self, it: Binary, kind: str, *, signed: bool) -> None:
-        """Stop at a zero divisor, and at the quotient that does not fit (C17 6.5.5)."""
+        """Check for a zero divisor and for an overflowing quotient (C17 6.5.5)."""
         writer = self._writer
         divisor, low = it.right, _LOWEST[kind]
         if isinstance(divisor, Constant) and divisor.value not in (0, -1):
@@ -143,9 +143,9 @@ class Selector:
         writer.pop(it.result)
 
     def _truncate(self, it: Unary, kind: str, op: str) -> None:
-        """Convert to an integer as i386 with SSE2 does: what does not fit gives the lowest value.
+        """Convert to an integer as i386 with SSE2 does: values out of range give the minimum.
 
-        To a 32-bit unsigned type it goes by way of 64 bits, as gcc does.
+        Conversion to a 32-bit unsigned type is via 64 bits, as with gcc.
         """
         writer = self._writer
         source = "f32" if "f32" in op else "f64"
@@ -180,4 +180,4 @@ _ACCESS: Final[dict[type[Instruction], str]] = {
     Lifetime: "lifetime",
     State: "state",
 }
-"""What a `PlainMemory` writes."""
+"""The method of `PlainMemory` for each memory instruction."""

@@ -1,16 +1,16 @@
-"""The shadow memory: what C may do with each byte of its memory.
+"""The shadow memory: the state of each byte of a program's memory.
 
 A checked program has a second memory that C cannot address, with a byte for each byte of the
-first: a `ByteState`. It is as large as addresses reach, 4 GiB, though only the part over the first
-memory is ever written; so any pointer can be looked up without a test of its range, and a wild one
-finds zero, inaccessible. The states are chosen so that one comparison serves:
+first: a `ByteState`. It spans the address space, 4 GiB, though only the part for the first
+memory is ever written; so any pointer can be looked up without a range check, and a wild one
+finds zero, inaccessible. The states are chosen so that one comparison suffices:
 
     all bytes may be read          the shadow bytes, as one number, are -1
     all bytes may be written       each shadow byte has its lowest bit set
 
-Untouched pages of the shadow take no memory of the host's. What lies below the stack pointer is
-inaccessible, always: a function makes its slots accessible when it is entered, and inaccessible
-when it is left.
+Untouched pages of the shadow take no host memory. Everything below the stack pointer is always
+inaccessible: a function makes its slots accessible at entry, and inaccessible
+at exit.
 """
 
 from __future__ import annotations
@@ -33,12 +33,12 @@ _STORES: Final = {1: "i32.store8", 2: "i32.store16", 4: "i32.store", 8: "i64.sto
 
 
 def kind(size: int) -> ValueType:
-    """Return the type of the number that holds the states of so many bytes."""
+    """Return the integer type that holds the states of `size` bytes."""
     return "i64" if size == 8 else "i32"
 
 
 def load(size: int, offset: int) -> Instr:
-    """Replace an address by the states of the bytes there, extended by their sign."""
+    """Replace an address on the stack by the states of its bytes, sign-extended."""
     return (_LOADS[size], SHADOW, offset)
 
 
@@ -48,12 +48,12 @@ def store(size: int, offset: int) -> Instr:
 
 
 def repeated(state: int, size: int) -> Instr:
-    """Push the states of so many bytes that have all the same state."""
+    """Push the states of `size` bytes that are all in the same state."""
     return (f"{kind(size)}.const", int.from_bytes([state] * size, "little", signed=True))
 
 
 def not_readable(size: int) -> list[Instr]:
-    """Replace states on the stack by whether some byte may not be read, or has no value."""
+    """Replace states on the stack by whether some byte is inaccessible or uninitialised."""
     return [repeated(ByteState.WITH_VALUE, size), (f"{kind(size)}.ne",)]
 
 
@@ -76,17 +76,17 @@ def fill(base: Instr, offset: int, size: int, state: int) -> list[Instr]:
     return code
 
 
-# Functions of the module that checked code calls
+# Runtime functions called by checked code
 
 _RANGE: Final[FuncType] = (("i32", "i32"), ("i64",))
 FINE: Final = -1
-"""What `inaccessible` gives when all is well."""
+"""The result of `inaccessible` if all bytes are accessible."""
 
 
 def inaccessible() -> Code:
-    """`inaccessible(address, size)`: the address of the first byte not accessible, or `FINE`.
+    """`inaccessible(address, size)`: the address of the first inaccessible byte, or `FINE`.
 
-    It goes on by eight bytes where it can.
+    It advances by eight bytes where possible.
     """
     address, left = 0, 1
     body = [
@@ -108,7 +108,7 @@ def inaccessible() -> Code:
 
 
 def callers() -> Code:
-    """`callers(fp, target, count)`: writes the numbers of `count` call sites, see `sites`."""
+    """`callers(fp, target, count)`: store the numbers of `count` call sites, see `sites`."""
     fp, target, count, word = 0, 1, 2, 3
     frame = (1 << FRAME_BITS) - 1
     body = [

@@ -1,8 +1,8 @@
-"""The homes of a function's registers in its frame: where they are while it is suspended.
+"""The spill slots of a function's registers in its frame, used while it is suspended.
 
-In debug builds homes are zero while a function runs, and so is the header's place to go on at. So
-one that has stopped and gone on has the same bytes as one that has not, and leaves the same behind
-on the stack: where a debugger has stopped before changes nothing.
+In debug builds spill slots are zero while a function runs, and so is the landing in the header. So
+a function that has stopped and resumed has the same bytes as one that has not, and leaves the same
+on the stack: earlier stops of a debugger change nothing.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _SIZES: Final = {"i32": 4, "f32": 4, "i64": 8, "f64": 8}
 
 
 def save(writer: Writer, frame: Frame, saved: list[Register], function: int) -> None:
-    """Store registers into their homes, and in the header which function goes on where."""
+    """Store registers to their spill slots, and function and landing to the header."""
     for register in saved:
         writer.store_at(SP, frame.offsets[register], register, register.type)
     writer.code += [("local.get", FP), ("local.get", LABEL), ("i32.store", MEMORY, RESUME)]
@@ -30,7 +30,7 @@ def save(writer: Writer, frame: Frame, saved: list[Register], function: int) -> 
 
 
 def load(writer: Writer, frame: Frame, saved: list[Register], *, debug: bool) -> None:
-    """Load registers from their homes; in debug builds nothing stays there or in the header."""
+    """Load registers from their spill slots; in debug builds, clear these and the header."""
     for register in saved:
         writer.load_at(SP, frame.offsets[register], register.type)
         writer.pop(register)
@@ -40,7 +40,7 @@ def load(writer: Writer, frame: Frame, saved: list[Register], *, debug: bool) ->
 
 
 def clear(frame: Frame, saved: list[Register]) -> list[Instr]:
-    """Return the code that makes homes zero."""
+    """Return the code that clears spill slots."""
     if not saved:
         return []
     start = min(frame.offsets[register] for register in saved)

@@ -1,20 +1,20 @@
-"""C's `switch` as jump tables, and as comparisons where the cases lie far apart."""
+"""C's `switch` as jump tables, and as comparisons for sparse cases."""
 
 from __future__ import annotations
 
 from typing import Final
 
 from crs_cc.ir.program import Block, Constant, Operand, Switch
-from crs_cc.runtime.codegen.flow import Node
+from crs_cc.runtime.codegen.flow_graph import Node
 from crs_cc.runtime.codegen.writer import Writer
 
-FEW: Final = 3  # cases worth comparing one by one
-WASTE: Final = 4  # a jump table may have so many times more entries than cases
+FEW: Final = 3  # maximum number of cases compared one by one
+WASTE: Final = 4  # maximum ratio of entries to cases in a jump table
 LARGEST_TABLE: Final = 4096
 
 
 def lower_switch(writer: Writer, node: Node, switch: Switch, nodes: dict[Block, Node]) -> None:
-    """End `node` with the choice, through nodes of comparisons where needed."""
+    """End `node` with the dispatch, through nodes of comparisons if needed."""
     cases = [
         (number, nodes[block]) for number, block in sorted(switch.cases, key=lambda case: case[0])
     ]
@@ -67,7 +67,7 @@ def _table(
     targets = [default] * (cases[-1][0] - first + 1)
     for number, target in cases:
         targets[number - first] = target
-    if value.type == "i64":  # a distance of 2**32 and more must not wrap into the table
+    if value.type == "i64":  # a distance of 2**32 or more must not wrap into the table
         inside = Node()
         _distance(writer, value, first)
         writer.code += [("i64.const", len(targets)), ("i64.lt_u",)]

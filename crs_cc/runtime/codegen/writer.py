@@ -1,6 +1,6 @@
-"""The code of a function as it is written: locals for its registers, values, addresses, errors.
+"""The writer of a function's code: locals for registers, values, addresses, failures.
 
-The cold side of a test that fails notes the place in the code (its site) and leaves the function.
+The cold path of a failed check stores the number of its site and leaves the function.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from crs_cc.ir.program import (
     Slot,
     ValueType,
 )
-from crs_cc.runtime.codegen.flow import FAULTED
+from crs_cc.runtime.codegen.flow_graph import FAULTED
 from crs_cc.runtime.codegen.indices import ADDRESS, FIXED_LOCALS, FUEL, MEMORY, SITE, SP
-from crs_cc.runtime.codegen.names import Names
+from crs_cc.runtime.codegen.symbols import Symbols
 from crs_cc.runtime.layout import Frame
 from crs_cc.runtime.sites import Site
 from crs_cc.runtime.wasm import UNLIKELY, Instr
@@ -32,21 +32,21 @@ STORES: Final[dict[MemoryType, str]] = {
     "i8": "i32.store8", "u8": "i32.store8", "i16": "i32.store16", "u16": "i32.store16",
     "i32": "i32.store", "i64": "i64.store", "f32": "f32.store", "f64": "f64.store",
 }  # fmt: skip
-FREE_BYTES: Final = 256  # a copy costs one more unit of fuel for each so many bytes; 2**n
+FREE_BYTES: Final = 256  # bytes copied per unit of fuel; 2**n
 
 
 class Writer:
-    """Writes what all instructions of one function consist of.
+    """Appends instructions to the code of one function.
 
     Attributes:
         code: the list that it appends to.
-        names: what names stand for.
-        frame: where the function's slots and registers lie.
+        names: the program's symbols.
+        frame: the layout of the function's slots and registers.
         locals: the local of each register that has one.
-        local_types: the types of the locals behind the parameters.
+        local_types: the types of the locals after the parameters.
     """
 
-    def __init__(self, names: Names, frame: Frame) -> None:
+    def __init__(self, names: Symbols, frame: Frame) -> None:
         self.names = names
         self.frame = frame
         self.code: list[Instr] = []
@@ -58,7 +58,7 @@ class Writer:
     # -- locals ------------------------------------------------------------------------------
 
     def take_local(self, register: Register) -> None:
-        """Return a register a local of its own until it is released."""
+        """Allocate a local for a register until it is released."""
         free = self._free[register.type]
         if free:
             self.locals[register] = free.pop()
@@ -67,7 +67,7 @@ class Writer:
         self.locals[register] = len(self.local_types) + 1
 
     def release(self, register: Register) -> None:
-        """Make the register's local free for another one; assigned again it takes a new one."""
+        """Free a register's local; when assigned again it is given a new one."""
         self._free[register.type].append(self.locals[register])
         self._released.add(register)
 
@@ -91,7 +91,7 @@ class Writer:
     # -- errors ------------------------------------------------------------------------------
 
     def fail(self, site: Site, value: list[Instr]) -> None:
-        """Stop the program; `value` pushes the address or number to blame."""
+        """Stop the program with a failure; `value` pushes the address or number to report."""
         number = self.names.number(site)
         self.code += [*value, ("local.set", ADDRESS)]
         self.code += [("i32.const", number), ("local.set", SITE), (FAULTED,)]
@@ -129,7 +129,7 @@ class Writer:
         self.code += [("local.get", base), (LOADS[memory], MEMORY, offset)]
 
     def charge(self, size: Operand) -> None:
-        """Takes fuel for moving `size` bytes, so that large copies cost the time they take."""
+        """Charge fuel for moving `size` bytes, in proportion to the time it takes."""
         if isinstance(size, Constant) and size.value < FREE_BYTES:
             return
         self.code += [("local.get", FUEL), self.value(size)]

@@ -1,1 +1,1 @@
-"""Why a program was stopped, in words: from the bytes of its memory, after the fact."""
+"""Diagnosis of run-time errors: explain a failure from the memory of the stopped program."""

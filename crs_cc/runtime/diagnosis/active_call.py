@@ -1,4 +1,4 @@
-"""A line of the call stack, as reports show it."""
+"""A line of the call stack in reports."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from crs_cc.core.source import Location
 
 @dataclass(frozen=True, slots=True)
 class ActiveCall:
-    """A function that is active, or several of them that are not shown one by one.
+    """An active call, or several that are summarised.
 
     Attributes:
-        function: its name; of several the names, empty when there are too many.
-        arguments: names and values of its arguments; `...` without a value for those unnamed.
-        location: where it is; None in the library, and for several.
-        count: how many calls this stands for.
+        function: its name; of several the names, empty if there are too many.
+        arguments: names and values of its arguments; `...` without a value for variable ones.
+        location: its location; None in the library, and for several.
+        count: the number of calls represented.
     """
 
     function: str

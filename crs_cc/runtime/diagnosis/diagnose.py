@@ -1,7 +1,7 @@
-"""Tells what was wrong with an access to memory, from the state in which the program stopped.
+"""Classify an invalid memory access from the state in which the program stopped.
 
-The code that found fault noted the address and nothing else. Which byte is to blame shows in the
-shadow memory; what it belongs to, or lies beside, shows in frames, objects and heap.
+The failing check stored only the address. The offending byte is found in the
+shadow memory; the object that it belongs to, or is near, in frames, globals and heap.
 """
 
 from __future__ import annotations
@@ -12,26 +12,26 @@ import numpy as np
 
 from crs_cc.ir.names import in_library
 from crs_cc.ir.program import ByteState
+from crs_cc.runtime.diagnosis.dead_frames import returned_local
 from crs_cc.runtime.diagnosis.inspect import Stopped
 from crs_cc.runtime.diagnosis.objects import Object, find_object
-from crs_cc.runtime.diagnosis.returned import returned_local
 from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE, STACK_TOP
 from crs_cc.runtime.sites import Access
 
 MARGIN: Final = 256
-"""Bytes around an object that belong to no other count as its outside; around larger ones more."""
+"""Distance up to which an access is attributed to an object; larger objects have a larger one."""
 
 
 def diagnose(
     stopped: Stopped, address: int, size: int, access: Access
 ) -> tuple[str, int, Object | None]:
-    """Return the kind of error, the first byte to blame, and the object there or nearest to it.
+    """Return the kind of error, the first offending byte, and the object there or nearest to it.
 
     Args:
         stopped: the program.
         address: the first byte of the access.
-        size: how many bytes were accessed; 0 when `address` is known to be the one to blame.
-        access: what was done.
+        size: number of bytes accessed; 0 if `address` is known to be the offending one.
+        access: read or write.
     """
     if address < NULL_SIZE:
         return "null pointer", address, None
@@ -53,13 +53,13 @@ def diagnose(
 
 
 def _kind(stopped: Stopped, address: int, found: Object | None) -> str:
-    """Return what is wrong with an access to a byte that is inaccessible."""
+    """Return the kind of error of an access to an inaccessible byte."""
     if found is not None and found.distance(address) == 0 and found.state != "alive":
         return "use after scope" if found.state == "ended" else "use after free"
     if address < stopped.stack_pointer():
         return "use after return" if address >= _deepest(stopped) else "wild pointer"
     if address < STACK_TOP and (found is None or _is_in_library(found)):
-        return "use after return"  # and then other functions were called
+        return "use after return"  # and other functions were called since
     if found is None:
         return "wild pointer"
     if found.kind == "argument":
@@ -73,5 +73,5 @@ def _is_in_library(found: Object) -> bool:
 
 
 def _deepest(stopped: Stopped) -> int:
-    """Return how far down the stack has ever been."""
+    """Return the lowest address that the stack has reached."""
     return NULL_SIZE + int(np.argmax(stopped.memory[NULL_SIZE:STACK_TOP] != 0))

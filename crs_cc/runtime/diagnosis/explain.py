@@ -1,7 +1,7 @@
-"""Says in plain words why a program was stopped: one function for each kind of error.
+"""Explain in plain words why a program was stopped: one function for each kind of error.
 
-The reader may have learned C last month. A sentence says what the program did and what is wrong
-with it; the notes tell of the object: how large it is, where it is declared, where a block of the
+The reader may be new to C. A sentence says what the program did and what is wrong
+with it; the notes describe the object: its size, where it is declared, where a block of the
 heap was allocated and freed.
 """
 
@@ -25,25 +25,25 @@ from crs_cc.runtime.diagnosis.variables import Variables
 from crs_cc.runtime.layout import NULL_SIZE, STACK_SIZE
 
 _CALL: Final = re.compile(r"\(?\s*\*?\s*([\w.>\[\]-]+?)\s*\)?\s*\(")
-LARGEST_SCALAR: Final = 8  # bytes; a larger access begins inside the object that it leaves
+LARGEST_SCALAR: Final = 8  # bytes; a larger access starts inside the object that it overruns
 FORMATTED: Final = ("printf", "scanf")
-FORMAT_HINT: Final = "hint: does the format fit the arguments?"
+FORMAT_HINT: Final = "hint: does the format match the arguments?"
 CONNECT_HINT: Final = (
-    "hint: --client ndirect wants model, device, and baud rate or port as well:"
+    "hint: --client ndirect also needs model, device, and baud rate or port:"
     ' connect_robot(1, MODEL_SCOUT, "/dev/ttyS0", 38400)'
 )
 
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """What there is to know of a failure.
+    """A failure with its context.
 
     Attributes:
         failure: the failure.
-        expression: the text of the expression that failed, as far as it is known.
+        expression: the text of the expression that failed, if known.
         variables: reads the program.
-        frame: the innermost function of the user's own files.
-        callee: the function of the library that it called, if the failure is in there.
+        frame: the innermost frame in the user's files.
+        callee: the library function that it called, if the failure is in there.
     """
 
     failure: Failure
@@ -54,7 +54,7 @@ class Case:
 
     @property
     def access(self) -> str:
-        """What was done: `reads 4 bytes`, `strcpy writes 1 byte`."""
+        """The access in words: `reads 4 bytes`, `strcpy writes 1 byte`."""
         failure = self.failure
         verb = {"read": "reads", "write": "writes", "": "accesses"}[failure.access]
         what = count(failure.size, "byte") if failure.size else "memory"
@@ -62,7 +62,7 @@ class Case:
 
     @property
     def called(self) -> str:
-        """The text of what is called, where the expression is a call."""
+        """The text of the callee, if the expression is a call."""
         found = _CALL.match(self.expression)
         return found[1] if found else ""
 
@@ -74,13 +74,13 @@ class Case:
         return None if known is None else (known.variable.ctype, known.content)
 
     def pointer(self) -> tuple[str, int | None] | None:
-        """Return the pointer that the expression goes through last, and its value if known."""
+        """Return the last pointer that the expression dereferences, and its value if known."""
         if self.variables is None or self.callee is not None:
             return None
         return pointer_in(self.expression, self.find, self.variables.read)
 
     def null_variable(self) -> str:
-        """Return the variable in the expression that is a null pointer, if there is just one."""
+        """Return the variable in the expression that is a null pointer, if there is exactly one."""
         known = [(name, self.find(name)) for name in names_in(self.expression)]
         null = [
             name
@@ -92,15 +92,15 @@ class Case:
 
 @dataclass(frozen=True, slots=True)
 class Explanation:
-    """The words.
+    """An explanation.
 
     Attributes:
-        text: what happened; empty when the kind says all.
-        notes: what else there is to say, a sentence each.
-        told: the variable whose value the text tells.
-        blamed: the variable that alone is to blame of all the expression.
-        shows_callee: whether the library's function belongs into the call stack.
-        shows_values: whether the values of the variables in the expression help.
+        text: what happened; empty if the kind suffices.
+        notes: further information, a sentence each.
+        told: the variable whose value is in the text.
+        blamed: the only variable of the expression at fault, if there is one.
+        shows_callee: whether to show the library function in the call stack.
+        shows_values: whether to show the values of the variables in the expression.
     """
 
     text: str
@@ -112,7 +112,7 @@ class Explanation:
 
 
 def explain(case: Case) -> Explanation:
-    """Return the words for a failure; none for a kind that says all."""
+    """Return the explanation of a failure."""
     words = EXPLAIN.get(case.failure.kind)
     return Explanation("") if words is None else words(case)
 
@@ -126,14 +126,14 @@ def _null(case: Case) -> Explanation:
         null = [each for each, shown in case.callee.arguments if shown == "null"]
         notes = (FORMAT_HINT,) if name.endswith(FORMATTED) else ()
         if null:
-            return Explanation(f"{name} is given a null pointer as '{null[0]}'")
-        what = "a null pointer" if address == 0 else f"{address:#x}, which is no pointer"
-        return Explanation(f"{name} is given {what}", notes)
+            return Explanation(f"{name} is passed a null pointer as '{null[0]}'")
+        what = "a null pointer" if address == 0 else f"{address:#x}, which is not a valid pointer"
+        return Explanation(f"{name} is passed {what}", notes)
     text, value = case.pointer() or ("", None)
     if text and (value == 0 or (value is None and case.failure.value == 0)):
         return Explanation(f"'{text}' is null", told=text)
     if text and value is not None and value < NULL_SIZE:
-        return Explanation(f"'{text}' is {value:#x}, which is no pointer", told=text)
+        return Explanation(f"'{text}' is {value:#x}, which is not a valid pointer", told=text)
     name = case.null_variable()
     if name:
         return Explanation(f"'{name}' is null", told=name)
@@ -142,21 +142,21 @@ def _null(case: Case) -> Explanation:
 
 def _outside(case: Case) -> Explanation:
     if case.failure.stopped is None:
-        return Explanation("the access is not known without the checks of memory")
+        return Explanation("the access is unknown without memory checks")
     text, value = case.pointer() or ("", None)
     address = case.failure.value
     if text and value is not None:
         what = f"'{text}' is {value:#x}"
     elif case.expression and case.callee is None:
-        what = f"'{case.expression}' lies at {address:#x}"
+        what = f"'{case.expression}' is at {address:#x}"
     else:
         what = f"{case.access} at {address:#x}"
-    return Explanation(f"{what}, where the program has no memory", told=text)
+    return Explanation(f"{what}, outside the program's memory", told=text)
 
 
 def _wild(case: Case) -> Explanation:
     failure = case.failure
-    text = f"{case.access} at {failure.value:#x}, where no object lies"
+    text = f"{case.access} at {failure.value:#x}, where there is no object"
     return Explanation(text, object_notes(failure.object, failure.value))
 
 
@@ -167,13 +167,13 @@ def _out_of_bounds(case: Case) -> Explanation:
     behind = failure.value - (found.address + found.size)
     before = found.address - failure.value
     if behind == 0 and failure.size > LARGEST_SCALAR:
-        where = "over the end of"
+        where = "across the end of"
     elif behind >= 0:
-        where = f"that lie {count(behind, 'byte')} behind" if behind else "right behind"
+        where = f"starting {count(behind, 'byte')} past" if behind else "right after"
         where += " the end of"
     else:
         is_far = before > failure.size
-        where = f"that lie {count(before, 'byte')} before" if is_far else "right before"
+        where = f"starting {count(before, 'byte')} before" if is_far else "right before"
         where += " the start of"
     text = f"{case.access} {where} {object_name(found)}"
     return Explanation(text, object_notes(found, failure.value))
@@ -188,7 +188,7 @@ def _freed(case: Case) -> Explanation:
 
 def _scope(case: Case) -> Explanation:
     failure = case.failure
-    text = f"{case.access} of {object_name(failure.object)}, whose block has ended"
+    text = f"{case.access} of {object_name(failure.object)}, whose scope has ended"
     return Explanation(text, object_notes(failure.object, failure.value))
 
 
@@ -227,18 +227,18 @@ def _invalid_free(case: Case) -> Explanation:
     failure, found = case.failure, case.failure.object
     who = case.callee.function if case.callee else "free"
     if found is None or found.distance(failure.value):
-        return Explanation(f"{who} is given {failure.value:#x}, which malloc never gave")
+        return Explanation(f"{who} is passed {failure.value:#x}, which malloc never returned")
     offset = failure.value - found.address
     if found.kind == "heap block":
-        text = f"{who} is given a pointer to byte {offset} of {object_name(found)}"
+        text = f"{who} is passed a pointer to byte {offset} of {object_name(found)}"
         return Explanation(f"{text}, not to its start", object_notes(found))
-    text = f"{who} is given a pointer to {object_name(found)}, which malloc never gave"
+    text = f"{who} is passed a pointer to {object_name(found)}, which malloc never returned"
     return Explanation(text, object_notes(found, failure.value if offset else None))
 
 
 def _double_free(case: Case) -> Explanation:
     failure = case.failure
-    text = f"{object_name(failure.object)} was freed before"
+    text = f"{object_name(failure.object)} was freed already"
     return Explanation(text, object_notes(failure.object, failure.value))
 
 
@@ -248,18 +248,18 @@ def _double_free(case: Case) -> Explanation:
 def _missing_argument(case: Case) -> Explanation:
     if case.callee is not None:
         name = case.callee.function
-        text = f"{name} is asked for more arguments than were passed"
+        text = f"{name} needs more arguments than were passed"
         if name == "connect_robot":
             return Explanation(text, (CONNECT_HINT,))
         return Explanation(text, (FORMAT_HINT,) if name.endswith(FORMATTED) else ())
-    return Explanation("va_arg asks for an argument that was not passed", shows_values=False)
+    return Explanation("va_arg reads an argument that was not passed", shows_values=False)
 
 
 def _no_value(case: Case) -> Explanation:
     name = f"'{case.called}'" if case.called else "the function called"
     program = case.failure.stopped.program if case.failure.stopped else Program()
     notes = [
-        f"'{case.called}' is defined at {each.location}: every way through it needs a 'return'"
+        f"'{case.called}' is defined at {each.location}: every path through it needs a 'return'"
         for each in program.functions.values()
         if plain_name(each.name) == case.called
     ]
@@ -275,28 +275,28 @@ def _mismatched(case: Case) -> Explanation:
             who = f"'{case.called}' points to '{name}', which" if case.called else f"'{name}'"
             note = f"it is {spell(each.ctype, name)}, defined at {each.location}"
             return Explanation(f"{who} takes other arguments", (note,), shows_values=False)
-    return Explanation("the function called takes other arguments than it is given")
+    return Explanation("the function called takes other arguments than it is passed")
 
 
 def _bad_function(case: Case) -> Explanation:
     value = case.failure.value
     name = f"'{case.called}'" if case.called else "the pointer called"
-    what = "is null" if value == 0 else f"is {value:#x}, which is no function"
+    what = "is null" if value == 0 else f"is {value:#x}, which is not a function"
     return Explanation(f"{name} {what}", told=case.called)
 
 
 def _stack(case: Case) -> Explanation:
     stopped = case.failure.stopped
     if stopped is None or not stopped.stack:
-        # Our own check comes before the end of the host's stack, unless that is a small one.
-        return Explanation("the system's limit for the stack was reached (see 'ulimit -s')")
+        # Our own check fails before the host's stack overflows, unless that is a small one.
+        return Explanation("the system's stack limit was reached (see 'ulimit -s')")
     innermost = stopped.stack[0].function
     size = stopped.compiled.info(innermost).frame.size
     if size * 4 > STACK_SIZE:
         name = plain_name(innermost)
         text = f"the variables of '{name}' take {size:,} bytes of a stack of {STACK_SIZE:,}"
         return Explanation(text, ("hint: make large arrays static",), shows_values=False)
-    text = f"{len(stopped.stack):,} calls at once fill the stack of {STACK_SIZE:,} bytes"
+    text = f"{len(stopped.stack):,} nested calls fill the stack of {STACK_SIZE:,} bytes"
     return Explanation(text, ("hint: does the recursion end?",), shows_values=False)
 
 
@@ -342,10 +342,10 @@ EXPLAIN: Final[dict[str, Callable[[Case], Explanation]]] = {
     "division overflow": _says("the quotient does not fit its type"),
     "bad function pointer": _bad_function,
     "stack overflow": _stack,
-    "damaged stack": _says("the program has written over the stack of its calls"),
+    "damaged stack": _says("the program has overwritten its call stack"),
     "abort called": _says("", shows_callee=False),
     "unhandled signal": _says("", shows_callee=False),
     "assertion failed": _assertion,
-    "internal trap": _says("a mistake of crs, please report it"),
+    "internal trap": _says("a bug in crs, please report it"),
 }
-"""Who explains each kind of error that needs words."""
+"""The function that explains each kind of error."""

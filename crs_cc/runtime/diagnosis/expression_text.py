@@ -1,7 +1,7 @@
-r"""Finds in the text of an expression the pointer that it goes through, and the names in it.
+r"""Find in the text of an expression the pointer that it dereferences, and the names in it.
 
-Only what a reader sees at a glance is understood: a name with members, indices and stars. All
-else gives nothing, and messages do without.
+Only simple expressions are understood: a name with members, indices and stars. For
+others nothing is found, and messages do without.
 
 >>> from crs_cc.ir.types import INT, ArrayType, Member, PointerType, Record, RecordType
 >>> node = Record("struct", "node")
@@ -28,10 +28,10 @@ from typing import Final, TypeAlias
 from crs_cc.ir.types import ArrayType, CType, IntegerType, PointerType, RecordType
 
 Find: TypeAlias = Callable[[str], "tuple[CType, bytes] | None"]
-"""Gives type and content of a variable."""
+"""Returns type and content of a variable."""
 
 Read: TypeAlias = Callable[[int, int], bytes]
-"""Gives the bytes at an address, as many as can be read."""
+"""Returns the bytes at an address, as many as are readable."""
 
 _EXPRESSION: Final = re.compile(
     r"\s*(\**)\s*(?:\+\+|--)?\s*([^\W\d]\w*)((?:\s*(?:->|\.)\s*\w+|\s*\[[^][]*\])*)\s*(?:\+\+|--)?\s*"
@@ -43,18 +43,18 @@ _NAME: Final = re.compile(
 
 
 def names_in(expression: str) -> list[str]:
-    """Return the names in an expression that may be those of variables, each once."""
+    """Return the names in an expression that may be variables, without duplicates."""
     found = (match for match in _NAME.finditer(expression) if match[1] and not match[2])
     return list(dict.fromkeys(match[1] for match in found))
 
 
 def pointer_in(expression: str, find: Find, read: Read) -> tuple[str, int | None] | None:
-    """Return the text of the pointer that an expression goes through last, and its value if known.
+    """Return the text of the last pointer that an expression dereferences, and its value if known.
 
     Args:
         expression: an expression that names an object.
-        find: knows the variables.
-        read: knows the memory.
+        find: looks up variables.
+        read: reads memory.
     """
     whole = _EXPRESSION.fullmatch(expression)
     known = find(whole[2]) if whole else None
@@ -79,11 +79,11 @@ def pointer_in(expression: str, find: Find, read: Read) -> tuple[str, int | None
 
 
 class _LostError(Exception):
-    """The expression is not what its text looks like."""
+    """The expression cannot be evaluated from its text."""
 
 
 class _Walk:
-    """Goes along an expression from the left: the object reached, and the last pointer followed."""
+    """Evaluates an expression from the left: the object reached, and the last pointer followed."""
 
     def __init__(self, text: str, ctype: CType, content: bytes, read: Read) -> None:
         self.text = text
@@ -93,7 +93,7 @@ class _Walk:
         self._read = read
 
     def follow(self, index: int | None) -> None:
-        """Go from a pointer to an element of what it points to."""
+        """Follow a pointer to an element of its target."""
         if not isinstance(self.ctype, PointerType):
             raise _LostError
         address = None if self.content is None else int.from_bytes(self.content, "little")
@@ -105,14 +105,14 @@ class _Walk:
             self.content = found if len(found) == size else None
 
     def index(self, index: int | None) -> None:
-        """Go from an array to one of its elements."""
+        """Select an element of an array."""
         if not isinstance(self.ctype, ArrayType):
             raise _LostError
         self.ctype = self.ctype.element
         self._cut(None if index is None else index * self.ctype.size)
 
     def member(self, name: str) -> None:
-        """Go from a struct to one of its members."""
+        """Select a member of a struct."""
         named = self.ctype.record.named if isinstance(self.ctype, RecordType) else {}
         if name not in named:
             raise _LostError
@@ -120,7 +120,7 @@ class _Walk:
         self._cut(named[name].offset)
 
     def _cut(self, offset: int | None) -> None:
-        """Keep the bytes of the present type at an offset."""
+        """Keep the bytes of the current type at an offset."""
         if offset is None or self.content is None:
             self.content = None
             return

@@ -1,4 +1,4 @@
-"""Why a program was stopped: the place, the kind of error, and the object that it is about."""
+"""The failure of a program: location, kind of error, and object concerned."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ from crs_cc.runtime.sites import Access
 
 @dataclass(frozen=True, slots=True)
 class Failure:
-    """Why a program was stopped.
+    """A run-time error.
 
     Attributes:
         kind: one of `crs_cc.requests.ERROR_KINDS`.
-        location: the place in the C source.
-        value: the address or function pointer that was refused; 0 when there is none.
-        stack: the active functions, the innermost, which failed at `location`, first; empty when
-            it is not known.
-        access: "read" or "write" when a bad access of memory failed.
-        size: how many bytes were accessed.
-        object: what lies at `value`, or near it; the variable that has no value yet.
-        stopped: the program, to be read; None when its stack cannot be trusted.
+        location: the location in the C source.
+        value: the invalid address or function pointer, 0 if there is none.
+        stack: the active calls, the innermost, which failed at `location`, first; empty if
+            unknown.
+        access: "read" or "write" for an invalid memory access.
+        size: number of bytes accessed.
+        object: the object at or near `value`; the uninitialised variable.
+        stopped: the program, for inspection; None if its stack cannot be trusted.
     """
 
     kind: str

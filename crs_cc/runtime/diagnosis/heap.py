@@ -1,10 +1,10 @@
-"""Reads the heap of a stopped program: the headers that `lib/stdlib/malloc.c` keeps, see there.
+"""Read the heap of a stopped program: the chunk headers of `lib/stdlib/malloc.c`, see there.
 
 chunk + 0    size of the chunk; flags in the lowest four bits
 chunk + 4    size of the chunk before it
 chunk + 8    bytes asked for
-chunk + 12   numbers of the calls that allocated it, five
-chunk + 32   the block given to the program; when that is freed, links of 8 bytes, and then the
+chunk + 12   numbers of the five calls that allocated it
+chunk + 32   the block used by the program; if that is freed, links of 8 bytes, and then the
 numbers of the calls that freed it: five, or two in the smallest chunk
 """
 
@@ -27,7 +27,9 @@ IN_USE: Final = 1
 FLAGS: Final = 15
 _LINKS: Final = 8
 _FEW: Final = 2
-_ROOMY: Final = HEADER + _LINKS + 4 * SITES  # a chunk of this size has room for all that freed it
+_ROOMY: Final = (
+    HEADER + _LINKS + 4 * SITES
+)  # a chunk of this size has room for all calls that freed it
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,8 +38,8 @@ class Block:
 
     Attributes:
         address: its first byte.
-        size: what was asked for; of a free chunk, what could be given [bytes].
-        room: what the chunk has room for [bytes].
+        size: the size requested; of a free chunk, its capacity [bytes].
+        room: the chunk's capacity [bytes].
         in_use: whether the program may use it.
         allocated: numbers of the calls that allocated it, the innermost first.
         freed: numbers of the calls that freed it; empty while it is in use.
@@ -52,13 +54,13 @@ class Block:
 
 
 def blocks(memory: ByteArray, addresses: Mapping[str, int]) -> Iterator[Block]:
-    """Return the blocks of the heap in the order of their addresses.
+    """Return the blocks of the heap, sorted by address.
 
-    An unchecked program may have damaged its heap: then they end where no sense can be made of it.
+    An unchecked program may have corrupted its heap; the list ends at the first invalid header.
 
     Args:
         memory: the robot's memory.
-        addresses: of the program's global objects.
+        addresses: the addresses of the program's global objects.
     """
     end_name = f"{ALLOCATOR}:unused"
     if end_name not in addresses:

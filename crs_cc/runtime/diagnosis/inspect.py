@@ -1,4 +1,4 @@
-"""What a stopped program's memory tells: which functions are active, and where each one is."""
+"""The call stack of a stopped program, read from its memory."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ MOST_ACTIVE: Final = (STACK_TOP - NULL_SIZE) // HEADER_SIZE
 
 @dataclass(frozen=True, slots=True)
 class StackFrame:
-    """One active function.
+    """An active call.
 
     Attributes:
         function: its name.
-        location: where it goes on, or where it failed.
+        location: where it will resume, or where it failed.
         fp: address of its header and arguments, see `layout`.
-        entered: how many statements had begun when it was entered; -1 when that is not known.
+        entered: number of statements begun when it was entered; -1 if unknown.
     """
 
     function: str
@@ -35,16 +35,16 @@ class StackFrame:
 
 @dataclass(frozen=True, slots=True)
 class Stopped:
-    """A program that has come back, and all that tells where it stands.
+    """A suspended or failed program, for inspection.
 
     Attributes:
         memory: its memory.
         shadow: the states of its bytes; empty in unchecked builds.
-        program: what it runs.
-        compiled: what was made of that.
-        lines: the lines of the user's files, by their names.
-        stack: its active functions, the innermost first.
-        saved: whether they have saved what they keep in registers, as all do unless a trap came.
+        program: its IR.
+        compiled: its code and debug information.
+        lines: the lines of the user's files, by name.
+        stack: its active calls, the innermost first.
+        saved: whether registers have been saved to the frames, as always except after a trap.
     """
 
     memory: ByteArray
@@ -56,7 +56,7 @@ class Stopped:
     saved: bool = True
 
     def stack_pointer(self) -> int:
-        """Return the lower end of the innermost frame; that of all the stack when none is known."""
+        """Return the lower end of the innermost frame, or of the stack if there is none."""
         if not self.stack:
             return NULL_SIZE
         innermost = self.stack[0]
@@ -66,14 +66,14 @@ class Stopped:
 def call_stack(
     memory: ByteArray, compiled: Compiled, failed_at: Location | None = None
 ) -> list[StackFrame]:
-    """Return the active functions of a program that has come back, the innermost first.
+    """Return the active calls of a stopped program, the innermost first.
 
-    A program that has damaged its own stack gets as many frames as make sense.
+    Of a program that has corrupted its stack, as many frames as are valid.
 
     Args:
         memory: its memory.
         compiled: the program.
-        failed_at: where the innermost function failed, if it did.
+        failed_at: the location at which the innermost function failed, if it did.
     """
     numbers = compiled.numbers
     number, fp = numbers[ROOT], STACK_TOP - HEADER_SIZE

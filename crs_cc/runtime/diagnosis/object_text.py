@@ -1,4 +1,4 @@
-"""Objects in words: their names in a sentence, and a note on what they are and came from."""
+"""Descriptions of objects: their names in a sentence, and notes on type and origin."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def count(number: int, what: str) -> str:
 
 
 def object_name(found: Object | None) -> str:
-    """Names an object in the middle of a sentence."""
+    """Return the name of an object, for use in a sentence."""
     if found is None:
         return "an unknown object"
     if found.kind == "heap block":
@@ -32,7 +32,7 @@ def object_name(found: Object | None) -> str:
 
 
 def object_notes(found: Object | None, address: int | None = None) -> tuple[str, ...]:
-    """Say what an object is, which part of it lies at an address, and where it came from."""
+    """Describe an object, the part of it at an address, and its origin."""
     if found is None:
         return ()
     notes = []
@@ -44,7 +44,7 @@ def object_notes(found: Object | None, address: int | None = None) -> tuple[str,
         size = count(found.size, "byte")
         notes.append(f"'{name}' is {spell(ctype)}, {size}, declared at {found.location}{this}")
     elif found.kind == "string" and found.location is not None:
-        notes.append(f"the string has {count(found.size, 'byte')} and stands at {found.location}")
+        notes.append(f"the string has {count(found.size, 'byte')} and is at {found.location}")
     if found.allocated:
         notes.append(f"allocated {_sites(found.allocated)}")
     if found.freed:

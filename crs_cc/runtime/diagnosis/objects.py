@@ -1,7 +1,7 @@
-"""What lies at an address of a stopped program: a variable, a string, a block of the heap.
+"""Look up the object at an address of a stopped program: a variable, a string, a heap block.
 
-Messages name the object that a bad access belongs to: the one that it hits, or else the nearest
-one. `find_object` looks in the frames of the active functions, among the global objects, and in
+Messages name the object that an invalid access belongs to: the one that it hits, or the nearest
+one. `find_object` searches the frames of the active calls, the global objects, and
 the heap.
 """
 
@@ -23,27 +23,27 @@ from crs_cc.runtime.link import HEAP_SYMBOLS
 from crs_cc.runtime.sites import CallSite, arguments_size
 
 NEAR: Final = 4096
-"""An object further away than so many bytes has nothing to do with an address."""
+"""An object further away than this [bytes] is unrelated to an address."""
 
-_NEIGHBOURS: Final = 3  # variables may lie in the frame of a function that believes in another one
+_NEIGHBOURS: Final = 3  # frames may overlap if a prototype is wrong
 
 
 @dataclass(frozen=True, slots=True)
 class Object:
-    """Bytes that belong together.
+    """An object in memory.
 
     Attributes:
-        kind: "local" (parameters too), "argument" (of those behind `...`), "global" (static ones
+        kind: "local" (parameters too), "argument" (variable arguments), "global" (static ones
             too), "string" (a literal), "temporary" (without a name) or "heap block".
         address: its first byte.
-        size: in bytes; of a heap block, what was asked for.
-        name: as the programmer knows it; empty when it has none.
-        location: where it is declared, when that is known.
-        variable: the C variable, when it is one.
+        size: in bytes; of a heap block, the size requested.
+        name: its name in the source; empty if it has none.
+        location: where it is declared, if known.
+        variable: the C variable, if it is one.
         function: the function that a local belongs to.
-        state: whether it may be used: "alive", "ended" (its block or function was left), "freed".
-        allocated: the calls that led to the allocation of a heap block, the innermost first; a few.
-        freed: the calls that led to its release.
+        state: its lifetime: "alive", "ended" (its block or function was left) or "freed".
+        allocated: the innermost calls that allocated a heap block, the innermost first.
+        freed: the calls that freed it.
     """
 
     kind: Literal["local", "argument", "global", "string", "temporary", "heap block"]
@@ -58,9 +58,9 @@ class Object:
     freed: tuple[CallSite, ...] = ()
 
     def distance(self, address: int) -> int:
-        """Return how far an address is from the object: 0 inside, else bytes to the nearest end.
+        """Return the distance of an address: 0 inside, else bytes to the nearest end.
 
-        It is negative before the object; the first byte behind it is at distance 1.
+        It is negative before the object; the first byte after it is at distance 1.
         """
         if address < self.address:
             return address - self.address
@@ -68,7 +68,7 @@ class Object:
 
 
 class Objects:
-    """The objects of a stopped program, to be found by addresses; it must not go on meanwhile."""
+    """The objects of a stopped program, for lookup by address; the program must stay stopped."""
 
     def __init__(self, stopped: Stopped) -> None:
         self._stopped = stopped
@@ -86,7 +86,7 @@ class Objects:
         return list(heap.blocks(self._stopped.memory, self._stopped.compiled.addresses))
 
     def at(self, address: int) -> Object | None:
-        """Return the object at an address, or else the nearest one; None when there is none near."""
+        """Return the object at an address, or else the nearest one; None if none is near."""
         compiled = self._stopped.compiled
         found: list[Object]
         if address < STACK_TOP:
@@ -102,7 +102,7 @@ class Objects:
 
 
 def find_object(stopped: Stopped, address: int) -> Object | None:
-    """Return the object at an address, or else the nearest one; None when there is none near."""
+    """Return the object at an address, or else the nearest one; None if none is near."""
     return Objects(stopped).at(address)
 
 
@@ -114,13 +114,13 @@ def _start(each: Object | heap.Block) -> int:
 
 
 def _around(each: list[_Placed], address: int) -> list[_Placed]:
-    """Return the objects around an address; there may be empty ones at the same place."""
+    """Return the objects around an address; there may be empty ones at the same address."""
     behind = bisect_right(each, address, key=_start)
     return each[max(0, behind - _NEIGHBOURS) : behind + 1]
 
 
 def of_variable(stopped: Stopped, variable: Variable) -> Object:
-    """Return a variable of the innermost function as an object; its address is where it is saved."""
+    """Return a variable of the innermost function as an object, at its spill slot."""
     address, function = 0, ""
     if stopped.stack:
         innermost = stopped.stack[0]
@@ -132,7 +132,7 @@ def of_variable(stopped: Stopped, variable: Variable) -> Object:
 
 
 def _locals(stopped: Stopped) -> Iterator[Object]:
-    """Return the slots in the frames of the active functions, and arguments behind `...`."""
+    """Return the slots in the frames of the active calls, and variable arguments."""
     for each in stopped.stack:
         info = stopped.compiled.info(each.function)
         start = each.fp - info.frame.size
@@ -171,7 +171,7 @@ def _global(data: Data, address: int) -> Object:
 
 
 def _heap_block(block: heap.Block, compiled: Compiled) -> Object:
-    """Return a block of the heap; a freed one has its whole chunk, as nothing else is there."""
+    """Return a heap block; a freed one extends over its whole chunk."""
     return Object(
         "heap block",
         block.address,

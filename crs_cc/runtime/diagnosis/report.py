@@ -1,6 +1,6 @@
-"""The report of a stopped program: what went wrong, where, with which object, called by whom.
+"""The error report of a stopped program: message, location, object and call stack.
 
-`explain` finds the words; here they are put together with the line of source, the values of the
+`explain` supplies the message; here it is combined with the source line, the values of the
 variables in the expression, and the call stack.
 """
 
@@ -25,23 +25,23 @@ from crs_cc.runtime.diagnosis.variables import Variables
 FIRST_CALLS: Final = 3
 LAST_CALLS: Final = 2
 MOST_VALUES: Final = 4
-LONGEST_STRUCT: Final = 24  # characters; a longer one has no place among arguments
+LONGEST_STRUCT: Final = 24  # characters; longer ones are omitted from arguments
 MOST_NAMES: Final = 3
 
 
 @dataclass(frozen=True, slots=True)
 class ErrorReport:
-    """Why a program was stopped.
+    """The report of a run-time error.
 
     Attributes:
         kind: one of `crs_cc.requests.ERROR_KINDS`.
-        location: the innermost place in the user's own files.
-        text: what happened, in a sentence that begins with the kind.
-        source_line: the line of source; empty when unknown.
+        location: the innermost location in the user's files.
+        text: the message, which starts with the kind.
+        source_line: the source line; empty if unknown.
         values: the variables in the expression with their values.
-        notes: what else there is to say, a sentence each: of the object, of the heap block.
-        stack: the active functions, the innermost first; those in the middle of many are one.
-        object: what the failure is about, if it is known.
+        notes: further information, a sentence each: on the object, on the heap block.
+        stack: the active calls, the innermost first; of many those in the middle are summarised.
+        object: the object concerned, if known.
     """
 
     kind: str
@@ -55,7 +55,7 @@ class ErrorReport:
 
 
 def report(failure: Failure) -> ErrorReport:
-    """Return the report of a failure, about the innermost place in the user's own files."""
+    """Return the report of a failure, located in the user's files."""
     if failure.stopped is None:
         return ErrorReport(
             failure.kind, failure.location, _sentence(failure, explain(Case(failure)))
@@ -64,13 +64,13 @@ def report(failure: Failure) -> ErrorReport:
 
 
 def current_call(stopped: Stopped) -> ActiveCall | None:
-    """Return the innermost active function of the user's own files; None when there is none."""
+    """Return the innermost active call in the user's files, if any."""
     frame = next((each for each in stopped.stack if not _is_library(each)), None)
     return None if frame is None else _call(frame, stopped, Variables(stopped))
 
 
 def library_call(stopped: Stopped) -> ActiveCall | None:
-    """Return the library's function that the user's code has called, with the place of the call."""
+    """Return the library function called by the user's code, with the location of the call."""
     for frame, caller in itertools.pairwise(stopped.stack):
         if _is_library(frame) and not _is_library(caller):
             call = _call(frame, stopped, Variables(stopped))
@@ -83,7 +83,7 @@ def _sentence(failure: Failure, explained: Explanation) -> str:
 
 
 class _Reporter:
-    """Makes the report of one failure."""
+    """Builds the report of one failure."""
 
     def __init__(self, failure: Failure, stopped: Stopped) -> None:
         self.failure = failure
@@ -117,12 +117,12 @@ class _Reporter:
         )
 
     def line(self, place: Location) -> str:
-        """Return the line of source at a place."""
+        """Return the source line at a location."""
         lines = self.stopped.lines.get(place.file, ())
         return lines[place.line - 1] if 0 < place.line <= len(lines) else ""
 
     def call(self, frame: StackFrame) -> ActiveCall:
-        """Return an active function with its arguments."""
+        """Return an active call with its arguments."""
         return _call(frame, self.stopped, self.variables)
 
     def values(
@@ -135,7 +135,7 @@ class _Reporter:
             if known is None or name in told:
                 continue
             shown = self.variables.show(known)
-            if shown.endswith("..."):  # too much to help
+            if shown.endswith("..."):  # too long to be useful
                 continue
             values.append((name, shown))
             target = self.variables.values.show_target(known.variable.ctype, known.content)
@@ -172,14 +172,14 @@ def _brief(value: str) -> str:
 
 
 def _expression(line: str, place: Location) -> tuple[Location, str]:
-    """Return the place and the text of the expression there, of one token at least."""
+    """Return the location and the text of the expression there, at least one token."""
     place = replace(place, last=place.last or place.column)
     start = max(0, place.column - 1)
     return place, line[start : start + len(underline(line, place))]
 
 
 def _narrowed(place: Location, expression: str, blamed: str) -> tuple[Location, str]:
-    """Return place and text of a variable alone, if it is to blame of an expression."""
+    """Return location and text of the variable at fault in an expression, if there is one."""
     found = re.search(rf"\b{re.escape(blamed)}\b", expression) if blamed else None
     if found is None:
         return place, expression
@@ -192,7 +192,7 @@ def _is_library(frame: StackFrame) -> bool:
 
 
 def _shown_frames(stopped: Stopped) -> list[StackFrame]:
-    """Return the user's functions, and those of the library that they called themselves."""
+    """Return the user's functions, and the library functions called directly by them."""
     rows: list[StackFrame] = []
     for frame, caller in zip(stopped.stack, [*stopped.stack[1:], None], strict=True):
         by_user = caller is not None and not _is_library(caller)

@@ -1,4 +1,4 @@
-r"""Writes the bytes of an object as its C type means them, for messages and debuggers.
+r"""Format the bytes of an object by its C type, for messages and debuggers.
 
 >>> from crs_cc.ir.types import CHAR, DOUBLE, INT, ArrayType, Member, PointerType
 >>> from crs_cc.ir.types import Record, RecordType
@@ -52,15 +52,15 @@ _KNOWN: Final = bytes([ByteState.WITH_VALUE])
 
 @dataclass(frozen=True, slots=True)
 class Style:
-    """How much of a value is written.
+    """Limits for formatting values.
 
     Attributes:
-        longest: longer values are cut [characters].
-        most_elements: how many elements of an array are written.
-        longest_text: how much of a string is written [characters].
-        most_nested: how many structs and arrays inside each other are written.
-        repeats: so many equal elements, or more, are written as one; 0 for never.
-        unset: what a value that nobody has set is written as.
+        longest: maximum length of a value [characters].
+        most_elements: maximum number of elements of an array.
+        longest_text: maximum length of a string [characters].
+        most_nested: maximum depth of nested structs and arrays.
+        repeats: minimum number of equal elements written as one; 0 for never.
+        unset: the text for an uninitialised value.
     """
 
     longest: int = LONGEST
@@ -84,7 +84,7 @@ def _no_object(_address: int, _target: CType) -> str:
 
 
 def _shown(content: bytes, states: bytes) -> bytes:
-    """Return bytes as they are shown: those without values are all the same."""
+    """Return bytes with the uninitialised ones set to a fixed value."""
     if not states.strip(_KNOWN):
         return content
     pairs = zip(content, states.ljust(len(content), _KNOWN), strict=False)
@@ -97,15 +97,15 @@ def _no_function(_number: int) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Values:
-    """Writes values; knows the memory that pointers point into as far as it is told.
+    """Formats values; the callbacks give access to the targets of pointers.
 
     Attributes:
-        read: gives up to so many bytes at an address, as many as can be read.
-        states: gives the `ByteState`s of these bytes; nothing when all have values.
-        object_at: names what of a type lies at an address (`sonar`, `&head.next`); empty when
+        read: returns the bytes at an address, as many as are readable.
+        states: returns the `ByteState`s of these bytes; empty if all are initialised.
+        object_at: names the object of a type at an address (`sonar`, `&head.next`); empty if
             unknown.
-        function_at: names the function that a function pointer stands for; empty when unknown.
-        style: how much is written.
+        function_at: names the function of a function pointer; empty if unknown.
+        style: the limits.
     """
 
     read: Callable[[int, int], bytes] = _nothing
@@ -120,13 +120,13 @@ class Values:
         Args:
             ctype: the type.
             content: its bytes.
-            states: their states; none when all have values.
+            states: their states; empty if all are initialised.
         """
         text, longest = self._show(ctype, content, states, 0), self.style.longest
         return text if len(text) <= longest else text[: longest - 3] + "..."
 
     def show_target(self, ctype: CType, content: bytes) -> str:
-        """Return the struct that a pointer points to; empty for all other values."""
+        """Return the struct that a pointer points to; empty for other values."""
         if isinstance(ctype, PointerType) and isinstance(ctype.target, RecordType):
             address, size = _integer(content, signed=False), ctype.target.size
             target, states = self.read(address, size), self.states(address, size)
@@ -188,7 +188,7 @@ class Values:
         return "{" + ", ".join(parts) + "}"
 
     def _run(self, content: bytes, states: bytes, start: int, size: int) -> int:
-        """Return how many elements from one on are equal, if these are many; else 1."""
+        """Return the number of equal elements from one on, if it is large; else 1."""
         first, known, end = content[start : start + size], states[start : start + size], start
         while content[end : end + size] == first and states[end : end + size] == known:
             end += size
@@ -211,7 +211,7 @@ class Values:
         return "{" + ", ".join(parts) + "}"
 
     def _text(self, content: bytes, states: bytes) -> str | None:
-        """Return a string in quotes as far as it goes; None when it is no text."""
+        """Return a string in quotes, truncated; None if it is not text."""
         characters, end, _ = content.partition(b"\0")
         longest = self.style.longest_text
         if states[: len(characters + end)].strip(_KNOWN):
@@ -219,7 +219,7 @@ class Values:
         if not content or any(code < 32 and code not in b"\t\n\r" for code in characters):
             return None
         if not end and len(content) <= longest:
-            return None  # nothing ends it
+            return None  # not terminated
         shown = characters[:longest]
         escapes = _ESCAPES | {34: '\\"', 92: "\\\\", 127: "\\177"}
         text = shown.decode("utf-8", "replace").translate(escapes)
@@ -227,9 +227,9 @@ class Values:
 
 
 def place_name(name: str, ctype: CType, offset: int, wanted: CType | None = None) -> str:
-    """Names the part of an object that lies at an offset, also behind the end of an array.
+    """Return the name of the part of an object at an offset, also past the end of an array.
 
-    Of the parts that begin there it is the first that has the type `wanted`, else the smallest.
+    Of the parts that start there, it is the first that has the type `wanted`, else the smallest.
 
     >>> from crs_cc.ir.types import INT, ArrayType
     >>> place_name("order", ArrayType(INT, 4), 16)
@@ -250,7 +250,7 @@ def place_name(name: str, ctype: CType, offset: int, wanted: CType | None = None
 
 
 def _is_same(ctype: CType, wanted: CType) -> bool:
-    """Return whether two types are one to a programmer, be they of different files."""
+    """Return whether two types, possibly of different files, are the same."""
     ctype, wanted = unqualified(ctype), unqualified(wanted)
     return ctype == wanted or (ctype.size == wanted.size and spell(ctype) == spell(wanted))
 
@@ -287,10 +287,10 @@ def _enumerator(ctype: EnumType, value: int) -> str:
 
 
 def _flags(constants: Mapping[str, int], value: int) -> str:
-    """Return a value as the flags that it is put together from, if the constants are flags.
+    """Return a value as a combination of flags, if the constants are flags.
 
-    They are when they share no bits, and each has one or several that lie side by side; so gdb
-    has it.
+    They are if they share no bits, and each has one or several adjacent bits, as in
+    gdb.
     """
     flags = {name: each for name, each in constants.items() if each}
     union = functools.reduce(operator.or_, flags.values(), 0)
@@ -303,7 +303,7 @@ def _flags(constants: Mapping[str, int], value: int) -> str:
 
 
 def bit_field(member: Member, content: bytes) -> bytes:
-    """Return a member's bytes, those of a bit-field as if it had a whole object of its type."""
+    """Return a member's bytes; a bit-field is extended to an object of its type."""
     if member.bit_width is None:
         return content
     value = _integer(content, signed=False) >> member.bit_offset & (1 << member.bit_width) - 1

@@ -1,4 +1,4 @@
-"""The variables and arguments of a stopped program: their names, types, contents, and as text."""
+"""The variables and arguments of a stopped program: names, types, contents and text."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from crs_cc.runtime.layout import MEMORY_BYTES, NULL_SIZE
 
 
 class Content(NamedTuple):
-    """What a variable holds.
+    """The content of a variable.
 
     Attributes:
         variable: the variable.
         content: its bytes.
-        states: their states; none when all have values, as those in registers seem to.
+        states: their states; empty if all are initialised, and for registers.
     """
 
     variable: Variable
@@ -32,8 +32,8 @@ class Variables:
     """Reads a stopped program.
 
     Attributes:
-        values: writes the values of its variables.
-        objects: finds what lies at an address.
+        values: formats the values of its variables.
+        objects: looks up the object at an address.
     """
 
     def __init__(self, stopped: Stopped) -> None:
@@ -51,7 +51,7 @@ class Variables:
         return self._stopped.memory[address : min(address + size, MEMORY_BYTES)].tobytes()
 
     def states(self, address: int, size: int) -> bytes:
-        """Return the states of these bytes; nothing in unchecked builds."""
+        """Return the states of these bytes; empty in unchecked builds."""
         return self._stopped.shadow[address : address + size].tobytes()
 
     def show(self, found: Content) -> str:
@@ -62,7 +62,7 @@ class Variables:
         return plain_name(self._pointers[pointer]) if pointer in self._pointers else ""
 
     def _object_name(self, address: int, target: CType) -> str:
-        """Names a variable, or the part of it, that a pointer points to; "" when unknown."""
+        """Return the name of a pointer's target, a variable or part of it; "" if unknown."""
         found = self.objects.at(address)
         if found is None or found.variable is None or found.distance(address):
             return ""
@@ -76,7 +76,7 @@ class Variables:
         return name.removesuffix("[0]") if name.endswith("[0]") else f"&{name}"
 
     def arguments(self, frame: StackFrame) -> list[Content]:
-        """Return the parameters of an active function with the values that were passed."""
+        """Return the parameters of an active call with the values passed."""
         info = self._stopped.compiled.info(frame.function)
         found = []
         for parameter, offset in zip(info.function.parameters, info.frame.parameters, strict=True):
@@ -87,10 +87,10 @@ class Variables:
         return found
 
     def of(self, frame: StackFrame) -> Iterator[Content]:
-        """Return the variables of an active function with their present values."""
+        """Return the variables of an active call with their current values."""
         info = self._stopped.compiled.info(frame.function)
         sp = frame.fp - info.frame.size
-        if sp < NULL_SIZE:  # there was no room for its frame
+        if sp < NULL_SIZE:  # the stack overflowed before its frame
             yield from self.arguments(frame)
             return
         for place, offset in info.frame.offsets.items():
@@ -100,7 +100,7 @@ class Variables:
                 yield Content(place.variable, self.read(sp + offset, size), states)
 
     def find(self, name: str, frame: StackFrame) -> Content | None:
-        """Return the variable that a name means where an active function is, and its value."""
+        """Look up a name at the location of an active call."""
         place = frame.location
         seen = [
             (each.variable.location, number, each)

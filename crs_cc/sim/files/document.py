@@ -12,8 +12,8 @@ that a user hears of all mistakes at once.
 1.0
 >>> for message in reader.diagnostics.messages:
 ...     print(message.render())
-room.xml:7: error: wall, x2: 'wide' is not a length (expected a number and one of m, cm, mm, in, ft, \
-as in 1.5m
+room.xml:7: error: wall, x2: 'wide' is not a length (expected a number and one of m, cm, mm, in, \
+ft, such as 1.5m)
 room.xml:7: error: wall, thickness: '-1' must be greater than 0
 """
 

@@ -17,7 +17,7 @@ from pathlib import Path
 
 import pytest
 
-from crs_cc.cli.status import INTERRUPTED
+from crs_cc.cli.exit_status import INTERRUPTED
 from tests.debug.dap.programs import LOOP
 from tests.debug.dap.test_processes import hear_interrupts
 

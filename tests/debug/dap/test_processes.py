@@ -15,8 +15,8 @@ from typing import Any
 
 import pytest
 
+from crs_cc.cli.exit_status import INTERRUPTED, SYSTEM
 from crs_cc.cli.main import main
-from crs_cc.cli.status import INTERRUPTED, SYSTEM
 from crs_cc.debug.dap.framing import encode, read_message
 from tests.debug.dap.programs import LOOP
 

@@ -10,7 +10,7 @@ import numpy as np
 from crs_cc.debug.timeline.console import ConsolePosition
 from crs_cc.debug.timeline.history import INTERVAL, History, RunSnapshot
 from crs_cc.debug.timeline.position import BEGINNING, Position
-from crs_cc.runtime.pages import CHUNK
+from crs_cc.runtime.resident_pages import CHUNK
 
 
 def moment(number: int, size: int = 100) -> RunSnapshot:

@@ -41,11 +41,11 @@ def run(folder: Path, body: str, *, trap_overflow: bool) -> str:
 
 
 @pytest.mark.parametrize("body", OVERFLOWS)
-def test_overflow_wraps_or_stops_as_is_asked(tmp_path: Path, body: str) -> None:
+def test_overflow_wraps_or_traps_by_option(tmp_path: Path, body: str) -> None:
     assert run(tmp_path, body, trap_overflow=False) == ""
     assert run(tmp_path, body, trap_overflow=True) == "signed overflow"
 
 
-def test_what_fits_is_no_overflow(tmp_path: Path) -> None:
+def test_results_in_range_do_not_overflow(tmp_path: Path) -> None:
     for body in FINE:
         assert run(tmp_path, body, trap_overflow=True) == "", body

@@ -1,4 +1,4 @@
-"""The report of a stopped program names what the user's own files say, and shows what is there."""
+"""Reports of stopped programs: locations in the user's files, values and call stack."""
 
 from __future__ import annotations
 
@@ -67,16 +67,16 @@ def blamed(error: ErrorReport) -> str:
     return error.source_line[start : start + len(underline(error.source_line, error.location))]
 
 
-def test_a_failure_in_the_library_is_told_where_the_program_called_it(tmp_path: Path) -> None:
+def test_a_failure_in_the_library_is_reported_at_the_call(tmp_path: Path) -> None:
     error = report_of(tmp_path, 'copy(0, "x")')
-    assert error.text == "null pointer: strcpy is given a null pointer as 'to'"
+    assert error.text == "null pointer: strcpy is passed a null pointer as 'to'"
     assert blamed(error) == "strcpy(to, text)"
     assert stack(error) == [
         'strcpy(to=null, from="x")', 'copy(to=null, text="x")', "main()",
     ]  # fmt: skip
 
 
-def test_abort_is_told_where_it_was_called(tmp_path: Path) -> None:
+def test_abort_is_reported_at_the_call(tmp_path: Path) -> None:
     error = report_of(tmp_path, "abort()")
     assert error.text == "abort called"
     assert blamed(error) == "abort()"
@@ -123,11 +123,11 @@ def test_a_variadic_function_has_dots(tmp_path: Path) -> None:
     assert stack(report_of(tmp_path, 'many("x", 1, 2)'))[0] == 'many(format="x", ...)'
 
 
-def test_a_name_means_the_innermost_variable(tmp_path: Path) -> None:
+def test_a_name_refers_to_the_innermost_variable(tmp_path: Path) -> None:
     assert report_of(tmp_path, "shadow(5)").values == (("i", "5"),)
 
 
-def test_endless_recursion_shows_how_it_goes(tmp_path: Path) -> None:
+def test_endless_recursion_shows_its_cycle(tmp_path: Path) -> None:
     error = report_of(tmp_path, "down(-1)")
     assert error.kind == "stack overflow"
     assert stack(error)[-2:] == ["down(n=-1)", "main()"]
@@ -145,9 +145,7 @@ def test_a_report_does_not_change_when_the_file_does(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("statement", ["down(9)", "copy(0, first.name)", "value_of(&first, 1, 2)"])
-def test_whatever_a_program_has_written_over_its_memory_there_is_a_report(
-    tmp_path: Path, statement: str
-) -> None:
+def test_corrupt_memory_still_gives_a_report(tmp_path: Path, statement: str) -> None:
     stopped = failure_of(tmp_path, SOURCE % statement)
     assert stopped.stopped is not None
     random = np.random.default_rng(1)

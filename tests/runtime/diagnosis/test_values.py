@@ -96,7 +96,7 @@ SHOWN: list[tuple[CType, bytes, str]] = [
 
 
 @pytest.mark.parametrize(("ctype", "content", "wanted"), SHOWN)
-def test_values_are_written_as_c_means_them(ctype: CType, content: bytes, wanted: str) -> None:
+def test_values_are_formatted_by_their_c_types(ctype: CType, content: bytes, wanted: str) -> None:
     values = Values(
         read,
         lambda _address, _size: b"",
@@ -112,7 +112,7 @@ def test_long_values_are_cut() -> None:
     assert shown.endswith("...")
 
 
-def test_a_list_that_bites_its_tail_is_written_once() -> None:
+def test_a_cyclic_list_is_written_once() -> None:
     node = Record("struct", "node")
     node.complete([Member("value", INT), Member("next", PointerType(RecordType(node)))])
     pointer = PointerType(RecordType(node))
@@ -132,11 +132,11 @@ def test_a_list_that_bites_its_tail_is_written_once() -> None:
         (ArrayType(CHAR, 3), b"\x01\xff\xff", "{?, 0, 0}"),
     ],
 )
-def test_what_has_no_value_is_not_shown(ctype: CType, states: bytes, wanted: str) -> None:
+def test_uninitialised_values_are_not_shown(ctype: CType, states: bytes, wanted: str) -> None:
     assert Values().show(ctype, bytes(ctype.size), states) == wanted
 
 
-def test_elements_without_values_are_equal_whatever_was_there_before() -> None:
+def test_uninitialised_elements_are_equal_whatever_their_bytes() -> None:
     values = Values(style=replace(BRIEF, repeats=3))
     states = b"\x01" * 5 + b"\xff"
     assert values.show(ArrayType(CHAR, 6), b"abcdef", states) == "{? <repeats 5 times>, 102 'f'}"

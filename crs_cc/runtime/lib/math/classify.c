@@ -1,4 +1,4 @@
-/* Classification (C17 7.12.3), behind the macros of math.h. */
+/* Classification (C17 7.12.3), after the macros of math.h. */
 #include <math.h>
 
 #include "kernel.h"

@@ -56,7 +56,7 @@ static double divide(double x, double y, unsigned int *quotient)
     return a.m == 0 ? 0 : __crs_ldexp((double)a.m, b.exponent - 1075);
 }
 
-/* Deals with arguments that have no remainder, and with an infinite y; gives 1 when it did. */
+/* Deals with arguments that have no remainder, and with an infinite y; returns 1 when it did. */
 static int is_special(double x, double y, double *result)
 {
     if (x != x || y != y)

@@ -72,7 +72,7 @@ double __crs_exp(double hi, double lo);
 struct __crs_pair __crs_log_pair(double hi, double lo);
 struct __crs_pair __crs_log1p_pair(double x);
 
-/* x = n pi/2 + (hi + lo), |hi| <= pi/4, for finite x; gives n modulo 4. */
+/* x = n pi/2 + (hi + lo), |hi| <= pi/4, for finite x; returns n modulo 4. */
 int __crs_reduce(double x, struct __crs_pair *rest);
 
 /* Sine and cosine of hi + lo, |hi| <= pi/4; the sum of the result's parts has about 2^-58. */

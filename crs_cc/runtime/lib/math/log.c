@@ -122,7 +122,7 @@ struct __crs_pair __crs_log1p_pair(double x)
     return __crs_log_pair(sum, low);
 }
 
-/* Deals with the arguments that have no finite logarithm; gives 1 when it did. */
+/* Deals with the arguments that have no finite logarithm; returns 1 when it did. */
 static int is_special(double x, double *result)
 {
     if (x > 0 && x < INFINITY)

@@ -15,7 +15,7 @@
 #define HALF_PI_LO 0x1.1a62633145c07p-54
 #define WORDS 6
 
-/* 2/pi as a binary fraction, behind 64 zeros. */
+/* 2/pi as a binary fraction, after 64 zeros. */
 static const unsigned int two_over_pi[] = {
     0, 0,
     0xa2f9836eu, 0x4e441529u, 0xfc2757d1u, 0xf534ddc0u, 0xdb629599u, 0x3c439041u, 0xfe5163abu,

@@ -30,7 +30,7 @@ uint32_t ntohl(uint32_t value)
 }
 
 /* Reads one to four numbers with points between them; the last one fills the bytes that are left.
-   Gives 1, or 0 for something else. */
+   Returns 1, or 0 for something else. */
 static int read_address(const char *text, int only_decimal, unsigned int *address)
 {
     unsigned int parts[4] = {0, 0, 0, 0}, value = 0;

@@ -1,5 +1,5 @@
 /* The batteries' voltages, as the last state told them: a reading of 0 to 255 means 2 to 5 volts
-   behind a divider (vendor source Nclient.c 2.7). */
+   after a divider (vendor source Nclient.c 2.7). */
 #include <crs/robot.h>
 
 static float voltage(unsigned char reading, double range)

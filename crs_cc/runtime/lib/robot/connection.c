@@ -30,7 +30,7 @@ static void report_no_server(void)
            SERVER_MACHINE_NAME[0] != 0 ? SERVER_MACHINE_NAME : OWN_MACHINE, SERV_TCP_PORT);
 }
 
-/* Asks for a robot; gives whether it is ours now. If it is not, all stays as it was. */
+/* Asks for a robot; returns whether it is ours now. If it is not, all stays as it was. */
 static int ask_for_robot(int code, long id, int baud)
 {
     struct __crs_message message;

@@ -29,7 +29,7 @@ int special_request(unsigned char *user_send_buffer, unsigned char *user_receive
     return exchange(user_send_buffer, user_receive_buffer);
 }
 
-/* Sends numbers of two or four bytes to the arm; gives the number that it answers with, and a
+/* Sends numbers of two or four bytes to the arm; returns the number that it answers with, and a
    second one. */
 static long ask_arm(int type, int count, const unsigned long *numbers, const int *sizes,
                     long *second)

@@ -148,7 +148,7 @@ int predict_sensors(int x, int y, int th, int tu, long *state, int *laser)
     return TRUE;
 }
 
-/* A number as the vendor's client sends it: cut off behind some digits, 32 bits wide. */
+/* A number as the vendor's client sends it: cut off after some digits, 32 bits wide. */
 static double cut(double value, double steps)
 {
     double whole = value * steps;

@@ -55,7 +55,7 @@ static void append_integer(struct digits *digits, int size)
 }
 
 /* Appends digits of the fraction in the lowest `size` words until `wanted` more are there than the
-   point needs, or the fraction ends. Gives 1 when something is left. */
+   point needs, or the fraction ends. Returns 1 when something is left. */
 static int append_fraction(struct digits *digits, int size, int fixed, int precision)
 {
     struct __crs_decimal *to = digits->to;
@@ -78,7 +78,7 @@ static int append_fraction(struct digits *digits, int size, int fixed, int preci
     }
 }
 
-/* Cuts the digits at `keep` and rounds; `rest` tells that more follows behind the last digit. */
+/* Cuts the digits at `keep` and rounds; `rest` tells that more follows after the last digit. */
 static void round_at(struct __crs_decimal *decimal, int keep, int rest)
 {
     char *digits = decimal->digits;
@@ -110,7 +110,7 @@ static void round_at(struct __crs_decimal *decimal, int keep, int rest)
     }
 }
 
-/* Stores m * 2^shift from the given word on; the words behind it are cleared. */
+/* Stores m * 2^shift from the given word on; the words after it are cleared. */
 static void store(struct digits *digits, unsigned long long m, int word, int shift)
 {
     unsigned int *words = digits->words;

@@ -3,7 +3,7 @@
 #define CRS_DECIMAL_H
 
 /* The number 0.ddd... * 10^point, where the d are the first `count` characters of `digits`;
-   all digits behind them are 0. No double has more than 767 significant digits; room is for those
+   all digits after them are 0. No double has more than 767 significant digits; room is for those
    and the unfinished block of nine that rounding looks at. */
 struct __crs_decimal {
     int count;
@@ -11,10 +11,10 @@ struct __crs_decimal {
     char digits[800];
 };
 
-/* Gives |x| rounded to `precision` digits behind the decimal point, ties to even. */
+/* Returns |x| rounded to `precision` digits after the decimal point, ties to even. */
 void __crs_round_fixed(struct __crs_decimal *decimal, double x, int precision);
 
-/* Gives |x| rounded to `precision` significant digits, ties to even. */
+/* Returns |x| rounded to `precision` significant digits, ties to even. */
 void __crs_round_significant(struct __crs_decimal *decimal, double x, int precision);
 
 #endif

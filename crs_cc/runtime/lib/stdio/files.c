@@ -8,7 +8,7 @@
 #include <crs/descriptor.h>
 #include <crs/stream.h>
 
-/* Reads a mode such as "r+b"; gives flags for open, -1 with errno when it is none. */
+/* Reads a mode such as "r+b"; returns flags for open, -1 with errno when it is none. */
 static int open_flags(const char *mode)
 {
     int flags = *mode == 'r' ? 0 : *mode == 'w' ? O_CREAT | O_TRUNC : O_CREAT | O_APPEND;
@@ -24,7 +24,7 @@ static int open_flags(const char *mode)
     return flags | (*mode == 'r' ? O_RDONLY : O_WRONLY);
 }
 
-/* Gives a stream's flags for those of open. */
+/* Returns a stream's flags for those of open. */
 static int stream_flags(int flags)
 {
     flags &= O_ACCMODE;

@@ -28,7 +28,7 @@ void __crs_emit(struct __crs_sink *sink, const char *text, int size);
 void __crs_pad(struct __crs_sink *sink, char c, int count);
 
 /* Prints the prefix (a sign, 0x) of a field whose rest is `size` characters, with the padding that
-   comes before and after it; gives the padding that must follow the rest. */
+   comes before and after it; returns the padding that must follow the rest. */
 int __crs_open_field(struct __crs_sink *sink, const struct __crs_conversion *conversion,
                      const char *prefix, int prefix_size, int size);
 

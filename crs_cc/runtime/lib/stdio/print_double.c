@@ -11,7 +11,7 @@ struct text {
     int sign_size;
     int upper;
     int point;               /* digits of the decimal in front of the point */
-    int fraction;            /* digits behind it */
+    int fraction;            /* digits after it */
     int dot;                 /* 1 when there is a decimal point */
     char exponent[8];
     int exponent_size;
@@ -68,7 +68,7 @@ static void print_number(struct __crs_sink *sink, const struct __crs_conversion 
     __crs_pad(sink, ' ', after);
 }
 
-/* Chooses between the forms of %f and %e, as C17 7.21.6.1p8 says for %g; gives 1 for %e. */
+/* Chooses between the forms of %f and %e, as C17 7.21.6.1p8 says for %g; returns 1 for %e. */
 static int shape_general(struct text *text, struct __crs_decimal *decimal, double value,
                          int precision, int alternate)
 {

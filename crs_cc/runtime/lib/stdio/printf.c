@@ -1,6 +1,6 @@
 /* Formatted output (C17 7.21.6.1): the format; print.c and print_double.c do the conversions.
 
-   %n is refused: it writes nothing, and the call gives -1 with errno EINVAL. Beyond C there are
+   %n is refused: it writes nothing, and the call returns -1 with errno EINVAL. Beyond C there are
    POSIX's numbered arguments, %2$d, and Linux's %m, the text of errno. */
 #include <errno.h>
 #include <limits.h>
@@ -23,7 +23,7 @@ static const char *read_flags(const char *at, struct __crs_conversion *conversio
     return at;
 }
 
-/* Reads a width or precision; gives -1 when it is too large. */
+/* Reads a width or precision; returns -1 when it is too large. */
 static const char *read_number(const char *at, int *number)
 {
     for (*number = 0; *at >= '0' && *at <= '9'; at++) {
@@ -76,7 +76,7 @@ static int is_wide(const struct __crs_conversion *conversion)
 
 static const char *read_specification(const char *at, struct __crs_conversion *conversion);
 
-/* Gives the size of a numbered argument, which is that of the conversion that names it. */
+/* Returns the size of a numbered argument, which is that of the conversion that names it. */
 static int size_of(const char *format, int position)
 {
     struct __crs_conversion conversion;
@@ -90,7 +90,7 @@ static int size_of(const char *format, int position)
     return 4;
 }
 
-/* Gives the list from which the argument of a number, or the next one for 0, can be taken. */
+/* Returns the list from which the argument of a number, or the next one for 0, can be taken. */
 static va_list *find_argument(struct arguments *arguments, int position, va_list *numbered)
 {
     int before;
@@ -159,7 +159,7 @@ static void take_width_and_precision(struct __crs_conversion *conversion,
             va_arg(*find_argument(arguments, conversion->precision_from, &numbered), int);
 }
 
-/* Prints the conversion specification that begins behind a percent sign; gives what follows it. */
+/* Prints the conversion specification that begins after a percent sign; returns what follows it. */
 static const char *print_conversion(struct __crs_sink *sink, const char *format,
                                     struct arguments *arguments)
 {

@@ -18,7 +18,7 @@ struct __crs_input {
     int length;          /* 'H' for hh, 'q' for ll, j and L, else the letter itself, or 0 */
 };
 
-/* Gives the next character, or EOF. */
+/* Returns the next character, or EOF. */
 int __crs_next_input(struct __crs_source *source);
 
 /* Takes back the character that was given last; EOF changes nothing. */

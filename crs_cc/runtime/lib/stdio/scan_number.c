@@ -39,7 +39,7 @@ void __crs_put_back(struct __crs_source *source, int c)
         source->text--;
 }
 
-/* Takes the next character into the item if it is one of the set; gives it, or 0. */
+/* Takes the next character into the item if it is one of the set; returns it, or 0. */
 static int accept(struct item *item, const char *set)
 {
     int c;
@@ -80,7 +80,7 @@ static unsigned long long convert(const char *text, int base, int is_signed, int
     return is_signed ? (unsigned long long)strtol(text, NULL, base) : strtoul(text, NULL, base);
 }
 
-/* Takes the characters of an integer and finds its base; gives 0 when there is none. */
+/* Takes the characters of an integer and finds its base; returns 0 when there is none. */
 static int read_integer(struct item *item, int *found)
 {
     const char *digits = decimal_digits;
@@ -116,7 +116,7 @@ static int spells(struct item *item, const char *word)
     return 1;
 }
 
-/* Takes the characters of a floating-point number; gives 0 when they make none. As on Linux an
+/* Takes the characters of a floating-point number; returns 0 when they make none. As on Linux an
    exponent may lack its digits, and is then left out. */
 static int read_float(struct item *item)
 {

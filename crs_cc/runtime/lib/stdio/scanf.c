@@ -25,7 +25,7 @@ struct text {
     int counts;          /* characters, of which one may have several bytes */
 };
 
-/* Gives 0 when there is no memory. */
+/* Returns 0 when there is no memory. */
 static int append(struct text *text, int c, int is_wide)
 {
     char *larger;
@@ -63,7 +63,7 @@ static void scan_characters(struct __crs_source *source, int most, const char *m
     }
 }
 
-/* Takes a scan set apart; gives what follows its bracket. */
+/* Takes a scan set apart; returns what follows its bracket. */
 static const char *read_set(const char *at, char *member)
 {
     int inside = *at != '^', from, to;
@@ -84,7 +84,7 @@ static const char *read_set(const char *at, char *member)
     return at + 1;
 }
 
-/* Hands a gathered text over: as it is in a new block, or as wide characters. Gives 0 when that
+/* Hands a gathered text over: as it is in a new block, or as wide characters. Returns 0 when that
    fails. */
 static int hand_over(const struct __crs_input *conversion, struct text *text, int is_wide, int ends,
                      void *to)
@@ -108,7 +108,7 @@ static int hand_over(const struct __crs_input *conversion, struct text *text, in
     return count >= 0;
 }
 
-/* Does %s, %[, and %c, whose input may end early, as on Linux. Gives 1 when something matched, and
+/* Does %s, %[, and %c, whose input may end early, as on Linux. Returns 1 if something matched, and
    advances *format over a set. */
 static int scan_string(struct __crs_source *source, const struct __crs_input *conversion,
                        int letter, const char **format, void *to)
@@ -142,7 +142,7 @@ static int scan_string(struct __crs_source *source, const struct __crs_input *co
     return gathers ? hand_over(conversion, &text, is_wide, ends, to) : 1;
 }
 
-/* Reads star, width and length of a conversion; gives the place of its letter. */
+/* Reads star, width and length of a conversion; returns the place of its letter. */
 static const char *read_conversion(const char *at, struct __crs_input *conversion)
 {
     conversion->suppressed = *at == '*';
@@ -163,7 +163,7 @@ static const char *read_conversion(const char *at, struct __crs_input *conversio
     return at;
 }
 
-/* Does one conversion; gives 1 when it matched, 0 when not, EOF when the input ended before. */
+/* Does one conversion; returns 1 when it matched, 0 when not, EOF when the input ended before. */
 static int scan_one(struct __crs_source *source, const struct __crs_input *conversion, int letter,
                     const char **format, void *to)
 {
@@ -193,7 +193,7 @@ static int scan_one(struct __crs_source *source, const struct __crs_input *conve
     return 0;
 }
 
-/* Matches white space or one ordinary character of the format; gives 1, 0 or EOF. */
+/* Matches white space or one ordinary character of the format; returns 1, 0 or EOF. */
 static int match(struct __crs_source *source, int expected)
 {
     int c;

@@ -64,7 +64,7 @@ int __crs_settle(FILE *stream)
     return stream->mode == _IOLBF && stream->line_end > 0 ? write_out(stream, stream->line_end) : 0;
 }
 
-/* Makes a stream ready for output or input; gives EOF with errno when it is not meant for it. */
+/* Makes a stream ready for output or input; returns EOF with errno when it is not meant for it. */
 static int turn(FILE *stream, int allowed, int output)
 {
     if (!(stream->flags & allowed)) {
@@ -125,7 +125,7 @@ static int refill(FILE *stream)
     return 0;
 }
 
-/* Makes at least one byte of input ready; gives EOF at the end. */
+/* Makes at least one byte of input ready; returns EOF at the end. */
 static int fill(FILE *stream)
 {
     if (turn(stream, READS, 0) < 0)

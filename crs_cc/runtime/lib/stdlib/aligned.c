@@ -35,7 +35,7 @@ void *valloc(size_t size)
     return allocate(PAGE, size);
 }
 
-/* Gives the error itself, and leaves errno alone. */
+/* Returns the error itself, and leaves errno alone. */
 int posix_memalign(void **block, size_t alignment, size_t size)
 {
     int before = errno;

@@ -9,7 +9,7 @@ char **environ = nothing;
 static int count;
 static int capacity;    /* of `environ` when it is ours, in names without the final null; else 0 */
 
-/* Gives the place of a name of `size` characters, or of the null pointer behind all. */
+/* Returns the place of a name of `size` characters, or of the null pointer after all. */
 static char **find(const char *name, size_t size)
 {
     char **at = environ;
@@ -28,7 +28,7 @@ char *getenv(const char *name)
     return found == NULL ? NULL : found + size + 1;
 }
 
-/* Makes room for one more name; gives -1 with errno when there is none. */
+/* Makes room for one more name; returns -1 with errno when there is none. */
 static int grow(void)
 {
     int wanted = capacity == 0 ? 16 : capacity * 2;

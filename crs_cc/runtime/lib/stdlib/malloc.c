@@ -1,23 +1,23 @@
 /* Memory management (C17 7.22.3): boundary tags and segregated bins (Knuth, TAOCP 2.5; Wilson et
-   al., "Dynamic Storage Allocation", 1995), with a quarantine for what was freed.
+   al., "Dynamic Storage Allocation", 1995), with a quarantine for freed blocks.
 
-   The heap is a row of chunks. A chunk is a header of 32 bytes and the block given to the program;
-   its size is a multiple of 16 and every block lies at a multiple of 16. Its header holds its own
-   size and that of the chunk before it, so that both neighbours can be found. Two free chunks never
-   touch: freeing joins them.
+   The heap is a sequence of chunks. A chunk is a header of 32 bytes and the block for the program;
+   its size is a multiple of 16 and every block is aligned to 16. Its header holds its own size and
+   that of the previous chunk, so that both neighbours can be found. Two free chunks are never
+   adjacent: freeing coalesces them.
 
-   Free chunks lie in bins by size: one bin for each size below 512, then four for each power of
-   two; a bitmap tells which bins have something. An allocation takes the first chunk that is big
-   enough from the smallest bin that can have one. Beyond the last chunk lies memory that was never
-   used; it is taken from when no bin can serve, and given back when its neighbour is freed.
+   Free chunks are in bins by size: one bin for each size below 512, then four for each power of
+   two; a bitmap tells which bins are not empty. An allocation takes the first chunk that is large
+   enough from the smallest bin that can have one. The memory after the last chunk was never used;
+   it is taken when no bin can serve, and returned when its neighbour is freed.
 
-   A freed block first waits in the quarantine, so that who still uses it is found out; the longer
-   it waits the better. The oldest leave when there is more than QUARANTINE, all when there is no
+   A freed block is first put in quarantine, so that a use after free is detected; the longer it
+   waits the better. The oldest leave when there is more than QUARANTINE, all when there is no
    other memory.
 
-   In checked builds C may touch nothing of all this but the blocks in use: the functions of this
-   file say so to the shadow memory, and are not themselves checked. crs_cc/runtime/heap.py reads
-   the same headers for messages. Everything happens in unchecked builds too, so that a program has
+   In checked builds C may access nothing of this but the blocks in use: the functions of this file
+   update the shadow memory, and are not checked themselves. runtime/diagnosis/heap.py reads the
+   same headers for messages. Everything happens in unchecked builds too, so that a program has
    the same addresses and takes the same time in both. */
 #include <crs_request.h>
 #include <errno.h>
@@ -145,7 +145,7 @@ static struct chunk *extend(unsigned int size)
     return chunk;
 }
 
-/* Makes a free chunk of what lies behind the first `size` bytes of a chunk in use. */
+/* Makes a free chunk of what lies after the first `size` bytes of a chunk in use. */
 static void release(struct chunk *chunk)
 {
     struct chunk *after = AFTER(chunk), *before;
@@ -184,7 +184,7 @@ static void cut(struct chunk *chunk, unsigned int size)
     release(tail);
 }
 
-/* Gives the chunk size for a block, 0 when there is none so large. */
+/* Returns the chunk size for a block, 0 when there is none so large. */
 static unsigned int chunk_size(size_t size)
 {
     if (size > 0x7fffff00u)
@@ -320,7 +320,7 @@ void *calloc(size_t count, size_t size)
     return __builtin_memset(BLOCK(chunk), 0, count * size);
 }
 
-/* Tells whether a pointer was given by malloc: a header lies before it that fits its neighbours. */
+/* Returns whether malloc returned a pointer: the header before it must fit its neighbours. */
 static int is_block(void *block)
 {
     struct chunk *chunk = CHUNK(block);
@@ -383,7 +383,7 @@ void free(void *block)
     retire(chunk);
 }
 
-/* Grows a chunk in use over a free neighbour or unused memory; gives 1 when it has the size. */
+/* Grows a chunk in use over a free neighbour or unused memory; returns 1 when it has the size. */
 static int grow(struct chunk *chunk, unsigned int wanted)
 {
     struct chunk *after = AFTER(chunk);

@@ -40,7 +40,7 @@ static struct number product(struct number a, struct number b)
     return made;
 }
 
-/* Calculates a op b and stores the low bits; tells whether a number of so many bits is too small.
+/* Calculates a op b and stores the low bits; returns whether a number of so many bits is too small.
    op is '+', '-' or '*'. */
 int __crs_exact(int op, unsigned long long a, int a_signed, unsigned long long b, int b_signed,
                 int bits, int is_signed, unsigned long long *result)

@@ -60,7 +60,7 @@ struct element {
     struct element *next, *previous;
 };
 
-/* Puts an element of a doubly linked list behind another; a null pointer begins a list. */
+/* Puts an element of a doubly linked list after another; a null pointer begins a list. */
 void insque(void *element, void *before)
 {
     struct element *new = element, *old = before;

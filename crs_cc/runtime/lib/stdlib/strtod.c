@@ -11,7 +11,7 @@
 #include <stdlib.h>
 
 #define MOST_DIGITS 800        /* the middle between two doubles has up to 767 digits */
-#define WORDS 92               /* 800 digits, or 65 bits behind 5^1130 */
+#define WORDS 92               /* 800 digits, or 65 bits after 5^1130 */
 #define FIVE_13 1220703125u
 
 struct format { int bits, least_exponent, most_exponent; };
@@ -175,7 +175,7 @@ static double convert_decimal(const struct format *format, struct decimal *decim
     return round_big(format, big, exponent - 32 * words);
 }
 
-/* Reads the exponent behind an e or p, if one is there. */
+/* Reads the exponent after an e or p, if one is there. */
 static const char *read_exponent(const char *at, int *exponent)
 {
     const char *digit = at + 1;
@@ -209,7 +209,7 @@ static void add_digit(struct decimal *decimal, int digit)
         decimal->big.inexact = 1;
 }
 
-/* Reads a decimal number; gives its end, or null when there is none. */
+/* Reads a decimal number; returns its end, or null when there is none. */
 static const char *read_decimal(const char *at, const struct format *format, double *value)
 {
     struct decimal decimal;
@@ -241,7 +241,7 @@ static int hexadecimal_digit(int c)
     return isdigit(c) ? c - '0' : (c | 32) - 'a' + 10;
 }
 
-/* Reads a hexadecimal number behind its 0x; gives its end, or null when there is none. */
+/* Reads a hexadecimal number after its 0x; returns its end, or null when there is none. */
 static const char *read_hexadecimal(const char *at, const struct format *format, double *value)
 {
     unsigned long long m = 0;
@@ -271,7 +271,7 @@ static const char *read_hexadecimal(const char *at, const struct format *format,
     return at;
 }
 
-/* Tells whether a text begins with a word of small letters, in either case. */
+/* Returns whether a text begins with a word of small letters, in either case. */
 static int begins_with(const char *text, const char *word)
 {
     for (; *word; text++, word++)

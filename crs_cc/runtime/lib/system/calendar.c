@@ -23,7 +23,7 @@ static long long floor_divide(long long value, long long by)
     return value / by - (value % by < 0);
 }
 
-/* Gives the days from 1 January 1970 to a day of a month, 0 to 11, of a year. */
+/* Returns the days from 1 January 1970 to a day of a month, 0 to 11, of a year. */
 static long long days_to(long long year, int month, long long day)
 {
     int from_march = (month + 10) % 12;
@@ -65,7 +65,7 @@ static struct tm *take_apart(long long time, struct tm *date)
     return date;
 }
 
-/* Puts every member into its range; what none can hold gives -1 (C17 7.27.2.3). */
+/* Puts every member into its range; what none can hold returns -1 (C17 7.27.2.3). */
 static time_t put_together(struct tm *date)
 {
     long long months = date->tm_year * 12LL + date->tm_mon;
@@ -113,7 +113,7 @@ struct tm *localtime(const time_t *time)
     return take_apart(*time, &shared);
 }
 
-/* Writes the 26 characters of C17 7.27.3.1; a date that needs more gives null. */
+/* Writes the 26 characters of C17 7.27.3.1; a date that needs more returns null. */
 static char *write_date(const struct tm *date, char *text)
 {
     static const char days[] = "SunMonTueWedThuFriSat";

@@ -31,7 +31,7 @@ struct __crs_open_file *__crs_find(int descriptor)
     return NULL;
 }
 
-/* Posts a request about a file; gives the reply's result, -1 with errno on error. */
+/* Posts a request about a file; returns the reply's result, -1 with errno on error. */
 static int ask(int code, struct __crs_message *message)
 {
     int result = __crs_request(code, message);
@@ -53,7 +53,7 @@ int __crs_by_name(int code, const char *name, int argument)
     return ask(code, &message);
 }
 
-/* Finds a free descriptor from `wanted` on; gives -1 when there is none. */
+/* Finds a free descriptor from `wanted` on; returns -1 when there is none. */
 static int free_descriptor(int wanted)
 {
     for (; wanted < CRS_DESCRIPTORS; wanted++)

@@ -21,7 +21,7 @@ static void complain(int number, const char *format, va_list arguments)
     fprintf(stderr, "\n");
 }
 
-/* Calls complain with the arguments behind `format`. */
+/* Calls complain with the arguments after `format`. */
 #define COMPLAIN(number)                        \
     do {                                        \
         va_list arguments;                      \

@@ -1,5 +1,5 @@
 /* Options of the command line (POSIX getopt, GNU getopt_long). As GNU's do, these move what is no
-   option behind the options, unless the letters begin with '+'. */
+   option after the options, unless the letters begin with '+'. */
 #include <getopt.h>
 #include <stdio.h>
 #include <string.h>
@@ -21,7 +21,7 @@ struct call {
     int silent;                      /* what a missing argument gives: ':' or '?' */
 };
 
-/* Brings the argument behind the skipped ones to the front, and gives it. */
+/* Brings the argument after the skipped ones to the front, and gives it. */
 static char *take(struct call *call)
 {
     char **front = call->arguments + optind, *taken = front[skipped];
@@ -83,7 +83,7 @@ static int complain(struct call *call, int value, const char *before, const char
     return '?';
 }
 
-/* Finds a long option by its name or the beginning of it; gives -1 for none, -2 for several. */
+/* Finds a long option by its name or the beginning of it; returns -1 for none, -2 for several. */
 static int find_long(const struct option *options, const char *name, size_t size)
 {
     int i, found = -1;

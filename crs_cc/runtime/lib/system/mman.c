@@ -44,7 +44,7 @@ static int read_file(char *pages, size_t size, int descriptor, off_t offset)
     return got < 0 ? -1 : 0;
 }
 
-/* Gives 0 if a mapping of a file is possible. */
+/* Returns 0 if a mapping of a file is possible. */
 static int check_file(int protection, int flags, int descriptor)
 {
     struct __crs_open_file *file = __crs_find(descriptor);
@@ -92,7 +92,7 @@ void *mmap(void *wish, size_t size, int protection, int flags, int descriptor, o
     return MAP_FAILED;
 }
 
-/* Gives back a whole mapping; a part of one stays until the program ends. */
+/* Frees a whole mapping; a part of one stays until the program ends. */
 int munmap(void *address, size_t size)
 {
     struct mapping **link, *found;

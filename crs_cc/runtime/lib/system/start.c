@@ -8,7 +8,7 @@ int main();
 /* The program's constructors, a null pointer at the end; made by the linker. */
 extern void (*__crs_starts[])(void);
 
-/* The program's name, for messages: argv[0], and what stands behind its last slash. */
+/* The program's name, for messages: argv[0], and what stands after its last slash. */
 char *__progname_full = "";
 const char *__progname = "";
 

@@ -50,7 +50,7 @@ static int is_leap(long long year)
     return year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
 }
 
-/* Gives the week of ISO 8601, whose first one has the year's first Thursday, and its year. */
+/* Returns the week of ISO 8601, whose first one has the year's first Thursday, and its year. */
 static int iso_week(const struct tm *date, long long *year)
 {
     int from_monday = (date->tm_wday + 6) % 7, week;

@@ -43,7 +43,7 @@ int tcsendbreak(int descriptor, int duration)
     return no_terminal(descriptor);
 }
 
-/* Gives how many bytes can be read at once: of a file what is left, of the input none, as nobody
+/* Returns how many bytes can be read at once: of a file what is left, of the input none, as nobody
    types at a simulated robot while its program asks. */
 static int waiting_bytes(struct __crs_open_file *file, int descriptor)
 {

@@ -18,7 +18,7 @@ static int print_to_stream(FILE *stream, const wchar_t *format, va_list argument
     return result;
 }
 
-/* Gives the number of characters, or -1 when they do not fit (C17 7.29.2.3p3). */
+/* Returns the number of characters, or -1 when they do not fit (C17 7.29.2.3p3). */
 static int print_to_string(wchar_t *text, size_t size, const wchar_t *format, va_list arguments)
 {
     char *narrow = __crs_encode_string(format), *printed, nothing[1];

@@ -27,7 +27,7 @@ static int begin(mbstate_t *state, unsigned char byte)
     return length;
 }
 
-/* Gives the bytes taken, 0 for the null character, -1 for wrong ones, -2 when more are needed. */
+/* Returns the bytes taken, 0 for the null character, -1 for wrong ones, -2 when more are needed. */
 static size_t decode(unsigned int *wide, const char *text, size_t size, mbstate_t *state)
 {
     size_t taken = 0;

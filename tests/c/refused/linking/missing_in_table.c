@@ -2,8 +2,8 @@
 extern int missing_function(int);
 extern int missing_object[];
 
-static int (*const table[])(int) = { missing_function }; // error: 'missing_function' is used, but defined nowhere
-static int *const pointer = missing_object; // error: 'missing_object' is used, but defined nowhere
+static int (*const table[])(int) = { missing_function }; // error: 'missing_function' is used, but not defined
+static int *const pointer = missing_object; // error: 'missing_object' is used, but not defined
 
 int main(void)
 {

@@ -5,7 +5,7 @@
 /* How many pieces of memory are given out; they are given back in the opposite order. */
 extern int __crs_automatic_count;
 
-/* Gives memory for the variable of a name; stops the program when there is none. */
+/* Returns memory for the variable of a name; stops the program when there is none. */
 void *__crs_automatic(unsigned size, const char *name);
 
 /* Takes back all but the first `count` pieces. */

@@ -4,10 +4,10 @@
 
 #define CRS_START 946684800L   /* of every run: 1 January 2000, 00:00:00 UTC, in Unix time */
 
-/* Gives seconds since the start of the run, and the processor time used. */
+/* Returns seconds since the start of the run, and the processor time used. */
 double __crs_now(double *processor_s);
 
-/* Lets time pass. An alarm ends it early; gives the seconds that are left then. */
+/* Waits. An alarm ends it early; returns the seconds that are left then. */
 double __crs_pass(double seconds);
 
 /* When the next alarm is due, in seconds since the start of the run; infinite for none. */

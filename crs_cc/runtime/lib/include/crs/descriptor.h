@@ -13,22 +13,22 @@ struct __crs_open_file {
     long offset;    /* where to read or write next; of a standard stream: its number */
 };
 
-/* Gives what a descriptor stands for; null with errno EBADF when it is not open. */
+/* Returns what a descriptor stands for; null with errno EBADF when it is not open. */
 struct __crs_open_file *__crs_find(int descriptor);
 
 int __crs_open(const char *name, int flags);
 int __crs_close(int descriptor);
 int __crs_duplicate(int descriptor, int wanted);   /* the lowest free one from `wanted` on */
 long __crs_seek(int descriptor, long offset, int whence);
-long __crs_resize(int descriptor, long size);      /* -1 changes nothing; gives the size */
+long __crs_resize(int descriptor, long size);      /* -1 changes nothing; returns the size */
 
-/* Reads what is there, at most what a message holds; gives 0 at the end. */
+/* Reads what is there, at most what a message holds; returns 0 at the end. */
 int __crs_read(int descriptor, void *bytes, int size);
 
-/* Writes all bytes; gives 0. */
+/* Writes all bytes; returns 0. */
 int __crs_put(int descriptor, const void *bytes, int size);
 
-/* Posts a request about a name; gives the reply's result, -1 with errno on error. */
+/* Posts a request about a name; returns the reply's result, -1 with errno on error. */
 int __crs_by_name(int code, const char *name, int argument);
 
 #endif

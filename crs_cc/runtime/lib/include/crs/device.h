@@ -5,14 +5,14 @@
 #include <crs.h>
 #include <crs_request.h>
 
-/* Posts a request with up to four numbers as its arguments and no data; gives its result. */
+/* Posts a request with up to four numbers as its arguments and no data; returns its result. */
 int __crs_ask_device(int code, struct __crs_message *message, int a, int b, int c, int d);
 
-/* Posts a request that has been filled in; gives its result. */
+/* Posts a request that has been filled in; returns its result. */
 int __crs_post_device(int code, struct __crs_message *message);
 
 /* Reads what a sensor's reply told of, page by page: `count` readings, as far as there is room for
-   `most`. Gives how many it read. */
+   `most`. Returns how many it read. */
 int __crs_take_readings(int sensor, int count, int *numbers, int most);
 
 #endif

@@ -24,7 +24,7 @@ extern struct __crs_client __crs_client;
 int pa(int trans, int steer, int turret);
 int conf_ser(unsigned char port, unsigned short baud);
 
-/* Tells whether ours is to behave like Ndirect. */
+/* Returns whether ours is to behave like Ndirect. */
 int __crs_is_direct(void);
 
 /* The same, and the robot is no Nomad 200, so that Ndirect knows less commands. */
@@ -41,7 +41,7 @@ int __crs_was_refused(void);
 void __crs_take_board_time(const struct __crs_message *message);
 
 /* Posts a request that is answered with the whole state, and refreshes what the mask in use lets
-   through; gives TRUE when it was done. */
+   through; returns TRUE when it was done. */
 int __crs_post_state(int code, struct __crs_message *message);
 
 /* The same with up to four numbers as its arguments. */

@@ -12,7 +12,7 @@ void __crs_mark(void *address, unsigned int size, int state);
 /* Writes the numbers of the calls that led here, the innermost first; the count is a constant. */
 void __crs_callers(int *sites, int count);
 
-/* Gives the state of a byte; in unchecked builds every byte is inaccessible. */
+/* Returns the state of a byte; in unchecked builds every byte is inaccessible. */
 int __crs_state(const void *address);
 
 #endif

@@ -5,7 +5,7 @@
 /* Does what a program wants to be done on a signal, or ends it. */
 void __crs_signal(int signal);
 
-/* Waits for an alarm under a mask of blocked signals; gives when one was delivered. */
+/* Waits for an alarm under a mask of blocked signals; returns when one was delivered. */
 void __crs_await_signal(unsigned long mask);
 
 /* Runs the handler of SIGABRT if a program has one; null when it cannot have any. */

@@ -15,36 +15,36 @@ struct __crs_file {
     unsigned char *buffer;
     int capacity;
     int begin, end;            /* input not yet read, or output not yet written, in the buffer */
-    int line_end;              /* behind the last newline in the output, 0 when there is none */
+    int line_end;              /* after the last newline in the output, 0 when there is none */
     struct __crs_file *next;   /* in the list of all streams */
     int orientation;           /* of wide characters; 0 when not yet known */
 };
 
 extern FILE *__crs_streams;
 
-/* Appends output; gives 0, or EOF on error. Nothing leaves before the buffer is full. */
+/* Appends output; returns 0, or EOF on error. Nothing leaves before the buffer is full. */
 int __crs_append(FILE *stream, const void *bytes, int size);
 
 /* Lets out what must not wait: whole lines of a line-buffered stream, all of an unbuffered one. */
 int __crs_settle(FILE *stream);
 
-/* Writes out the buffer; gives 0, or EOF on error. */
+/* Writes out the buffer; returns 0, or EOF on error. */
 int __crs_flush(FILE *stream);
 void __crs_flush_all(void);
 
 /* Empties the buffer: writes output, or forgets input and goes back to where reading stands. */
 int __crs_synchronise(FILE *stream);
 
-/* Gives the next byte of input, or EOF. */
+/* Returns the next byte of input, or EOF. */
 int __crs_next(FILE *stream);
 
-/* Reads bytes; gives how many, fewer than `size` at the end. */
+/* Reads bytes; returns how many, fewer than `size` at the end. */
 size_t __crs_take(FILE *stream, void *bytes, size_t size);
 
-/* Puts a stream around an open descriptor; gives null with errno on error. */
+/* Puts a stream around an open descriptor; returns null with errno on error. */
 FILE *__crs_make_stream(int descriptor, int flags);
 
-/* Prints to a string of `room` characters and a final null; gives how many there would be. */
+/* Prints to a string of `room` characters and a final null; returns how many there would be. */
 int __crs_print_to_string(char *text, unsigned int room, const char *format, va_list arguments);
 
 /* Formatted input, from a stream and from a string. */

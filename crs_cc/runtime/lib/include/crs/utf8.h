@@ -4,15 +4,15 @@
 
 #include <stddef.h>
 
-/* Writes a character to `text`, which has room for 4 bytes; gives its length, -1 with errno EILSEQ
+/* Writes a character to `text`, which has room for 4 bytes; returns its length, -1 and EILSEQ
    when there is no such character. */
 int __crs_encode(char *text, unsigned int c);
 
-/* Reads a character of `text`, which has at most `size` bytes; gives its length, 0 for the null
+/* Reads a character of `text`, which has at most `size` bytes; returns its length, 0 for the null
    character, -1 with errno EILSEQ for wrong bytes, -2 when more bytes are needed. */
 int __crs_decode(unsigned int *c, const char *text, size_t size);
 
-/* Gives the length of a wide string as UTF-8, or -1 with errno EILSEQ. */
+/* Returns the length of a wide string as UTF-8, or -1 with errno EILSEQ. */
 int __crs_encoded_size(const wchar_t *text);
 
 /* Makes a copy of a wide string as UTF-8; null with errno when that fails. */

@@ -2,7 +2,7 @@
 #ifndef CRS_WRITE_H
 #define CRS_WRITE_H
 
-/* Writes all bytes to a stream of the host; gives 0, or -1 with errno. */
+/* Writes all bytes to a stream of the host; returns 0, or -1 with errno. */
 int __crs_write(int descriptor, const void *bytes, int size);
 
 /* Writes two strings, one after the other, to the standard error stream. */

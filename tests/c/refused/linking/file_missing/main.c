@@ -3,6 +3,6 @@
 
 int main(void)
 {
-    heading = 3; // error: is its C file missing from the command?
-    return prints(90); // error: nav.h:4; is its C file missing from the command?
+    heading = 3; // error: is its C file missing from the command line?
+    return prints(90); // error: nav.h:4; is its C file missing from the command line?
 }

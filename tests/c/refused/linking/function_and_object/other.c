@@ -1,1 +1,1 @@
-int turn = 3;  // error: it is also defined at
+int turn = 3;  // error: also defined at

@@ -37,7 +37,7 @@ def test_a_variable_of_a_function_further_down_is_named(tmp_path: Path) -> None:
     assert found.name == "n"
 
 
-def test_of_two_possible_variables_none_is_named(tmp_path: Path) -> None:
+def test_an_ambiguous_variable_is_not_named(tmp_path: Path) -> None:
     failure = failure_of(tmp_path, FUNCTIONS % "other() ? one() : one")
     assert failure.kind == "use after return"
     assert failure.object is None

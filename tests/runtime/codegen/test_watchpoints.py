@@ -1,4 +1,4 @@
-"""Watching builds stop before the first statement behind an access to what is watched."""
+"""Watching builds stop before the first statement after an access to a watched range."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ import pytest
 
 from crs_cc.core.source import Diagnostics
 from crs_cc.requests import SUSPENDED
-from crs_cc.runtime.codegen.watching import accesses
+from crs_cc.runtime.codegen.watchpoints import accesses
 from crs_cc.runtime.executable import Executable, make_executable
 from crs_cc.runtime.fleet import Fleet
-from crs_cc.runtime.watched import RANGE, RANGES, READ, WRITE, grains, offset
+from crs_cc.runtime.watch_ranges import RANGE, RANGES, READ, WRITE, grains, offset
 from crs_cc.session.build import build_executable
 from crs_cc.session.host import Host, HostRequest
 
@@ -51,7 +51,7 @@ class Stepped:
         self.host = Host([["watched"]], lambda *_: None, lambda *_: b"")
 
     def to_stop(self) -> int | None:
-        """Run on; gives the line before which it stopped, None at the end."""
+        """Continue, and return the line before which it stopped, None at the end."""
         slot = self.fleet.slots[0]
         while self.status is None:
             slot["run"], slot["fuel"] = 1, 10**9
@@ -118,7 +118,7 @@ def test_a_program_can_move_from_one_build_to_the_other(
         ("pairs", (8, 8), READ, [16]),  # pairs[1], by assignment
     ],
 )
-def test_it_stops_behind_each_access(
+def test_it_stops_after_each_access(
     watching: Executable, name: str, part: tuple[int, int], kind: int, lines: list[int]
 ) -> None:
     stepped, (offset, size) = Stepped(watching), part

@@ -1,21 +1,21 @@
-"""Writes a graph as WebAssembly's nested blocks and loops.
+"""Translate a control flow graph to WebAssembly's nested blocks and loops.
 
-The dominator tree decides the nesting (N. Ramsey, "Beyond Relooper", ICFP 2022): what a node
-dominates is written within it, and a node where several ways meet follows a block that those
-ways leave.
+The dominator tree determines the nesting (N. Ramsey, "Beyond Relooper", ICFP 2022): the nodes that
+a node dominates are nested in it, and a merge node follows a block that its predecessors
+break out of.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-from crs_cc.runtime.codegen.flow import FAULTED, LANDING, UNWIND, Node
+from crs_cc.runtime.codegen.flow_graph import FAULTED, LANDING, UNWIND, Node
 from crs_cc.runtime.wasm import Instr
 
 
 @dataclass(slots=True)
 class _Order:
-    """Reverse postorder, dominators and what follows from them."""
+    """Reverse postorder, dominator tree, merge nodes and loop headers."""
 
     rank: dict[Node, int]
     children: dict[Node, list[Node]]
@@ -41,7 +41,7 @@ def _postorder(entry: Node) -> list[Node]:
 
 
 def _analyse(entry: Node) -> _Order:
-    """Find dominators (Cooper, Harvey, Kennedy 2001), merge nodes and loop headers."""
+    """Compute dominators (Cooper, Harvey, Kennedy 2001), merge nodes and loop headers."""
     order = list(reversed(_postorder(entry)))
     rank = {node: number for number, node in enumerate(order)}
     forward: dict[Node, list[Node]] = {node: [] for node in order}
@@ -57,7 +57,7 @@ def _analyse(entry: Node) -> _Order:
             merges.update(node.targets)
     merges.update(node for node in order if len(forward[node]) > 1)
     parent: dict[Node, Node] = {entry: entry}
-    for node in order[1:]:  # reducible: every forward predecessor is known before its successor
+    for node in order[1:]:  # reducible: forward predecessors come before their successors
         common = forward[node][0]
         for source in forward[node][1:]:
             while common is not source:
@@ -73,18 +73,18 @@ def _analyse(entry: Node) -> _Order:
 
 
 def emit(entry: Node, fault: list[Instr]) -> list[Instr]:
-    """Return the code of a graph whose loops are entered at one node each.
+    """Return the code of a reducible graph.
 
     Args:
-        entry: where it begins.
-        fault: what is done where the code leaves by `FAULTED`. From there, and by `UNWIND`, it goes
-            on behind the code that is given, which is the caller's.
+        entry: its entry.
+        fault: code to execute on `FAULTED`. After it, and on `UNWIND`, control continues after the
+            returned code, which is up to the caller.
     """
     return _Emitter(_analyse(entry)).run(entry, fault)
 
 
 class _Emitter:
-    """Writes nodes as nested blocks; `work` is what is still to be written, last first."""
+    """Writes nodes as nested blocks; `work` is a stack of what remains to be written."""
 
     def __init__(self, order: _Order) -> None:
         self.order = order
@@ -113,7 +113,7 @@ class _Emitter:
         return self.depth
 
     def tree(self, node: Node) -> None:
-        """Write a node and all that it dominates."""
+        """Write a node and the nodes that it dominates."""
         if node in self.order.headers:
             self.loop_depth[node] = self.open("loop")
             self.work.append(("end",))
@@ -133,7 +133,7 @@ class _Emitter:
                 self._table(node)
 
     def instruction(self, instr: Instr) -> None:
-        """Write an instruction; a pseudo-instruction as what it stands for."""
+        """Write an instruction, expanding pseudo-instructions."""
         if instr[0] is UNWIND:
             self.out.append(("br", self.depth - 1))
         elif instr[0] is FAULTED:
@@ -145,7 +145,7 @@ class _Emitter:
             self.depth += (instr[0] == "if") - (instr[0] == "end")
 
     def label(self, source: Node, target: Node) -> int | None:
-        """Return the relative depth of a jump; None when the target is written in place."""
+        """Return the relative depth of a jump; None if the target is emitted in place."""
         if self.order.rank[target] <= self.order.rank[source]:
             return self.depth - self.loop_depth[target]
         if target in self.order.merges:

@@ -1,8 +1,8 @@
-"""Which registers hold addresses of the same object, at known distances, within a block.
+"""Value numbering of addresses: which registers differ by known constants, within a block.
 
-Every value is told as a root and an offset: registers with the same root differ by a constant. Two
-registers computed in the same way from the same values have the same root, so `a[i]`, `a[i + 1]`
-and a second `a[i]` are known to lie side by side.
+Every value is represented by a root and an offset: registers with the same root differ by a
+constant. Registers computed equally from the same values have the same root, so `a[i]`, `a[i + 1]`
+and a second `a[i]` are known to be adjacent.
 
 >>> from crs_cc.ir.program import Binary, Constant, Register
 >>> from crs_cc.core.source import Location
@@ -32,13 +32,13 @@ from crs_cc.ir.program import (
 )
 
 Root: TypeAlias = "int | Slot | str"
-"""A value that nothing is known of, by number; a slot; a global object."""
+"""An unknown value, by number; a slot; a global object."""
 
 _PURE: Final = frozenset({"i32.add", "i32.sub", "i32.mul", "i32.shl", "i32.and"})
 
 
 class Places:
-    """What is known of registers at one point of a block."""
+    """The known values of registers at one point of a block."""
 
     def __init__(self) -> None:
         self._origins: dict[Register, tuple[Root | None, int]] = {}
@@ -46,7 +46,7 @@ class Places:
         self._count = 0
 
     def forget(self) -> None:
-        """Drop all, where code from elsewhere joins."""
+        """Discard all at a join of control flow."""
         self._origins.clear()
         self._computed.clear()
 
@@ -58,7 +58,7 @@ class Places:
         return root, distance + offset
 
     def follow(self, it: Instruction) -> None:
-        """Takes note of what an instruction has written."""
+        """Update the values after an instruction."""
         target = writes(it)
         if target is None or target.type != "i32":
             return
@@ -91,7 +91,7 @@ class Places:
         if it.op == "i32.sub" and right is None:
             return left, left_offset - right_offset
         shift = 0
-        if it.op == "i32.add":  # the constants of a sum do not hide what it is the sum of
+        if it.op == "i32.add":  # reassociate constants
             shift = left_offset + right_offset
             left_offset = right_offset = 0
         key = (it.op, left, left_offset, right, right_offset)
@@ -101,25 +101,25 @@ class Places:
 
 
 class Proved:
-    """Which bytes at a place are known to be accessible, or to have a value too."""
+    """The bytes known to be accessible, or also initialised."""
 
     def __init__(self) -> None:
         self._ranges: dict[tuple[Root | None, bool], list[tuple[int, int]]] = {}
 
     def forget(self) -> None:
-        """Drop all that is known."""
+        """Discard all."""
         self._ranges.clear()
 
     def forget_values(self) -> None:
-        """Keep only what is accessible, where bytes may have lost their values."""
+        """Discard the initialised bytes; keep the accessible ones."""
         self._ranges = {key: rows for key, rows in self._ranges.items() if not key[1]}
 
     def forget_value(self, place: tuple[Root | None, int]) -> None:
-        """Keep only what is accessible of the object at a place."""
+        """Discard the initialised bytes of the object at a location."""
         self._ranges.pop((place[0], True), None)
 
     def add(self, place: tuple[Root | None, int], size: int, *, valued: bool) -> None:
-        """Note that `size` bytes at a place are accessible; also valued, when they have values."""
+        """Note that `size` bytes at a location are accessible; with `valued`, also initialised."""
         root, start = place
         self._add(root, start, start + size, valued=False)
         if valued:
@@ -136,7 +136,7 @@ class Proved:
         rows[:] = [*kept, (start, end)]
 
     def has(self, place: tuple[Root | None, int], size: int, *, valued: bool) -> bool:
-        """Return whether `size` bytes at a place are known to be accessible, or valued."""
+        """Return whether `size` bytes at a location are known to be accessible, or initialised."""
         root, start = place
         rows = self._ranges.get((root, valued), ())
         return any(low <= start and start + size <= high for low, high in rows)

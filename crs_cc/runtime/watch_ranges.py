@@ -1,12 +1,12 @@
 """What is watched in a robot's memory, as a watching build finds it: the start of memory `marks`.
 
-Up to `RANGES` ranges of bytes lie one behind the other, each with the accesses that count and what
-there was of them since somebody cleared it. Before them stand the first address of all bytes among
-which they lie, less 7, and how many these are, so that most accesses are found to be elsewhere
-where they happen; the same for those on the stack, so that a function knows whether its frame is
-concerned; and which of 64 grains they touch, into which all memory is divided again and again.
+Up to `RANGES` ranges of bytes are stored in sequence, each with the kinds of access that count and
+those that have occurred since it was cleared. They are preceded by the bounds of all ranges (the
+first address minus 7, and the size), so that most accesses are ruled out inline; by the same
+for those on the stack, so that a function can test once whether its frame is
+concerned; and by a bitmap of the grains that they touch, modulo 64 (a Bloom filter).
 
-All this belongs to who watches and is no state of the program: no snapshot has it.
+All this belongs to the debugger and is not state of the program: no snapshot includes it.
 
 >>> WATCHED.itemsize
 1056
@@ -23,7 +23,7 @@ import numpy as np
 RANGES: Final = 16
 CALLERS: Final = 8
 READ, WRITE, ENTER, RETURN = 1, 2, 4, 8
-"""Kinds of access; the last two are those of a function that is entered, or ends, to the first byte
+"""Kinds of access; the last two are function entry and exit, as accesses to the first byte
 of its header (`layout`)."""
 
 LONGEST: Final = 8
@@ -37,11 +37,11 @@ RANGE: Final = np.dtype(
         ("first", "<u4"),  # the first address
         ("size", "<u4"),  # how many bytes
         ("kinds", "<u4"),  # which accesses count
-        ("hits", "<u4"),  # which of them there were
-        ("since", "<i8"),  # statements that must have begun before one counts
-        ("place", "<u4"),  # the last: which access of the user's files, from 1; 0 in the library
+        ("hits", "<u4"),  # which of them have occurred
+        ("since", "<i8"),  # number of statements begun from which accesses count
+        ("place", "<u4"),  # the last access in the user's files, from 1; 0 in the library
         ("reserved", "<u4"),
-        ("callers", "<u4", (CALLERS,)),  # of the library's: numbers of the calls, see `sites`
+        ("callers", "<u4", (CALLERS,)),  # for the library: numbers of the call sites
     ]
 )
 WATCHED: Final = np.dtype(
@@ -49,17 +49,17 @@ WATCHED: Final = np.dtype(
         ("first", "<u4"),
         ("span", "<u4"),
         ("pending", "<u4"),  # 1: stop before the next statement
-        ("end", "<u4"),  # where in the memory the ranges that are in use end
+        ("end", "<u4"),  # end of the ranges in use
         ("lowest", "<u4"),  # the first address on the stack
-        ("highest", "<u4"),  # where those on the stack end
-        ("grains", "<u8"),  # bit n: grain n of every 64 is touched
+        ("highest", "<u4"),  # end of those on the stack
+        ("grains", "<u8"),  # bit n: grain n modulo 64 is touched
         ("ranges", RANGE, (RANGES,)),
     ]
 )
 
 
 def grains(first: int, size: int) -> int:
-    """Return the grains that an access touches if it touches some bytes, and is not a copy."""
+    """Return the bitmap of grains in which an access to these bytes can start, copies excluded."""
     start, last = first - LONGEST + 1 >> GRAIN, first + size - 1 >> GRAIN
     bits = 0
     for grain in range(start, min(last, start + 63) + 1):
@@ -68,10 +68,10 @@ def grains(first: int, size: int) -> int:
 
 
 def range_offset(field: str) -> int:
-    """Return where a field lies in a range [bytes]."""
+    """Return the offset of a field in a range [bytes]."""
     return int(RANGE.fields[field][1])  # type: ignore[index]
 
 
 def offset(field: str) -> int:
-    """Return where a field lies in the memory `marks` [bytes]."""
+    """Return the offset of a field in the memory `marks` [bytes]."""
     return int(WATCHED.fields[field][1])  # type: ignore[index]

@@ -1,9 +1,9 @@
-"""What a checked program did when WebAssembly stopped it: it looked beyond the end of the shadow.
+"""Diagnosis of a WebAssembly trap in a checked program: a read past the end of the shadow memory.
 
-An access of several bytes at one of the very last addresses reaches beyond 4 GiB, so that the
-host's own guard finds it, and not our code. It was the shadow that was read; the test that follows
-in the code tells the place to blame. The functions on the way note where they are as if they had
-left in the usual way, so that everything else finds a stopped program as it expects it.
+An access of several bytes at one of the last addresses extends beyond 4 GiB, so that the
+host's guard page catches it before our check. It was the shadow that was read; the next check
+in the code has the site. The active functions are given their current landings as if they had
+been suspended, so that the program can be inspected as usual.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ from crs_cc.runtime.sites import call_site
 from crs_cc.runtime.wasm import Code, encode
 
 MOST_FRAMES: Final = 20
-"""So many frames of the host's stack are told; those of a deeper one stay unknown."""
+"""Maximum number of frames of the host's stack reported by wasmtime."""
 
 
 def blamed_site(trap: wasmtime.Trap, memory: ByteArray, compiled: Compiled) -> int | None:
-    """Return the number of the site that was about to be tested; None when it was something else."""
+    """Return the number of the site that was being checked; None for another trap."""
     last = compiled.first_function + len(compiled.functions)
     frames = [(each.func_index, each.func_offset) for each in trap.frames]
     while frames and frames[0][0] < compiled.first_function:
@@ -50,7 +50,7 @@ def _site_behind(code: Code, offset: int) -> int | None:
 
 
 def _note_places(active: Sequence[int], memory: ByteArray, compiled: Compiled) -> None:
-    """Note in each active function, the outermost first, the call where it is."""
+    """Store in each active function, the outermost first, its current call."""
     fp = STACK_TOP - HEADER_SIZE
     for index in active[:-1]:
         info = compiled.functions[index - compiled.first_function]

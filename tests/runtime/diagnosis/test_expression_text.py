@@ -1,4 +1,4 @@
-"""What the text of an expression tells of its pointers."""
+"""Pointers and names found in the text of an expression."""
 
 from __future__ import annotations
 

@@ -6,7 +6,7 @@ import io
 
 import pytest
 
-from crs_cc.cli.output import ProgramOutput, ProgressLine, read_line
+from crs_cc.cli.program_output import ProgramOutput, ProgressLine, read_line
 
 
 class Terminal(io.BytesIO):
@@ -14,7 +14,7 @@ class Terminal(io.BytesIO):
         return True
 
 
-def test_one_robots_bytes_go_on_as_they_are() -> None:
+def test_one_robots_bytes_are_passed_through() -> None:
     out, err = io.BytesIO(), io.BytesIO()
     output = ProgramOutput(["robot0"], out, err, ProgressLine(None))
     output.write(0, 1, b"\x00\xff no newline")
@@ -37,7 +37,7 @@ def test_lines_of_several_robots_are_never_mixed() -> None:
     assert err.getvalue() == b"[b] xy\n[b] z\n[b] \n"
 
 
-def test_an_endless_line_is_given_out_in_pieces() -> None:
+def test_an_endless_line_is_written_in_pieces() -> None:
     out = io.BytesIO()
     output = ProgramOutput(["a", "b"], out, io.BytesIO(), ProgressLine(None))
     for _ in range(100):
@@ -45,7 +45,7 @@ def test_an_endless_line_is_given_out_in_pieces() -> None:
     assert out.getvalue().count(b"[a] ****") == 6  # of 4096 bytes each, the rest is kept
 
 
-def test_the_order_of_stdout_and_stderr_is_kept_where_both_go_to_the_same_place() -> None:
+def test_the_order_of_stdout_and_stderr_is_kept_in_the_same_file() -> None:
     both = io.BytesIO()
     out, err = io.BufferedWriter(_Raw(both)), io.BufferedWriter(_Raw(both))
     output = ProgramOutput(["a"], out, err, ProgressLine(None))
@@ -66,7 +66,7 @@ class _Raw(io.RawIOBase):
         return self.target.write(data)  # type: ignore[arg-type]
 
 
-def test_the_progress_line_makes_room_for_output_and_spares_unfinished_lines() -> None:
+def test_the_progress_line_does_not_overwrite_output() -> None:
     screen, out = io.StringIO(), Terminal()
     progress = ProgressLine(screen)
     output = ProgramOutput(["a"], out, io.BytesIO(), progress)
@@ -92,6 +92,6 @@ def test_input_is_read_by_lines_whatever_its_timing(monkeypatch: pytest.MonkeyPa
     assert [read_line(5) for _ in range(5)] == [b"one\n", b"two l", b"ong\n", b"end", b""]
 
 
-def test_closed_input_is_at_its_end(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_closed_input_is_at_end_of_file(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("sys.stdin", None)
     assert read_line(5) == b""

@@ -13,7 +13,7 @@ from rich.measure import Measurement
 from rich.table import Table
 
 from crs_cc.cli.messages import is_terminal
-from crs_cc.cli.unfinished import unfinished
+from crs_cc.cli.running_programs import running_programs
 
 if TYPE_CHECKING:
     from crs_cc.cli.summary import Run
@@ -33,7 +33,7 @@ def print_summary(run: Run) -> None:
     robots = run.result.robots
     with console.capture() as captured:  # rich would exit the process at a broken pipe
         console.print(_card(robots[0]) if len(robots) == 1 else _fitting_table(robots, console))
-        for line in unfinished(run):
+        for line in running_programs(run):
             console.print(line, markup=False)
         console.print(_closing_line(run), style="dim")
     sys.stderr.write(captured.get())

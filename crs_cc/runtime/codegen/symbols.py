@@ -1,4 +1,4 @@
-"""What the names in a program stand for, and the numbers of the places in its code."""
+"""The symbols of a program, and the numbers of its sites."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from crs_cc.runtime.sites import CallSite, Site, StatementSite
 
 
 @dataclass(slots=True)
-class Names:
-    """What names stand for in the whole program.
+class Symbols:
+    """The symbols and sites of the whole program.
 
     Attributes:
         addresses: address of each global object; function pointer of each function that needs one.
@@ -18,12 +18,12 @@ class Names:
         sizes: size of each global object.
         parameters: size of the parameters of each function, as `layout` places them.
         tables: addresses of the tables that `signatures` makes.
-        without_value: functions that may end without a value which somebody uses.
-        pointers: how many function pointers there are; they are numbered from 1.
-        sites: every place that can fail.
-        call_sites: every place that calls, by its number less 1.
-        statements: the statements before which a debugger can stop.
-        accesses: how many instructions have a number, see `watching.accesses`.
+        without_value: functions that may end without a value although it is used.
+        pointers: number of function pointers, which are numbered from 1.
+        sites: every site that can fail.
+        call_sites: every call site, by its number minus 1.
+        statements: the statements on which breakpoints can be set.
+        accesses: number of numbered accesses, see `watchpoints.accesses`.
     """
 
     addresses: dict[str, int]
@@ -39,16 +39,16 @@ class Names:
     accesses: int = 0
 
     def number(self, site: Site) -> int:
-        """Enter a place that can fail; gives its number."""
+        """Add a site that can fail, and return its number."""
         self.sites.append(site)
         return len(self.sites) - 1
 
     def call_number(self, site: CallSite) -> int:
-        """Enter a place that calls; gives its number."""
+        """Add a call site, and return its number."""
         self.call_sites.append(site)
         return len(self.call_sites)
 
     def statement_number(self, site: StatementSite) -> int:
-        """Enter a statement; gives its number."""
+        """Add a statement, and return its number."""
         self.statements.append(site)
         return len(self.statements) - 1

@@ -23,7 +23,7 @@ _SEAM_PX = 0.3  # overlap, so that rows leave no gap
 _LIGHTEST, _DARKEST = 0.06, 0.5
 
 
-def draw_relief(page: Page, view: View, ground: Ground) -> None:
+def draw_terrain(page: Page, view: View, ground: Ground) -> None:
     """Draw the ramps and plateaus of the terrain, the lowest first."""
     patches = sorted(ground.patches, key=lambda patch: max(patch.from_m, patch.to_m))
     tops_m = [max(patch.from_m, patch.to_m) for patch in patches]
@@ -45,7 +45,7 @@ def draw_relief(page: Page, view: View, ground: Ground) -> None:
             page.text(place, text, fill=_EDGE, font_size=10.0, text_anchor="middle")
 
 
-def ground_m(ground: Ground) -> list[FloatArray]:
+def terrain_corners_m(ground: Ground) -> list[FloatArray]:
     """Return the corners of all patches and of the height map [m], (n, 2) each."""
     found = [_corners_m(patch) for patch in ground.patches]
     if (heightmap := ground.heightmap) is not None:

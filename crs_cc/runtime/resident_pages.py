@@ -1,9 +1,9 @@
-"""Which pages of a robot's memory can hold anything but zeros.
+"""Saving and loading the non-zero pages of a robot's memory.
 
-A robot has 16 MiB, of which most programs touch a few pages. Linux tells which pages of a process
-exist at all (`/proc/self/pagemap`, 8 bytes for each page, bit 63 present, bit 62 swapped out:
-`admin-guide/mm/pagemap.rst` of the kernel's documentation); to look at the others would make them
-exist. Where it does not tell, all are looked at.
+A robot has 16 MiB, of which most programs touch a few pages. Linux reports which pages of a process
+are mapped (`/proc/self/pagemap`, 8 bytes for each page, bit 63 present, bit 62 swapped out:
+`admin-guide/mm/pagemap.rst` of the kernel's documentation); reading the others would map
+them. Without a page map, all are read.
 
 >>> memory = np.frombuffer(mmap.mmap(-1, 8 * CHUNK), np.uint8)
 >>> memory[2 * CHUNK + 5] = 1
@@ -25,7 +25,7 @@ import numpy as np
 from crs_cc.core.arrays import BoolArray, ByteArray, IndexArray
 
 CHUNK: Final = 4096
-"""What is kept or left out as a whole [bytes]."""
+"""The granularity of saving [bytes]."""
 
 _PAGEMAP: Final = "/proc/self/pagemap"
 _ENTRY: Final = 8
@@ -33,12 +33,12 @@ _EXISTS: Final = 0b11 << 62
 
 
 def save(memory: ByteArray, initial: range) -> tuple[IndexArray, ByteArray]:
-    """Return the numbers of the chunks that are not all zero, and their content.
+    """Return the numbers of the non-zero chunks, and their content.
 
     Args:
-        memory: the memory, whole chunks of it.
-        initial: the chunks that were not all zero at the start; the system may still have them in
-            a file of its own.
+        memory: the memory, a whole number of chunks.
+        initial: the chunks that were non-zero at the start, which may still be backed by a file
+            and so not be in the page map.
     """
     chunks = memory.reshape(-1, CHUNK)
     used = _not_zero(chunks, _candidates(memory, initial))
@@ -46,7 +46,7 @@ def save(memory: ByteArray, initial: range) -> tuple[IndexArray, ByteArray]:
 
 
 def load(memory: ByteArray, initial: range, used: IndexArray, content: ByteArray) -> None:
-    """Put back what `save` gave."""
+    """Restore what `save` returned."""
     chunks, candidates = memory.reshape(-1, CHUNK), _candidates(memory, initial)
     candidates[used] = False
     chunks[_not_zero(chunks, candidates)] = 0
@@ -54,21 +54,21 @@ def load(memory: ByteArray, initial: range, used: IndexArray, content: ByteArray
 
 
 def _candidates(memory: ByteArray, initial: range) -> BoolArray:
-    """Tells of each chunk whether it may be not all zero."""
+    """Return whether each chunk may be non-zero."""
     candidates = _existing(memory)
     candidates[initial.start : initial.stop] = True
     return candidates
 
 
 def _not_zero(chunks: ByteArray, candidates: BoolArray) -> IndexArray:
-    """Return the numbers of those of some chunks that are not all zero."""
+    """Return the numbers of the candidates that are non-zero."""
     numbers = np.flatnonzero(candidates)
     words = chunks[numbers].view(np.uint64)
     return np.asarray(numbers[words.any(axis=1)])
 
 
 def _existing(memory: ByteArray) -> BoolArray:
-    """Tells of each chunk whether the system has it in memory, or would have to fetch it."""
+    """Return whether each chunk is present or swapped out."""
     count = len(memory) // CHUNK
     address = memory.__array_interface__["data"][0]
     pagemap = _pagemap(os.getpid())
@@ -82,7 +82,7 @@ def _existing(memory: ByteArray) -> BoolArray:
 
 @functools.cache
 def _pagemap(_process: int) -> int | None:
-    """Open the page map of this process, not of a child of it; None where there is none."""
+    """Open the page map of this process (not of a forked child); None if there is none."""
     with contextlib.suppress(OSError):
         return os.open(_PAGEMAP, os.O_RDONLY)
     return None

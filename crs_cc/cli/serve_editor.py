@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from crs_cc.cli.debugging import file_input, make_debugger
 from crs_cc.cli.load import load
 from crs_cc.cli.messages import WARNINGS_BEFORE_RUN, render, say
+from crs_cc.cli.start_debugger import file_input, make_debugger
 from crs_cc.core.source import Diagnostics
 from crs_cc.debug.dap.serve import serve_port, serve_stdio
 from crs_cc.debug.errors import DebugError

@@ -11,10 +11,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from crs_cc.cli import full_screen
+from crs_cc.cli.exit_status import SYSTEM
 from crs_cc.cli.load import load
 from crs_cc.cli.messages import is_coloured, show_before_run
-from crs_cc.cli.save_files import keep_all
-from crs_cc.cli.status import SYSTEM
+from crs_cc.cli.save_files import save_all
 from crs_cc.core.source import Diagnostics
 from crs_cc.debug.engine import Debugger
 from crs_cc.debug.program import DebugProgram
@@ -47,7 +47,7 @@ def debug_programs(options: DebugOptions) -> int:
     if on_screen:
         given = None if options.input is None else file_input(options.input)
         make = functools.partial(make_debugger, loaded, options)
-        is_kept = _keep_files(full_screen.show(options, make, given), options)
+        is_kept = _save_files(full_screen.show(options, make, given), options)
         return 0 if is_kept else SYSTEM
     names = [robot.id for robot in loaded.world.robots]
     terminal = Terminal(sys.stdout.buffer, names, is_coloured=is_coloured(sys.stdout))
@@ -55,7 +55,7 @@ def debug_programs(options: DebugOptions) -> int:
     debugger = make_debugger(loaded, options, terminal.program, _input(options, keyboard))
     scripts = Scripts(options.scripts, options.commands)
     failed = Repl(debugger, terminal, keyboard).run(scripts, batch=options.batch)
-    if not _keep_files(debugger, options):
+    if not _save_files(debugger, options):
         return SYSTEM
     return int(bool(failed)) if options.batch else 0
 
@@ -79,7 +79,7 @@ def file_input(path: Path) -> Input:
     return lambda _robot, wanted: stream.readline(wanted)
 
 
-def _keep_files(debugger: Debugger, options: DebugOptions) -> bool:
+def _save_files(debugger: Debugger, options: DebugOptions) -> bool:
     """Save the files that the programs have written so far, if requested.
 
     Returns:
@@ -88,7 +88,7 @@ def _keep_files(debugger: Debugger, options: DebugOptions) -> bool:
     if options.outputs is None:
         return True
     files = [(name, debugger.session.files(n)) for n, name in enumerate(debugger.names)]
-    return keep_all(options.outputs, files)
+    return save_all(options.outputs, files)
 
 
 def _load(options: DebugOptions) -> Loaded:

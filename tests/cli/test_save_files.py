@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from crs_cc.cli.main import main
-from crs_cc.cli.save_files import keep
+from crs_cc.cli.save_files import save_files
 
 COPY = r"""
 #include <stdio.h>
@@ -34,7 +34,9 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-def test_a_named_file_is_read_and_a_written_one_kept(capfd: pytest.CaptureFixture[str]) -> None:
+def test_a_named_file_is_readable_and_a_written_one_is_saved(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
     arguments = ["run", "copy.c", "--file", "map=map.txt", "--files", "new/out"]
     assert main(arguments) == 0
     assert Path("new/out/logs/copy.txt").read_text() == "a map\n"
@@ -43,14 +45,16 @@ def test_a_named_file_is_read_and_a_written_one_kept(capfd: pytest.CaptureFixtur
     assert capfd.readouterr().err == ""
 
 
-def test_several_robots_have_folders_of_their_own() -> None:
+def test_several_robots_have_separate_folders() -> None:
     Path("pair.xml").write_text(PAIR)
     assert main(["run", "copy.c", "pair.xml", "--file", "map=map.txt", "--files", "out"]) == 0
     assert Path("out/left/logs/copy.txt").read_text() == "a map\n"
     assert Path("out/right/logs/copy.txt").read_text() == "a map\n"
 
 
-def test_without_a_folder_a_warning_says_what_is_lost(capfd: pytest.CaptureFixture[str]) -> None:
+def test_without_a_folder_discarded_files_are_warned_about(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
     assert main(["run", "copy.c", "--file", "map=map.txt"]) == 0
     assert "'robot0' wrote logs/copy.txt, which is not saved" in capfd.readouterr().err
     assert main(["run", "copy.c", "--file", "map=map.txt", "--quiet"]) == 0
@@ -62,7 +66,7 @@ def test_no_other_file_can_be_read() -> None:
     assert main(["run", "copy.c", "--files", "out"]) == 9
 
 
-def test_what_a_program_wrote_before_it_failed_is_kept() -> None:
+def test_files_written_before_a_failure_are_saved() -> None:
     Path("fails.c").write_text(
         "#include <stdio.h>\n#include <stdlib.h>\nint main(void) {\n"
         'FILE *f = fopen("log", "w"); fputs("last words", f); fflush(f); abort(); }\n'
@@ -71,7 +75,7 @@ def test_what_a_program_wrote_before_it_failed_is_kept() -> None:
     assert Path("out/log").read_text() == "last words"
 
 
-def test_a_file_that_is_here_but_was_not_named_is_told(capfd: pytest.CaptureFixture[str]) -> None:
+def test_an_existing_file_that_was_not_named_is_reported(capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "copy.c"]) == 9
     assert "looked for" not in capfd.readouterr().err
     Path("map").write_text("a map\n")
@@ -84,7 +88,7 @@ def test_a_file_that_is_here_but_was_not_named_is_told(capfd: pytest.CaptureFixt
 @pytest.mark.parametrize(
     "names", [["map=copy.c", "./map=map.txt"], ["map/a=copy.c", "map=map.txt"], ["dev/null=copy.c"]]
 )
-def test_names_that_a_disk_cannot_have_are_refused(
+def test_invalid_file_names_are_rejected(
     names: list[str], capfd: pytest.CaptureFixture[str]
 ) -> None:
     options = [each for name in names for each in ("--file", name)]
@@ -95,7 +99,7 @@ def test_names_that_a_disk_cannot_have_are_refused(
 @pytest.mark.parametrize(
     "arguments", [["--file", "none"], ["--file", "."], ["--files", "copy.c/x"]]
 )
-def test_impossible_files_are_said_before_the_run(
+def test_invalid_files_are_reported_before_the_run(
     arguments: list[str], capfd: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["run", "copy.c", *arguments]) == 2
@@ -112,7 +116,7 @@ def test_links_and_devices_are_not_followed(name: bytes, folder: Path) -> None:
     (out / "link").symlink_to(outside / "file")
     (out / "inner").symlink_to(outside)
     os.mkfifo(out / "pipe")
-    (failed,) = keep(out, {name: b"content"})
+    (failed,) = save_files(out, {name: b"content"})
     assert failed.location.file == str(out / name.decode())
     assert list(outside.iterdir()) == []
 
@@ -129,7 +133,7 @@ int main(void)
 """
 
 
-def test_a_file_that_cannot_be_kept_does_not_lose_those_after_it(
+def test_a_file_that_cannot_be_saved_does_not_lose_the_next(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
     Path("logs.c").write_text(LOGS)
@@ -140,7 +144,7 @@ def test_a_file_that_cannot_be_kept_does_not_lose_those_after_it(
     assert capfd.readouterr().err == "out/taken: error: cannot be written: Is a directory\n"
 
 
-def test_a_folder_that_cannot_be_made_does_not_lose_the_files_of_other_robots(
+def test_a_folder_that_cannot_be_created_does_not_lose_other_robots_files(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
     Path("logs.c").write_text(LOGS)
@@ -152,7 +156,7 @@ def test_a_folder_that_cannot_be_made_does_not_lose_the_files_of_other_robots(
     assert capfd.readouterr().err == "out/left: error: cannot be written: File exists\n"
 
 
-def test_files_that_cannot_be_kept_after_debugging_are_reported(
+def test_files_that_cannot_be_saved_after_debugging_are_reported(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
     Path("logs.c").write_text(LOGS)

@@ -1,21 +1,21 @@
-"""Watchpoints: in watching builds every access tells where it was, and is compared with ranges.
+"""Watchpoints: in watching builds every access is compared with the watched ranges.
 
 A watching build is a debug build with the same frames and the same landings, so that a program can
-be moved from one to the other wherever it has stopped; only while something is watched it runs in
-the slower one. The ranges lie in front of the marks, see `runtime.watched`.
+be moved from one to the other wherever it has stopped; it runs in the slower one only while there
+are watchpoints. The ranges are stored before the marks, see `runtime.watch_ranges`.
 
-Where an access is not in a watched range is found out fast: of its variables a function knows
-whether its frame has anything to do with a range; the rest is compared with the bytes among which
-all ranges lie, and in `watch` with the grains that they touch.
+An access outside the watched ranges is ruled out quickly: for its variables, a function tests once
+whether its frame overlaps a range; other addresses are compared with the bounds of
+all ranges, and in `watch` with the grains that they touch.
 
-The first access that counts makes the program stop before its next statement, whatever its slot
-says of where to stop, and changes nothing there: who steps and who watches do not disturb each
-other. A variable that lives in a register is watched at its place in the frame, where it is found
-when the program has stopped. The user's functions tell of their headers when they are entered and
-when they end, by `longjmp` too, so that a watch on a local variable lasts as long as its frame.
+The first access that counts stops the program before its next statement, regardless of the
+breakpoints, and does not change them: stepping and watching are independent of each
+other. A variable in a register is watched at its spill slot in the frame, where it is
+when the program has stopped. The user's functions report their headers at entry and
+exit, including `longjmp`, so that a watchpoint on a local variable lasts as long as its frame.
 
-Each access of the user's files has a number, see `accesses`; of one of the library's the calls that
-led there are kept (in checked builds, which know them).
+Each access in the user's files has a number, see `accesses`; for one in the library the calls that
+led there are recorded (in checked builds).
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ from crs_cc.runtime.codegen.indices import (
 from crs_cc.runtime.layout import RESULT
 from crs_cc.runtime.sites import FRAME_BITS, FRAME_UNIT, SITE_BITS, StatementSite
 from crs_cc.runtime.wasm import UNLIKELY, Code, FuncType, Instr
-from crs_cc.runtime.watched import (
+from crs_cc.runtime.watch_ranges import (
     CALLERS,
     ENTER,
     GRAIN,
@@ -76,7 +76,7 @@ _SIZES: Final = {"i32": 4, "i64": 8, "f32": 4, "f64": 8}
 
 
 def accesses(program: Program) -> list[StatementSite]:
-    """Return the place of every access that has a number, the first one that of number 1."""
+    """Return the statement of every numbered access, starting with number 1."""
     return [
         StatementSite(function.name, instruction.location)
         for function in program.functions.values()
@@ -87,11 +87,11 @@ def accesses(program: Program) -> list[StatementSite]:
     ]
 
 
-class Watching:
-    """Writes what tells of the accesses of one function."""
+class Watchpoints:
+    """Writes the reports of the accesses of one function."""
 
     def __init__(self, writer: Writer, watch: int, marks: int, *, library: bool) -> None:
-        """Takes the function's writer, where `watch` and the marks are, and whose it is."""
+        """Set the writer, the indices of `watch` and the marks, and whether this is the library."""
         self._writer = writer
         self._watch = watch
         self._marks = marks
@@ -101,7 +101,7 @@ class Watching:
         self._concerned = len(writer.local_types) + 1
 
     def find_out(self) -> list[Instr]:
-        """Find out whether anything is watched in the frame, or in the arguments."""
+        """Return the code that tests whether the frame or the arguments are watched."""
         zero = ("i32.const", 0)
         return [
             ("local.get", SP), zero, ("i32.load", self._marks, offset("highest")), ("i32.lt_u",),
@@ -111,7 +111,7 @@ class Watching:
         ]  # fmt: skip
 
     def before(self, it: Instruction) -> None:
-        """Tells what an instruction, terminators too, reads, and which memory it writes."""
+        """Report the reads and memory writes of an instruction, terminators included."""
         if not self._library:
             self._writer.names.accesses += 1
             self._place = self._writer.names.accesses
@@ -133,17 +133,17 @@ class Watching:
                     self._tell(each.value, Constant("i32", each.size), READ)
 
     def follow(self, it: Instruction) -> None:
-        """Tells which variable an instruction has written."""
+        """Report the variable that an instruction has written."""
         result = writes(it)
         if result is not None:
             self._register(result, WRITE)
 
     def entering(self) -> list[Instr]:
-        """Tells that the function's frame begins."""
+        """Return the code that reports the start of the frame."""
         return [] if self._library else self._in_frame([("local.get", FP)], 1, ENTER)
 
     def returning(self) -> list[Instr]:
-        """Tells that the function's frame ends."""
+        """Return the code that reports the end of the frame."""
         return [] if self._library else self._in_frame([("local.get", FP)], 1, RETURN)
 
     def _register(self, register: Register, access: int) -> None:
@@ -153,13 +153,13 @@ class Watching:
             self._writer.code += self._in_frame(place, _SIZES[register.type], access)
 
     def _in_frame(self, place: list[Instr], size: int, access: int) -> list[Instr]:
-        """Tells of an access to a place in the frame."""
+        """Return the code that reports an access to the frame."""
         told = self._told(access)
         test: list[Instr] = [("local.get", self._concerned), UNLIKELY]
         return [*test, *place, ("i32.const", size), *told, ("end",)]
 
     def _access(self, base: Base, at: int, size: int, access: int) -> None:
-        """Tells of an access where it may be a watched one."""
+        """Report an access that may be to a watched range."""
         writer = self._writer
         if isinstance(base, Slot) and base is not VARARGS:
             place = [
@@ -191,8 +191,8 @@ def watch(marks: int, statements: int, *, checked: bool) -> Code:
 
     Args:
         marks: index of the memory of the marks.
-        statements: how many statements there are.
-        checked: whether headers tell who called, see `sites`.
+        statements: number of statements.
+        checked: whether headers hold call words, see `sites`.
     """
     address, size, access, place, fp, at = range(6)
 
@@ -235,7 +235,7 @@ def watch(marks: int, statements: int, *, checked: bool) -> Code:
 
 
 def _callers(marks: int, place: int, fp: int, at: int) -> list[Instr]:
-    """Note which calls led to an access in the library; the outermost header tells of none."""
+    """Record the calls that led to an access in the library; the outermost header has none."""
     target, word, header = at + 1, at + 2, at + 3
     return [
         ("local.get", place), ("i32.eqz",), ("if",),
@@ -256,7 +256,7 @@ def _callers(marks: int, place: int, fp: int, at: int) -> list[Instr]:
 
 
 def watching_begins(marks: int, statements: int) -> list[Instr]:
-    """Return what `resume` does so that most accesses need not be told of, and none is forgotten."""
+    """Return the code of `resume` that updates the bounds of all ranges."""
     at = ("i32.const", 0)
     return [
         at, ("i32.load", marks, offset("first")), ("global.set", WATCHED_GLOBAL),
@@ -267,10 +267,10 @@ def watching_begins(marks: int, statements: int) -> list[Instr]:
 
 
 def is_pending(marks: int) -> list[Instr]:
-    """Join to the test whether to stop before a statement what was watched."""
+    """Add pending watchpoints to the test whether to stop before a statement."""
     return [("i32.const", 0), ("i32.load", marks, offset("pending")), ("i32.or",)]
 
 
 def stops(marks: int) -> list[Instr]:
-    """Return what a stop before a statement does."""
+    """Return the code of a stop before a statement."""
     return [("i32.const", 0), ("i32.const", 0), ("i32.store", marks, offset("pending"))]

@@ -1,8 +1,8 @@
-"""Finds out which local variable an address was that lies in the dead part of the stack.
+"""Find the local variable that was at an address below the stack pointer.
 
-Nothing in memory tells which functions have returned. But a function's frame lies right below that
-of its caller, so each function that an active one may have called can have had its variables in
-one place only. When there is just one variable of the user's that can have been there, it was that.
+Memory does not record which functions have returned. But a function's frame is right below that
+of its caller, so the variables of each function that an active one may have called can have been in
+one place only. If just one of the user's variables can have been at the address, it was that one.
 """
 
 from __future__ import annotations
@@ -17,17 +17,17 @@ from crs_cc.runtime.diagnosis.objects import Object
 from crs_cc.runtime.layout import NULL_SIZE
 
 FARTHEST_CALL: Final = 3
-"""So many calls away from an active function the guess still is likely."""
+"""Maximum number of calls from an active function; further away the guess is unlikely."""
 
 NEAREST_CALLERS: Final = 4
-"""So many active functions may have called the one that has returned."""
+"""Maximum number of active functions that may have called the one that has returned."""
 
 MOST: Final = 5000
-"""After so many possible calls there is no telling."""
+"""Maximum number of possible calls to consider."""
 
 
 def returned_local(stopped: Stopped, address: int) -> Object | None:
-    """Return the variable that an address was; None when none can have been there, or several."""
+    """Return the variable that was at an address; None if none or several are possible."""
     found: dict[Variable | None, Object] = {}
     for number, (callee, fp) in enumerate(_calls(stopped, address)):
         if number > MOST:
@@ -41,7 +41,7 @@ def returned_local(stopped: Stopped, address: int) -> Object | None:
 
 
 def _calls(stopped: Stopped, address: int) -> Iterator[tuple[str, int]]:
-    """Return functions that may have had an address in their frames, and their frame pointers."""
+    """Yield functions that may have had an address in their frames, and their frame pointers."""
     frames = [(each.function, each.fp, FARTHEST_CALL) for each in stopped.stack]
     above = [each for each in frames if each[1] > address]
     for caller, fp, depth in (work := above[:NEAREST_CALLERS]):

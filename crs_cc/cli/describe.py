@@ -17,7 +17,7 @@ from crs_cc.sim.model.world import Robot, WorldModel, is_pushable
 _MOST: Final = 10
 
 
-def inventory(what: WorldModel | RobotModel | Definitions) -> list[str]:
+def describe(what: WorldModel | RobotModel | Definitions) -> list[str]:
     """Return lines that describe the contents."""
     if isinstance(what, WorldModel):
         return list(_world(what))

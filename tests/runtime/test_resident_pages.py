@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from crs_cc.core.source import Diagnostics
-from crs_cc.runtime import pages
+from crs_cc.runtime import resident_pages
 from crs_cc.runtime.fleet import Fleet
 from crs_cc.session.build import build_executable
 
@@ -33,27 +33,27 @@ int main(void)
 
 
 def fresh() -> np.ndarray:
-    return np.frombuffer(mmap.mmap(-1, COUNT * pages.CHUNK), np.uint8)
+    return np.frombuffer(mmap.mmap(-1, COUNT * resident_pages.CHUNK), np.uint8)
 
 
 @pytest.fixture(params=["told", "not told"])
 def system(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> str:
-    """A system that tells which pages exist, and one that does not."""
+    """A system with a page map, and one without."""
     if request.param == "not told":
-        monkeypatch.setattr(pages, "_pagemap", lambda _process: None)
+        monkeypatch.setattr(resident_pages, "_pagemap", lambda _process: None)
     return str(request.param)
 
 
 @pytest.mark.usefixtures("system")
-def test_a_memory_comes_back_as_it_was() -> None:
+def test_a_memory_is_restored_exactly() -> None:
     rng, memory = np.random.default_rng(3), fresh()
     places = rng.integers(0, len(memory), 20)
     memory[places] = rng.integers(1, 256, 20)
     before = memory.copy()
-    kept = pages.save(memory, NO_OBJECTS)
-    assert kept[0].tolist() == sorted(set((places // pages.CHUNK).tolist()))
+    kept = resident_pages.save(memory, NO_OBJECTS)
+    assert kept[0].tolist() == sorted(set((places // resident_pages.CHUNK).tolist()))
     memory[rng.integers(0, len(memory), 30)] = 9
-    pages.load(memory, NO_OBJECTS, *kept)
+    resident_pages.load(memory, NO_OBJECTS, *kept)
     assert np.array_equal(memory, before)
 
 
@@ -61,21 +61,21 @@ def test_a_memory_comes_back_as_it_was() -> None:
 def test_pages_of_zeros_are_left_out() -> None:
     memory = fresh()
     memory[:] = 1
-    memory[pages.CHUNK :] = 0
-    assert pages.save(memory, NO_OBJECTS)[0].tolist() == [0]
+    memory[resident_pages.CHUNK :] = 0
+    assert resident_pages.save(memory, NO_OBJECTS)[0].tolist() == [0]
 
 
 @pytest.mark.skipif(not Path("/proc/self/pagemap").exists(), reason="this system tells nothing")
-def test_to_look_at_a_memory_does_not_make_its_pages() -> None:
+def test_saving_a_memory_maps_no_pages() -> None:
     memory = fresh()
-    memory[3 * pages.CHUNK] = 1
-    pages.save(memory, NO_OBJECTS)
-    assert np.flatnonzero(pages._existing(memory)).tolist() == [3]
+    memory[3 * resident_pages.CHUNK] = 1
+    resident_pages.save(memory, NO_OBJECTS)
+    assert np.flatnonzero(resident_pages._existing(memory)).tolist() == [3]
 
 
 @pytest.mark.usefixtures("system")
 @pytest.mark.parametrize("fuel", [0, 60, 200, 10_000])
-def test_objects_that_a_program_never_touched_are_kept(tmp_path: Path, fuel: int) -> None:
+def test_untouched_initialised_objects_are_saved(tmp_path: Path, fuel: int) -> None:
     path = tmp_path / "table.c"
     path.write_text(TABLE)
     executable = build_executable([path], Diagnostics())

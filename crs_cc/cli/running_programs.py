@@ -22,7 +22,7 @@ MOST_NAMES: Final = 3
 MOST_LINES: Final = 5
 
 
-def unfinished(run: Run) -> Iterator[str]:
+def running_programs(run: Run) -> Iterator[str]:
     """Yield a line for each of the first few locations."""
     alike: dict[tuple[str, str], list[RobotResult]] = {}
     for robot, call in zip(run.result.robots, run.calls, strict=True):

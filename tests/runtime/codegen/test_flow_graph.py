@@ -179,7 +179,7 @@ def test_random_graphs_run_as_drawn_however_they_are_suspended(seed: int) -> Non
     assert walk(program, 10**6, debug=True) == plain
 
 
-def test_a_walk_goes_on_in_another_robot_after_every_stop() -> None:
+def test_a_suspended_walk_resumes_in_another_robot() -> None:
     program = walker(7, 9)
     assert walk(program, 1, debug=False, move=True)[0] == expected(program)
 
@@ -189,7 +189,7 @@ def test_a_long_function_needs_no_recursion() -> None:
     assert walk(program, 10**6, debug=False)[0] == expected(program)
 
 
-def test_a_tangle_of_jumps_back_compiles_in_proportion_to_its_size() -> None:
+def test_irreducible_control_flow_compiles_in_linear_size() -> None:
     size = 1000
     program = walker(5, size, tangled=True)
     compiled = compile_program(program)
@@ -208,7 +208,7 @@ def test_a_frame_larger_than_the_stack_is_a_stack_overflow() -> None:
     assert fleet.failure(0).kind == "stack overflow"
 
 
-def test_a_local_aligned_more_than_frames_are_is_refused() -> None:
+def test_an_overaligned_local_is_rejected() -> None:
     entry = Block("entry")
     entry.terminator = Return(HERE, const(0))
     slots = [Slot("s", 8, 32)]

@@ -19,7 +19,7 @@ from crs_cc.ir.program import (
     Slot,
     Store,
 )
-from crs_cc.runtime.codegen.deferred_checks import Carried
+from crs_cc.runtime.codegen.deferred_checks import DeferredChecks
 
 HERE = Location("sums.c", 1, 1)
 
@@ -45,7 +45,7 @@ def sums(count: int) -> Function:
 
 
 def lines_run(function: Function) -> int:
-    """Count the lines that are run to find what is carried."""
+    """Count the lines executed to find deferred checks."""
     liveness, lines = Liveness(function), 0
 
     def trace(_frame: FrameType, event: str, _value: object) -> object:
@@ -56,7 +56,7 @@ def lines_run(function: Function) -> int:
     before = sys.gettrace()
     sys.settrace(trace)  # type: ignore[arg-type]
     try:
-        Carried(function, liveness, keep=False)
+        DeferredChecks(function, liveness, keep=False)
     finally:
         sys.settrace(before)
     return lines
@@ -64,16 +64,16 @@ def lines_run(function: Function) -> int:
 
 def test_loads_of_the_same_sum_share_one_flag() -> None:
     function = sums(2)
-    carried = Carried(function, Liveness(function), keep=False)
+    deferred = DeferredChecks(function, Liveness(function), keep=False)
     code = function.blocks[0].instructions
-    flags = [carried.flag_of(it) for it in code if isinstance(it, Load)]
+    flags = [deferred.flag_of(it) for it in code if isinstance(it, Load)]
     assert flags[0] is not None
     assert [flags.index(flag) for flag in flags] == [0, 0, 0, 3, 3, 3]
-    assert carried.registers == [flags[0], flags[3]]
+    assert deferred.registers == [flags[0], flags[3]]
     stores = [it for it in code if isinstance(it, Store)]
-    assert [carried.computed_for(it) for it in stores] == [flags[0]] * 2 + [flags[3]] * 2
+    assert [deferred.computed_for(it) for it in stores] == [flags[0]] * 2 + [flags[3]] * 2
     assert flags[3] is not None
-    assert [carried.is_last(it, flags[3]) for it in stores] == [False, False, False, True]
+    assert [deferred.is_last(it, flags[3]) for it in stores] == [False, False, False, True]
 
 
 def test_joining_flags_takes_no_longer_for_each_in_a_long_function() -> None:
