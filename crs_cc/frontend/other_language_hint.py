@@ -1,4 +1,4 @@
-"""Knows what programs in other languages look like, to say so where they cannot be understood.
+"""Hints at code in other languages.
 
 >>> hint_for_type("boolean")
 "C's is 'bool', of <stdbool.h>"
@@ -16,7 +16,7 @@ _TYPES: Final = {
     "boolean": "C's is 'bool', of <stdbool.h>",
     "byte": "use 'unsigned char'",
 }
-"""Types of other languages, in small letters, and what to use for them."""
+"""Types of other languages, in lower case, and their equivalents in C."""
 
 _WORDS: Final = frozenset(
     {
@@ -28,12 +28,12 @@ _WORDS: Final = frozenset(
 
 
 def hint_for_type(name: str) -> str:
-    """Return what to use for an unknown type, empty text if it is of no language that we know."""
+    """Return a hint for an unknown type; "" if it is not one of a known language."""
     return CPLUSPLUS if name in _WORDS else _TYPES.get(name.lower(), "")
 
 
 def is_cplusplus(words: list[str]) -> bool:
-    """Return whether the tokens around an error, in order, are of C++.
+    """Return whether the tokens around an error, in order, look like C++.
 
     >>> is_cplusplus(["p", "=", "new", "Robot"]), is_cplusplus(["Robot", ":", ":", "turn"])
     (True, True)

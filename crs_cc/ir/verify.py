@@ -1,7 +1,7 @@
-"""Accept a well-formed program and refuses any other, so that mistakes of ours are found early.
+"""The IR verifier, which finds errors of the compiler early.
 
-The code generator takes verified programs only. Whatever C source comes in, the front end must
-give a program that passes; a violation is our fault and never the user's.
+The code generator accepts verified programs only. For any C source, the front end must produce a
+program that passes; a violation is a bug of the compiler.
 
 >>> from crs_cc.ir.program import Block, Branch, Constant, Function, Program
 >>> from crs_cc.core.source import Location
@@ -27,10 +27,10 @@ from crs_cc.ir.verify_block import BlockVerifier
 
 
 def verify(program: Program) -> None:
-    """Check every rule of the form that `ir.program` states.
+    """Check a program for well-formedness, see `ir.program`.
 
     Raises:
-        InternalError: with one message for each violation, naming function and block.
+        InternalError: with a message for each violation, with function and block.
     """
     violations = [*_names(program), *_all_data(program)]
     for function in program.functions.values():

@@ -1,7 +1,7 @@
-"""The verifier's rules for one basic block: what each instruction demands.
+"""The verifier's rules for a basic block.
 
-One small method for each kind of instruction yields what is wrong with it; a table by class picks
-the method.
+There is a method for each kind of instruction, which yields its violations, and a table of them by
+class.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ _BITS: Final = {"i32": 32, "i64": 64}
 
 
 class BlockVerifier:
-    """Check the blocks of one function.
+    """Checks the blocks of one function.
 
     Attributes:
         program: the program that the function belongs to.
@@ -76,7 +76,7 @@ class BlockVerifier:
         self._slots = set(map(id, [*function.slots, *own]))
 
     def check(self, block: Block) -> Iterator[tuple[Location | None, str]]:
-        """Return what is wrong with a block, each with its place if that is known."""
+        """Yield the violations in a block, each with its location if that is known."""
         for instruction in block.instructions:
             if isinstance(instruction, get_args(Terminator)):
                 kind = type(instruction).__name__

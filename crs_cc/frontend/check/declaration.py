@@ -1,4 +1,4 @@
-"""Declarations: which object or function a name stands for (C17 6.2.2, 6.7, 6.9).
+"""Declarations: the object or function that a name designates (C17 6.2.2, 6.7, 6.9).
 
 Declarations of one name are merged: `extern int State[];` and `int State[45];` are one object, a
 call of an unknown function and its later definition are one function.
@@ -60,10 +60,10 @@ _STORAGE_CLASSES: Final = {"static", "extern", "auto", "register"}
 
 
 def declare(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> None:
-    """Check a declaration; what it does at run time is added to `out`.
+    """Check a declaration; append its actions at run time to `out`.
 
     Raises:
-        CheckError: when it is wrong.
+        CheckError: it has an error.
     """
     if node.name is None:
         _declare_tag(unit, node)
@@ -84,16 +84,16 @@ def declare(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> 
 
 
 def _do(effects: list[tree.Expression], out: list[tree.Statement] | None) -> None:
-    """Add what a declaration's type asks for to the statements."""
+    """Append the side effects of a declaration's type to the statements."""
     if out is not None:
         out.extend(tree.ExpressionStatement(each.location, each) for each in effects)
 
 
 def declared_anyhow(unit: Unit, node: Node) -> CType:
-    """Return the type of a declaration; when it is broken, keeps its name known.
+    """Return the type of a declaration.
 
     Raises:
-        CheckError: when it is broken; uses of the name will give no more errors.
+        CheckError: it has an error; its name is declared nevertheless, to avoid further errors.
     """
     try:
         if _is_auto(node.type):
@@ -105,13 +105,13 @@ def declared_anyhow(unit: Unit, node: Node) -> CType:
 
 
 def _is_auto(node: Node) -> bool:
-    """Return whether a declarator is a name of GNU C's `__auto_type`."""
+    """Return whether a declarator is a name with GNU C's `__auto_type`."""
     specifier = node.type if isinstance(node, c_ast.TypeDecl) else None
     return isinstance(specifier, c_ast.IdentifierType) and specifier.names == [AUTO_TYPE]
 
 
 def _inferred(unit: Unit, node: Node) -> CType:
-    """Return the type of the initial value, which is checked once only."""
+    """Return the type of the initialiser, which is checked only once."""
     if getattr(node, "init", None) is None or isinstance(node.init, c_ast.InitList):
         text = f"'{AUTO_TYPE}' needs one initial value"
         raise CheckError(unit.at_name(node), text)
@@ -138,7 +138,7 @@ def _declare_tag(unit: Unit, node: Node) -> None:
 
 
 def typedef(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> None:
-    """Check a typedef; what it does at run time is added to `out`."""
+    """Check a typedef; append its actions at run time to `out`."""
     with vla.effects(unit) as effects:
         ctype = declared_anyhow(unit, node)
     _do(effects, out)
@@ -180,10 +180,10 @@ def _declare_function(unit: Unit, node: Node, ctype: FunctionType, location: Loc
 def declare_function(
     unit: Unit, name: str, ctype: FunctionType, location: Location, is_static: bool
 ) -> FunctionSymbol:
-    """Enter a function, merging it with what is known of it.
+    """Declare a function, merging it with earlier declarations.
 
     Raises:
-        CheckError: when that contradicts.
+        CheckError: they conflict.
     """
     here = unit.scope.names.get(name)
     if here is not None and not isinstance(here, FunctionSymbol):
@@ -243,14 +243,14 @@ def _in_headers(unit: Unit, location: Location) -> bool:
 
 
 def _is_librarys(unit: Unit, known: FunctionSymbol) -> bool:
-    """Return whether a function is known from the library's headers only."""
+    """Return whether a function is declared in the library's headers only."""
     return not known.is_implicit and not known.is_defined and _in_headers(unit, known.location)
 
 
 def _take_librarys_place(
     unit: Unit, known: FunctionSymbol, ctype: FunctionType, location: Location, is_static: bool
 ) -> None:
-    """Build a program's own `getline`, older than POSIX's, the one that is meant from here on."""
+    """Replace a library function by the program's own, as a `getline` older than POSIX's."""
     text = f"'{known.name}' is not declared as the library's function of that name"
     unit.warning(location, text, f"the library's is '{known.type}', see {known.location}")
     if is_static:
@@ -260,7 +260,7 @@ def _take_librarys_place(
 
 
 def _differs_in_promotion(left: FunctionType, right: FunctionType) -> bool:
-    """Return whether an old-style and a new-style declaration disagree, which old code does."""
+    """Return whether old-style and new-style declarations differ only in promoted parameters."""
     one_is_old = (left.parameters is None) != (right.parameters is None)
     return one_is_old and compatible(left.result, right.result)
 
@@ -343,7 +343,7 @@ def _initialise_global(
 
 
 def finish_objects(unit: Unit) -> None:
-    """Settles tentative definitions at the end of the file (C17 6.9.2p2)."""
+    """Complete tentative definitions at the end of the file (C17 6.9.2p2)."""
     defined = [each for each in unit.objects if each.initialiser is None]
     for each in defined:
         symbol = each.symbol
@@ -402,7 +402,7 @@ def _declare_local(
 
 
 def declare_broken(unit: Unit, node: Node) -> None:
-    """Takes note of what a declaration that was not understood may have declared."""
+    """Declare the names in a declaration with a syntax error."""
     for name in node.names:
         if unit.scope.find(name) is None:
             unit.scope.names[name] = BrokenName(name, unit.at(node))

@@ -1,4 +1,4 @@
-"""Warn about operands that do not do what they seem to, while their own types are still known."""
+"""Warnings about operands that need their types before conversion."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from crs_cc.ir.types import ArrayType, IntegerType
 
 
 def warn_signs(unit: Unit, left: Expression, right: Expression, place: Location) -> None:
-    """Warn about a negative constant that becomes a large number beside an unsigned operand."""
+    """Warn about the comparison of a negative constant with an unsigned operand."""
     for constant, other in ((left, right), (right, left)):
         if not isinstance(constant, tree.Literal) or constant.value >= 0:
             continue
@@ -23,7 +23,7 @@ def warn_signs(unit: Unit, left: Expression, right: Expression, place: Location)
 
 
 def warn_string(unit: Unit, left: Expression, right: Expression, place: Location) -> None:
-    """Warn about comparing a string literal's address."""
+    """Warn about the comparison of a string literal's address."""
     pair = (left, right)
     if any(_is_string(each) for each in pair) and not any(map(is_null_constant, pair)):
         text = "this compares addresses, not what stands in the strings"
@@ -35,7 +35,7 @@ def _is_string(value: Expression) -> bool:
 
 
 def warn_size(unit: Unit, operand: Expression, place: Location) -> None:
-    """Warn about `sizeof` a parameter that was declared as an array, and is a pointer."""
+    """Warn about `sizeof` of a parameter that was declared as an array and is a pointer."""
     if isinstance(operand, tree.ObjectName) and operand.symbol.is_array_parameter:
         name = operand.symbol.name
         text = f"'{name}' is a pointer here, as array parameters are: this is the size of a pointer"
@@ -43,7 +43,7 @@ def warn_size(unit: Unit, operand: Expression, place: Location) -> None:
 
 
 def warn_returned(unit: Unit, value: Expression) -> None:
-    """Warn about returning the address of a variable that ends with the function."""
+    """Warn about the return of a local variable's address."""
     match value:
         case tree.Convert(operand=inner) if inner.type.size == value.type.size:
             warn_returned(unit, inner)

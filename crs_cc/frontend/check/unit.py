@@ -43,7 +43,7 @@ _ = calls  # enters the checker of calls
 
 
 def check_unit(unit: Unit, nodes: list[Node]) -> None:
-    """Check all external declarations of a file; what is wrong goes to the diagnostics."""
+    """Check all external declarations of a file; errors go to its diagnostics."""
     for name in PREDECLARED_TYPES:
         unit.scope.names[name] = TypedefName(name, VA_LIST, unit.place)
     for node in nodes:
@@ -57,7 +57,7 @@ def check_unit(unit: Unit, nodes: list[Node]) -> None:
 
 
 def _nothing(_unit: Unit, _node: Node) -> None:
-    """Pass over `#pragma`."""
+    """Ignore `#pragma`."""
 
 
 def function_definition(unit: Unit, node: Node) -> None:
@@ -137,7 +137,7 @@ def _parameters(
 
 
 def _has_length(node: Node) -> bool:
-    """Return whether a parameter is written as an array of a length that may have effects."""
+    """Return whether a parameter is an array whose length may have side effects."""
     is_array = isinstance(node.type, c_ast.ArrayDecl)
     return is_array and not isinstance(node.type.dim, c_ast.Constant | None)
 
@@ -186,14 +186,14 @@ def _old_style(
 
 
 def _is_derived(node: Node) -> bool:
-    """Return whether a declaration is of an array, or of something made of other types."""
+    """Return whether a declaration has an array, pointer or function declarator."""
     return not isinstance(node.type, c_ast.TypeDecl)
 
 
 def _passed(ctype: CType, promised: CType | None) -> CType:
     """Return the type in which an old-style parameter arrives (C17 6.5.2.2p6).
 
-    After a prototype that says the same type it comes as that type (as gcc has it).
+    After a prototype with its own type it is passed as that type (as in gcc).
     """
     plain = unqualified(ctype)
     if is_promoted(plain) or (promised is not None and compatible(unqualified(promised), plain)):
@@ -210,4 +210,4 @@ EXTERNAL: Final[dict[type, External]] = {
     c_ast.StaticAssert: static_assert,
     c_ast.Typedef: typedef,
 }
-"""Who checks each class of external declaration."""
+"""The checker of each class of external declarations."""

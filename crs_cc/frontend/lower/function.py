@@ -1,4 +1,4 @@
-"""Lower a function definition: parameters, body, and the clean-up of its graph."""
+"""Lower a function definition: parameters, body, and simplification of its graph."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from crs_cc.ir.types import CType, RecordType, VoidType
 
 
 def lower_function(unit: UnitState, definition: tree.FunctionDefinition) -> Function:
-    """Build the IR of a function."""
+    """Return the IR of a function."""
     symbol, location = definition.symbol, definition.location
     result = symbol.type.result
     function = Function(
@@ -58,7 +58,7 @@ def lower_function(unit: UnitState, definition: tree.FunctionDefinition) -> Func
 
 
 def _parameter(low: Lowering, symbol: ObjectSymbol, passed: CType) -> None:
-    """Build a parameter; an old-style one is converted from the type it is passed as."""
+    """Lower a parameter; convert an old-style one from the type that it is passed as."""
     variable = symbol.variable()
     ctype, location = symbol.type, symbol.location
     if isinstance(ctype, RecordType):

@@ -22,7 +22,7 @@ from crs_cc.ir.program import Block, Branch, Constant, Jump, Operand, Return, St
 from crs_cc.ir.types import RecordType
 
 _MOST_CASES = 256
-"""A range of so many values becomes a comparison instead of cases."""
+"""A case range with so many values becomes a comparison instead of single cases."""
 
 
 def _expression(low: Lowering, statement: tree.ExpressionStatement) -> None:
@@ -105,7 +105,7 @@ def _switch(low: Lowering, statement: tree.Switch) -> None:
 def _test_range(
     low: Lowering, operand: Operand, ends: tuple[int, int], block: Block, location: Location
 ) -> None:
-    """Goes to `block` when a value lies in a range that is too long for single cases."""
+    """Branch to `block` if a value is in a case range that is too long for single cases."""
     (first, last), kind = ends, operand.type
     bits = 64 if kind == "i64" else 32
     start = Constant(kind, wrap(first, bits, signed=True))
@@ -138,7 +138,7 @@ def _goto(low: Lowering, statement: tree.Goto) -> None:
 
 
 def _computed_goto(low: Lowering, statement: tree.ComputedGoto) -> None:
-    """Goes to the label of a number, by way of one switch for the whole function."""
+    """Jump to the label with a number through one switch for the whole function."""
     location = statement.location
     low.mark(location)
     operand = value(low, statement.target)

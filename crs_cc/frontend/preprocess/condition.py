@@ -1,8 +1,8 @@
 """The value of the expression after `#if` (C17 6.10.1).
 
-All arithmetic is done in `intmax_t` and `uintmax_t`, 64 bits. Operators wait on a stack until one
-of lower precedence comes, so that no nesting is too deep. A value carries what went wrong in it:
-`0 && 1/0` is well, because the right side is not evaluated.
+All arithmetic is done in `intmax_t` and `uintmax_t`, 64 bits. Operators are kept on a stack until
+one of lower precedence follows, so that the depth of nesting is not limited. An error is part of
+the value: `0 && 1/0` is valid because the right side is not evaluated.
 
 >>> from crs_cc.frontend.preprocess.tokens import tokenise
 >>> evaluate(tokenise("(1 << 4) + 0x10 > 31 && -1 > 0u", 0))
@@ -48,8 +48,8 @@ class ConditionError(Exception):
     """The expression has no value.
 
     Attributes:
-        place: where it goes wrong; none for its end.
-        hint: what the user can do.
+        place: the place of the error; None for the end of the expression.
+        hint: a hint for the user.
     """
 
     def __init__(self, place: Place | None, text: str, hint: str = "") -> None:
@@ -59,7 +59,7 @@ class ConditionError(Exception):
 
 
 class _Operator(NamedTuple):
-    """An operator that waits: `(`, a unary one as `-x`, a binary one, or `?` and then `?:`."""
+    """A pending operator: `(`, a unary one such as `-x`, a binary one, or `?` and then `?:`."""
 
     text: str
     precedence: int
@@ -81,7 +81,7 @@ def evaluate(tokens: Sequence[Token]) -> bool:
 
 
 class _Evaluation:
-    """The stacks of operands and of operators that wait."""
+    """The stacks of operands and of pending operators."""
 
     def __init__(self) -> None:
         self.values: list[Value] = []
@@ -105,7 +105,7 @@ class _Evaluation:
         return self.values[0]
 
     def _operand(self, token: Token, follower: str) -> bool:
-        """Takes a token where an operand must begin; tells whether one must still follow."""
+        """Read a token where an operand must start; return whether one must still follow."""
         text = token.text
         if token.kind == NAME:
             if follower == "(":
@@ -125,7 +125,7 @@ class _Evaluation:
         raise ConditionError(token.place, f"{what} cannot stand here in the expression")
 
     def _operator(self, token: Token) -> bool:
-        """Takes a token that follows an operand; tells whether an operand must come next."""
+        """Read a token after an operand; return whether an operand must follow."""
         text = token.text
         if text in (")", ":"):
             opening = "(" if text == ")" else "?"
@@ -145,7 +145,7 @@ class _Evaluation:
         return True
 
     def _apply_down_to(self, level: int) -> None:
-        """Applies the operators that bind at least so tightly, up to a `(` or `?` that is open."""
+        """Apply the operators of at least this precedence, up to an open `(` or `?`."""
         while self.operators:
             top = self.operators[-1]
             if top.text in ("(", "?") or top.precedence < level:
@@ -174,7 +174,7 @@ def _unary(operator: str, value: Value) -> Value:
 
 
 def _choose(condition: Value, left: Value, right: Value) -> Value:
-    """Return the value of `condition ? left : right`, of their common type."""
+    """Return the value of `condition ? left : right` in their common type."""
     chosen = left if condition.number else right
     chosen = chosen.with_number(chosen.number, unsigned=left.unsigned or right.unsigned)
     return condition if condition.problem else chosen
@@ -207,7 +207,7 @@ def _binary(operator: _Operator, left: Value, right: Value) -> Value:
 
 
 def _shifted(number: int, count: int) -> int:
-    """Shift left, or right by a negative count; a count above 63 takes all bits (as gcc does)."""
+    """Shift left, or right if negative; a count above 63 shifts out all bits (as in gcc)."""
     return number << min(count, 64) if count >= 0 else number >> min(-count, 64)
 
 
@@ -220,8 +220,8 @@ def resolve_operators(
 
     Args:
         tokens: the expression.
-        is_defined: tells whether a name is a macro.
-        has_header: tells whether a header, as `"a.h"` or `<a.h>`, exists.
+        is_defined: returns whether a name is a macro.
+        has_header: returns whether a header, such as `"a.h"` or `<a.h>`, exists.
 
     Raises:
         ConditionError: one of them is not well-formed.

@@ -18,7 +18,7 @@ from crs_cc.frontend.preprocess.source_text import Place
 
 
 def begin(reader: Reader, directive: str, place: Place, *, holds: bool) -> None:
-    """Open a group, whose first part is used if its condition holds."""
+    """Open a group, whose first part is used if its condition is true."""
     skipped = reader.skipping
     active = holds and not skipped
     reader.conditionals.append(Conditional(directive, place, active, skipped or active))
@@ -27,7 +27,7 @@ def begin(reader: Reader, directive: str, place: Place, *, holds: bool) -> None:
 def go_on(
     reader: Reader, directive: str, place: Place, report: Report, holds: Callable[[], bool]
 ) -> None:
-    """Start the next part, as `#elif` does; the condition counts only if no part was used."""
+    """Start the next part, as `#elif` does; the condition matters only if no part was used."""
     group = _open_group(reader, directive, place, report)
     if group is None:
         return

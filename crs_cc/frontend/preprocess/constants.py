@@ -34,8 +34,8 @@ class Value(NamedTuple):
     Attributes:
         number: the value.
         unsigned: its type.
-        problem: why there is no value, empty if there is one.
-        place: where the problem is.
+        problem: the error in it; "" if there is none.
+        place: the place of the error.
     """
 
     number: int
@@ -44,7 +44,7 @@ class Value(NamedTuple):
     place: Place | None = None
 
     def with_number(self, number: int, *, unsigned: bool) -> Value:
-        """Return a number, reduced to a type's range, with the same problem."""
+        """Return the value of a number reduced to the type's range, with the same error."""
         number &= (1 << 64) - 1
         if not unsigned and number >> 63:
             number -= 1 << 64
@@ -52,7 +52,7 @@ class Value(NamedTuple):
 
 
 def constant(token: Token) -> Value:
-    """Return the value of a number or character constant; a value with a problem if it has none."""
+    """Return the value of a number or character constant; one with an error if it is invalid."""
     if token.kind == CHARACTER:
         return _character(token)
     match = INTEGER.fullmatch(token.text)

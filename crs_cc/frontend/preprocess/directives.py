@@ -1,4 +1,4 @@
-"""What each `#` line does (C17 6.10).
+"""Preprocessing directives (C17 6.10).
 
 >>> sorted(_IN_SKIPPED_GROUPS - {"if", "ifdef", "ifndef"})
 ['elif', 'elifdef', 'elifndef', 'else', 'endif']
@@ -31,13 +31,13 @@ MAX_LINE: Final = (1 << 31) - 1
 
 @dataclass(slots=True)
 class _Line:
-    """A directive's line.
+    """A line with a directive.
 
     Attributes:
         name: the directive.
-        place: where its `#` is.
+        place: the place of its `#`.
         rest: the text after the name.
-        rest_place: where that begins.
+        rest_place: the place of that text.
     """
 
     name: str
@@ -50,19 +50,19 @@ class _Line:
 
 
 def run_directive(state: State, text: str, place: Place) -> bool:
-    """Does what a line says, if it is a directive.
+    """Execute a line if it is a directive.
 
     Args:
         state: the run.
         text: the line.
-        place: where it begins.
+        place: its place.
 
     Returns:
-        whether it is one.
+        Whether it is one.
 
     Raises:
-        StopError: the run cannot go on.
-        ExhaustedError: macros in it expand to too much.
+        StopError: preprocessing cannot continue.
+        ExhaustedError: macros in it expand to too many tokens.
     """
     match = _DIRECTIVE.match(text)
     if match is None:
@@ -110,7 +110,7 @@ def _undef(state: State, line: _Line) -> None:
 
 
 def _only_name(state: State, line: _Line) -> Token | None:
-    """Return the one name that a directive takes."""
+    """Return the only operand of a directive, a name."""
     tokens = line.tokens()
     if not tokens:
         state.report.error(line.place, f"'#{line.name}' needs a name")
@@ -151,7 +151,7 @@ def _include(state: State, line: _Line) -> None:
 
 
 def _header_name(state: State, line: _Line) -> tuple[str, bool, Place] | None:
-    """Return a header's name, whether it stands in quotes, and its place (C17 6.10.2)."""
+    """Return a header's name, whether it is quoted, and its place (C17 6.10.2)."""
     rest, place = line.rest, line.rest_place
     match = _HEADER.match(rest)
     if match is None:
@@ -207,7 +207,7 @@ def _ifdef(state: State, line: _Line) -> None:
 
 
 def _names_a_macro(state: State, line: _Line) -> bool:
-    """Return whether the condition of `#ifdef`, `#ifndef` and their `#elif` forms holds."""
+    """Return the condition of `#ifdef`, `#ifndef` and their `#elif` forms."""
     name = _only_name(state, line)
     if name is None:
         return False
@@ -241,7 +241,7 @@ def _warning(state: State, line: _Line) -> None:
 
 
 def _line(state: State, line: _Line) -> None:
-    """Changes what `__LINE__` and `__FILE__` give (C17 6.10.4); messages keep the true place."""
+    """Set `__LINE__` and `__FILE__` (C17 6.10.4); messages keep the real location."""
     tokens = state.expand(line.tokens())
     digits = tokens[0].text if tokens else ""
     if not (digits.isdigit() and digits.isascii() and len(digits) <= 10):
@@ -266,7 +266,7 @@ def _pragma(state: State, line: _Line) -> None:
 
 
 def obey_pragma(state: State, tokens: list[Token]) -> list[Token]:
-    """Does what a `#pragma` says, and gives the tokens that stand for it in the program."""
+    """Execute a `#pragma`, and return the tokens that represent it in the program."""
     name = tokens[0].text if tokens else ""
     if name == "once":
         if state.reader.header is not None:
@@ -282,7 +282,7 @@ def obey_pragma(state: State, tokens: list[Token]) -> list[Token]:
 
 
 def _keep_macro(state: State, tokens: list[Token]) -> None:
-    """Does what `#pragma push_macro("NAME")` or `pop_macro` says."""
+    """Execute `#pragma push_macro("NAME")` or `pop_macro`."""
     if [token.text for token in tokens[1:2] + tokens[3:]] != ["(", ")"] or len(tokens) != 4:
         state.report.warning(tokens[0].place, f"'#pragma {tokens[0].text}' needs a name in quotes")
         return
@@ -298,7 +298,7 @@ def _keep_macro(state: State, tokens: list[Token]) -> None:
 
 
 def _ignore(_state: State, _line: _Line) -> None:
-    """Does nothing: `#ident` and `#sccs` were marks in object files."""
+    """Ignore `#ident` and `#sccs`, which put comments into object files."""
 
 
 _DIRECTIVES: Final[dict[str, Callable[[State, _Line], None]]] = {

@@ -1,4 +1,4 @@
-"""What a user meant whose header is missing, or what to tell him.
+"""Replacements and hints for headers that do not exist.
 
 >>> hint_for_missing("fstream", [])
 'it belongs to C++, and crs compiles C'
@@ -46,17 +46,17 @@ _VENDORS: Final = "nclient.h"
 
 
 def header_of_ours(name: str, folders: Sequence[Path]) -> str:
-    """Return the header in one of our folders that a name stands for which names no file.
+    """Return the name of our header for a name that is not the name of a file.
 
-    Programs of other systems write letters in another case, and name the standard headers and the
-    vendor's, wherever it was installed, with their paths.
+    Programs for other systems use other letter case, and include the standard headers and the
+    vendor's by the path of their installation.
 
     Args:
-        name: what stands between the quotes or angle brackets.
-        folders: those of our own headers.
+        name: the name between the quotes or angle brackets.
+        folders: the directories of our own headers.
 
     Returns:
-        Its name, or empty text if there is none.
+        The name, "" if there is none.
     """
     wanted = Path(name.replace("\\", "/").lower().removeprefix("/usr/include/"))
     if wanted.name == _VENDORS:
@@ -71,7 +71,7 @@ def header_of_ours(name: str, folders: Sequence[Path]) -> str:
 
 
 def hint_for_missing(name: str, folders: Sequence[Path]) -> str:
-    """Return a hint to a header that was looked for in folders, and empty text if there is none."""
+    """Return a hint for a header that is not in any of the directories, "" if there is none."""
     if name in _HINTS:
         return _HINTS[name]
     wanted = Path(name)

@@ -1,9 +1,9 @@
-"""Follow the paths through a function: is a variable read before it has a value, is one returned?
+"""Control-flow warnings: reads of uninitialised variables, and missing returns.
 
-Said is only what is certain on every path that the source shows: a variable counts as unassigned
-only where no path from its declaration assigns it. A loop may have assigned it in an earlier round,
-so in a loop that assigns it somewhere nothing is said after a condition. Behind a label nothing is
-known.
+There is a warning only if it holds on every path: a variable counts as unassigned where no path
+from its declaration assigns it. An earlier iteration of a loop may have assigned it, so inside a
+loop that assigns it somewhere there are no warnings after a condition. Nothing is known after a
+label.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ Unassigned = set[ObjectSymbol]
 
 
 def warn_paths(unit: Unit, function: tree.FunctionDefinition) -> None:
-    """Warn about variables that are read before they have a value, and of a missing `return`."""
+    """Warn about reads of uninitialised variables and a missing `return`."""
     paths = _Paths(unit, _assigned_in_loops(function.body))
     ends = paths.block(function.body)
     symbol = function.symbol
@@ -41,8 +41,8 @@ class _Breakable:
     Attributes:
         is_loop: whether it is a loop.
         assigned: the variables that a loop assigns somewhere.
-        is_left: whether a `break` leaves it.
-        is_continued: whether its next round may begin before the end of its body.
+        is_left: whether it contains a `break`.
+        is_continued: whether it contains a `continue`.
     """
 
     is_loop: bool
@@ -129,10 +129,10 @@ class _Paths:
         return reached and (then_ends or otherwise_ends)
 
     def _hesitate(self) -> Unassigned:
-        """Forgets what an earlier round of a loop around this point may have assigned.
+        """Remove the variables that an earlier iteration of an enclosing loop may have assigned.
 
         Returns:
-            the variables that are forgotten.
+            The removed variables.
         """
         forgotten: Unassigned = set()
         for each in self.open:
@@ -192,7 +192,7 @@ class _Paths:
     # Expressions
 
     def value(self, node: Any) -> None:
-        """Walk through an expression in the order in which it is evaluated."""
+        """Walk through an expression in its order of evaluation."""
         match node:
             case tree.ObjectName():
                 self._read(node)
@@ -228,7 +228,7 @@ class _Paths:
 
     def _read(self, node: tree.ObjectName) -> None:
         if node.symbol in self.unassigned:
-            self.unassigned.discard(node.symbol)  # to say it once is enough
+            self.unassigned.discard(node.symbol)  # warn once
             text = f"'{node.symbol.name}' is read here, but has no value yet"
             hint = f"declared at {node.symbol.location}"
             self.unit.warning(node.location, text, hint)
@@ -257,7 +257,7 @@ def _assigned_in_loops(body: list[tree.Statement]) -> dict[Any, Unassigned]:
 
 
 _CLOSE: Final = object()
-"""Stands behind the parts of a loop or switch."""
+"""A marker on the stack, after the parts of a loop or switch."""
 
 
 def _target(node: Any) -> ObjectSymbol | None:
