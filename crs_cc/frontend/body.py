@@ -45,7 +45,9 @@ _TYPES: Final = _DECLARES - {"SEMI"}
 _BEHIND_DECLARED: Final = frozenset({"COMMA", "EQUALS", "LBRACKET", "LPAREN", "SEMI"})
 _CLOSED_BY: Final = {"LPAREN": "RPAREN", "LBRACKET": "RBRACKET", "LBRACE": "RBRACE"}
 
-_HINT: Final = "statements stand in a function; for just the body of a program say --dialect report"
+_HINT: Final = (
+    "statements must be inside a function; for a program without functions use --dialect report"
+)
 
 
 @dataclass(slots=True)
@@ -120,8 +122,8 @@ def _balanced(body: Sequence[Token], diagnostics: Diagnostics) -> list[Token]:
             opened.append(token)
         elif token.type == "RBRACE":
             if not opened:
-                text = "this '}' closes nothing"
-                hint = "the statements before it stand in no '{'"
+                text = "extraneous closing brace ('}')"
+                hint = "there is no matching '{'"
                 report(diagnostics, token.location, text, hint)
                 continue
             opened.pop()
@@ -129,7 +131,7 @@ def _balanced(body: Sequence[Token], diagnostics: Diagnostics) -> list[Token]:
     if opened:
         place = opened[-1].location
         diagnostics.error(
-            body[-1].location, "unexpected end of the file", f"to close the '{{' at {place}"
+            body[-1].location, "unexpected end of file", f"to close the '{{' at {place}"
         )
     return kept + [token.copy("RBRACE", "}") for token in opened]
 

@@ -129,7 +129,7 @@ class FileNames:
         except GiveUp:
             checked = None
         except CheckError as mistake:
-            own.error(mistake.location, mistake.text or "this means nothing here", mistake.hint)
+            own.error(mistake.location, mistake.text or "invalid expression", mistake.hint)
             checked = None
         own.sort()
         if own.errors or checked is None:
@@ -146,7 +146,7 @@ class FileNames:
         report.lines[EXPRESSION] = [text]
         tokens = lex(source.text, source.location, report)
         if not tokens:
-            report.error(Location(EXPRESSION, 1, 1), "there is no expression")
+            report.error(Location(EXPRESSION, 1, 1), "expected an expression")
             return None
         names = unit.scope.names
         types = [name for name, symbol in names.items() if isinstance(symbol, TypedefName)]

@@ -1,7 +1,7 @@
 """Hints at code in other languages.
 
 >>> hint_for_type("boolean")
-"C's is 'bool', of <stdbool.h>"
+"use 'bool' from <stdbool.h>"
 """
 
 from __future__ import annotations
@@ -9,11 +9,11 @@ from __future__ import annotations
 import itertools
 from typing import Final
 
-CPLUSPLUS: Final = "it belongs to C++, and crs compiles C"
+CPLUSPLUS: Final = "this is C++, but crs compiles C"
 
 _TYPES: Final = {
-    "string": "C has no type for text: use 'char *', or an array of char",
-    "boolean": "C's is 'bool', of <stdbool.h>",
+    "string": "C has no string type: use 'char *' or an array of char",
+    "boolean": "use 'bool' from <stdbool.h>",
     "byte": "use 'unsigned char'",
 }
 """Types of other languages, in lower case, and their equivalents in C."""

@@ -52,7 +52,7 @@ def _stream_hint(name: str, wanted: list[bool], given: list[bool]) -> str:
     if len(wanted) > 1:
         place = "last" if at == len(wanted) - 1 else _ORDINALS[at]
         text = f"'{name}' takes the stream as its {place} argument"
-    return text if any(given) else f"{text}, such as stdout or what fopen gives"
+    return text if any(given) else f"{text}, such as stdout or the result of fopen"
 
 
 def _format_hint(callee: FunctionSymbol, arguments: Sequence[Expression]) -> str:

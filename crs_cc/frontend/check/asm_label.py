@@ -41,6 +41,6 @@ def label_among(found: list[Attribute]) -> str:
         if each.name == ASM_LABEL:
             label = "".join(word.value.strip('"') for word in each.words)
             if _NAME.fullmatch(label) is None:
-                raise CheckError(each.location, "'asm' needs a name in quotes here")
+                raise CheckError(each.location, "expected a string literal in 'asm'")
             return label
     return ""

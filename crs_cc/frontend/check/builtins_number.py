@@ -91,7 +91,7 @@ def _overflow(op: str, ctype: CType | None, *, has_target: bool = True) -> Numbe
             target = target.target if isinstance(target, PointerType) else target
         for each in (left.type, right.type, target):
             if not is_integer(each):
-                raise CheckError(location, f"an overflow of '{each}' cannot be told")
+                raise CheckError(location, f"overflow of '{each}' is not supported")
         target = unqualified(target)
         keep, pointer = _kept(last)
         first = [keep] if has_target else [convert(last, INT)]

@@ -155,7 +155,7 @@ def _declare_implicitly(unit: Unit, name: str, location: Location) -> None:
         unit.warning(location, text, unit.suggest(name, FunctionSymbol))
     else:
         ctype, header = found
-        unit.warning(location, f"{text}, taken for '{ctype}'", f"include <{header}>")
+        unit.warning(location, f"{text} with type '{ctype}'", f"include <{header}>")
     outermost = unit.scope
     while outermost.outer is not None:
         outermost = outermost.outer

@@ -268,9 +268,9 @@ def _quotes_hint(unit: Unit, value: Expression, target: CType) -> str:
     if isinstance(target, PointerType):
         is_string = isinstance(target.target, IntegerType) and target.target.size == 1
         quoted = unit.diagnostics.text_at(value.location).startswith("'")
-        return "a string stands in double quotes" if is_string and quoted else ""
+        return "use double quotes for a string" if is_string and quoted else ""
     is_text = isinstance(value, tree.AddressOf) and isinstance(value.operand, tree.StringLiteral)
-    return "a single character stands in single quotes" if is_text and target.size == 1 else ""
+    return "use single quotes for a character" if is_text and target.size == 1 else ""
 
 
 def _check_pointers(

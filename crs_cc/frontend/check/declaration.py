@@ -74,7 +74,7 @@ def declare(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> 
     _do(effects, out)
     location = unit.at_name(node)
     if len(_STORAGE_CLASSES & set(storage)) > 1:  # C17 6.7.1p2
-        raise CheckError(location, f"'{node.name}' has several storage classes")
+        raise CheckError(location, f"multiple storage classes in the declaration of '{node.name}'")
     if isinstance(ctype, FunctionType):
         _declare_function(unit, node, ctype, location)
     elif unit.function is None or "extern" in storage:
@@ -113,7 +113,7 @@ def _is_auto(node: Node) -> bool:
 def _inferred(unit: Unit, node: Node) -> CType:
     """Return the type of the initialiser, which is checked only once."""
     if getattr(node, "init", None) is None or isinstance(node.init, c_ast.InitList):
-        text = f"'{AUTO_TYPE}' needs one initial value"
+        text = f"'{AUTO_TYPE}' requires exactly one initializer"
         raise CheckError(unit.at_name(node), text)
     value = decay(expression(unit, node.init))
     node.init = Checked(value, node.init.coord)
@@ -160,7 +160,7 @@ def _redefinition(known: Symbol, name: str, location: Location) -> CheckError:
         return CheckError(location, "")
     same = {ObjectSymbol: "object", FunctionSymbol: "function", TypedefName: "type"}
     what = same.get(type(known), "enumerator")
-    text = f"redefinition of '{name}', which is a {what} already"
+    text = f"redefinition of '{name}' as a different kind of symbol, previously a {what}"
     return CheckError(location, text.replace("a object", "an object"), f"first at {known.location}")
 
 
@@ -231,7 +231,7 @@ def _merge_function(
         if known.type.parameters is None and not known.is_defined:
             known.type = ctype
     else:
-        text = f"conflicting types for '{known.name}': '{ctype}' and before '{known.type}'"
+        text = f"conflicting types for '{known.name}' ('{ctype}' vs '{known.type}')"
         raise CheckError(location, text, f"first declared at {known.location}")
     if known.is_implicit or not known.is_defined:
         known.location = location
@@ -251,8 +251,8 @@ def _take_librarys_place(
     unit: Unit, known: FunctionSymbol, ctype: FunctionType, location: Location, is_static: bool
 ) -> None:
     """Replace a library function by the program's own, as a `getline` older than POSIX's."""
-    text = f"'{known.name}' is not declared as the library's function of that name"
-    unit.warning(location, text, f"the library's is '{known.type}', see {known.location}")
+    text = f"incompatible redeclaration of library function '{known.name}'"
+    unit.warning(location, text, f"its type is '{known.type}', see {known.location}")
     if is_static:
         unit.externals.pop(known.name, None)
         known.is_external, known.link_name = False, unit.static_name(known.name)
@@ -273,7 +273,7 @@ def _declare_global(unit: Unit, node: Node, ctype: CType, location: Location) ->
     if unit.function is None and ("register" in storage or "auto" in storage):
         raise CheckError(location, f"illegal storage class on file-scoped variable '{node.name}'")
     if is_variably_modified(ctype):
-        text = f"'{node.name}' is known to other functions, so its length must be constant"
+        text = f"object '{node.name}' with variably modified type must have no linkage"
         raise CheckError(location, text)
     is_extern = "extern" in storage
     symbol = _global_symbol(unit, node, ctype, location, is_static="static" in storage)
@@ -385,8 +385,8 @@ def _declare_local(
     unit.scope.names[node.name] = symbol
     made = None
     if vla.is_variable(ctype) and (is_static or node.init is not None):
-        what = "static" if is_static else "given an initial value"
-        text = f"'{node.name}' cannot be {what}: its length is not constant"
+        what = "be static" if is_static else "be initialized"
+        text = f"variable length array '{node.name}' cannot {what}"
         raise CheckError(location, text)
     if is_variably_modified(ctype):
         vla.declare(unit, symbol, ctype, out)

@@ -132,7 +132,7 @@ def _type_of(unit: Unit, node: Node) -> CType:
         else:
             operand = expression(unit, node.expr)
             if isinstance(operand, tree.MemberAccess) and operand.member.bit_width is not None:
-                raise CheckError(unit.at(node), "'typeof' of a bit-field")
+                raise CheckError(unit.at(node), "invalid application of 'typeof' to bit-field")
             known = operand.type
         unit.specified[node] = known
     return known
@@ -157,14 +157,14 @@ def _array(unit: Unit, node: Node) -> CType:
         return ArrayType(element)
     if _is_star(node.dim):
         if unit.prototypes == 0:
-            raise CheckError(location, "'[*]' outside of a function declaration's parameters")
+            raise CheckError(location, "star modifier used outside of a function prototype")
         return ArrayType(element, None, ObjectSymbol("", UINT, location))
     given = expression(unit, node.dim)
     length = constant.integer_value(given)
     if length is None or vla.is_variable(element):
         return vla.array(unit, element, given)
     if length < 0:
-        raise CheckError(unit.at(node.dim), "array length is negative")
+        raise CheckError(unit.at(node.dim), "array size is negative")
     if length * element.size > LARGEST_OBJECT:
         raise CheckError(location, "array is too large")
     return ArrayType(element, length)

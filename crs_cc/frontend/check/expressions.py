@@ -169,7 +169,7 @@ def compound_literal(unit: Unit, node: Node) -> Expression:
     location = unit.at(node)
     ctype = type_name(unit, node.type)
     if vla.is_variable(ctype):
-        raise CheckError(location, "a compound literal's length must be constant")
+        raise CheckError(location, "compound literal cannot be of variable length array type")
     initialiser, ctype = initialise(unit, ctype, node.init, unit.function is None)
     symbol = ObjectSymbol("", ctype, location, is_defined=True, in_memory=True)
     if unit.function is None:
@@ -187,13 +187,13 @@ def generic(unit: Unit, node: Node) -> Expression:
     for association in node.associations:
         if association.type is None:
             if default is not None:
-                raise CheckError(unit.at(association), "'_Generic' has two 'default'")
+                raise CheckError(unit.at(association), "duplicate default generic association")
             default = association.expr
             continue
         ctype = type_name(unit, association.type)
         twin = next((each for each in types if compatible(each, ctype)), None)
         if twin is not None:
-            text = f"'_Generic' has two types that are compatible, '{twin}' and '{ctype}'"
+            text = f"type '{ctype}' in generic association compatible with previous type '{twin}'"
             raise CheckError(unit.at(association), text)
         types.append(ctype)
         if compatible(ctype, controlling):
@@ -220,7 +220,7 @@ def size_of(unit: Unit, node: Node) -> Expression:
         if vla.is_variable(ctype):
             effects = [conversion.convert(operand, VOID)]
         if isinstance(operand, tree.MemberAccess) and operand.member.bit_width is not None:
-            raise CheckError(location, f"'{node.op}' of a bit-field")
+            raise CheckError(location, f"invalid application of '{node.op}' to bit-field")
     if not is_complete(ctype) and not isinstance(ctype, VoidType | FunctionType):
         raise CheckError(
             location, f"invalid application of '{node.op}' to incomplete type '{ctype}'"
@@ -255,7 +255,7 @@ def _offset(unit: Unit, ctype: CType, node: Node) -> tuple[CType, Expression]:
         inner, offset = _offset(unit, ctype, node.name)
         index = conversion.convert(rvalue(unit, node.subscript), UINT)
         if not isinstance(inner, ArrayType) or not conversion.is_integer(index.type):
-            raise CheckError(location, "'offsetof' needs members and indices")
+            raise CheckError(location, "invalid designator in 'offsetof'")
         size = tree.integer(inner.element.size, UINT, location)
         return inner.element, _computed("+", offset, _computed("*", index, size))
     offset = tree.integer(0, UINT, location)
@@ -265,7 +265,7 @@ def _offset(unit: Unit, ctype: CType, node: Node) -> tuple[CType, Expression]:
     else:
         found = find_member(ctype, node.name, location)
     if found.bit_width is not None:
-        raise CheckError(location, f"'offsetof' of the bit-field '{found.name}'")
+        raise CheckError(location, f"cannot compute offset of bit-field '{found.name}'")
     inside = tree.integer(found.offset, UINT, location)
     return found.type, _computed("+", offset, inside)
 

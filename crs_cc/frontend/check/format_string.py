@@ -160,14 +160,14 @@ class _Check:
             return
         hint = ""
         if kind == "scanf" and not isinstance(argument.type, PointerType):
-            hint = "scanf needs to know where to put it: pass its address, with '&'"
+            hint = "scanf stores the value through a pointer: pass the address, with '&'"
         elif kind == "scanf" and wanted.pointee in {"integer", "float"}:
             better = _scanning(argument.type)
             hint = f"use '{better}'" if better else ""
         elif kind == "printf" and (better := fitting(argument.type)):
             hint = f"use '{better}'"
-        text = f"'{wanted.text}' expects '{wanted.name}', but the argument is '{argument.type}'"
-        self._warn(wanted.at, text, hint)
+        expected = f"'{wanted.text}' specifies type '{wanted.name}'"
+        self._warn(wanted.at, f"{expected} but the argument has type '{argument.type}'", hint)
 
     def _printf(self) -> Iterator[_Wanted]:
         at = 0
@@ -204,9 +204,10 @@ class _Check:
         return _Wanted(at, text, "ignored", 0, "") if conversion.strip("\\") else None
 
     def _unknown(self, at: int, text: str, conversion: str) -> None:
-        what = "no complete conversion" if conversion in {"", "\\"} else "no conversion"
+        is_incomplete = conversion in {"", "\\"}
+        what = "incomplete format specifier" if is_incomplete else "invalid conversion specifier"
         text = text.rstrip("\\")
-        self._warn(at, f"'{text}' is {what}", "write '%%' for a percent sign")
+        self._warn(at, f"{what} '{text}'", "write '%%' for a percent sign")
 
     def _scanf(self) -> Iterator[_Wanted]:
         at = 0

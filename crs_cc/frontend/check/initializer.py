@@ -202,14 +202,14 @@ class _Filler:
         shifts, part, before = [0], places[-1].part(), set(map(id, self.values))
         for place, count in ranges:
             if len(shifts) * count > MOST_VALUES:
-                raise CheckError(self.unit.at(node), "the range is too large")
+                raise CheckError(self.unit.at(node), "designated range is too large")
             assert isinstance(place.type, ArrayType)
             size = place.type.element.size
             shifts = [shift + number * size for shift in shifts for number in range(count)]
         self._item(places, node)
         values = [each for each in self.values if id(each) not in before]
         if len(values) * len(shifts) > MOST_VALUES:
-            raise CheckError(self.unit.at(node), "the range is too large")
+            raise CheckError(self.unit.at(node), "designated range is too large")
         for each in values:
             _compute_once(each)
         for shift in shifts[1:]:
@@ -282,7 +282,7 @@ class _Filler:
             place = _Place(part.type, part.offset)
             inner = place.part()
             if inner is None:
-                text = f"nothing in '{part.type}' can be initialized"
+                text = f"'{part.type}' has no member that can be initialized"
                 raise CheckError(self.unit.at(node), text)
             place.advance()
             places.append(place)
@@ -293,7 +293,7 @@ class _Filler:
             raise CheckError(self.unit.at(node), "initialized object is too large")
         is_flexible = isinstance(part.type, ArrayType) and part.type.length is None
         if is_flexible and not self.is_static:
-            text = "the flexible array in a local variable cannot be initialized"
+            text = "flexible array member of a local variable cannot be initialized"
             raise CheckError(self.unit.at(node), text)
 
     def whole(self, part: _Part, value: tree.Expression) -> bool:
@@ -372,7 +372,7 @@ class _Filler:
         """Open the aggregate that is selected."""
         part = places[-1].part()
         if part is None or not isinstance(part.type, ArrayType | RecordType):
-            raise CheckError(location, "designator into something without parts")
+            raise CheckError(location, "designator in initializer for scalar type")
         places[-1].advance()
         places.append(_Place(part.type, part.offset))
 
@@ -380,7 +380,9 @@ class _Filler:
         """Select an element, or the first of a range; return the number of elements in it."""
         location = self.unit.at(designator)
         if not isinstance(place.type, ArrayType):
-            raise CheckError(location, f"array designator for non-array type '{place.type}'")
+            raise CheckError(
+                location, f"array designator cannot initialize non-array type '{place.type}'"
+            )
         chosen = designator.expr
         first, last = chosen, chosen
         if isinstance(chosen, Range):
@@ -388,7 +390,7 @@ class _Filler:
         index = constant.integer(self.unit, first, "array designator")
         end = index if last is first else constant.integer(self.unit, last, "array designator")
         if end < index:
-            raise CheckError(location, f"the range of elements is empty: {index} > {end}")
+            raise CheckError(location, f"array designator range [{index}, {end}] is empty")
         length = place.type.length
         if index < 0 or (length is not None and end >= length):
             wrong = end if index >= 0 else index
@@ -399,7 +401,7 @@ class _Filler:
     def _choose_member(self, places: list[_Place], name: str, location: Location) -> None:
         ctype = places[-1].type
         if not isinstance(ctype, RecordType):
-            raise CheckError(location, f"field designator for type '{ctype}', which has no fields")
+            raise CheckError(location, f"field designator cannot initialize a '{ctype}'")
         for index, member in enumerate(ctype.record.members or []):
             if member.name == name:
                 places[-1].choose(index)

@@ -245,7 +245,7 @@ def label_address(unit: Unit, node: LabelAddress) -> Expression:
     """Check `&&label`, whose value is a unique number of the label in its function."""
     location = unit.at(node)
     if unit.function is None:
-        raise CheckError(location, "the address of a label is taken outside of functions")
+        raise CheckError(location, "address of a label used outside of a function body")
     name, known = _label_name(unit, node.name), unit.function.addresses
     number, _ = known.setdefault(name, (len(known) + 1, location))
     return tree.Literal(PointerType(VOID), location, number)
@@ -331,7 +331,7 @@ def _case_label(unit: Unit, node: Node) -> tree.CaseLabel | None:
         first = _case_value(unit, node.expr.first if is_range else node.expr, opened)
         last = _case_value(unit, node.expr.last, opened) if is_range else first
         if first > last:
-            unit.warning(location, f"the range of this 'case' is empty: {first} > {last}")
+            unit.warning(location, f"empty case range specified: {first} > {last}")
             return None
         _enter_case(opened, first, last, location)
         made = tree.CaseLabel(location, first, last)

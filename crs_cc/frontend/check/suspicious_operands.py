@@ -18,7 +18,9 @@ def warn_signs(unit: Unit, left: Expression, right: Expression, place: Location)
         ctype = other.type
         is_unsigned = isinstance(ctype, IntegerType) and not ctype.signed
         if is_unsigned and is_integer(constant.type) and ctype.size >= constant.type.size:
-            text = f"comparison of '{ctype}' with a negative constant, which becomes positive"
+            text = (
+                f"comparison of '{ctype}' with a negative constant, which is converted to unsigned"
+            )
             unit.warning(place, text)
 
 
@@ -26,7 +28,7 @@ def warn_string(unit: Unit, left: Expression, right: Expression, place: Location
     """Warn about the comparison of a string literal's address."""
     pair = (left, right)
     if any(_is_string(each) for each in pair) and not any(map(is_null_constant, pair)):
-        text = "this compares addresses, not what stands in the strings"
+        text = "comparison against a string literal compares addresses, not contents"
         unit.warning(place, text, "use strcmp")
 
 
@@ -38,7 +40,7 @@ def warn_size(unit: Unit, operand: Expression, place: Location) -> None:
     """Warn about `sizeof` of a parameter that was declared as an array and is a pointer."""
     if isinstance(operand, tree.ObjectName) and operand.symbol.is_array_parameter:
         name = operand.symbol.name
-        text = f"'{name}' is a pointer here, as array parameters are: this is the size of a pointer"
+        text = f"sizeof on array parameter '{name}' is the size of a pointer"
         unit.warning(place, text, f"declared at {operand.symbol.location}")
 
 
@@ -67,8 +69,10 @@ def _warn_object(unit: Unit, operand: Expression, place: Location) -> None:
                 operand = array
             case tree.ObjectName(symbol=symbol):
                 if symbol.link_name is None:
-                    text = f"'{symbol.name}' ends with the function, and its address is returned"
-                    unit.warning(place, text, "make it static, or let the caller give the memory")
+                    text = f"address of local variable '{symbol.name}' returned"
+                    unit.warning(
+                        place, text, "make it static, or let the caller provide the memory"
+                    )
                 return
             case _:
                 return

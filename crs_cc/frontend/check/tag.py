@@ -108,7 +108,7 @@ def _member(unit: Unit, node: Node, is_last: bool, in_packed: bool) -> Member:
     if not is_complete(ctype) and not is_flexible:
         raise CheckError(location, f"member '{node.name}' has incomplete type '{ctype}'")
     if is_variably_modified(ctype):
-        raise CheckError(location, f"member '{node.name}' has a length that is not constant")
+        raise CheckError(location, f"member '{node.name}' must have a constant size")
     natural = natural_alignment(unit, node)
     packed = in_packed or is_packed(node)
     member = Member(node.name, ctype, align=alignment(unit, node), natural=natural, packed=packed)

@@ -19,7 +19,7 @@ REFUSED: Final[dict[type, str]] = {
     c_ast.AttributedStatement: "attributes in [[...]] are not supported",
     c_ast.AttributedType: "attributes in [[...]] are not supported",
     c_ast.BitIntType: "'_BitInt' is not supported",
-    c_ast.InferredType: "a type inferred from 'auto' is not supported",
+    c_ast.InferredType: "type inference with 'auto' is not supported",
 }
 """Node classes of C23, and the errors for them."""
 

@@ -65,7 +65,9 @@ def array(unit: Unit, element: CType, length: Expression) -> ArrayType:
     extent = ObjectSymbol(EXTENT, UINT, location)
     if unit.prototypes == 0:
         if unit.function is None:
-            raise CheckError(location, "array length is not constant, but outside of functions")
+            raise CheckError(
+                location, "variable length array declaration not allowed at file scope"
+            )
         operands = [convert(decay(length), LLONG), size(element, location)]
         computed = tree.Intrinsic(UINT, location, "__crs_array_size", operands)
         unit.function.effects.append(_set(extent, computed))
@@ -247,7 +249,9 @@ def jump(
         common += 1
     if common < len(target):
         entered = target[common]
-        text = f"{what} jumps into the scope of '{entered.name}', whose type has a variable length"
+        text = (
+            f"{what} jumps into the scope of '{entered.name}', which has a variably modified type"
+        )
         unit.error(place, text, f"declared at {entered.location}")
         return None
     return release(source, common, place)

@@ -179,7 +179,7 @@ class _Pack:
         label = words.pop(0) if action and words and words[0].isidentifier() else ""
         number = words.pop(0) if words else ""
         if words or (number and number not in {"0", "1", "2", "4", "8", "16"}):
-            diagnostics.warning(pragma.location, "'#pragma pack' is not understood and ignored")
+            diagnostics.warning(pragma.location, "invalid '#pragma pack' is ignored")
             return
         if action == "push":
             self._stack.append((label, self.align))

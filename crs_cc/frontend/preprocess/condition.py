@@ -11,7 +11,7 @@ True
 True
 >>> evaluate(tokenise("1 +", 0))
 Traceback (most recent call last):
-crs_cc.frontend.preprocess.condition.ConditionError: the expression ends too early
+crs_cc.frontend.preprocess.condition.ConditionError: unexpected end of the expression
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ def evaluate(tokens: Sequence[Token]) -> bool:
         ConditionError: it has no value.
     """
     if not tokens:
-        raise ConditionError(None, "there is no expression")
+        raise ConditionError(None, "expected an expression")
     value = _Evaluation().value(tokens)
     if value.problem:
         raise ConditionError(value.place, value.problem)
@@ -96,12 +96,12 @@ class _Evaluation:
             else:
                 operand_next = self._operator(token)
         if operand_next:
-            raise ConditionError(None, "the expression ends too early")
+            raise ConditionError(None, "unexpected end of the expression")
         self._apply_down_to(0)
         if self.operators:
             waiting = self.operators[-1]
             partner = ")" if waiting.text == "(" else ":"
-            raise ConditionError(waiting.place, f"'{waiting.text}' has no '{partner}'")
+            raise ConditionError(waiting.place, f"missing '{partner}' for '{waiting.text}'")
         return self.values[0]
 
     def _operand(self, token: Token, follower: str) -> bool:
@@ -121,8 +121,8 @@ class _Evaluation:
         if text == "(":
             self.operators.append(_Operator(text, -1, token.place))
             return True
-        what = "a string" if token.kind == STRING else f"'{shown(text)}'"
-        raise ConditionError(token.place, f"{what} cannot stand here in the expression")
+        what = "string" if token.kind == STRING else f"'{shown(text)}'"
+        raise ConditionError(token.place, f"unexpected {what} in the expression")
 
     def _operator(self, token: Token) -> bool:
         """Read a token after an operand; return whether an operand must follow."""
@@ -248,11 +248,11 @@ def _operand_of_defined(tokens: Sequence[Token], index: int) -> tuple[str, int]:
     in_parentheses = index + 1 < len(tokens) and tokens[index + 1].text == "("
     at = index + 2 if in_parentheses else index + 1
     if at >= len(tokens) or tokens[at].kind != NAME:
-        raise ConditionError(tokens[index].place, "'defined' needs a name after it")
+        raise ConditionError(tokens[index].place, "'defined' must be followed by a name")
     if not in_parentheses:
         return tokens[at].text, at + 1
     if at + 1 >= len(tokens) or tokens[at + 1].text != ")":
-        raise ConditionError(tokens[index].place, "'defined' has no ')' after the name")
+        raise ConditionError(tokens[index].place, "missing ')' after 'defined'")
     return tokens[at].text, at + 2
 
 
@@ -260,7 +260,7 @@ def _operand_of_has_include(tokens: Sequence[Token], index: int) -> tuple[str, i
     place = tokens[index].place
     inside = [each.text for each in tokens[index + 1 : index + 3]]
     if len(inside) < 2 or inside[0] != "(":
-        raise ConditionError(place, "'__has_include' needs a header in parentheses")
+        raise ConditionError(place, "'__has_include' must be followed by a header in parentheses")
     end = index + 2
     if tokens[end].kind == STRING:
         end += 1
@@ -269,5 +269,5 @@ def _operand_of_has_include(tokens: Sequence[Token], index: int) -> tuple[str, i
             end += 1
         end += 1
     if end >= len(tokens) or tokens[end].text != ")":
-        raise ConditionError(place, "'__has_include' has no ')' after the header")
+        raise ConditionError(place, "missing ')' after '__has_include'")
     return spell(tokens[index + 2 : end]), end + 1

@@ -60,7 +60,7 @@ def finish(reader: Reader, place: Place, report: Report) -> None:
 def close_all(reader: Reader, report: Report) -> None:
     """Report the groups that are open at the end of a file."""
     for group in reversed(reader.conditionals):
-        report.error(group.place, f"this '{group.directive}' has no '#endif'")
+        report.error(group.place, f"unterminated '{group.directive}': missing '#endif'")
 
 
 def _open_group(reader: Reader, directive: str, place: Place, report: Report) -> Conditional | None:

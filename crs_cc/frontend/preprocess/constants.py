@@ -76,7 +76,7 @@ def _character(token: Token) -> Value:
     for match in _ESCAPE.finditer(rest[:-1]):
         units += _units(match, width)
     if not units:
-        return Value(0, unsigned=False, problem="an empty character constant", place=token.place)
+        return Value(0, unsigned=False, problem="empty character constant", place=token.place)
     number = 0
     for unit in units[-4:]:
         number = (number << 8 | unit & 0xFF) if width == 8 else unit & ((1 << width) - 1)

@@ -81,15 +81,15 @@ def run_directive(state: State, text: str, place: Place) -> bool:
         close = difflib.get_close_matches(name, _DIRECTIVES, n=1)
         hint = f"did you mean '#{close[0]}'?" if close else ""
         if name in _ASSERTIONS:
-            hint = "gcc itself gave assertions up; define a macro instead"
-        state.report.error(hash_place, f"there is no directive '#{shown(name)}'", hint)
+            hint = "assertions are obsolete in gcc; define a macro instead"
+        state.report.error(hash_place, f"unknown directive '#{shown(name)}'", hint)
     return True
 
 
 def _define(state: State, line: _Line) -> None:
     tokens = line.tokens()
     if not tokens:
-        state.report.error(line.place, "'#define' needs a name")
+        state.report.error(line.place, "'#define' must be followed by a name")
         return
     macro = read_definition(tokens, state.report)
     if macro is not None:
@@ -105,7 +105,7 @@ def _undef(state: State, line: _Line) -> None:
         return
     macro = state.macros.get(name.text)
     if macro is not None and macro.dynamic is not None:
-        state.report.warning(name.place, f"the built-in macro '{name.text}' is undefined")
+        state.report.warning(name.place, f"undefining builtin macro '{name.text}'")
     state.undefine(name.text)
 
 
@@ -113,11 +113,12 @@ def _only_name(state: State, line: _Line) -> Token | None:
     """Return the only operand of a directive, a name."""
     tokens = line.tokens()
     if not tokens:
-        state.report.error(line.place, f"'#{line.name}' needs a name")
+        state.report.error(line.place, f"'#{line.name}' must be followed by a name")
         return None
     if tokens[0].kind != NAME:
         state.report.error(
-            tokens[0].place, f"'#{line.name}' needs a name, not '{shown(tokens[0].text)}'"
+            tokens[0].place,
+            f"'#{line.name}' must be followed by a name, not '{shown(tokens[0].text)}'",
         )
         return None
     _demand_end(state, line, tokens[1:])
@@ -146,7 +147,7 @@ def _include(state: State, line: _Line) -> None:
             state.report.error(place, found.text, found.hint)
             return
         meant, found = ours
-        state.report.warning(place, f"'{shown(name)}' is not found; '{meant}' is taken for it")
+        state.report.warning(place, f"'{shown(name)}' not found; using '{meant}'")
     state.include(found, place)
 
 
@@ -157,12 +158,12 @@ def _header_name(state: State, line: _Line) -> tuple[str, bool, Place] | None:
     if match is None:
         tokens = state.expand(line.tokens())
         if not tokens:
-            state.report.error(line.place, f"'#{line.name}' needs a header's name")
+            state.report.error(line.place, f"'#{line.name}' must be followed by a header's name")
             return None
         rest, place = spell(tokens), tokens[0].place
         match = _HEADER.match(rest)
         if match is None:
-            state.report.error(place, 'a header is named as "name.h" or <name.h>')
+            state.report.error(place, 'write "name.h" or <name.h>')
             return None
         after = []
     else:
@@ -181,7 +182,7 @@ def _condition(state: State, line: _Line) -> bool:
     def has_header(header: str, token: Token) -> bool:
         match = _HEADER.fullmatch(header)
         if match is None:
-            raise ConditionError(token.place, 'a header is named as "name.h" or <name.h>')
+            raise ConditionError(token.place, 'write "name.h" or <name.h>')
         name, quoted = match[1] or match[2] or "", match[1] is not None
         found = state.headers.find(name, quoted=quoted, folder=state.reader.folder)
         return not isinstance(found, Refusal)
@@ -245,7 +246,7 @@ def _line(state: State, line: _Line) -> None:
     tokens = state.expand(line.tokens())
     digits = tokens[0].text if tokens else ""
     if not (digits.isdigit() and digits.isascii() and len(digits) <= 10):
-        state.report.error(line.place, "'#line' needs a line number")
+        state.report.error(line.place, "'#line' must be followed by a line number")
         return
     number = int(digits)
     if not 0 <= number <= MAX_LINE:
@@ -253,7 +254,7 @@ def _line(state: State, line: _Line) -> None:
         return
     if len(tokens) > 1:
         if tokens[1].kind != STRING or tokens[1].text[0] != '"':
-            state.report.error(tokens[1].place, "'#line' needs a file name in quotes")
+            state.report.error(tokens[1].place, "the file name of '#line' must be in quotes")
             return
         state.reader.presumed_name = re.sub(r"\\(.)", r"\1", tokens[1].text[1:-1])
     reader = state.reader
@@ -284,7 +285,9 @@ def obey_pragma(state: State, tokens: list[Token]) -> list[Token]:
 def _keep_macro(state: State, tokens: list[Token]) -> None:
     """Execute `#pragma push_macro("NAME")` or `pop_macro`."""
     if [token.text for token in tokens[1:2] + tokens[3:]] != ["(", ")"] or len(tokens) != 4:
-        state.report.warning(tokens[0].place, f"'#pragma {tokens[0].text}' needs a name in quotes")
+        state.report.warning(
+            tokens[0].place, f"'#pragma {tokens[0].text}' must be followed by a name in quotes"
+        )
         return
     name = tokens[2].text.strip('"')
     kept = state.kept_macros.setdefault(name, [])

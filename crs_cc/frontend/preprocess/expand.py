@@ -207,7 +207,7 @@ class _Expansion:
             elif text in self.active and token.kind == NAME:
                 token = _painted(token)
             arguments[-1].append(token)
-        self.report.error(name.place, f"the call of macro '{macro.name}' has no ')' at its end")
+        self.report.error(name.place, f"unterminated call of macro '{macro.name}': missing ')'")
         return None
 
     def _fit(
@@ -229,7 +229,7 @@ class _Expansion:
         plural = "" if fewest == 1 else "s"
         self.report.error(
             name.place,
-            f"macro '{macro.name}' takes {number} argument{plural}, not {len(arguments)}",
+            f"macro '{macro.name}' requires {number} argument{plural}, but has {len(arguments)}",
         )
         return None
 

@@ -118,7 +118,7 @@ class GnuSyntax:
         """Report a construct that is open at the end of the program."""
         if self._construct is not None:
             word = self._construct.word
-            self._report.error(word.place, f"'{word.text}' has no ')' at its end")
+            self._report.error(word.place, f"missing ')' after '{word.text}'")
             self._construct = None
 
     def _goes_on(self, construct: _Construct, token: Token, result: list[Token]) -> bool:

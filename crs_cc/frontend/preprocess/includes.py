@@ -6,7 +6,7 @@ below the directory of the main file, a directory of `-I`, or the directory of o
 
 >>> headers = Headers(Path("demo"), Options())
 >>> headers.find("../secret.h", quoted=True, folder=Path("demo"))
-Refusal(text="'../secret.h' lies outside the folders that a program may read", hint='')
+Refusal(text="'../secret.h' is outside the directories that a program may read", hint='')
 """
 
 from __future__ import annotations
@@ -89,7 +89,9 @@ class Headers:
             after: for `#include_next`, the directory in which the last search ended.
         """
         if not name or Path(name).is_absolute():
-            return Refusal(f"'{shown(name)}' cannot be included", "name a header without its path")
+            return Refusal(
+                f"'{shown(name)}' cannot be included", "include the header without its path"
+            )
         folders = [*self.include_paths, *self.system_paths]
         if after in folders:
             folders = folders[folders.index(after) + 1 :]
@@ -108,7 +110,7 @@ class Headers:
             if file and _exists(file):
                 return Header(path, file, each)
         if outside:
-            return Refusal(f"'{shown(name)}' lies outside the folders that a program may read")
+            return Refusal(f"'{shown(name)}' is outside the directories that a program may read")
         return self._missing(name, folders)
 
     def find_ours(self, name: str, *, quoted: bool, folder: Path) -> tuple[str, Header] | None:
@@ -122,7 +124,7 @@ class Headers:
         ours = ["the headers of crs"] if self.system_paths else []
         where = ", ".join([*dict.fromkeys(own), *ours]) or "no folder"
         return Refusal(
-            f"header '{shown(name)}' is not found; looked in: {where}",
+            f"'{shown(name)}' file not found; searched in: {where}",
             hint_for_missing(name, folders),
         )
 
@@ -132,7 +134,7 @@ def read_regular_file(path: Path) -> bytes | Refusal:
     try:
         status = path.stat()
         if stat.S_ISDIR(status.st_mode):
-            return Refusal("is a folder, not a file")
+            return Refusal("is a directory")
         if not stat.S_ISREG(status.st_mode):
             return Refusal("is not a regular file")
         with path.open("rb") as stream:

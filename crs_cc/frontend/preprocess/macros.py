@@ -104,7 +104,7 @@ def read_definition(tokens: Sequence[Token], report: Report) -> Macro | None:
     """Parse the tokens after `#define`; return None if they are not a definition."""
     name = tokens[0]
     if name.kind != NAME:
-        report.error(name.place, f"a macro's name cannot be '{shown(name.text)}'")
+        report.error(name.place, f"macro name must be an identifier, not '{shown(name.text)}'")
         return None
     if name.text in RESERVED:
         report.error(name.place, f"'{name.text}' cannot be the name of a macro")
@@ -117,7 +117,7 @@ def read_definition(tokens: Sequence[Token], report: Report) -> Macro | None:
     else:
         parameters, variadic, start = None, False, 1
         if len(tokens) > 1 and not tokens[1].spaced:
-            report.warning(tokens[1].place, "no space between the macro's name and its value")
+            report.warning(tokens[1].place, "missing white space after the macro's name")
     reader = _BodyReader(tokens[start:], parameters, variadic, report)
     parts = reader.read()
     if parts is None:
@@ -167,7 +167,7 @@ def _read_parameters(
                 f"expected {expected} in the macro's parameters, found '{shown(token.text)}'",
             )
             return None
-    report.error(tokens[-1].place, "the macro's parameters lack a ')'")
+    report.error(tokens[-1].place, "missing ')' in the macro's parameters")
     return None
 
 
@@ -200,7 +200,9 @@ class _BodyReader:
             token = self.body[index]
             if token.text in PASTE and token.kind == PUNCTUATOR:
                 if not parts or index + 1 == end:
-                    self.report.error(token.place, f"'{token.text}' needs something on both sides")
+                    self.report.error(
+                        token.place, f"'{token.text}' cannot be at either end of a macro's body"
+                    )
                     return None
                 pasted = True
                 index += 1
@@ -233,7 +235,7 @@ class _BodyReader:
         number = self.numbers.get(token.text)
         if number is None:
             if token.text in (VARIADIC, OPTIONAL):
-                self.report.warning(token.place, f"'{token.text}' means nothing here")
+                self.report.warning(token.place, f"'{token.text}' is not allowed here")
             return Part("token", token, pasted=pasted), index + 1
         if index + 1 < end and self.body[index + 1].text in PASTE:
             return Part("raw", token, number, pasted), index + 1
@@ -250,7 +252,7 @@ class _BodyReader:
         token = self.body[index]
         close = _closing(self.body, index + 1, end)
         if close is None:
-            self.report.error(token.place, f"'{OPTIONAL}' needs parentheses after it")
+            self.report.error(token.place, f"'{OPTIONAL}' must be followed by parentheses")
             return None
         inside = self._read(index + 2, close, in_option=True)
         if inside is None:

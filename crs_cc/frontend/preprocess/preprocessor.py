@@ -56,7 +56,9 @@ def preprocess(path: Path, options: Options, diagnostics: Diagnostics) -> Prepro
         diagnostics.error(Location(str(path)), content.text, content.hint)
         return _preprocess("", path, options, diagnostics)
     if is_binary(content):
-        diagnostics.error(Location(str(path)), "is not a text file", "name a C source file")
+        diagnostics.error(
+            Location(str(path)), "is not a text file", "give the name of a C source file"
+        )
         return _preprocess("", path, options, diagnostics)
     return _preprocess(decode(content), path, options, diagnostics)
 
@@ -128,9 +130,9 @@ class _Run:
         try:
             read()
         except ExhaustedError as error:
-            hint = "a macro that uses another one twice doubles with every step"
+            hint = "macros that use each other twice double the text at every step"
             place = report.places.location(error.place)
-            report.diagnostics.error(place, "macros expand to far more than was written", hint)
+            report.diagnostics.error(place, "macro expansion is too large", hint)
         except StopError:
             pass  # the reason is among the diagnostics
         return self.writer.finish(report.places)

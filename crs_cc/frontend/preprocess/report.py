@@ -47,7 +47,7 @@ class Report:
         self.diagnostics.error(self.places.location(place), text, hint)
         self._errors += 1
         if self._errors >= MAX_ERRORS:
-            self.fatal(place, f"too many errors ({MAX_ERRORS}), the rest is not read")
+            self.fatal(place, f"too many errors ({MAX_ERRORS}), stopping now")
 
     def warning(self, place: Place, text: str, hint: str = "") -> None:
         """Record a warning, unless there are too many."""

@@ -102,20 +102,20 @@ def _odd(token: Token, report: Report) -> str | None:
         report.error(token.place, f"stray '{token.text}' in the program")
     elif token.kind == UNCLOSED:
         quote = token.text[0]
-        hint = "a string that goes on in the next line is closed and opened again"
+        hint = "close the string at the end of the line and open it again on the next"
         wrong = next((each for each in token.text if _TYPOGRAPHY.get(each) == quote), "")
         if wrong:
             hint = f"write {quote} instead of {wrong}"
         report.error(
             token.place,
-            f"the closing {quote} is missing on this line",
+            f"missing terminating {quote} on this line",
             hint if quote == '"' or wrong else "",
         )
     else:
         character = token.text[0]
         wanted = _TYPOGRAPHY.get(character)
         hint = f"write {wanted}" if wanted is not None else ""
-        report.error(token.place, f"'{shown(character)}' is no part of C", hint)
+        report.error(token.place, f"unexpected character '{shown(character)}'", hint)
     return None
 
 
@@ -137,7 +137,7 @@ def _number(token: Token, report: Report) -> str:
         return text
     hint = ""
     if text.isdigit():
-        problem = "a number that begins with 0 is octal and has no digits 8 and 9"
+        problem = "a number that starts with 0 is octal and cannot have the digits 8 and 9"
     elif text[-2:-1] in tuple("eEpP") or "+" in text or "-" in text:
         problem = f"'{shown(text)}' is not a number"
         hint = "put spaces around '+' and '-'"
@@ -155,10 +155,8 @@ def _quoted(token: Token, report: Report) -> str:
     if token.kind == CHARACTER:
         size = len(_ONE_CHARACTER.findall(text.partition("'")[2][:-1]))
         if size == 0 or size > 4:
-            problem = (
-                "an empty character constant" if size == 0 else "a too long character constant"
-            )
-            hint = "" if size == 0 else 'a string stands in double quotes: "..."'
+            problem = "empty character constant" if size == 0 else "character constant is too long"
+            hint = "" if size == 0 else 'use double quotes for a string: "..."'
             report.error(token.place, problem, hint)
             return "'0'"
 

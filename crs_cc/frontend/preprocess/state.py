@@ -86,9 +86,9 @@ class State:
         """Define a macro; report a redefinition that differs."""
         known = self.macros.get(macro.name)
         if known is not None and not known.same_as(macro):
-            self.report.warning(macro.place, f"'{macro.name}' is defined again, otherwise")
+            self.report.warning(macro.place, f"'{macro.name}' macro redefined")
             if known.place:
-                self.report.note(known.place, "it was defined here before")
+                self.report.note(known.place, "previous definition is here")
         self.macros[macro.name] = macro
         self.watched.add(macro.name)
 
@@ -119,7 +119,7 @@ class State:
         if header.file in self.once:
             return
         if len(self.readers) > MAX_DEPTH:
-            self.report.fatal(place, f"headers include each other more than {MAX_DEPTH} deep")
+            self.report.fatal(place, f"#include nested more than {MAX_DEPTH} deep")
         text = self._texts.get(header.file)
         if text is None:
             content = read_regular_file(header.file)
@@ -139,7 +139,7 @@ class State:
             content = without_trigraphs(content)
         text = self.report.places.add(name, content)
         if text.unclosed_comment is not None:
-            self.report.error(text.unclosed_comment, "this comment has no '*/' at its end")
+            self.report.error(text.unclosed_comment, "unterminated comment: missing '*/'")
         return text
 
     def open(self, text: SourceText, folder: Path, header: Header | None, place: Place) -> None:

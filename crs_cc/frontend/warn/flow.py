@@ -30,7 +30,7 @@ def warn_paths(unit: Unit, function: tree.FunctionDefinition) -> None:
     is_entry = symbol.name in ENTRIES and symbol.is_external
     returns = not isinstance(symbol.type.result, VoidType) and not function.returns_implicit_int
     if ends and returns and not is_entry and not symbol.is_noreturn:
-        text = f"the end of '{symbol.name}' can be reached without returning a value"
+        text = f"control can reach the end of non-void function '{symbol.name}'"
         unit.warning(function.end, text)
 
 
@@ -229,7 +229,7 @@ class _Paths:
     def _read(self, node: tree.ObjectName) -> None:
         if node.symbol in self.unassigned:
             self.unassigned.discard(node.symbol)  # warn once
-            text = f"'{node.symbol.name}' is read here, but has no value yet"
+            text = f"variable '{node.symbol.name}' is uninitialized when used here"
             hint = f"declared at {node.symbol.location}"
             self.unit.warning(node.location, text, hint)
 

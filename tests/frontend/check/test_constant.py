@@ -139,7 +139,7 @@ def test_an_expression_has_its_type(expression: str) -> None:
 
 
 NOT_CONSTANT = {
-    "int n; int a[n];": "array length is not constant, but outside of functions",
+    "int n; int a[n];": "variable length array declaration not allowed at file scope",
     "int n; int x = n;": "initializer element is not a compile-time constant",
     "int f(void); int x = f();": "initializer element is not a compile-time constant",
     "int x = 1 / 0;": "initializer element is not a compile-time constant",
@@ -148,7 +148,7 @@ NOT_CONSTANT = {
     "int f(int n) { switch (n) { case n: ; } return 0; }":
         "case label is not an integer constant expression",
     "struct { int a : 1.0; } x;": "bit-field width is not an integer constant expression",
-    "int a[-1];": "array length is negative",
+    "int a[-1];": "array size is negative",
     "int a[0x7fffffff];": "array is too large",
     "_Static_assert(1 > 2, \"numbers\");": 'static assertion failed: "numbers"',
 }  # fmt: skip

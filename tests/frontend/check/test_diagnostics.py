@@ -20,7 +20,8 @@ ONE_ERROR = {
     "int f(void) { return 1; } int f(void) { return 2; }":
         "1:31 error: redefinition of 'f' [first at a.c:1:5]",
     "int x; int x(void);":
-        "1:12 error: redefinition of 'x', which is an object already [first at a.c:1:5]",
+        "1:12 error: redefinition of 'x' as a different kind of symbol, previously an object "
+        "[first at a.c:1:5]",
     "struct s { int a; }; struct s { int b; };":
         "1:29 error: redefinition of 'struct s' [first defined at a.c:1:8]",
     "enum { A }; enum { A };": "1:20 error: redefinition of 'A' [first at a.c:1:8]",
@@ -28,18 +29,18 @@ ONE_ERROR = {
     "int f(int a, int a) { return a; }": "1:18 error: redefinition of parameter 'a'",
     "string s;":
         "1:1 error: unknown type name 'string'"
-        " [C has no type for text: use 'char *', or an array of char]",
-    "Boolean on;": "1:1 error: unknown type name 'Boolean' [C's is 'bool', of <stdbool.h>]",
+        " [C has no string type: use 'char *' or an array of char]",
+    "Boolean on;": "1:1 error: unknown type name 'Boolean' [use 'bool' from <stdbool.h>]",
     # What is no C
     "class robot { int x; };":
-        "1:1 error: unknown type name 'class' [it belongs to C++, and crs compiles C]",
+        "1:1 error: unknown type name 'class' [this is C++, but crs compiles C]",
     "using namespace std;":
-        "1:16 error: expected ';' after 'namespace' [it belongs to C++, and crs compiles C]",
+        "1:16 error: expected ';' after 'namespace' [this is C++, but crs compiles C]",
     "int *f(void) { return new int[4]; }":
-        "1:26 error: expected ';' after 'new' [it belongs to C++, and crs compiles C]",
+        "1:26 error: expected ';' after 'new' [this is C++, but crs compiles C]",
     "void g(void); void f(void) { try { g(); } }":
         "1:34 error: function definition is not allowed here"
-        " [it belongs to C++, and crs compiles C]",
+        " [this is C++, but crs compiles C]",
     "int f(void) { int this = 1\n int y; return this; }": "1:27 error: expected ';' after '1'",
     "int f(void) { int new = 1; new new; return 0; }": "1:31 error: expected ';' after 'new'",
     # Names again
@@ -59,7 +60,7 @@ ONE_ERROR = {
     "void turn(int a)\nint f(void) { turn(1); return 0; }": "1:17 error: expected ';' after ')'",
     # What a word processor makes of a string
     "int puts(char *); int f(void) { return puts(\u201chello, %d\u201d); }":
-        "1:45 error: '\u201c' is no part of C [write \"]",
+        "1:45 error: unexpected character '\u201c' [write \"]",
     # Misspelt keywords
     "viod f(unsigned n) { }": "1:1 error: unknown type name 'viod' [did you mean 'void'?]",
     "int f(unsinged n) { return n; }":
@@ -158,7 +159,7 @@ ONE_ERROR = {
     "int f(void), a[3](void);": "1:14 error: array of functions of type 'int (void)'",
     "int f(void)[3];": "1:5 error: function cannot return an array of type 'int[3]'",
     "int f(int); float f(int);":
-        "1:19 error: conflicting types for 'f': 'float (int)' and before 'int (int)' "
+        "1:19 error: conflicting types for 'f' ('float (int)' vs 'int (int)') "
         "[first declared at a.c:1:5]",
     "extern int x; float x;":
         "1:21 error: redefinition of 'x' with a different type: 'float' and 'int' "
@@ -181,7 +182,7 @@ ONE_ERROR = {
     "int f(void) { return (1 + ); }": "1:27 error: expected an expression before ')'",
     "int f(void) { }}": "1:16 error: expected a declaration before '}'",
     "int f(void) { else return 1; }": "1:15 error: 'else' without a previous 'if'",
-    "int f(void) {": "1:13 error: unexpected end of the file [to close the '{' at a.c:1:13]",
+    "int f(void) {": "1:13 error: unexpected end of file [to close the '{' at a.c:1:13]",
     "struct { int a } v;": "1:15 error: expected ';' after 'a'",
 }  # fmt: skip
 

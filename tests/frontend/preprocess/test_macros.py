@@ -43,8 +43,8 @@ def test_the_same_definition_may_be_repeated(first: str, second: str) -> None:
 def test_another_definition_is_warned_of_and_wins(name: str, first: str, second: str) -> None:
     both = f"#define {first}\n#define {second}\n"
     assert messages(both) == [
-        f"2:9: warning: '{name}' is defined again, otherwise",
-        "1:9: note: it was defined here before",
+        f"2:9: warning: '{name}' macro redefined",
+        "1:9: note: previous definition is here",
     ]
     assert run(f"{both}{name}(7)")[0].text == run(f"#define {second}\n{name}(7)")[0].text
 
@@ -59,5 +59,5 @@ def test_options_define_and_undefine() -> None:
 
 def test_a_wrong_option_is_reported() -> None:
     assert messages("int a;", Options(defines=("1x=2",))) == [
-        "<command line>:1:9: error: a macro's name cannot be '1x'"
+        "<command line>:1:9: error: macro name must be an identifier, not '1x'"
     ]
