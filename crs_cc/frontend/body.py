@@ -42,7 +42,7 @@ _DECLARES: Final = frozenset({
 _TYPES: Final = _DECLARES - {"SEMI"}
 """What may follow the parameters of an old-style definition."""
 
-_BEHIND_DECLARED: Final = frozenset({"COMMA", "EQUALS", "LBRACKET", "LPAREN", "SEMI"})
+_AFTER_DECLARATOR: Final = frozenset({"COMMA", "EQUALS", "LBRACKET", "LPAREN", "SEMI"})
 _CLOSED_BY: Final = {"LPAREN": "RPAREN", "LBRACKET": "RBRACKET", "LBRACE": "RBRACE"}
 
 _HINT: Final = (
@@ -208,7 +208,7 @@ def _kind(tokens: Sequence[Token], start: int) -> Kind:
         index += 1
     is_name = index < len(tokens) and tokens[index].type == "ID"
     behind = tokens[index + 1].type if index + 1 < len(tokens) else ""
-    declares = is_name and (index == start + 1 or behind in _BEHIND_DECLARED)
+    declares = is_name and (index == start + 1 or behind in _AFTER_DECLARATOR)
     return "declaration" if declares else "statement"
 
 

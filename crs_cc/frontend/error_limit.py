@@ -6,7 +6,7 @@ from typing import Final
 
 from crs_cc.core.source import Diagnostics, Location
 
-MOST_ERRORS: Final = 500
+MAX_ERRORS: Final = 500
 """Compilation of a file stops after so many errors."""
 
 
@@ -21,5 +21,5 @@ def report(diagnostics: Diagnostics, place: Location, text: str, hint: str = "")
         GiveUp: there are too many.
     """
     diagnostics.error(place, text, hint)
-    if len(diagnostics.errors) >= MOST_ERRORS:
+    if len(diagnostics.errors) >= MAX_ERRORS:
         raise GiveUp

@@ -28,9 +28,9 @@ from crs_cc.frontend.check import tree
 from crs_cc.frontend.check.checker import CheckError, FunctionState, Unit, expression
 from crs_cc.frontend.check.operators import is_lvalue
 from crs_cc.frontend.check.scope import FunctionSymbol, ObjectSymbol, TypedefName
-from crs_cc.frontend.check.tree_parts import everything
+from crs_cc.frontend.check.tree_parts import walk
 from crs_cc.frontend.error_limit import GiveUp
-from crs_cc.frontend.lower.graph import tidy
+from crs_cc.frontend.lower.graph import simplify
 from crs_cc.frontend.lower.lowerer import Lowering, effect, place, value, value_type
 from crs_cc.frontend.lower.rules import RULES
 from crs_cc.frontend.lower.unit_state import UnitState
@@ -165,7 +165,7 @@ def _locals(unit: Unit) -> Iterator[ObjectSymbol]:
     """Yield the variables of all functions, including parameters and static ones."""
     for function in unit.functions:
         yield from function.parameters
-        for node in everything(function.body):
+        for node in walk(function.body):
             if isinstance(node, tree.Declare):
                 yield node.symbol
     yield from (each.symbol for each in unit.objects)
@@ -202,7 +202,7 @@ def _lowered(
     else:
         result, function.result = value(low, checked), value_type(ctype)
     low.end(Return(location, result))
-    tidy(function)
+    simplify(function)
     shared.program.functions[EXPRESSION] = function
     return CompiledExpression(text, shared.program, ctype, is_place, tuple(symbols))
 

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 
 Result = TypeVar("Result")
 
-MOST_SHOWN: Final = 20
+MAX_SHOWN: Final = 20
 """How many errors are reported per file; most of the others are consequences."""
 
 _STACK_BYTES: Final = 256 << 20
@@ -120,9 +120,9 @@ def _compile(
     except RecursionError:
         unit.diagnostics.error(unit.place, "the program is nested too deeply here")
     except GiveUp:
-        pass  # the reason is among the diagnostics
+        pass  # the reason is in the diagnostics
     diagnostics.sort()
-    diagnostics.shorten(MOST_SHOWN)
+    diagnostics.shorten(MAX_SHOWN)
     if diagnostics.errors:
         if sources:
             add_macro_notes(diagnostics, sources[0], unit.headers)

@@ -104,7 +104,7 @@ class Assignments:
                     ]
                     self.unset[it] = frozenset(each for each, doubt in seen if not doubt)
                     wanted.update((each, None) for each, doubt in seen if doubt)
-                unset, given = _behind(it, unset), given | _written(it)
+                unset, given = _after(it, unset), given | _written(it)
 
     def _find(
         self, function: Function, at_start: dict[Block, int], wanted: dict[Register, None]
@@ -121,7 +121,7 @@ class Assignments:
                 source = _moved(it)
                 if source is not None and unset >> source.index & 1:
                     self._move(it, source, moves, wanted)
-                unset = _behind(it, unset)
+                unset = _after(it, unset)
         _add_sources(moves, wanted)
         self.flags = {register: Register(-1, "i32") for register in wanted}
         for it, source in moves.items():
@@ -177,9 +177,9 @@ def _uses(it: Instruction) -> list[Register]:
     return used
 
 
-def _behind(it: Instruction, unset: int) -> int:
+def _after(it: Instruction, unset: int) -> int:
     """Return the registers that may have no value after an instruction, given those before it."""
-    for register in _uses(it):  # it has passed the test
+    for register in _uses(it):  # the flag was tested
         unset &= ~(1 << register.index)
     target = writes(it)
     if target is not None:
@@ -224,7 +224,7 @@ def _solve(function: Function, start: int) -> dict[Block, int]:
         seen.add(block)
         unset = at_start[block]
         for it in all_instructions(block):
-            unset = _behind(it, unset)
+            unset = _after(it, unset)
         for target in block.successors():
             if target not in seen or unset & ~at_start[target]:
                 at_start[target] |= unset

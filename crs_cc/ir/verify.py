@@ -47,7 +47,7 @@ def _names(program: Program) -> Iterator[Diagnostic]:
     for table in (program.functions, program.data):
         for name, item in table.items():
             if name != item.name:
-                text = f"is filed under the name '{name}'"
+                text = f"is stored under the name '{name}'"
                 yield _violation(item.location, f"'{item.name}'", text)
     for name, data in program.data.items():
         if name in program.functions:
@@ -69,9 +69,9 @@ def _data(program: Program, data: Data) -> Iterator[str]:
         yield f"has {len(data.content)} bytes of content, but size {data.size}"
     for relocation in data.relocations:
         if not 0 <= relocation.offset <= data.size - 4:
-            yield f"relocation at {relocation.offset} lies outside its {data.size} bytes"
+            yield f"relocation at {relocation.offset} is outside its {data.size} bytes"
         if not _is_known(program, relocation.symbol):
-            yield f"relocation names '{relocation.symbol}', which is unknown"
+            yield f"relocation names '{relocation.symbol}', which is undefined"
 
 
 def _is_known(program: Program, name: str) -> bool:
@@ -112,17 +112,17 @@ def _parameters(function: Function) -> Iterator[str]:
         what = f"parameter {number}"
         if memory is None:
             if not isinstance(place, Slot):
-                yield f"{what} is a struct, but lies in a register"
+                yield f"{what} is a struct, but is in a register"
         elif size != MEMORY_SIZE[memory]:
             yield f"{what} is stored as {memory}, but has size {size}"
         if isinstance(place, Slot):
             if id(place) in slots:
-                yield f"{what} lies in slot '{place.name}', which is listed as a local too"
+                yield f"{what} is in slot '{place.name}', which is also listed as a local"
             if place.size > (size + 3) // 4 * 4:
                 yield f"{what} has size {size}, but its slot {place.size}"
         else:
             if id(place) not in registers:
-                yield f"{what} lies in a register of another function"
+                yield f"{what} is in a register of another function"
             if memory is not None and place.type != VALUE_TYPE[memory]:
                 yield f"{what} is stored as {memory}, but its register has type {place.type}"
 
@@ -143,4 +143,4 @@ def _graph(function: Function) -> Iterator[str]:
             waiting.extend(block.successors())
     for block in function.blocks:
         if id(block) not in reached:
-            yield f"block '{block.label}' cannot be reached"
+            yield f"block '{block.label}' is unreachable"

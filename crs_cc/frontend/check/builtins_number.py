@@ -216,7 +216,7 @@ def _enter_bits() -> None:
         NUMBER_BUILTINS[f"__builtin_bswap{width}"] = _bits(ctype, _swap_bytes)
 
 
-# Kinds of floating numbers (C17 7.12.3, 7.12.14)
+# Floating-point classification and comparison (C17 7.12.3, 7.12.14)
 
 _LIMITS: Final = {FLOAT: 2.0**-126, DOUBLE: 2.0**-1022, LDOUBLE: 2.0**-1022}
 

@@ -190,7 +190,7 @@ def cast(unit: Unit, expression: Expression, target: CType) -> Expression:
     if is_narrow and target != BOOL:
         unit.warning(value.location, f"cast to smaller integer type '{target}' from '{source}'")
     if source == target and _field_width(value) is not None:
-        return tree.Convert(target, value.location, value)  # no bit-field any more
+        return tree.Convert(target, value.location, value)  # not a bit-field any more
     return convert(value, target)
 
 

@@ -29,7 +29,7 @@ from crs_cc.frontend.check.checker import (
     expression,
 )
 from crs_cc.frontend.check.conversion import decay, is_scalar
-from crs_cc.frontend.check.declarator import declared_type, need_complete
+from crs_cc.frontend.check.declarator import declared_type, require_complete
 from crs_cc.frontend.check.function_attributes import apply_attributes
 from crs_cc.frontend.check.initializer import initialise
 from crs_cc.frontend.check.mode import with_mode
@@ -70,7 +70,7 @@ def declare(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> 
         return
     storage = node.storage or []
     with vla.effects(unit) as effects:
-        ctype = declared_anyhow(unit, node)
+        ctype = declared_or_broken(unit, node)
     _do(effects, out)
     location = unit.at_name(node)
     if len(_STORAGE_CLASSES & set(storage)) > 1:  # C17 6.7.1p2
@@ -89,7 +89,7 @@ def _do(effects: list[tree.Expression], out: list[tree.Statement] | None) -> Non
         out.extend(tree.ExpressionStatement(each.location, each) for each in effects)
 
 
-def declared_anyhow(unit: Unit, node: Node) -> CType:
+def declared_or_broken(unit: Unit, node: Node) -> CType:
     """Return the type of a declaration.
 
     Raises:
@@ -125,7 +125,7 @@ def _declare_tag(unit: Unit, node: Node) -> None:
     specifier = node.type
     is_tag = isinstance(specifier, c_ast.Struct | c_ast.Union | c_ast.Enum)
     if is_tag and specifier.name is not None and specifier.name not in unit.scope.tags:
-        # `struct s;` means a new struct in this scope, whatever an outer one holds (6.7.2.3p7).
+        # `struct s;` declares a new struct even if there is one in an outer scope (6.7.2.3p7).
         is_bare = not isinstance(specifier, c_ast.Enum) and specifier.decls is None
         if is_bare:
             is_struct = isinstance(specifier, c_ast.Struct)
@@ -140,7 +140,7 @@ def _declare_tag(unit: Unit, node: Node) -> None:
 def typedef(unit: Unit, node: Node, out: list[tree.Statement] | None = None) -> None:
     """Check a typedef; append its actions at run time to `out`."""
     with vla.effects(unit) as effects:
-        ctype = declared_anyhow(unit, node)
+        ctype = declared_or_broken(unit, node)
     _do(effects, out)
     location = unit.at_name(node)
     if is_variably_modified(ctype) and unit.function is not None:
@@ -211,8 +211,8 @@ def _merge_function(
     unit: Unit, known: FunctionSymbol, ctype: FunctionType, location: Location, is_static: bool
 ) -> None:
     differs = (is_static and known.is_external) or not compatible(known.type, ctype)
-    if differs and _is_librarys(unit, known) and not _in_headers(unit, location):
-        _take_librarys_place(unit, known, ctype, location, is_static)
+    if differs and _is_library_function(unit, known) and not _in_headers(unit, location):
+        _override_library_function(unit, known, ctype, location, is_static)
         return
     if is_static and known.is_external:
         text = f"static declaration of '{known.name}' follows non-static declaration"
@@ -242,12 +242,12 @@ def _in_headers(unit: Unit, location: Location) -> bool:
     return any(Path(location.file).is_relative_to(folder) for folder in unit.headers)
 
 
-def _is_librarys(unit: Unit, known: FunctionSymbol) -> bool:
+def _is_library_function(unit: Unit, known: FunctionSymbol) -> bool:
     """Return whether a function is declared in the library's headers only."""
     return not known.is_implicit and not known.is_defined and _in_headers(unit, known.location)
 
 
-def _take_librarys_place(
+def _override_library_function(
     unit: Unit, known: FunctionSymbol, ctype: FunctionType, location: Location, is_static: bool
 ) -> None:
     """Replace a library function by the program's own, as a `getline` older than POSIX's."""
@@ -285,7 +285,7 @@ def _declare_global(unit: Unit, node: Node, ctype: CType, location: Location) ->
         _initialise_global(unit, symbol, node, ctype, location)
     elif not is_extern:
         if isinstance(ctype, RecordType) and not is_complete(ctype):
-            pass  # C17 6.9.2p3: it may be completed further down; the end of the file tells.
+            pass  # C17 6.9.2p3: it may be completed later; checked at the end of the file.
         elif not is_complete(ctype) and not isinstance(ctype, ArrayType):
             raise CheckError(location, f"variable '{node.name}' has incomplete type '{ctype}'")
         if not symbol.is_tentative and not symbol.is_defined:
@@ -338,7 +338,7 @@ def _initialise_global(
     symbol.location = location
     made, completed = initialise(unit, ctype, node.init, True)
     symbol.type = composite(symbol.type, completed)
-    need_complete(symbol.type, location, node.name)
+    require_complete(symbol.type, location, node.name)
     unit.objects.append(tree.ObjectDefinition(symbol, made))
 
 
@@ -394,7 +394,7 @@ def _declare_local(
             return
     if node.init is not None:
         made, symbol.type = initialise(unit, ctype, node.init, is_static)
-    need_complete(symbol.type, location, node.name)
+    require_complete(symbol.type, location, node.name)
     if is_static:
         unit.objects.append(tree.ObjectDefinition(symbol, made))
     elif out is not None:

@@ -229,7 +229,7 @@ def parameter_type(unit: Unit, node: Node) -> CType:
     return ctype
 
 
-def need_complete(ctype: CType, location: Location, name: str) -> None:
+def require_complete(ctype: CType, location: Location, name: str) -> None:
     """Check that a variable's type is complete.
 
     Raises:

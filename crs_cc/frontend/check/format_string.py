@@ -263,7 +263,7 @@ def _scanning(ctype: CType) -> str:
 
 
 _SEGMENT: Final = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
-_MOST_LINES: Final = 100
+_MAX_LINES: Final = 100
 
 
 def place_in_literal(unit: Unit, place: Location, at: int) -> Location:
@@ -279,7 +279,7 @@ def place_in_literal(unit: Unit, place: Location, at: int) -> Location:
     """
     lines = unit.diagnostics.lines.get(place.file, [])
     column = place.column - 1
-    for number in range(place.line, min(len(lines), place.line + _MOST_LINES) + 1):
+    for number in range(place.line, min(len(lines), place.line + _MAX_LINES) + 1):
         line = lines[number - 1]
         while True:
             column += len(line[column:]) - len(line[column:].lstrip())

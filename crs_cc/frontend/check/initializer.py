@@ -30,7 +30,7 @@ from crs_cc.ir.types import (
     unqualified,
 )
 
-MOST_VALUES: Final = 1 << 20
+MAX_VALUES: Final = 1 << 20
 """The maximum number of values from designated ranges: each takes memory in the compiler."""
 
 LARGEST_INITIALISED: Final = 1 << 26
@@ -96,7 +96,7 @@ def _compute_once(each: InitialValue) -> None:
         each.value = tree.Assign(value.type, value.location, name, value)
 
 
-def _again(value: tree.Expression) -> tree.Expression:
+def _reused(value: tree.Expression) -> tree.Expression:
     """Return a value of `_compute_once` for another element."""
     return value.target if isinstance(value, tree.Assign) else value
 
@@ -201,14 +201,14 @@ class _Filler:
             return
         shifts, part, before = [0], places[-1].part(), set(map(id, self.values))
         for place, count in ranges:
-            if len(shifts) * count > MOST_VALUES:
+            if len(shifts) * count > MAX_VALUES:
                 raise CheckError(self.unit.at(node), "designated range is too large")
             assert isinstance(place.type, ArrayType)
             size = place.type.element.size
             shifts = [shift + number * size for shift in shifts for number in range(count)]
         self._item(places, node)
         values = [each for each in self.values if id(each) not in before]
-        if len(values) * len(shifts) > MOST_VALUES:
+        if len(values) * len(shifts) > MAX_VALUES:
             raise CheckError(self.unit.at(node), "designated range is too large")
         for each in values:
             _compute_once(each)
@@ -216,7 +216,7 @@ class _Filler:
             if part is not None and isinstance(node, c_ast.InitList):
                 self._override(_Part(part.type, part.offset + shift))
             for each in values:
-                offset, value = shift + each.offset, _again(each.value)
+                offset, value = shift + each.offset, _reused(each.value)
                 self._take(InitialValue(offset, each.type, value, each.member))
         for place, count in ranges:
             place.index += count - 1

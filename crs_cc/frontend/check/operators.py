@@ -402,7 +402,7 @@ def conditional(unit: Unit, node: Node) -> Expression:
     if isinstance(condition, tree.Literal):
         chosen = then if condition.value else otherwise
         if is_lvalue(chosen) and is_scalar(ctype):
-            return tree.Convert(ctype, chosen.location, chosen)  # no object any more
+            return tree.Convert(ctype, chosen.location, chosen)  # not an lvalue any more
         return chosen
     return tree.Conditional(ctype, unit.at(node), condition, then, otherwise)
 

@@ -47,7 +47,7 @@ def parts(node: Any) -> Iterator[Any]:
             yield from (each.value for each in value.values)
 
 
-def everything(nodes: list[Any]) -> Iterator[Any]:
+def walk(nodes: list[Any]) -> Iterator[Any]:
     """Yield nodes and all their descendants in the order of the source."""
     stack = list(reversed(nodes))
     while stack:

@@ -32,7 +32,7 @@ def compatible(left: CType, right: CType) -> bool:
     if isinstance(left, PointerType) and isinstance(right, PointerType):
         return compatible(left.target, right.target)
     if isinstance(left, ArrayType) and isinstance(right, ArrayType):
-        lengths = {left.length, right.length}  # None for those not known here (6.7.6.2p6)
+        lengths = {left.length, right.length}  # None if unknown (6.7.6.2p6)
         return (None in lengths or len(lengths) == 1) and compatible(left.element, right.element)
     if isinstance(left, FunctionType) and isinstance(right, FunctionType):
         return compatible(left.result, right.result) and _compatible_parameters(left, right)

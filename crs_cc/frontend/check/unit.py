@@ -15,7 +15,7 @@ from crs_cc.frontend.check.declaration import (
     declare,
     declare_broken,
     declare_function,
-    declared_anyhow,
+    declared_or_broken,
     finish_objects,
     typedef,
 )
@@ -39,7 +39,7 @@ from crs_cc.ir.types import (
     unqualified,
 )
 
-_ = calls  # enters the checker of calls
+_ = calls  # registers the checker of calls
 
 
 def check_unit(unit: Unit, nodes: list[Node]) -> None:
@@ -71,7 +71,7 @@ def function_definition(unit: Unit, node: Node) -> None:
 def _function_definition(unit: Unit, node: Node) -> None:
     declaration = node.decl
     location = unit.at_name(declaration)
-    ctype = declared_anyhow(unit, declaration)
+    ctype = declared_or_broken(unit, declaration)
     if not isinstance(ctype, FunctionType):
         raise CheckError(location, f"expected ';' after the declaration of '{declaration.name}'")
     known = unit.scope.names.get(declaration.name) or unit.externals.get(declaration.name)
@@ -83,7 +83,7 @@ def _function_definition(unit: Unit, node: Node) -> None:
     storage = [*(declaration.storage or []), *(declaration.funcspec or [])]
     is_static = "static" in storage
     symbol = declare_function(unit, declaration.name, ctype, location, is_static)
-    # An inline definition may stand in a header that several files read (C17 6.7.4p7).
+    # An inline definition may be in a header that several files include (C17 6.7.4p7).
     symbol.is_weak = symbol.is_weak or ("inline" in storage and not is_static)
     apply_attributes(unit, symbol, declaration)
     if symbol.is_defined:
@@ -161,7 +161,7 @@ def _old_style(
     """Declare the parameters of `f(a, b) int a; {...}` (C17 6.9.1p6)."""
     declared: dict[str, tuple[Node, ObjectSymbol]] = {}
     listed = {each.name for each in names}
-    # The length of an array may name parameters that are declared behind it.
+    # The length of an array may depend on parameters that are declared after it.
     for each in sorted(node.param_decls or [], key=_is_derived):
         if not isinstance(each, c_ast.Decl) or each.name is None:
             unit.attempt(declared_type, each.type) if isinstance(each, c_ast.Decl) else None

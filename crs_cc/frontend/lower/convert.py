@@ -91,7 +91,7 @@ def _from_float(
         op = f"i64.trunc_{source.memory}_{'s' if _signed(target) else 'u'}"
         return _unary(low, op, operand, location, into)
     if target.size == 4 and not _signed(target):
-        # As gcc does on i386: what an unsigned int cannot hold wraps around.
+        # As gcc does on i386: values beyond unsigned int wrap around.
         wide = _unary(low, f"i64.trunc_{source.memory}_s", operand, location, None)
         return _unary(low, "i32.wrap_i64", wide, location, into)
     if target.size == 4:

@@ -74,7 +74,7 @@ def _literal(_low: Lowering, expression: tree.Literal, _into: Register | None) -
 
 
 def _binary(low: Lowering, expression: tree.Binary, into: Register | None) -> Operand:
-    if _goes_last(expression):
+    if _is_evaluated_last(expression):
         right = value(low, expression.right)
         left = value(low, expression.left)
     else:
@@ -87,17 +87,17 @@ def _binary(low: Lowering, expression: tree.Binary, into: Register | None) -> Op
         into = low.register("i32" if op in COMPARISONS else left.type)
     name = operator_name(op, expression.left.type)
     low.emit(Binary(location, into, name, left, right, is_checked(op, expression.left.type)))
-    return into if op in COMPARISONS else _kept_small(low, into, expression.type, location)
+    return into if op in COMPARISONS else _truncated(low, into, expression.type, location)
 
 
-def _kept_small(low: Lowering, result: Register, ctype: CType, location: Location) -> Operand:
+def _truncated(low: Lowering, result: Register, ctype: CType, location: Location) -> Operand:
     """Truncate a result to the width of a wide bit-field's type."""
     if isinstance(ctype, IntegerType) and ctype.width is not None:
         return narrow(low, result, ctype, location, into=result)
     return result
 
 
-def _goes_last(expression: tree.Binary) -> bool:
+def _is_evaluated_last(expression: tree.Binary) -> bool:
     """Return whether gcc evaluates the left operand last, which programs may rely on.
 
     gcc moves a variable on the left of a commutative operator to the right.
@@ -152,7 +152,7 @@ def _unary(low: Lowering, expression: tree.Unary, into: Register | None) -> Oper
     else:
         ones = Constant(operand.type, -1)
         low.emit(Binary(location, into, f"{operand.type}.xor", operand, ones))
-    return _kept_small(low, into, expression.type, location)
+    return _truncated(low, into, expression.type, location)
 
 
 def _not(low: Lowering, operand: Operand, location: Location, into: Register | None) -> Operand:

@@ -6,7 +6,7 @@ from crs_cc.core.source import Location
 from crs_cc.frontend.check import tree
 from crs_cc.frontend.check.scope import ENTRIES, ObjectSymbol
 from crs_cc.frontend.lower.convert import convert_operand
-from crs_cc.frontend.lower.graph import tidy
+from crs_cc.frontend.lower.graph import simplify
 from crs_cc.frontend.lower.lowerer import (
     Lowering,
     memory_type,
@@ -50,7 +50,7 @@ def lower_function(unit: UnitState, definition: tree.FunctionDefinition) -> Func
     statements(low, definition.body)
     fall_off = Return(location, no_value(function))
     low.end(fall_off)
-    kept = tidy(function)
+    kept = simplify(function)
     for block, name, place in low.references:
         if block in kept:
             unit.use(name, place)

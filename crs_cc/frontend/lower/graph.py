@@ -10,7 +10,7 @@ from collections import Counter
 from crs_cc.ir.program import Block, Branch, Call, Function, Jump, Request, SetJump, Switch
 
 
-def tidy(function: Function) -> set[Block]:
+def simplify(function: Function) -> set[Block]:
     """Simplify a function's graph, keeping the order of its blocks.
 
     Returns:

@@ -26,7 +26,7 @@ from crs_cc.ir.types import (
     RecordType,
 )
 
-_MOST_STORES: Final = 8
+_MAX_STORES: Final = 8
 """A local variable with more constant values is copied from an image."""
 
 
@@ -59,7 +59,7 @@ def initialise(
     """Initialise an object in a frame slot."""
     constants = [each for each in initialiser.values if _is_constant(each)]
     others = [each for each in initialiser.values if not _is_constant(each)]
-    if len(constants) > _MOST_STORES or any(_is_long(each) for each in constants):
+    if len(constants) > _MAX_STORES or any(_is_long(each) for each in constants):
         _copy_image(low, slot, ctype, constants, location)
         initialiser = Initialiser(others)
     elif initialiser.is_braced and _leaves_gaps(initialiser, ctype):
@@ -79,7 +79,7 @@ def _is_constant(each: InitialValue) -> bool:
 
 
 def _is_long(each: InitialValue) -> bool:
-    return isinstance(each.type, ArrayType) and each.type.size > _MOST_STORES
+    return isinstance(each.type, ArrayType) and each.type.size > _MAX_STORES
 
 
 def _leaves_gaps(initialiser: Initialiser, ctype: CType) -> bool:

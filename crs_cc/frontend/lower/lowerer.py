@@ -51,7 +51,7 @@ if TYPE_CHECKING:
 ACTIVATIONS: Final = "__crs_activations"
 """The library's counter of calls of functions that use `setjmp`."""
 
-MOST_REGISTERS: Final = 10_000
+MAX_REGISTERS: Final = 10_000
 """Beyond so many registers, variables are kept in memory: WebAssembly allows 50,000 locals."""
 
 Made = TypeVar("Made")
@@ -214,7 +214,7 @@ class Lowering:
         found = self.places.get(symbol)
         if found is None:
             variable = symbol.variable() if symbol.name else None
-            if symbol.in_memory or len(self.function.registers) > MOST_REGISTERS:
+            if symbol.in_memory or len(self.function.registers) > MAX_REGISTERS:
                 found = self.slot(symbol.name, symbol.type, symbol.align, variable)
             else:
                 found = self.lasting_register(value_type(symbol.type), variable)

@@ -21,7 +21,7 @@ from crs_cc.frontend.lower.memory import copy
 from crs_cc.ir.program import Block, Branch, Constant, Jump, Operand, Return, Stop, Switch
 from crs_cc.ir.types import RecordType
 
-_MOST_CASES = 256
+_MAX_CASES = 256
 """A case range with so many values becomes a comparison instead of single cases."""
 
 
@@ -90,7 +90,7 @@ def _switch(low: Lowering, statement: tree.Switch) -> None:
         low.cases[label] = block
         if label.first is None or label.last is None:
             default = block
-        elif label.last - label.first < _MOST_CASES:
+        elif label.last - label.first < _MAX_CASES:
             values = range(label.first, label.last + 1)
             cases += [(wrap(each, bits, signed=True), block) for each in values]
         else:

@@ -27,14 +27,14 @@ from crs_cc.frontend.preprocess.gnu import ASM_LABEL, KEYWORD, PACK
 
 Node: TypeAlias = Any
 
-_MADE: Final = frozenset({PACK, ASM_LABEL})
+_INTERNAL: Final = frozenset({PACK, ASM_LABEL})
 
-MEANT: Final = frozenset({
+_IMPLEMENTED: Final = frozenset({
     "packed", "aligned", "noreturn", "format", "constructor", "destructor", "weak", "mode",
 })  # fmt: skip
 """Attributes that are implemented."""
 
-_HARMLESS: Final = frozenset({
+_IGNORED: Final = frozenset({
     "access", "alloc_align", "alloc_size", "always_inline", "artificial", "assume_aligned", "cdecl",
     "cold", "common", "const", "deprecated", "designated_init", "error", "externally_visible",
     "fallthrough", "fastcall", "flatten", "format_arg", "gnu_inline", "hot", "interrupt",
@@ -47,7 +47,7 @@ _HARMLESS: Final = frozenset({
 })  # fmt: skip
 """Attributes that can be ignored: they do not change a program's behaviour."""
 
-_REFUSED: Final = frozenset({
+_UNSUPPORTED: Final = frozenset({
     "alias", "cleanup", "gcc_struct", "hardbool", "ifunc", "ms_struct",
     "scalar_storage_order", "transparent_union", "vector_size", "weakref",
 })  # fmt: skip
@@ -105,7 +105,7 @@ def take_attributes(
             continue
         for attribute in _split(inside):
             if attribute.name == PACK:
-                pack.obey(attribute, diagnostics)
+                pack.apply(attribute, diagnostics)
             elif attribute.name == ASM_LABEL or _accepts(attribute, diagnostics):
                 waiting.append(attribute)
     return rest, before
@@ -136,7 +136,7 @@ def _split(tokens: Sequence[Token]) -> list[Attribute]:
                 len(name) > 4
                 and name.startswith("__")
                 and name.endswith("__")
-                and name not in _MADE
+                and name not in _INTERNAL
             ):
                 name = name[2:-2]
             found.append(Attribute(name, token.location))
@@ -152,13 +152,13 @@ def _split(tokens: Sequence[Token]) -> list[Attribute]:
 def _accepts(attribute: Attribute, diagnostics: Diagnostics) -> bool:
     """Return whether an attribute is implemented; report it if it is unknown or unsupported."""
     name = attribute.name
-    if name in _REFUSED:
+    if name in _UNSUPPORTED:
         diagnostics.error(attribute.location, f"attribute '{name}' is not supported")
-    elif name not in MEANT and name not in _HARMLESS:
-        close = difflib.get_close_matches(name, sorted(MEANT | _HARMLESS), n=1)
+    elif name not in _IMPLEMENTED and name not in _IGNORED:
+        close = difflib.get_close_matches(name, sorted(_IMPLEMENTED | _IGNORED), n=1)
         hint = f"did you mean '{close[0]}'?" if close else ""
         diagnostics.warning(attribute.location, f"unknown attribute '{name}' is ignored", hint)
-    return name in MEANT
+    return name in _IMPLEMENTED
 
 
 @dataclass(slots=True)
@@ -172,7 +172,7 @@ class _Pack:
     align: int = 0
     _stack: list[tuple[str, int]] = field(default_factory=list)
 
-    def obey(self, pragma: Attribute, diagnostics: Diagnostics) -> None:
+    def apply(self, pragma: Attribute, diagnostics: Diagnostics) -> None:
         """Apply `pack(push, 1)`, `pack(pop)`, `pack(2)` or `pack()`."""
         words = [each.value for each in pragma.words]
         action = words.pop(0) if words and words[0] in {"push", "pop"} else ""

@@ -31,7 +31,7 @@ from crs_cc.ir.types import (
     IntegerType,
 )
 
-_MOST_DIGITS: Final = 100
+_MAX_DIGITS: Final = 100
 _SUFFIX: Final = re.compile(r"[uUlL]*$")
 _DECIMAL: Final = {"": (INT, LONG, LLONG), "l": (LONG, LLONG), "ll": (LLONG,)}
 _ANY_SIGN: Final = {
@@ -91,7 +91,7 @@ def _integer(text: str) -> tuple[int, IntegerType]:
     digits = text[: len(text) - len(suffix)]
     prefix = digits[:2].lower()
     base = {"0x": 16, "0b": 2}.get(prefix, 8 if digits[0] == "0" else 10)
-    if len(digits) > _MOST_DIGITS:
+    if len(digits) > _MAX_DIGITS:
         raise ValueError("integer constant is too large for any type")
     value = int(digits[2:] if base in {16, 2} else digits, base)
     length = suffix.count("l") * "l"

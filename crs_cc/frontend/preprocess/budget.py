@@ -16,9 +16,9 @@ from typing import Final
 from crs_cc.frontend.preprocess.source_text import Place
 from crs_cc.frontend.preprocess.tokens import Token
 
-LEAST: Final = 200_000
+MIN_TOKENS: Final = 200_000
 """How many tokens expansions may move, however short the source is."""
-PER_CHARACTER: Final = 10
+TOKENS_PER_CHARACTER: Final = 10
 """How many more they may move for each character of source."""
 
 
@@ -42,11 +42,11 @@ class Budget:
         left: the number; 4 characters of a long token count as one.
     """
 
-    left: int = LEAST
+    left: int = MIN_TOKENS
 
     def grow(self, characters: int) -> None:
         """Raise the limit for further source text."""
-        self.left += PER_CHARACTER * characters
+        self.left += TOKENS_PER_CHARACTER * characters
 
     def spend(self, tokens: Sequence[Token], place: Place) -> None:
         """Count tokens that are moved, and one more for the move itself.

@@ -73,7 +73,7 @@ def run_directive(state: State, text: str, place: Place) -> bool:
         return True
     if line.name.isdigit():
         line.rest, line.rest_place = match[1] + line.rest, place + match.start(1)
-        _line(state, line)  # as another preprocessor leaves it: # 12 "file.c"
+        _line(state, line)  # the output of another preprocessor: # 12 "file.c"
     elif line.name in _DIRECTIVES:
         _DIRECTIVES[line.name](state, line)
     elif line.name or line.rest.strip():
@@ -263,10 +263,10 @@ def _line(state: State, line: _Line) -> None:
 
 
 def _pragma(state: State, line: _Line) -> None:
-    state.pending += obey_pragma(state, line.tokens())
+    state.pending += execute_pragma(state, line.tokens())
 
 
-def obey_pragma(state: State, tokens: list[Token]) -> list[Token]:
+def execute_pragma(state: State, tokens: list[Token]) -> list[Token]:
     """Execute a `#pragma`, and return the tokens that represent it in the program."""
     name = tokens[0].text if tokens else ""
     if name == "once":

@@ -1,9 +1,10 @@
 r"""GNU syntax that the parser does not know, removed or replaced by standard syntax.
 
-This works on single keywords and on constructs of a keyword with parentheses. To add another:
-a keyword with a standard equivalent goes into `_TWINS`, one with parentheses into `_CONSTRUCTS`
-with a method that returns its replacement. Lines without any such keyword are not rewritten, so
-syntax without a keyword, such as `case 1 ... 5`, must be excluded by `spelling.is_plain`.
+This works on single keywords and on constructs of a keyword with parentheses. To add another: a
+keyword with a standard equivalent goes into `_EQUIVALENTS`, one with parentheses into
+`_CONSTRUCTS`, with a method that returns its replacement. Lines without any such keyword are not
+rewritten, so syntax without a keyword, such as `case 1 ... 5`, must be excluded by
+`spelling.is_plain`.
 
 >>> from crs_cc.frontend.preprocess.source_text import Places
 >>> from crs_cc.frontend.preprocess.tokens import spell, tokenise
@@ -31,7 +32,7 @@ PACK: Final = "__pragma_pack__"
 ASM_LABEL: Final = "__asm_label__"
 """The attribute by which the preprocessor replaces `asm("name")` after a declarator."""
 
-_TWINS: Final = {
+_EQUIVALENTS: Final = {
     "__inline": "inline", "__inline__": "inline",
     "__const": "const", "__const__": "const",
     "__volatile": "volatile", "__volatile__": "volatile",
@@ -55,7 +56,7 @@ _ASM_QUALIFIERS: Final = frozenset({
 Pragma = Callable[[list[Token]], list[Token]]
 """Executes the tokens after `#pragma`, and returns their replacement."""
 
-WORDS: Final = frozenset(_TWINS) | _DROPPED | _CONSTRUCTS
+WORDS: Final = frozenset(_EQUIVALENTS) | _DROPPED | _CONSTRUCTS
 """A line without any of these words is not rewritten."""
 
 _STATEMENT_BEGIN: Final = re.compile(r"\s*(?:if|while|for|switch|else|do|return)\b")
@@ -102,13 +103,15 @@ class GnuSyntax:
         """
         result: list[Token] = []
         for token in tokens:
-            if self._construct is not None and self._goes_on(self._construct, token, result):
+            if self._construct is not None and self._continue_construct(
+                self._construct, token, result
+            ):
                 continue
             text = token.text
             if text not in WORDS or token.kind != NAME:
                 result.append(token)
-            elif text in _TWINS:
-                result.append(Token(NAME, _TWINS[text], token.place, token.spaced))
+            elif text in _EQUIVALENTS:
+                result.append(Token(NAME, _EQUIVALENTS[text], token.place, token.spaced))
             elif text in _CONSTRUCTS:
                 is_label = text in _ASM and _follows_declarator(before(), result)
                 self._construct = _Construct(token, is_label)
@@ -121,7 +124,7 @@ class GnuSyntax:
             self._report.error(word.place, f"missing ')' after '{word.text}'")
             self._construct = None
 
-    def _goes_on(self, construct: _Construct, token: Token, result: list[Token]) -> bool:
+    def _continue_construct(self, construct: _Construct, token: Token, result: list[Token]) -> bool:
         """Return whether a token belongs to the open construct, and consume it if so."""
         if construct.depth == 0 and token.text != "(":
             if construct.word.text in _ASM and token.text in _ASM_QUALIFIERS:

@@ -102,7 +102,7 @@ class Headers:
             path = each / from_text(name)
             file = _resolved(path)
             if file and not any(file.is_relative_to(root) for root in self._roots):
-                outside = True  # and whether it exists is not told
+                outside = True  # without revealing whether it exists
                 self._digests[str(path)] = _OUTSIDE
                 continue
             if str(path) not in self._digests:
@@ -161,7 +161,11 @@ def digest(path: Path) -> str:
 def _resolved(path: Path) -> Path | None:
     try:
         return path.resolve()
-    except (OSError, RuntimeError, ValueError):  # names too long, loops of links, odd characters
+    except (
+        OSError,
+        RuntimeError,
+        ValueError,
+    ):  # names too long, loops of links, invalid characters
         return None
 
 

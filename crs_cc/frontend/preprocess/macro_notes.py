@@ -30,14 +30,14 @@ def add_macro_notes(
         headers: the directories of the headers that come with crs; their macros are not shown.
     """
     uses = {str(place): macros for place, macros in source.macro_uses().items()}
-    messages, told = list(diagnostics.messages), set[str]()
+    messages, noted = list(diagnostics.messages), set[str]()
     diagnostics.messages.clear()
     for message in messages:
         diagnostics.messages.append(message)
         note = _note(message, uses, source) if message.severity == "error" else None
-        if note is None or note[1] in told or _is_below(note[0], headers):
+        if note is None or note[1] in noted or _is_below(note[0], headers):
             continue
-        told.add(note[1])
+        noted.add(note[1])
         diagnostics.add("note", *note)
 
 
@@ -50,7 +50,7 @@ def _note(
         return None
     macro = _blamed(message.text, macros)
     if not macro.place:
-        return None  # one that is there from the start
+        return None  # a predefined macro
     first = f", which '{macros[0].name}' uses," if macro is not macros[0] else ""
     return source.definition(macro), f"macro '{macro.name}'{first} is defined here"
 

@@ -83,7 +83,7 @@ _SIZES_BYTE: Final = {
     "LONG_DOUBLE": 8, "SIZE_T": 4, "PTRDIFF_T": 4, "WCHAR_T": 4, "WINT_T": 4,
 }  # fmt: skip
 _TYPES: Final = {
-    # name: its type, its largest value; none where another row of this file gives it
+    # name: its type, its largest value; None if it is defined elsewhere in this file
     "INT": ("", "0x7fffffff"),
     "LONG": ("", "0x7fffffffL"),
     "LONG_LONG": ("", "0x7fffffffffffffffLL"),

@@ -23,7 +23,7 @@ from typing import Final
 from crs_cc.core.source import Diagnostics, Location
 from crs_cc.frontend.preprocess import conditionals
 from crs_cc.frontend.preprocess.budget import ExhaustedError
-from crs_cc.frontend.preprocess.directives import obey_pragma, run_directive
+from crs_cc.frontend.preprocess.directives import execute_pragma, run_directive
 from crs_cc.frontend.preprocess.dynamic import dynamic_macros
 from crs_cc.frontend.preprocess.gnu import GnuSyntax
 from crs_cc.frontend.preprocess.includes import Headers, Refusal, read_regular_file
@@ -76,7 +76,7 @@ def preprocess_text(
     """
     try:
         content = decode(text.encode("utf-8", "surrogateescape"))
-    except UnicodeEncodeError:  # lone surrogates, which stand for no byte
+    except UnicodeEncodeError:  # lone surrogates, which represent no byte
         content = decode(text.encode("utf-8", "replace"))
     return _preprocess(content, Path(name), options, diagnostics)
 
@@ -100,7 +100,7 @@ class _Run:
         self.state.strict = options.is_strict
         self.options = options
         self.writer = Writer()
-        self.gnu = GnuSyntax(report, lambda tokens: obey_pragma(self.state, tokens))
+        self.gnu = GnuSyntax(report, lambda tokens: execute_pragma(self.state, tokens))
 
     def read(self, content: str, path: Path) -> None:
         """Read all files."""
@@ -134,7 +134,7 @@ class _Run:
             place = report.places.location(error.place)
             report.diagnostics.error(place, "macro expansion is too large", hint)
         except StopError:
-            pass  # the reason is among the diagnostics
+            pass  # the reason is in the diagnostics
         return self.writer.finish(report.places)
 
     def _read_all(self) -> None:

@@ -40,7 +40,7 @@ MAX_DEPTH: Final = 200
 """The maximum nesting depth of headers, as in gcc."""
 MAX_CHARACTERS: Final = 32 << 20
 """The maximum size of all source in a run, counting each inclusion [characters]."""
-OPENING: Final = 2048
+FILE_COST: Final = 2048
 """The minimum size that an opened file counts for [characters]."""
 
 
@@ -148,7 +148,7 @@ class State:
         Raises:
             StopError: there is too much source.
         """
-        self.characters_left -= text.size + OPENING
+        self.characters_left -= text.size + FILE_COST
         self.budget.grow(text.size)
         if self.characters_left < 0:
             self.report.fatal(

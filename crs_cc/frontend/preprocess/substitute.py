@@ -95,7 +95,7 @@ class _Substitution:
             if part.kind == "token":
                 tokens = [part.token.moved(self.place, part.token.spaced)]
             elif part.kind == "rest" and not self.arguments[part.argument]:
-                result.pop()  # GNU: without further arguments the comma goes, too
+                result.pop()  # GNU: without variadic arguments the comma is removed
                 continue
             else:
                 tokens = self._tokens(part)

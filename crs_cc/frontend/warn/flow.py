@@ -103,7 +103,7 @@ class _Paths:
     def _declare(self, node: tree.Declare) -> None:
         symbol = node.symbol
         if node.initialiser is not None:
-            self.unassigned.discard(symbol)  # `int x = x;` says that it is meant so
+            self.unassigned.discard(symbol)  # `int x = x;` silences the warning
             for each in parts(node):
                 self.value(each)
         elif not symbol.in_memory and symbol.link_name is None and symbol.name:
@@ -113,32 +113,32 @@ class _Paths:
         self.value(node.condition)
         constant = _constant(node.condition)
         mark, before = len(self.log), set(self.unassigned)
-        forgotten = self._hesitate()
-        hesitant = set(self.unassigned)
+        removed = self._forget_assigned_in_loops()
+        uncertain = set(self.unassigned)
         then_ends = self.block(node.then)
-        after_then, self.unassigned = self.unassigned, hesitant
+        after_then, self.unassigned = self.unassigned, uncertain
         otherwise_ends = self.block(node.otherwise)
         if then_ends and otherwise_ends:
             self.unassigned &= after_then
-            self.unassigned |= forgotten.difference(self.log[mark:])
+            self.unassigned |= removed.difference(self.log[mark:])
         elif then_ends:
-            self.unassigned = after_then  # which way it went tells which round it is
+            self.unassigned = after_then  # the condition may depend on the iteration
         self.unassigned &= before
         if constant is not None:
             return reached and (then_ends if constant else otherwise_ends)
         return reached and (then_ends or otherwise_ends)
 
-    def _hesitate(self) -> Unassigned:
+    def _forget_assigned_in_loops(self) -> Unassigned:
         """Remove the variables that an earlier iteration of an enclosing loop may have assigned.
 
         Returns:
             The removed variables.
         """
-        forgotten: Unassigned = set()
+        removed: Unassigned = set()
         for each in self.open:
-            forgotten |= self.unassigned & each.assigned
-        self.unassigned -= forgotten
-        return forgotten
+            removed |= self.unassigned & each.assigned
+        self.unassigned -= removed
+        return removed
 
     def _loop(self, node: tree.Loop, reached: bool) -> bool:
         self.block(node.start)
@@ -172,7 +172,7 @@ class _Paths:
         for each in node.body:
             if isinstance(each, tree.CaseLabel):
                 self.unassigned = before & self.unassigned if reached else set(before)
-                self._hesitate()
+                self._forget_assigned_in_loops()
             reached = self.statement(each, reached)
         self.open.pop()
         self.unassigned &= before
@@ -221,10 +221,10 @@ class _Paths:
 
     def _maybe(self, node: Any) -> None:
         """Walk through an expression that is not always evaluated."""
-        mark, forgotten = len(self.log), self._hesitate()
+        mark, removed = len(self.log), self._forget_assigned_in_loops()
         self.value(node)
-        if forgotten:
-            self.unassigned |= forgotten.difference(self.log[mark:])
+        if removed:
+            self.unassigned |= removed.difference(self.log[mark:])
 
     def _read(self, node: tree.ObjectName) -> None:
         if node.symbol in self.unassigned:

@@ -1,4 +1,4 @@
-"""Constant expressions have the values that gcc -m32 gives them, and the types of C."""
+"""Constant expressions have the values of gcc -m32, and the types of C."""
 
 from __future__ import annotations
 
@@ -101,7 +101,7 @@ VALUES = {
 
 
 @pytest.mark.parametrize("expression", VALUES)
-def test_a_constant_expression_has_its_value(expression: str) -> None:
+def test_constant_expression_values(expression: str) -> None:
     program = compiled(f"{PRELUDE} int x = ({expression});")
     content = program.data["x"].content or bytes(4)
     assert int.from_bytes(content, "little", signed=True) == VALUES[expression]
@@ -130,7 +130,7 @@ ALL_TYPES = [
 
 
 @pytest.mark.parametrize("expression", TYPES)
-def test_an_expression_has_its_type(expression: str) -> None:
+def test_expression_types(expression: str) -> None:
     prelude = "enum e { A }; struct { unsigned three : 3, all : 32; } bits;"
     cases = ", ".join(f"{name}: {number}" for number, name in enumerate(ALL_TYPES, 1))
     program = compiled(f"{prelude} int f(void) {{ return _Generic(({expression}), {cases}); }}")
@@ -155,7 +155,7 @@ NOT_CONSTANT = {
 
 
 @pytest.mark.parametrize("source", NOT_CONSTANT)
-def test_what_is_not_constant_is_refused(source: str) -> None:
+def test_non_constant_expressions_are_errors(source: str) -> None:
     errors = [each for each in messages(source) if "error" in each]
     assert [each.partition("error: ")[2].partition(" [")[0] for each in errors] == [
         NOT_CONSTANT[source]

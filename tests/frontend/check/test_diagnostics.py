@@ -1,4 +1,4 @@
-"""What the user is told: the words and the place, for one mistake after the other."""
+"""The text and location of messages for single mistakes."""
 
 from __future__ import annotations
 
@@ -188,7 +188,7 @@ ONE_ERROR = {
 
 
 @pytest.mark.parametrize("source", ONE_ERROR)
-def test_a_mistake_gives_one_error_at_its_place(source: str) -> None:
+def test_errors(source: str) -> None:
     assert [each for each in messages(source) if "warning" not in each] == [ONE_ERROR[source]]
 
 
@@ -232,7 +232,7 @@ ONE_WARNING = {
 
 
 @pytest.mark.parametrize("source", ONE_WARNING)
-def test_an_old_habit_gives_one_warning(source: str) -> None:
+def test_warnings(source: str) -> None:
     found = messages(source)
     assert ONE_WARNING[source] in found
     assert all("warning" in each for each in found)
@@ -256,11 +256,11 @@ QUIET = [
 
 
 @pytest.mark.parametrize("source", QUIET)
-def test_good_code_gives_no_message(source: str) -> None:
+def test_valid_code_has_no_messages(source: str) -> None:
     assert messages(source) == []
 
 
-def test_one_run_tells_of_many_mistakes() -> None:
+def test_all_errors_of_a_file_are_reported() -> None:
     source = """int f(void) { int x = ; return x; }
 int g(void) { return undefined1 + undefined2; }
 int h(void) { while (g() { } return 3 }
@@ -272,7 +272,7 @@ int i(void) { v.y = 1; if (v) v.z = 2; return k; }
     ]  # fmt: skip
 
 
-def test_of_many_errors_the_first_are_told_and_the_rest_counted() -> None:
+def test_number_of_reported_errors_is_limited() -> None:
     found = messages("\n".join(f"int f{n}(void) {{ return u{n}; }}" for n in range(100)))
     assert len(found) == 21
     assert found[-1] == "21:0 error: and 80 more errors from here on"

@@ -79,17 +79,17 @@ WRONG = [
 
 
 @pytest.mark.parametrize("expression", HOLDS.strip().splitlines())
-def test_expressions_that_hold(expression: str) -> None:
+def test_true_conditions(expression: str) -> None:
     assert result(f"{PRELUDE}#if {expression}\nyes\n#else\nno\n#endif") == ["yes"]
 
 
 @pytest.mark.parametrize("expression", ["0", "1 - 1", "0 && 1/0", "undefined", "0 ? 1/0 : 0", "0u"])
-def test_expressions_that_do_not_hold(expression: str) -> None:
+def test_false_conditions(expression: str) -> None:
     assert result(f"#if {expression}\nyes\n#else\nno\n#endif") == ["no"]
 
 
 @pytest.mark.parametrize(("expression", "message"), WRONG)
-def test_wrong_expressions_are_reported_where_they_go_wrong(expression: str, message: str) -> None:
+def test_condition_errors(expression: str, message: str) -> None:
     assert messages(f"#if {expression}\n#endif\n") == [message]
 
 
