@@ -1,7 +1,7 @@
-"""Knows what programs in other languages look like, to say so where they cannot be understood.
+"""Hints at code in other languages.
 
 >>> hint_for_type("boolean")
-"C's is 'bool', of <stdbool.h>"
+"use 'bool' from <stdbool.h>"
 """
 
 from __future__ import annotations
@@ -9,14 +9,14 @@ from __future__ import annotations
 import itertools
 from typing import Final
 
-CPLUSPLUS: Final = "it belongs to C++, and crs compiles C"
+CPLUSPLUS: Final = "this is C++, but crs compiles C"
 
 _TYPES: Final = {
-    "string": "C has no type for text: use 'char *', or an array of char",
-    "boolean": "C's is 'bool', of <stdbool.h>",
+    "string": "C has no string type: use 'char *' or an array of char",
+    "boolean": "use 'bool' from <stdbool.h>",
     "byte": "use 'unsigned char'",
 }
-"""Types of other languages, in small letters, and what to use for them."""
+"""Types of other languages, in lower case, and their equivalents in C."""
 
 _WORDS: Final = frozenset(
     {
@@ -28,12 +28,12 @@ _WORDS: Final = frozenset(
 
 
 def hint_for_type(name: str) -> str:
-    """Return what to use for an unknown type, empty text if it is of no language that we know."""
+    """Return a hint for an unknown type; "" if it is not one of a known language."""
     return CPLUSPLUS if name in _WORDS else _TYPES.get(name.lower(), "")
 
 
 def is_cplusplus(words: list[str]) -> bool:
-    """Return whether the tokens around an error, in order, are of C++.
+    """Return whether the tokens around an error, in order, look like C++.
 
     >>> is_cplusplus(["p", "=", "new", "Robot"]), is_cplusplus(["Robot", ":", ":", "turn"])
     (True, True)

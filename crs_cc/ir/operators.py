@@ -26,8 +26,8 @@ class Operator:
 
     Attributes:
         name: its name in the WebAssembly text format.
-        operands: the types it takes: one for `Unary`, two for `Binary`.
-        result: the type it gives.
+        operands: the types of its operands: one for `Unary`, two for `Binary`.
+        result: the type of its result.
         opcode: its bytes in a WebAssembly module (WebAssembly 2.0, section 5.4.7).
     """
 
@@ -72,7 +72,7 @@ _SATURATING: Final = (
 
 
 def _source_type(conversion: str) -> ValueType:
-    """Return the type that a conversion takes, which is part of its name."""
+    """Return the operand type of a conversion, which is part of its name."""
     found = next(part for part in conversion.split("_") if part in {"i32", "i64", "f32", "f64"})
     return cast("ValueType", found)
 

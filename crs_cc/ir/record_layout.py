@@ -1,8 +1,7 @@
-"""Where the members of structs and unions lie, as gcc lays them out on i386.
+"""The layout of structs and unions, as gcc's on i386.
 
-Bit-fields lie in the lowest free bits, but never across a boundary of their own type, unless they
+Bit-fields are in the lowest free bits, but do not cross a boundary of their own type unless they
 are packed; one of width 0 ends the unit.
-
 """
 
 from __future__ import annotations
@@ -24,7 +23,7 @@ class Sized(Protocol):
 
 
 class Member(Protocol):
-    """What the layout reads and sets of an `ir.types.Member`, which describes the attributes."""
+    """The attributes of an `ir.types.Member` that the layout reads and sets."""
 
     name: str | None
     offset: int
@@ -43,13 +42,13 @@ class Member(Protocol):
 def lay_out(
     members: Sequence[Member], is_union: bool = False, align: int = 1, pack: int = 0
 ) -> tuple[int, int]:
-    """Return every member its place, and the size and alignment of the whole [bytes].
+    """Set the offset of each member, and return the size and alignment of the whole [bytes].
 
     Args:
         members: the members; those of a packed struct are packed.
-        is_union: whether all begin at the same place.
-        align: what the whole is aligned to at least [bytes].
-        pack: what members are aligned to at most [bytes], as `#pragma pack` says; 0 if any.
+        is_union: whether all start at the same offset.
+        align: the minimum alignment of the whole [bytes].
+        pack: the maximum alignment of members [bytes], from `#pragma pack`; 0 if there is none.
     """
     end_bits = size_bits = 0
     for member in members:
@@ -63,7 +62,7 @@ def lay_out(
 
 
 def _wanted(member: Member, pack: int) -> int:
-    """Return the alignment that a member asks of the whole [bytes]."""
+    """Return the alignment that a member demands of the whole [bytes]."""
     if member.bit_width is not None and member.name is None:
         return 1
     natural = member.natural or member.type.align
@@ -72,7 +71,7 @@ def _wanted(member: Member, pack: int) -> int:
 
 
 def _place(member: Member, start_bits: int, pack: int) -> int:
-    """Put a member at the first fitting place from `start_bits` on; return where it ends."""
+    """Place a member at the first suitable offset from `start_bits` on; return its end."""
     unit_bits = 8 * member.type.size
     if member.bit_width is None:
         start_bits = _rounded(start_bits, _wanted(member, pack))
@@ -92,7 +91,7 @@ def _place(member: Member, start_bits: int, pack: int) -> int:
 
 
 def _spread(member: Member, size: int) -> None:
-    """Build a bit-field one of single bytes if the unit it begins in does not hold it."""
+    """Divide a bit-field into single bytes if the unit it starts in does not contain it."""
     if not member.bit_width:
         return
     end = member.bit_offset + member.bit_width
@@ -108,5 +107,5 @@ def _rounded(bits: int, align: int) -> int:
 
 
 def _least(align: int, pack: int) -> int:
-    """Return an alignment, cut down to that of `#pragma pack` if there is one."""
+    """Return an alignment, limited to that of `#pragma pack` if there is one."""
     return min(align, pack) if pack else align

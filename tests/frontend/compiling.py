@@ -1,4 +1,4 @@
-"""Compiling snippets of C in tests: what comes out, and what the user is told."""
+"""Compilation of C snippets in tests: results and messages."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def type_of(source: str, name: str = "x") -> CType:
 
 
 def messages(source: str) -> list[str]:
-    """Return what the user is told, as `line:column severity: text [hint]`."""
+    """Return the messages about a text, each as `line:column severity: text [hint]`."""
     diagnostics = Diagnostics()
     with suppress(CompileError):
         verify(compile_text(source, "a.c", Options(), diagnostics))

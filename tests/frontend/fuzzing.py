@@ -1,7 +1,7 @@
-"""Sources that no programmer writes, for the front end to survive: `make fuzz-frontend`.
+"""Fuzzing of the front end: `make fuzz-frontend`.
 
-Random bytes, programs with tokens deleted, doubled, swapped and cut off, and every construct nested
-deeply. Whatever comes in, there is a program or an error with a place, and it does not take long.
+The sources are random bytes, programs with tokens deleted, doubled, swapped and cut off, and deeply
+nested constructs. For each there must soon be a program or an error with a location.
 """
 
 from __future__ import annotations
@@ -87,7 +87,7 @@ NESTED: Final = {
     "open braces": ("void f(void) ", "{", "", "", ""),
     "ellipses": ("void f(int", ", ...", "", "", ");"),
 }  # fmt: skip
-"""What may be nested: the beginning, what opens, the core, what closes, the end."""
+"""Constructs that can be nested: the start, the opening, the core, the closing, the end."""
 
 
 def nested(name: str, depth: int) -> str:
@@ -135,7 +135,7 @@ def noise(chance: random.Random) -> str:
 
 
 def survive(source: str, longest_s: float = 20.0) -> str:
-    """Compile a text, and gives what is wrong with how that went; nothing if all is well."""
+    """Compile a text; return a description of what went wrong, "" if nothing did."""
     diagnostics = Diagnostics()
     began = time.monotonic()
     try:
@@ -152,7 +152,7 @@ def survive(source: str, longest_s: float = 20.0) -> str:
 
 
 def sources(seed: int) -> Iterator[str]:
-    """Return sources without end."""
+    """Yield sources endlessly."""
     chance = random.Random(seed)
     corpus = [path.read_text("latin-1") for path in sorted(CORPUS.rglob("*.c"))]
     corpus = [text for text in corpus if len(text) < 6000]
@@ -168,9 +168,9 @@ def sources(seed: int) -> Iterator[str]:
 
 
 def main() -> None:
-    """Try as many sources as the first argument says, from the seed in the second.
+    """Try a number of sources, the first argument, with a seed, the second argument.
 
-    Those that went wrong are kept in `build/fuzz-frontend`.
+    Those that fail are kept in `build/fuzz-frontend`.
     """
     number = int(sys.argv[1]) if len(sys.argv) > 1 else 2000
     seed = int(sys.argv[2]) if len(sys.argv) > 2 else 1

@@ -1,4 +1,4 @@
-"""What holds for programs as data."""
+"""Programs as data."""
 
 import itertools
 import pickle

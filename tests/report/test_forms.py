@@ -198,9 +198,9 @@ def test_errors_in_a_body_are_reported_at_their_location(tmp_path: Path):
     ("source", "expected"),
     [
         ("st()\nst();\n", "1:5: expected ';' after ')'"),
-        ("st();\n}\nst();\n", "2:1: this '}' closes nothing (the statements before it"),
+        ("st();\n}\nst();\n", "2:1: extraneous closing brace ('}') (there is no matching '{'"),
         ("if (st()) {\n    st();\n",
-         "2:9: unexpected end of the file (to close the '{' at body.c:1:11)"),
+         "2:9: unexpected end of file (to close the '{' at body.c:1:11)"),
         ("if (State[STATE_BUMPER] == 1 {\n    st();\n}\n",
          "1:30: expected ')' before '{' (to close the '(' at body.c:1:4)"),
         ("while (State[STATE BUMPER] != 1) { st(); }", "1:20: expected ']' before 'BUMPER'"),

@@ -1,4 +1,4 @@
-"""The name that the linker is to know an object or a function by: `int vm(double) asm("vm_2");`.
+"""The linker name of an object or a function: `int vm(double) asm("vm_2");`.
 
 >>> from crs_cc.frontend.parse.gnu_attributes import Attribute
 >>> from crs_cc.frontend.parse.lexer import lex
@@ -23,24 +23,24 @@ _NAME: Final = re.compile(r"[A-Za-z_.$][\w.$]*", re.ASCII)
 
 
 def asm_label(node: Node) -> str:
-    """Return the name that a declaration asks for, empty when it asks for none.
+    """Return the linker name in a declaration, "" if there is none.
 
     Raises:
-        CheckError: it is no name.
+        CheckError: it is not a valid name.
     """
     return label_among(attributes(node))
 
 
 def label_among(found: list[Attribute]) -> str:
-    """Return the name among attributes, empty when there is none.
+    """Return the linker name among attributes, "" if there is none.
 
     Raises:
-        CheckError: it is no name.
+        CheckError: it is not a valid name.
     """
     for each in found:
         if each.name == ASM_LABEL:
             label = "".join(word.value.strip('"') for word in each.words)
             if _NAME.fullmatch(label) is None:
-                raise CheckError(each.location, "'asm' needs a name in quotes here")
+                raise CheckError(each.location, "expected a string literal in 'asm'")
             return label
     return ""

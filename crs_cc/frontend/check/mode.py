@@ -1,4 +1,4 @@
-"""The attribute `mode`, with which GNU C names a number's type by its size."""
+"""The attribute `mode`, which selects a GNU C number type by its size."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _FLOATS: Final = {"SF": FLOAT, "DF": DOUBLE}
 
 
 def with_mode(node: Node, ctype: CType) -> CType:
-    """Return the type of a declaration as its attributes `mode` change it.
+    """Return the type of a declaration, changed by its attribute `mode`.
 
     Raises:
         CheckError: there is no such type.

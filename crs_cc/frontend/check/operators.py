@@ -62,7 +62,7 @@ def binary(unit: Unit, node: Node) -> Expression:
 def operate(
     unit: Unit, op: str, left: Expression, right: Expression, place: Location
 ) -> Expression:
-    """Build `left op right` of two values, at the operator's place."""
+    """Return `left op right` for two values."""
     if op in {"&&", "||"}:
         return _logical(op, left, right, place)
     if op in fold.COMPARISONS:
@@ -83,7 +83,7 @@ def operate(
 def _folded(
     unit: Unit, op: str, ctype: CType, operands: tuple[Expression, Expression], place: Location
 ) -> Expression:
-    """Build an operation on operands that are converted already, at once if they are constant."""
+    """Return an operation on converted operands, folded if they are constant."""
     left, right = operands
     if isinstance(right, tree.Literal):
         if isinstance(left, tree.Literal):
@@ -287,7 +287,7 @@ _UNARY: Final[dict[str, Callable[[Unit, Node], Expression]]] = {
 
 
 def is_lvalue(value: Expression) -> bool:
-    """Return whether an expression names an object (C17 6.3.2.1p1)."""
+    """Return whether an expression is an lvalue (C17 6.3.2.1p1)."""
     match value:
         case tree.ObjectName() | tree.Dereference() | tree.StringLiteral() | tree.CompoundLiteral():
             return not isinstance(value.type, FunctionType)
@@ -297,10 +297,10 @@ def is_lvalue(value: Expression) -> bool:
 
 
 def modifiable(target: Expression) -> Expression:
-    """Check that an expression names an object that may be changed.
+    """Check that an expression is a modifiable lvalue.
 
     Raises:
-        CheckError: when it does not.
+        CheckError: it is not.
     """
     ctype = target.type
     if not is_lvalue(target):
@@ -349,7 +349,7 @@ def assignment(unit: Unit, node: Node) -> Expression:
 
 
 def _copying(target: Expression) -> str:
-    """Return a hint to how an array is copied."""
+    """Return a hint at how to copy an array."""
     assert isinstance(target.type, ArrayType)
     if target.type.element.size != 1:
         return "copy its elements one by one, or all with memcpy"
@@ -402,7 +402,7 @@ def conditional(unit: Unit, node: Node) -> Expression:
     if isinstance(condition, tree.Literal):
         chosen = then if condition.value else otherwise
         if is_lvalue(chosen) and is_scalar(ctype):
-            return tree.Convert(ctype, chosen.location, chosen)  # no object any more
+            return tree.Convert(ctype, chosen.location, chosen)  # not an lvalue any more
         return chosen
     return tree.Conditional(ctype, unit.at(node), condition, then, otherwise)
 
@@ -438,7 +438,7 @@ def _conditional_pointer(unit: Unit, then: Expression, otherwise: Expression) ->
 
 
 def _common_target(unit: Unit, left: PointerType, right: PointerType, place: Location) -> CType:
-    """Return what the pointer that a conditional expression gives points to (C17 6.5.15p6)."""
+    """Return the target type of a conditional expression of pointers (C17 6.5.15p6)."""
     a, b = left.target, right.target
     const, volatile = a.const or b.const, a.volatile or b.volatile
     plain_a, plain_b = unqualified(a), unqualified(b)

@@ -1,4 +1,4 @@
-"""Check statements (C17 6.8). A mistake in one leaves the next ones to be checked."""
+"""Check statements (C17 6.8). After an error in one, the following ones are checked."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ from crs_cc.ir.types import INT, VOID, IntegerType, PointerType, VoidType, quali
 
 
 def statement(unit: Unit, node: Node, out: list[Statement]) -> None:
-    """Check a statement or a declaration in a block and adds what it means to `out`."""
+    """Check a statement or a declaration in a block and append the result to `out`."""
     found = STATEMENTS.get(node.__class__)
     if found is not None:
         found(unit, node, out)
@@ -85,13 +85,13 @@ def compound(unit: Unit, node: Node, out: list[Statement]) -> None:
 
 
 def _entries(state: FunctionState) -> tuple[int, int]:
-    """Return how many labels there are that lead into a block if they stand there."""
+    """Return the number of labels so far: those through which a block can be entered."""
     return len(state.labels), len(state.switches[-1].labels) if state.switches else 0
 
 
 @contextmanager
 def _names(unit: Unit, node: Node) -> Iterator[None]:
-    """Open a block's scope of names; its variables learn where it begins and ends."""
+    """Open a block's scope of names, and record its start and end in its variables."""
     with unit.new_scope() as scope:
         yield
     if isinstance(node.coord, Span):
@@ -103,7 +103,7 @@ def _names(unit: Unit, node: Node) -> Iterator[None]:
 
 @contextmanager
 def _block(unit: Unit, node: Node, out: list[Statement]) -> Iterator[None]:
-    """Open a block's scope of names, of its own labels, and of its variables' memory."""
+    """Open a block's scope of names, local labels and variables' memory."""
     state = _function(unit)
     state.label_names.append({})
     try:
@@ -115,11 +115,11 @@ def _block(unit: Unit, node: Node, out: list[Statement]) -> Iterator[None]:
 
 @checks_statement(c_ast.EmptyStatement, c_ast.Pragma)
 def nothing(_unit: Unit, _node: Node, _out: list[Statement]) -> None:
-    """Check `;`, and passes over `#pragma`."""
+    """Check `;`, and ignore `#pragma`."""
 
 
 def _condition(unit: Unit, node: Node) -> Expression:
-    """Check a controlling expression; a wrong one is reported and replaced."""
+    """Check a controlling expression; report an invalid one and replace it."""
     found = unit.attempt(_scalar, node)
     return tree.integer(1, INT, unit.at(node)) if found is None else found
 
@@ -202,7 +202,7 @@ def continue_(unit: Unit, node: Node, out: list[Statement]) -> None:
 
 @checks_statement(c_ast.Goto)
 def goto(unit: Unit, node: Node, out: list[Statement]) -> None:
-    """Check `goto`; whether its label exists is known at the function's end."""
+    """Check `goto`; its label is checked at the function's end."""
     made = tree.Goto(unit.at(node), _label_name(unit, node.name))
     state = _function(unit)
     state.gotos.append((made, list(state.automatics)))
@@ -224,7 +224,7 @@ def label(unit: Unit, node: Node, out: list[Statement]) -> None:
 
 
 def _label_name(unit: Unit, name: str) -> str:
-    """Return what a label is called in its function; `__label__` gives it a name of its own."""
+    """Return a label's name in its function; a local label gets a unique one."""
     for names in reversed(_function(unit).label_names):
         if name in names:
             return names[name]
@@ -242,10 +242,10 @@ def local_labels(unit: Unit, node: LocalLabels, _out: list[Statement]) -> None:
 
 @checks(LabelAddress)
 def label_address(unit: Unit, node: LabelAddress) -> Expression:
-    """Check `&&label`, a number of its own for each label of the function."""
+    """Check `&&label`, whose value is a unique number of the label in its function."""
     location = unit.at(node)
     if unit.function is None:
-        raise CheckError(location, "the address of a label is taken outside of functions")
+        raise CheckError(location, "address of a label used outside of a function body")
     name, known = _label_name(unit, node.name), unit.function.addresses
     number, _ = known.setdefault(name, (len(known) + 1, location))
     return tree.Literal(PointerType(VOID), location, number)
@@ -264,7 +264,7 @@ def _computed_goto(unit: Unit, node: ComputedGoto, out: list[Statement]) -> None
 
 
 def check_labels(unit: Unit) -> None:
-    """Report every `goto` whose label does not exist, or lies where it must not go."""
+    """Report every `goto` whose label does not exist or must not be jumped to."""
     state = _function(unit)
     for name, (_, location) in state.addresses.items():
         if name not in state.labels:
@@ -331,7 +331,7 @@ def _case_label(unit: Unit, node: Node) -> tree.CaseLabel | None:
         first = _case_value(unit, node.expr.first if is_range else node.expr, opened)
         last = _case_value(unit, node.expr.last, opened) if is_range else first
         if first > last:
-            unit.warning(location, f"the range of this 'case' is empty: {first} > {last}")
+            unit.warning(location, f"empty case range specified: {first} > {last}")
             return None
         _enter_case(opened, first, last, location)
         made = tree.CaseLabel(location, first, last)
@@ -346,7 +346,7 @@ def _case_value(unit: Unit, node: Node, opened: SwitchState) -> int:
 
 
 def _enter_case(opened: SwitchState, first: int, last: int, location: Location) -> None:
-    """Record a `case`; the values of all of them must differ (C17 6.8.4.2p3)."""
+    """Record a `case`, whose value must be unique (C17 6.8.4.2p3)."""
     number = bisect_left(opened.lows, first)
     before, behind = opened.cases[max(0, number - 1) : number], opened.cases[number : number + 1]
     if before and before[0][0] >= first:
@@ -392,7 +392,7 @@ def _leave(state: FunctionState, location: Location, value: Expression | None) -
 
 @checks(c_ast.Compound)
 def statement_expression(unit: Unit, node: Node) -> Expression:
-    """Check `({ ... })`, a statement used as an expression (as gcc has it)."""
+    """Check `({ ... })`, a statement used as an expression (GNU C)."""
     location = unit.at(node)
     if unit.function is None:
         raise CheckError(location, "statement expression not allowed at file scope")
@@ -405,9 +405,9 @@ def statement_expression(unit: Unit, node: Node) -> Expression:
 
 
 def _last_value(state: FunctionState, out: list[Statement]) -> Expression | None:
-    """Takes the value of a statement expression off its end, if it has one.
+    """Remove and return the value at the end of a statement expression, if it has one.
 
-    It is kept in a variable where memory that it may lie in is given back.
+    It is saved in a variable if the memory that it may be in is freed at the end.
     """
     if not out or not isinstance(last := out[-1], tree.ExpressionStatement):
         return None

@@ -1,4 +1,4 @@
-"""Warn about operands that do not do what they seem to, while their own types are still known."""
+"""Warnings about operands that need their types before conversion."""
 
 from __future__ import annotations
 
@@ -11,22 +11,24 @@ from crs_cc.ir.types import ArrayType, IntegerType
 
 
 def warn_signs(unit: Unit, left: Expression, right: Expression, place: Location) -> None:
-    """Warn about a negative constant that becomes a large number beside an unsigned operand."""
+    """Warn about the comparison of a negative constant with an unsigned operand."""
     for constant, other in ((left, right), (right, left)):
         if not isinstance(constant, tree.Literal) or constant.value >= 0:
             continue
         ctype = other.type
         is_unsigned = isinstance(ctype, IntegerType) and not ctype.signed
         if is_unsigned and is_integer(constant.type) and ctype.size >= constant.type.size:
-            text = f"comparison of '{ctype}' with a negative constant, which becomes positive"
+            text = (
+                f"comparison of '{ctype}' with a negative constant, which is converted to unsigned"
+            )
             unit.warning(place, text)
 
 
 def warn_string(unit: Unit, left: Expression, right: Expression, place: Location) -> None:
-    """Warn about comparing a string literal's address."""
+    """Warn about the comparison of a string literal's address."""
     pair = (left, right)
     if any(_is_string(each) for each in pair) and not any(map(is_null_constant, pair)):
-        text = "this compares addresses, not what stands in the strings"
+        text = "comparison against a string literal compares addresses, not contents"
         unit.warning(place, text, "use strcmp")
 
 
@@ -35,15 +37,15 @@ def _is_string(value: Expression) -> bool:
 
 
 def warn_size(unit: Unit, operand: Expression, place: Location) -> None:
-    """Warn about `sizeof` a parameter that was declared as an array, and is a pointer."""
+    """Warn about `sizeof` of a parameter that was declared as an array and is a pointer."""
     if isinstance(operand, tree.ObjectName) and operand.symbol.is_array_parameter:
         name = operand.symbol.name
-        text = f"'{name}' is a pointer here, as array parameters are: this is the size of a pointer"
+        text = f"sizeof on array parameter '{name}' is the size of a pointer"
         unit.warning(place, text, f"declared at {operand.symbol.location}")
 
 
 def warn_returned(unit: Unit, value: Expression) -> None:
-    """Warn about returning the address of a variable that ends with the function."""
+    """Warn about the return of a local variable's address."""
     match value:
         case tree.Convert(operand=inner) if inner.type.size == value.type.size:
             warn_returned(unit, inner)
@@ -67,8 +69,10 @@ def _warn_object(unit: Unit, operand: Expression, place: Location) -> None:
                 operand = array
             case tree.ObjectName(symbol=symbol):
                 if symbol.link_name is None:
-                    text = f"'{symbol.name}' ends with the function, and its address is returned"
-                    unit.warning(place, text, "make it static, or let the caller give the memory")
+                    text = f"address of local variable '{symbol.name}' returned"
+                    unit.warning(
+                        place, text, "make it static, or let the caller provide the memory"
+                    )
                 return
             case _:
                 return

@@ -68,7 +68,7 @@ def record_type(unit: Unit, node: Node) -> CType:
 
 
 def _tag(unit: Unit, name: str | None, *, defines: bool) -> Tag | None:
-    """Return the tag that a specifier means; a definition means one of its own scope only."""
+    """Return the tag of a specifier; a definition ignores those of outer scopes."""
     if name is None:
         return None
     return unit.scope.tags.get(name) if defines else unit.scope.find_tag(name)
@@ -108,7 +108,7 @@ def _member(unit: Unit, node: Node, is_last: bool, in_packed: bool) -> Member:
     if not is_complete(ctype) and not is_flexible:
         raise CheckError(location, f"member '{node.name}' has incomplete type '{ctype}'")
     if is_variably_modified(ctype):
-        raise CheckError(location, f"member '{node.name}' has a length that is not constant")
+        raise CheckError(location, f"member '{node.name}' must have a constant size")
     natural = natural_alignment(unit, node)
     packed = in_packed or is_packed(node)
     member = Member(node.name, ctype, align=alignment(unit, node), natural=natural, packed=packed)
@@ -168,7 +168,7 @@ def enum_type(unit: Unit, node: Node) -> CType:
 
 
 def _declare_constants(unit: Unit, definition: Enumeration, nodes: list[Node]) -> None:
-    """Declare the constants; one that fits is an `int`, another has the type of the whole."""
+    """Declare the constants; one that fits is an `int`, others have the type of the enum."""
     value, constants, large = 0, {}, []
     for each in nodes:
         if not isinstance(each, c_ast.Enumerator):

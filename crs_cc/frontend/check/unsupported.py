@@ -1,6 +1,6 @@
-"""What is not compiled, by name: every pycparser node class is checked, a part, or refused here.
+"""Unsupported syntax: each pycparser node class is checked, part of another, or refused here.
 
-A test holds this: a node class that a later pycparser adds cannot slip through.
+A test checks this for all classes, so that one added by a later pycparser is noticed.
 """
 
 from __future__ import annotations
@@ -19,37 +19,37 @@ REFUSED: Final[dict[type, str]] = {
     c_ast.AttributedStatement: "attributes in [[...]] are not supported",
     c_ast.AttributedType: "attributes in [[...]] are not supported",
     c_ast.BitIntType: "'_BitInt' is not supported",
-    c_ast.InferredType: "a type inferred from 'auto' is not supported",
+    c_ast.InferredType: "type inference with 'auto' is not supported",
 }
-"""Node classes of C23, and what is said of them."""
+"""Node classes of C23, and the errors for them."""
 
 PARTS: Final[dict[type, str]] = {
     c_ast.Alignas: "alignment.alignment",
-    c_ast.ArrayDecl: "declare.declared_type",
-    c_ast.ArrayDesignator: "check_init.initialise",
-    c_ast.DeclList: "check_stmt.for_",
-    c_ast.EllipsisParam: "declare.declared_type",
-    c_ast.Enum: "declare_tag.enum_type",
-    c_ast.Enumerator: "declare_tag.enum_type",
-    c_ast.EnumeratorList: "declare_tag.enum_type",
-    c_ast.FileAST: "parse.parse, which gives its content",
-    c_ast.FuncDecl: "declare.declared_type",
-    c_ast.GenericAssociation: "check_expr.generic",
-    c_ast.IdentifierType: "declare.declared_type",
-    c_ast.InitList: "check_init.initialise",
-    c_ast.NamedInitializer: "check_init.initialise",
-    c_ast.ParamList: "declare.declared_type",
-    c_ast.PtrDecl: "declare.declared_type",
-    c_ast.Struct: "declare_tag.record_type",
-    c_ast.TypeDecl: "declare.declared_type",
-    c_ast.TypeOf: "declare.declared_type",
-    c_ast.Typename: "declare.type_name",
-    c_ast.Union: "declare_tag.record_type",
+    c_ast.ArrayDecl: "declarator.declared_type",
+    c_ast.ArrayDesignator: "initializer.initialise",
+    c_ast.DeclList: "statements.for_",
+    c_ast.EllipsisParam: "declarator.declared_type",
+    c_ast.Enum: "tag.enum_type",
+    c_ast.Enumerator: "tag.enum_type",
+    c_ast.EnumeratorList: "tag.enum_type",
+    c_ast.FileAST: "grammar.translation_unit, which returns its content",
+    c_ast.FuncDecl: "declarator.declared_type",
+    c_ast.GenericAssociation: "expressions.generic",
+    c_ast.IdentifierType: "declarator.declared_type",
+    c_ast.InitList: "initializer.initialise",
+    c_ast.NamedInitializer: "initializer.initialise",
+    c_ast.ParamList: "declarator.declared_type",
+    c_ast.PtrDecl: "declarator.declared_type",
+    c_ast.Struct: "tag.record_type",
+    c_ast.TypeDecl: "declarator.declared_type",
+    c_ast.TypeOf: "declarator.declared_type",
+    c_ast.Typename: "declarator.type_name",
+    c_ast.Union: "tag.record_type",
 }
-"""Node classes that have no meaning alone, and who reads them."""
+"""Node classes that only occur inside others, and the functions that read them."""
 
 
 def refused(unit: Unit, node: Node) -> CheckError:
-    """Build the error for a node that is not compiled."""
+    """Return the error for an unsupported node."""
     unexpected = f"'{node.__class__.__name__}' is not expected here"
     return CheckError(unit.at(node), REFUSED.get(node.__class__, unexpected))

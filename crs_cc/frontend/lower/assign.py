@@ -1,4 +1,4 @@
-"""Lower what changes objects: `=`, `op=`, `++` and `--`, and the initial values of locals."""
+"""Lower assignments, compound assignments, increments and decrements."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ from crs_cc.ir.types import INT, CType, FloatType, IntegerType, Member, PointerT
 
 @dataclass(slots=True, eq=False)
 class _Target:
-    """An object that is to be changed, its address computed once.
+    """The target of an assignment, with its address computed once.
 
     Attributes:
-        register: for a variable in a register; then `where` does not matter.
-        member: for a bit-field.
+        register: the register of the variable, if it is kept in one; then `where` is unused.
+        member: the member, if it is a bit-field.
     """
 
     type: CType
@@ -35,7 +35,7 @@ class _Target:
     member: Member | None = None
 
     def read(self, low: Lowering) -> Operand:
-        """Return the value that the object has."""
+        """Return the current value."""
         if self.register is not None:
             return self.register
         if self.member is not None:
@@ -43,7 +43,7 @@ class _Target:
         return load(low, self.where, self.type, self.location)
 
     def write(self, low: Lowering, source: Operand) -> Operand:
-        """Return the object a value of its type; returns the value that it then has."""
+        """Store a value of the target's type; return the value that the target then has."""
         if self.register is not None:
             low.move(self.register, source, self.location)
             return self.register
@@ -68,7 +68,7 @@ def _target(low: Lowering, expression: Expression) -> _Target:
 
 
 def _register(low: Lowering, expression: Expression) -> Register | None:
-    """Return the register of a variable that lives in one."""
+    """Return the register of a variable that is kept in one."""
     if isinstance(expression, tree.ObjectName) and expression.symbol.link_name is None:
         found = low.local(expression.symbol)
         return found if isinstance(found, Register) else None
@@ -111,7 +111,7 @@ def _assign_record(low: Lowering, expression: tree.Assign) -> Place:
 
 
 def set_record(low: Lowering, where: Place, source: Expression, location: Location) -> None:
-    """Put the value of a struct expression into a place."""
+    """Store the value of a struct expression at a place."""
     if isinstance(source, tree.Call):
         address = low.address(where, location)
         call_into(low, source, address)
@@ -141,7 +141,7 @@ def _compound(low: Lowering, expression: tree.CompoundAssign) -> Operand:
 def _write_back(
     low: Lowering, target: _Target, result: Operand, computed: CType, ctype: CType
 ) -> Operand:
-    """Convert a result to the target's type and writes it."""
+    """Convert a result to the target's type and store it."""
     into = target.register
     made = convert_operand(low, result, computed, ctype, target.location, into=into)
     return target.write(low, made)
@@ -189,7 +189,7 @@ def _increment(low: Lowering, expression: tree.Increment, into: Register | None)
 
 
 def _step(low: Lowering, expression: tree.Increment, target: _Target, old: Operand) -> Operand:
-    """Write the value one step away from `old`; return what the target then holds."""
+    """Store `old` plus one step; return what the target then holds."""
     ctype, location, step = expression.type, expression.location, expression.step
     if isinstance(ctype, PointerType):
         step *= ctype.target.size

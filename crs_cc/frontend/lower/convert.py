@@ -91,7 +91,7 @@ def _from_float(
         op = f"i64.trunc_{source.memory}_{'s' if _signed(target) else 'u'}"
         return _unary(low, op, operand, location, into)
     if target.size == 4 and not _signed(target):
-        # As gcc does on i386: what an unsigned int cannot hold wraps around.
+        # As gcc does on i386: values beyond unsigned int wrap around.
         wide = _unary(low, f"i64.trunc_{source.memory}_s", operand, location, None)
         return _unary(low, "i32.wrap_i64", wide, location, into)
     if target.size == 4:
@@ -124,7 +124,7 @@ def _between_integers(
 
 
 def _fits(source: CType, target: CType) -> bool:
-    """Return whether every value of one integer type is kept as it is by another."""
+    """Return whether one integer type can represent every value of another."""
     if target.size == 4:
         return True
     if _signed(source) and not _signed(target):
@@ -145,7 +145,7 @@ def narrow(
     *,
     into: Register | None = None,
 ) -> Operand:
-    """Brings a value into the range of a `char`, `short` or wide bit-field; leaves others."""
+    """Truncate a value to a `char`, `short` or wide bit-field; return that of other types as is."""
     if isinstance(target, IntegerType) and target.width is not None:
         return _narrow_wide(low, operand, target, location, into)
     if target.size >= 4 or not isinstance(target, IntegerType):
@@ -172,9 +172,9 @@ def _narrow_wide(
 
 
 def unnarrowed(expression: tree.Expression) -> tree.Expression:
-    """Return what a conversion to a narrow integer type starts from.
+    """Return the operand of conversions to a narrow integer type.
 
-    A store to memory drops the high bits itself.
+    They are redundant in front of a store to memory, which drops the high bits itself.
     """
     ctype = expression.type
     while (

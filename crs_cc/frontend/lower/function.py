@@ -1,4 +1,4 @@
-"""Lower a function definition: parameters, body, and the clean-up of its graph."""
+"""Lower a function definition: parameters, body, and simplification of its graph."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from crs_cc.core.source import Location
 from crs_cc.frontend.check import tree
 from crs_cc.frontend.check.scope import ENTRIES, ObjectSymbol
 from crs_cc.frontend.lower.convert import convert_operand
-from crs_cc.frontend.lower.graph import tidy
+from crs_cc.frontend.lower.graph import simplify
 from crs_cc.frontend.lower.lowerer import (
     Lowering,
     memory_type,
@@ -31,7 +31,7 @@ from crs_cc.ir.types import CType, RecordType, VoidType
 
 
 def lower_function(unit: UnitState, definition: tree.FunctionDefinition) -> Function:
-    """Build the IR of a function."""
+    """Return the IR of a function."""
     symbol, location = definition.symbol, definition.location
     result = symbol.type.result
     function = Function(
@@ -50,7 +50,7 @@ def lower_function(unit: UnitState, definition: tree.FunctionDefinition) -> Func
     statements(low, definition.body)
     fall_off = Return(location, no_value(function))
     low.end(fall_off)
-    kept = tidy(function)
+    kept = simplify(function)
     for block, name, place in low.references:
         if block in kept:
             unit.use(name, place)
@@ -58,7 +58,7 @@ def lower_function(unit: UnitState, definition: tree.FunctionDefinition) -> Func
 
 
 def _parameter(low: Lowering, symbol: ObjectSymbol, passed: CType) -> None:
-    """Build a parameter; an old-style one is converted from the type it is passed as."""
+    """Lower a parameter; convert an old-style one from the type that it is passed as."""
     variable = symbol.variable()
     ctype, location = symbol.type, symbol.location
     if isinstance(ctype, RecordType):

@@ -26,8 +26,8 @@ from crs_cc.ir.types import (
     RecordType,
 )
 
-_MOST_STORES: Final = 8
-"""A local with more constant values than this is copied from an image."""
+_MAX_STORES: Final = 8
+"""A local variable with more constant values is copied from an image."""
 
 
 # Locals
@@ -46,7 +46,7 @@ def _declare(low: Lowering, statement: tree.Declare) -> None:
 
 
 def _lifetimes(low: Lowering, statement: tree.Lifetimes) -> None:
-    """Start or ends the variables of a block that lie in memory."""
+    """Start or end the lifetimes of a block's variables in memory."""
     for symbol in statement.symbols:
         found = low.local(symbol) if symbol.link_name is None else None
         if isinstance(found, Slot):
@@ -56,10 +56,10 @@ def _lifetimes(low: Lowering, statement: tree.Lifetimes) -> None:
 def initialise(
     low: Lowering, slot: Slot, ctype: CType, initialiser: Initialiser, location: Location
 ) -> None:
-    """Return an object in a frame slot its initial value."""
+    """Initialise an object in a frame slot."""
     constants = [each for each in initialiser.values if _is_constant(each)]
     others = [each for each in initialiser.values if not _is_constant(each)]
-    if len(constants) > _MOST_STORES or any(_is_long(each) for each in constants):
+    if len(constants) > _MAX_STORES or any(_is_long(each) for each in constants):
         _copy_image(low, slot, ctype, constants, location)
         initialiser = Initialiser(others)
     elif initialiser.is_braced and _leaves_gaps(initialiser, ctype):
@@ -79,11 +79,11 @@ def _is_constant(each: InitialValue) -> bool:
 
 
 def _is_long(each: InitialValue) -> bool:
-    return isinstance(each.type, ArrayType) and each.type.size > _MOST_STORES
+    return isinstance(each.type, ArrayType) and each.type.size > _MAX_STORES
 
 
 def _leaves_gaps(initialiser: Initialiser, ctype: CType) -> bool:
-    """Return whether some bytes of the object are given no value."""
+    """Return whether some bytes of the object are not initialised."""
     filled = 0
     for each in initialiser.values:
         if each.offset != filled or each.member is not None:
@@ -144,7 +144,7 @@ def _compound_literal(low: Lowering, expression: tree.CompoundLiteral) -> Place:
 
 
 class Image:
-    r"""The bytes of an object, as its initialiser says.
+    r"""The initial bytes of a static object.
 
     >>> from crs_cc.ir.types import SHORT
     >>> image = Image(4)
@@ -158,13 +158,13 @@ class Image:
         self.addresses: dict[int, ConstantAddress] = {}
 
     def put(self, each: InitialValue) -> None:
-        """Put one constant value in its place."""
+        """Store one constant value."""
         end = each.offset + each.type.size
         if isinstance(each.type, ArrayType):
             assert isinstance(each.value, tree.StringLiteral)
             self.content[each.offset : end] = each.value.content.ljust(each.type.size, b"\0")
         elif isinstance(each.value, tree.Literal):
-            if each.member is not None:  # its unit may lie over a pointer before it
+            if each.member is not None:  # its unit may overlap a pointer before it
                 self._put_bits(each.offset, each.member, int(each.value.value))
             else:
                 self.addresses.pop(each.offset, None)

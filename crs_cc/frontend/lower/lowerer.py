@@ -51,13 +51,13 @@ if TYPE_CHECKING:
 ACTIVATIONS: Final = "__crs_activations"
 """The library's counter of calls of functions that use `setjmp`."""
 
-MOST_REGISTERS: Final = 10_000
-"""A function with so many registers keeps further variables in memory: WebAssembly has 50,000."""
+MAX_REGISTERS: Final = 10_000
+"""Beyond so many registers, variables are kept in memory: WebAssembly allows 50,000 locals."""
 
 Made = TypeVar("Made")
 
 Place: TypeAlias = tuple[Base, int]
-"""Where an object lies: `base + offset`."""
+"""The address of an object: `base + offset`."""
 
 
 def _for_each(make: Callable[[], Made]) -> dict[ValueType, Made]:
@@ -102,21 +102,22 @@ class Rules:
 
 @dataclass(slots=True, eq=False)
 class Lowering:
-    """One function while its IR is made.
+    """A function under construction.
 
     Attributes:
         unit: what the functions of the file share.
-        function: what is being made.
+        function: the function.
         rules: which function lowers which class of nodes.
-        block: the block that takes the next instruction; one that nothing leads to after a jump.
-        places: where each local variable lies.
-        result_pointer: where a struct result goes.
-        breaks: where `break` goes, innermost last.
-        continues: where `continue` goes, innermost last.
+        block: the block that takes the next instruction; unreachable after a jump.
+        places: the register or slot of each local variable.
+        result_pointer: the address for a struct result.
+        breaks: the targets of `break`, innermost last.
+        continues: the targets of `continue`, innermost last.
         cases: the blocks of case labels.
         labels: the blocks of named labels.
-        chooser: for computed gotos, the register with the label's number and where it is chosen.
-        references: global names with the block that uses them, to see which are used at all.
+        chooser: for computed gotos, the register with the label's number and the block that
+            switches on it.
+        references: the global names that are used, with the block that uses them.
     """
 
     unit: UnitState
@@ -140,25 +141,25 @@ class Lowering:
     # Blocks
 
     def new_block(self, name: str) -> Block:
-        """Build a block that `start` will open."""
+        """Return a new block, to be opened by `start`."""
         self.block_count += 1
         return Block(f"{name}.{self.block_count}")
 
     def start(self, block: Block, location: Location) -> None:
-        """Goes on in a block; the present one leads there unless it has ended."""
+        """Continue in a block; the current one falls through to it unless it has ended."""
         if self.block.terminator is None:
             self.block.terminator = Jump(location, block)
         self.function.blocks.append(block)
         self.block = block
 
     def end(self, terminator: Terminator) -> None:
-        """End the present block; what follows is reached by other ways or not at all."""
+        """End the current block; what follows is unreachable until `start`."""
         if self.block.terminator is None:
             self.block.terminator = terminator
         self.block = Block("dead")
 
     def emit(self, instruction: Instruction) -> None:
-        """Add an instruction to the present block."""
+        """Append an instruction to the current block."""
         self.block.instructions.append(instruction)
 
     def mark(self, location: Location) -> None:
@@ -169,7 +170,7 @@ class Lowering:
     # Registers and slots
 
     def register(self, value_type: ValueType) -> Register:
-        """Return a register for a value that the present statement alone needs."""
+        """Return a register for a temporary value of the current statement."""
         pool, used = self._temporaries[value_type], self._used[value_type]
         self._used[value_type] = used + 1
         if used == len(pool):
@@ -177,19 +178,19 @@ class Lowering:
         return pool[used]
 
     def lasting_register(self, value_type: ValueType, variable: Variable | None = None) -> Register:
-        """Build a register of its own."""
+        """Return a new register."""
         registers = self.function.registers
         made = Register(len(registers), value_type, variable)
         registers.append(made)
         return made
 
     def used_registers(self) -> dict[ValueType, int]:
-        """Return which registers the present statement uses so far."""
+        """Return how many temporary registers the current statement uses."""
         return dict(self._used)
 
     @contextmanager
     def inner_statements(self) -> Iterator[None]:
-        """Keep the registers that the present statement uses while others run inside it."""
+        """Keep the temporaries of the current statement while statements inside it are lowered."""
         outer, self._first = self._first, dict(self._used)
         try:
             yield
@@ -197,23 +198,23 @@ class Lowering:
             self._first = outer
 
     def reuse_registers(self, used: dict[ValueType, int]) -> None:
-        """Says that all values that came after `used_registers` are not needed any more."""
+        """Free the temporaries that were taken since `used_registers`."""
         self._used = dict(used)
 
     def slot(
         self, name: str, ctype: CType, align: int = 0, variable: Variable | None = None
     ) -> Slot:
-        """Build a frame slot."""
+        """Return a new frame slot."""
         made = Slot(name, ctype.size, max(align, ctype.align), variable)
         self.function.slots.append(made)
         return made
 
     def local(self, symbol: ObjectSymbol) -> Register | Slot:
-        """Return where a local variable lies."""
+        """Return the register or slot of a local variable."""
         found = self.places.get(symbol)
         if found is None:
             variable = symbol.variable() if symbol.name else None
-            if symbol.in_memory or len(self.function.registers) > MOST_REGISTERS:
+            if symbol.in_memory or len(self.function.registers) > MAX_REGISTERS:
                 found = self.slot(symbol.name, symbol.type, symbol.align, variable)
             else:
                 found = self.lasting_register(value_type(symbol.type), variable)
@@ -221,7 +222,7 @@ class Lowering:
         return found
 
     def move(self, target: Register, source: Operand, location: Location) -> None:
-        """Put an operand into a register, unless it is there."""
+        """Move an operand into a register unless it is there already."""
         if target is not source:
             self.block.instructions.append(Move(location, target, source))
 
@@ -233,13 +234,13 @@ class Lowering:
         right: Operand,
         into: Register | None = None,
     ) -> Register:
-        """Emits a binary operation whose result has the type that `op` begins with."""
+        """Emit a binary operation and return its result."""
         result = self.register(OPERATORS[op].result) if into is None else into
         self.block.instructions.append(Binary(location, result, op, left, right))
         return result
 
     def activation(self) -> Register:
-        """Return what tells this call of the function from all others, for `setjmp`."""
+        """Return the number that identifies this call of the function, for `setjmp`."""
         if self._activation is None:
             made, entry = self.lasting_register("i32"), self.function.blocks[0]
             location = self.function.location
@@ -272,12 +273,12 @@ class Lowering:
         return result
 
     def access(self, place: Place, size: int, location: Location) -> Place:
-        """Return a place as `Load` and `Store` take it: surely inside its object, or in a register.
+        """Return a place that `Load` and `Store` accept: inside its object, or in a register.
 
         Args:
             place: the place.
             size: how many bytes are accessed.
-            location: whom to blame.
+            location: the location for messages.
         """
         base, offset = place
         if isinstance(base, Register):
@@ -293,7 +294,7 @@ class Lowering:
 
 
 def memory_type(ctype: CType) -> MemoryType:
-    """Return how a scalar lies in memory."""
+    """Return the memory type of a scalar type."""
     assert isinstance(ctype, IntegerType | FloatType | EnumType | PointerType)
     return ctype.memory
 
@@ -304,7 +305,7 @@ def value_type(ctype: CType) -> ValueType:
 
 
 def constant(ctype: CType, value: float) -> Constant:
-    """Build an operand of a number in the range of a scalar type."""
+    """Return a number as a constant of a scalar type."""
     wanted = value_type(ctype)
     if wanted in {"f32", "f64"}:
         return Constant(wanted, float(value))
@@ -312,29 +313,29 @@ def constant(ctype: CType, value: float) -> Constant:
 
 
 def no_value(function: Function) -> Constant | None:
-    """Return what a function returns that ends without a value: main's is 0 (C17 5.1.2.2.3)."""
+    """Return the result of a function that ends without `return`: 0 of main (C17 5.1.2.2.3)."""
     is_entry = function.name in ENTRIES and function.result == "i32"
     return Constant("i32", 0) if is_entry else None
 
 
 def value(low: Lowering, expression: tree.Expression, into: Register | None = None) -> Operand:
-    """Return the value of a scalar expression.
+    """Lower a scalar expression and return its value.
 
     Args:
         low: the function.
         expression: the expression.
-        into: where its last instruction may put the value; it need not.
+        into: a register that may be used for the value.
     """
     return low.rules.value[expression.__class__](low, expression, into)
 
 
 def value_into(low: Lowering, expression: tree.Expression, target: Register) -> None:
-    """Put the value of a scalar expression into a register."""
+    """Lower a scalar expression and move its value into a register."""
     low.move(target, value(low, expression, target), expression.location)
 
 
 def effect(low: Lowering, expression: tree.Expression) -> None:
-    """Does what an expression does and drops its value."""
+    """Lower an expression for its side effects."""
     found = low.rules.effect.get(expression.__class__)
     if found is not None:
         found(low, expression)
@@ -345,12 +346,12 @@ def effect(low: Lowering, expression: tree.Expression) -> None:
 
 
 def place(low: Lowering, expression: tree.Expression) -> Place:
-    """Return where the object lies that an expression names, or a struct that it gives."""
+    """Lower an lvalue or a struct expression and return its place."""
     return low.rules.place[expression.__class__](low, expression)
 
 
 def branch(low: Lowering, condition: tree.Expression, then: Block, otherwise: Block) -> None:
-    """Goes to `then` when a scalar is not zero, else to `otherwise`."""
+    """Branch to `then` if a scalar is not zero, else to `otherwise`."""
     found = low.rules.branch.get(condition.__class__)
     if found is not None:
         found(low, condition, then, otherwise)
@@ -359,7 +360,7 @@ def branch(low: Lowering, condition: tree.Expression, then: Block, otherwise: Bl
 
 
 def truth(low: Lowering, condition: tree.Expression) -> Operand:
-    """Return an i32 that is zero exactly when a scalar is."""
+    """Lower a scalar and return an i32 that is zero if and only if the scalar is."""
     operand = value(low, condition)
     if operand.type == "i32":
         return operand

@@ -1,7 +1,7 @@
-"""Lower what names an object to its place, and to its value.
+"""Lower lvalues to their places and to their values.
 
-A place is a base and an offset. The offset grows with members and constant indices, so that
-`p->a.b[2]` is one load from the register of `p`.
+A place is a base and an offset. Members and constant indices are added to the offset, so that
+`p->a.b[2]` is a single load from the register of `p`.
 """
 
 from __future__ import annotations
@@ -71,7 +71,7 @@ def pointee(low: Lowering, pointer: Expression) -> Place:
 
 
 def _moved(low: Lowering, moved: tree.PointerAdd) -> Place:
-    """Return the place of `pointer + index`; what is constant of it goes into the offset."""
+    """Return the place of `pointer + index`, with its constant part in the offset."""
     assert isinstance(moved.type, PointerType)
     size, location = moved.type.target.size, moved.location
     base, offset = pointee(low, moved.pointer)
@@ -92,7 +92,7 @@ def _moved(low: Lowering, moved: tree.PointerAdd) -> Place:
 
 
 def _split(index: Expression) -> tuple[Expression | None, int]:
-    """Split an index into a part that varies and a constant."""
+    """Split an index into a variable part and a constant."""
     if isinstance(index, tree.Literal):
         return None, int(index.value)
     if isinstance(index, tree.Convert) and index.operand.type.size == index.type.size:
@@ -122,7 +122,7 @@ def _scaled(low: Lowering, index: Expression, size: int, location: Location) -> 
 
 
 def _value_of_object(low: Lowering, expression: Expression, into: Register | None) -> Operand:
-    """Read the object that an expression names."""
+    """Read the object that an expression designates."""
     if isinstance(expression, tree.ObjectName) and expression.symbol.link_name is None:
         found = low.local(expression.symbol)
         if isinstance(found, Register):

@@ -1,4 +1,4 @@
-"""Read and writes scalars and structs at their places."""
+"""Load, store and copy scalars and structs."""
 
 from __future__ import annotations
 

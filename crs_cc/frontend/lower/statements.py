@@ -21,8 +21,8 @@ from crs_cc.frontend.lower.memory import copy
 from crs_cc.ir.program import Block, Branch, Constant, Jump, Operand, Return, Stop, Switch
 from crs_cc.ir.types import RecordType
 
-_MOST_CASES = 256
-"""A range of so many values becomes a comparison instead of cases."""
+_MAX_CASES = 256
+"""A case range with so many values becomes a comparison instead of single cases."""
 
 
 def _expression(low: Lowering, statement: tree.ExpressionStatement) -> None:
@@ -90,7 +90,7 @@ def _switch(low: Lowering, statement: tree.Switch) -> None:
         low.cases[label] = block
         if label.first is None or label.last is None:
             default = block
-        elif label.last - label.first < _MOST_CASES:
+        elif label.last - label.first < _MAX_CASES:
             values = range(label.first, label.last + 1)
             cases += [(wrap(each, bits, signed=True), block) for each in values]
         else:
@@ -105,7 +105,7 @@ def _switch(low: Lowering, statement: tree.Switch) -> None:
 def _test_range(
     low: Lowering, operand: Operand, ends: tuple[int, int], block: Block, location: Location
 ) -> None:
-    """Goes to `block` when a value lies in a range that is too long for single cases."""
+    """Branch to `block` if a value is in a case range that is too long for single cases."""
     (first, last), kind = ends, operand.type
     bits = 64 if kind == "i64" else 32
     start = Constant(kind, wrap(first, bits, signed=True))
@@ -138,7 +138,7 @@ def _goto(low: Lowering, statement: tree.Goto) -> None:
 
 
 def _computed_goto(low: Lowering, statement: tree.ComputedGoto) -> None:
-    """Goes to the label of a number, by way of one switch for the whole function."""
+    """Jump to the label with a number through one switch for the whole function."""
     location = statement.location
     low.mark(location)
     operand = value(low, statement.target)

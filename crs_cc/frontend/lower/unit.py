@@ -1,4 +1,4 @@
-"""Lower a checked file to a `Program`: functions, objects, strings, and what is left to link."""
+"""Lower a checked file to a `Program`: functions, objects, strings and undefined names."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from crs_cc.ir.program import Data, Program, Relocation
 
 
 def lower_unit(unit: Unit) -> Program:
-    """Build the program of a file that was checked and has no errors."""
+    """Return the program of a file that was checked and has no errors."""
     state = UnitState(unit)
     for definition in unit.objects:
         _define(state, definition)
@@ -41,7 +41,7 @@ def lower_unit(unit: Unit) -> Program:
 
 
 def _note(program: Program, symbol: FunctionSymbol) -> None:
-    """Record what the linker must know of a function that is defined."""
+    """Record the linker's properties of a defined function."""
     if symbol.is_weak:
         program.weak.add(symbol.link_name)
     if symbol.starts is not None:
@@ -51,7 +51,7 @@ def _note(program: Program, symbol: FunctionSymbol) -> None:
 
 
 def _define(state: UnitState, definition: tree.ObjectDefinition) -> None:
-    """Build the data of a global or static object."""
+    """Define a global or static object."""
     symbol = definition.symbol
     assert symbol.link_name is not None
     extent = 0 if definition.initialiser is None else definition.initialiser.extent

@@ -1,4 +1,4 @@
-"""What the functions of a file share while they are lowered: strings, object sizes, references."""
+"""The state shared by the functions and objects of a file: strings, sizes, references."""
 
 from __future__ import annotations
 
@@ -12,12 +12,14 @@ from crs_cc.ir.program import Data, Program
 
 @dataclass(slots=True, eq=False)
 class UnitState:
-    """What the functions and objects of a file share while they are lowered.
+    """The state shared by the functions and objects of a file while they are lowered.
 
     Attributes:
-        sizes: size of each global object that was named [bytes]; 0 when unknown.
-        strings: names of string literals by content.
-        uses: where each global name was used first.
+        unit: the checked file.
+        program: the result.
+        sizes: the size of each global object that was referenced [bytes]; 0 if unknown.
+        strings: the names of string literals by content and alignment.
+        uses: the first use of each global name.
     """
 
     unit: Unit
@@ -27,7 +29,7 @@ class UnitState:
     uses: dict[str, Location] = field(default_factory=dict)
 
     def use(self, name: str, location: Location) -> None:
-        """Record where a global name is used."""
+        """Record the use of a global name."""
         self.uses.setdefault(name, location)
 
     def string(self, literal: tree.StringLiteral) -> str:
@@ -40,7 +42,7 @@ class UnitState:
         return name
 
     def image(self, function: str, content: bytes, align: int, location: Location) -> str:
-        """Return the name of an object that a local variable is initialised from."""
+        """Return the name of a new object that a local variable is initialised from."""
         name = self.unit.static_name(f"{function.rpartition(':')[2]}.image")
         self._add(name, content, align, location)
         return name

@@ -1,8 +1,8 @@
-"""GNU attributes: `__attribute__((packed, aligned(8)))`, and the `#pragma pack` that acts like one.
+"""GNU attributes, `__attribute__((packed, aligned(8)))`, and `#pragma pack`.
 
-An attribute may stand nearly everywhere, but says nothing that the grammar needs. So they are taken
-out of the tokens before parsing; what stood before a token is kept beside it, and the parser
-collects it when it has read a declarator or a specifier (see `parse_attributes`).
+An attribute may appear nearly everywhere, but the grammar does not depend on it. So attributes are
+removed from the tokens before parsing and kept by the token that they precede; the parser attaches
+them when it has read a declarator or a specifier (see `attributes`).
 
 >>> from crs_cc.frontend.parse.lexer import lex
 >>> from crs_cc.core.source import Diagnostics, Location
@@ -27,14 +27,14 @@ from crs_cc.frontend.preprocess.gnu import ASM_LABEL, KEYWORD, PACK
 
 Node: TypeAlias = Any
 
-_MADE: Final = frozenset({PACK, ASM_LABEL})
+_INTERNAL: Final = frozenset({PACK, ASM_LABEL})
 
-MEANT: Final = frozenset({
+_IMPLEMENTED: Final = frozenset({
     "packed", "aligned", "noreturn", "format", "constructor", "destructor", "weak", "mode",
 })  # fmt: skip
-"""Attributes that are obeyed."""
+"""Attributes that are implemented."""
 
-_HARMLESS: Final = frozenset({
+_IGNORED: Final = frozenset({
     "access", "alloc_align", "alloc_size", "always_inline", "artificial", "assume_aligned", "cdecl",
     "cold", "common", "const", "deprecated", "designated_init", "error", "externally_visible",
     "fallthrough", "fastcall", "flatten", "format_arg", "gnu_inline", "hot", "interrupt",
@@ -45,13 +45,13 @@ _HARMLESS: Final = frozenset({
     "symver", "target", "target_clones", "tls_model", "unavailable", "unused", "used",
     "visibility", "warn_if_not_aligned", "warn_unused_result", "warning",
 })  # fmt: skip
-"""Attributes that help the compiler or the linker, and change nothing in what a program does."""
+"""Attributes that can be ignored: they do not change a program's behaviour."""
 
-_REFUSED: Final = frozenset({
+_UNSUPPORTED: Final = frozenset({
     "alias", "cleanup", "gcc_struct", "hardbool", "ifunc", "ms_struct",
     "scalar_storage_order", "transparent_union", "vector_size", "weakref",
 })  # fmt: skip
-"""Attributes without which a program would do something else."""
+"""Attributes that cannot be ignored: a program would behave differently."""
 
 
 @dataclass(slots=True, eq=False)
@@ -59,10 +59,9 @@ class Attribute:
     """One attribute.
 
     Attributes:
-        name: without the underscores around it.
-        words: the tokens of its arguments, commas left out.
-        value: its first argument as an expression, where the parser made one of it; for `PACK`
-            the alignment.
+        name: its name, without the underscores around it.
+        words: the tokens of its arguments, without commas.
+        value: its first argument as an expression, set by the parser; the alignment for `PACK`.
     """
 
     name: str
@@ -74,15 +73,15 @@ class Attribute:
 def take_attributes(
     tokens: Sequence[Token], diagnostics: Diagnostics
 ) -> tuple[list[Token], dict[Token, list[Attribute]]]:
-    """Takes all attributes out of a file's tokens.
+    """Separate a file's attributes from its other tokens.
 
     Args:
         tokens: the file.
-        diagnostics: receives messages about those that are wrong, unknown or not supported.
+        diagnostics: receives messages about invalid, unknown or unsupported attributes.
 
     Returns:
-        the other tokens, and the attributes by the token that they stand before. A `struct` and
-        `union` that `#pragma pack` applies to has it before the token after the keyword.
+        The other tokens, and the attributes by the token that they precede. `#pragma pack` is
+        attached to the token after the keyword `struct` or `union`.
     """
     rest: list[Token] = []
     before: dict[Token, list[Attribute]] = {}
@@ -106,14 +105,14 @@ def take_attributes(
             continue
         for attribute in _split(inside):
             if attribute.name == PACK:
-                pack.obey(attribute, diagnostics)
+                pack.apply(attribute, diagnostics)
             elif attribute.name == ASM_LABEL or _accepts(attribute, diagnostics):
                 waiting.append(attribute)
     return rest, before
 
 
 def _inside(tokens: Sequence[Token], start: int) -> tuple[Sequence[Token] | None, int]:
-    """Return what stands between `((` and `))`, and the index after; none if that is not there."""
+    """Return the tokens between `((` and `))`, None if there are none, and the index after them."""
     depth = 0
     for index in range(start, len(tokens)):
         depth += {"LPAREN": 1, "RPAREN": -1}.get(tokens[index].type, 0)
@@ -125,7 +124,7 @@ def _inside(tokens: Sequence[Token], start: int) -> tuple[Sequence[Token] | None
 
 
 def _split(tokens: Sequence[Token]) -> list[Attribute]:
-    """Return the attributes of a list with commas between them."""
+    """Return the attributes of a comma-separated list."""
     found: list[Attribute] = []
     depth, is_first = 0, True
     for token in tokens:
@@ -137,7 +136,7 @@ def _split(tokens: Sequence[Token]) -> list[Attribute]:
                 len(name) > 4
                 and name.startswith("__")
                 and name.endswith("__")
-                and name not in _MADE
+                and name not in _INTERNAL
             ):
                 name = name[2:-2]
             found.append(Attribute(name, token.location))
@@ -151,36 +150,36 @@ def _split(tokens: Sequence[Token]) -> list[Attribute]:
 
 
 def _accepts(attribute: Attribute, diagnostics: Diagnostics) -> bool:
-    """Return whether an attribute is obeyed; says so if it is not known or not supported."""
+    """Return whether an attribute is implemented; report it if it is unknown or unsupported."""
     name = attribute.name
-    if name in _REFUSED:
+    if name in _UNSUPPORTED:
         diagnostics.error(attribute.location, f"attribute '{name}' is not supported")
-    elif name not in MEANT and name not in _HARMLESS:
-        close = difflib.get_close_matches(name, sorted(MEANT | _HARMLESS), n=1)
+    elif name not in _IMPLEMENTED and name not in _IGNORED:
+        close = difflib.get_close_matches(name, sorted(_IMPLEMENTED | _IGNORED), n=1)
         hint = f"did you mean '{close[0]}'?" if close else ""
         diagnostics.warning(attribute.location, f"unknown attribute '{name}' is ignored", hint)
-    return name in MEANT
+    return name in _IMPLEMENTED
 
 
 @dataclass(slots=True)
 class _Pack:
-    """What `#pragma pack` says at some point of the file.
+    """The state of `#pragma pack` at some point of the file.
 
     Attributes:
-        align: the largest alignment of members; 0 for the usual one.
+        align: the maximum alignment of members; 0 if there is none.
     """
 
     align: int = 0
     _stack: list[tuple[str, int]] = field(default_factory=list)
 
-    def obey(self, pragma: Attribute, diagnostics: Diagnostics) -> None:
-        """Does what `pack(push, 1)`, `pack(pop)`, `pack(2)` or `pack()` says."""
+    def apply(self, pragma: Attribute, diagnostics: Diagnostics) -> None:
+        """Apply `pack(push, 1)`, `pack(pop)`, `pack(2)` or `pack()`."""
         words = [each.value for each in pragma.words]
         action = words.pop(0) if words and words[0] in {"push", "pop"} else ""
         label = words.pop(0) if action and words and words[0].isidentifier() else ""
         number = words.pop(0) if words else ""
         if words or (number and number not in {"0", "1", "2", "4", "8", "16"}):
-            diagnostics.warning(pragma.location, "'#pragma pack' is not understood and ignored")
+            diagnostics.warning(pragma.location, "invalid '#pragma pack' is ignored")
             return
         if action == "push":
             self._stack.append((label, self.align))
@@ -190,7 +189,7 @@ class _Pack:
             self.align = int(number or 0)
 
     def _pop(self, label: str) -> bool:
-        """Goes back to the last push, or to that of a name; tells whether there was one."""
+        """Restore the state before the last push (with this label); return whether there is one."""
         while self._stack:
             name, self.align = self._stack.pop()
             if not label or name == label:

@@ -60,7 +60,7 @@ _WITHOUT_TYPE: Final = frozenset({"ID", "TIMES", "LPAREN"})
 _EXTERNAL: Final = frozenset({"SEMI", "PPHASH", "PPPRAGMA", "_PRAGMA", "_STATIC_ASSERT"})
 """What else may stand outside of functions."""
 
-_MOST_DERIVATIONS: Final = 200
+_MAX_DERIVATIONS: Final = 200
 """How many pointers, arrays and functions one declarator may stack up."""
 
 
@@ -243,7 +243,7 @@ class Grammar(CParser):  # type: ignore[misc]
         tail, depth = decl, 0
         while not isinstance(tail, c_ast.TypeDecl):
             tail, depth = tail.type, depth + 1
-        if depth > _MOST_DERIVATIONS:
+        if depth > _MAX_DERIVATIONS:
             self._parse_error("Declarator is nested too deeply", tail.coord)
         return super()._type_modify_decl(decl, modifier)
 

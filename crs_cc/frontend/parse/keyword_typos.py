@@ -32,7 +32,7 @@ _BEFORE_STATEMENT: Final = frozenset({"else", "do"})
 _NO_OPERATORS: Final = frozenset(
     {"ID", "TYPEID", "INT_CONST_DEC", "FLOAT_CONST", "CHAR_CONST", "STRING_LITERAL"}
 )
-_MEANT: Final[dict[str, frozenset[str]]] = (
+_CANDIDATES: Final[dict[str, frozenset[str]]] = (
     dict.fromkeys(_NO_OPERATORS, _BEFORE_OPERAND | SPECIFIERS.keys())
     | dict.fromkeys(("MINUS", "NOT", "LNOT", "PLUSPLUS", "MINUSMINUS"), frozenset({"return"}))
     | {
@@ -65,7 +65,7 @@ class KeywordTypos:
             self.fix_specifier(0)
         else:
             kind = "keyword" if _is_keyword(following) else following.type
-            self._fix(0, _MEANT.get(kind, ()))
+            self._fix(0, _CANDIDATES.get(kind, ()))
 
     def fix_specifier(self, ahead: int) -> None:
         """Fix a keyword in a declaration, so many tokens ahead."""

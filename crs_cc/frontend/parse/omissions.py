@@ -22,10 +22,10 @@ from crs_cc.frontend.preprocess.tokens import shown
 _BEFORE_TYPES: Final = frozenset(
     {"CONST", "VOLATILE", "STATIC", "EXTERN", "REGISTER", "TYPEDEF", "INLINE", "AUTO"}
 )
-_BEHIND_TYPE_NAMES: Final = frozenset({"ID", "TYPEID", "TIMES"})
+_AFTER_TYPE_NAME: Final = frozenset({"ID", "TYPEID", "TIMES"})
 """What follows a name that is a type and not the name that is declared."""
 
-_BEHIND_DECLARED: Final = frozenset({"SEMI", "EQUALS", "COMMA", "RPAREN", "LPAREN", "LBRACKET"})
+_AFTER_DECLARATOR: Final = frozenset({"SEMI", "EQUALS", "COMMA", "RPAREN", "LPAREN", "LBRACKET"})
 _IMPLICIT_INT: Final = "type specifier missing, defaults to 'int'"
 
 
@@ -65,7 +65,7 @@ class Omissions:
     def declare_unknown_type(self) -> bool:
         """Declare the next name as a type if nothing else makes sense; the checker reports it."""
         peek_type = self._stream.peek_type
-        ahead = self._behind_qualifiers()
+        ahead = self._skip_qualifiers()
         self._typos.fix_specifier(ahead - 1)
         token = self._stream.peek(ahead)
         if token is None or token.type != "ID" or self._stream.is_declared(token.value):
@@ -76,12 +76,12 @@ class Omissions:
             ahead += 1
         if peek_type(ahead) != "ID":
             return False
-        if ahead > stars and peek_type(ahead + 1) not in _BEHIND_DECLARED:
+        if ahead > stars and peek_type(ahead + 1) not in _AFTER_DECLARATOR:
             return False
         self._stream.declare_type(token.value)
         return True
 
-    def _behind_qualifiers(self) -> int:
+    def _skip_qualifiers(self) -> int:
         """Return how many tokens ahead the first is that can be a type."""
         ahead = 1
         while self._stream.peek_type(ahead) in _BEFORE_TYPES:
@@ -92,11 +92,11 @@ class Omissions:
         """End a declaration after a list of members if another type follows on a later line."""
         if self._stream.buffer[self._stream.index - 1].type != "RBRACE":
             return
-        ahead = self._behind_qualifiers()
+        ahead = self._skip_qualifiers()
         token = self._stream.peek(ahead)
         if token is None or not self._starts_declaration(token):
             return
-        if token.type != "TYPEID" or self._stream.peek_type(ahead + 1) in _BEHIND_TYPE_NAMES:
+        if token.type != "TYPEID" or self._stream.peek_type(ahead + 1) in _AFTER_TYPE_NAME:
             self.end_declaration()
 
     def end_declaration(self) -> None:

@@ -33,7 +33,7 @@ _PLAIN_TEXT: Final = {
     "Invalid struct/union declaration": "expected a tag or '{'",
     "Invalid multiple types specified": "two types in one declaration",
     "Invalid typedef": "a function body cannot follow 'typedef'",
-    "At end of input": "unexpected end of the file",
+    "At end of input": "unexpected end of file",
 }
 """What pycparser's messages mean."""
 

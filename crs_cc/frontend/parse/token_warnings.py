@@ -63,8 +63,8 @@ class TokenWarnings:
         if before[0].type == "WHILE" and not is_plain:
             return
         if following is not None and following.type == "RPAREN":
-            text = "the result of an assignment is the condition"
-            hint = "write '==' to compare, or a second pair of parentheses if it is meant"
+            text = "using the result of an assignment as a condition without parentheses"
+            hint = "use '==' to compare, or add parentheses if the assignment is intended"
             self._diagnostics.warning(token.location, text, hint)
 
     def selection(self, node: Node) -> None:
@@ -86,8 +86,8 @@ class TokenWarnings:
         index = self._stream.index
         before, semicolon = self._stream.buffer[index - 2 : index]
         if semicolon is body.coord and before.type == "RPAREN" and _adjacent(before, semicolon):
-            text = f"the body of this '{keyword}' is empty"
-            hint = "take the ';' away, or put it on a line of its own if it is meant"
+            text = f"'{keyword}' statement has empty body"
+            hint = "remove the ';', or put it on a separate line if it is intended"
             self._diagnostics.warning(semicolon.location, text, hint)
 
 

@@ -18,7 +18,7 @@ from crs_cc.frontend.preprocess.source_text import Place
 
 
 def begin(reader: Reader, directive: str, place: Place, *, holds: bool) -> None:
-    """Open a group, whose first part is used if its condition holds."""
+    """Open a group, whose first part is used if its condition is true."""
     skipped = reader.skipping
     active = holds and not skipped
     reader.conditionals.append(Conditional(directive, place, active, skipped or active))
@@ -27,7 +27,7 @@ def begin(reader: Reader, directive: str, place: Place, *, holds: bool) -> None:
 def go_on(
     reader: Reader, directive: str, place: Place, report: Report, holds: Callable[[], bool]
 ) -> None:
-    """Start the next part, as `#elif` does; the condition counts only if no part was used."""
+    """Start the next part, as `#elif` does; the condition matters only if no part was used."""
     group = _open_group(reader, directive, place, report)
     if group is None:
         return
@@ -60,7 +60,7 @@ def finish(reader: Reader, place: Place, report: Report) -> None:
 def close_all(reader: Reader, report: Report) -> None:
     """Report the groups that are open at the end of a file."""
     for group in reversed(reader.conditionals):
-        report.error(group.place, f"this '{group.directive}' has no '#endif'")
+        report.error(group.place, f"unterminated '{group.directive}': missing '#endif'")
 
 
 def _open_group(reader: Reader, directive: str, place: Place, report: Report) -> Conditional | None:

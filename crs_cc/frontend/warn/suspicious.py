@@ -13,7 +13,7 @@ from crs_cc.core.source import Location
 from crs_cc.frontend.check import tree
 from crs_cc.frontend.check.checker import Unit
 from crs_cc.frontend.check.fold import COMPARISONS
-from crs_cc.frontend.check.tree_parts import everything
+from crs_cc.frontend.check.tree_parts import walk
 from crs_cc.frontend.warn.flow import warn_paths
 from crs_cc.ir.types import ArrayType, VoidType
 
@@ -40,7 +40,7 @@ _VALUES: Final = (
 def warn_unit(unit: Unit) -> None:
     """Looks at every function of a file."""
     for function in unit.functions:
-        for node in everything(function.body):
+        for node in walk(function.body):
             match node:
                 case tree.ExpressionStatement():
                     _warn_unused(unit, node.expression)
@@ -65,9 +65,9 @@ def _warn_unused(unit: Unit, value: tree.Expression) -> None:
         unit.warning(value.location, f"'{name}' is not called here", f"write '{name}()'")
     elif isinstance(value, tree.Binary) and value.op in COMPARISONS:
         hint = "write '=' to assign" if value.op == "==" else ""
-        unit.warning(value.location, f"the result of '{value.op}' is not used", hint)
-    elif not any(map(_has_effect, everything([value]))) and not _is_macro(unit, value.location):
-        unit.warning(value.location, "this value is not used")
+        unit.warning(value.location, f"result of '{value.op}' unused", hint)
+    elif not any(map(_has_effect, walk([value]))) and not _is_macro(unit, value.location):
+        unit.warning(value.location, "expression result unused")
 
 
 def _has_effect(value: tree.Expression) -> bool:
@@ -85,7 +85,7 @@ def _warn_call(unit: Unit, call: tree.Call) -> None:
     if isinstance(call.callee, tree.FunctionName) and not isinstance(call.type, VoidType):
         symbol = call.callee.symbol
         if symbol.is_external and symbol.name in _PURE:
-            text = f"the value of '{symbol.name}' is not used, and it does nothing else"
+            text = f"ignoring return value of '{symbol.name}', which has no side effects"
             unit.warning(call.location, text)
 
 
@@ -94,7 +94,7 @@ def _is_volatile(value: tree.Expression) -> bool:
     return any(
         (isinstance(each, tree.ObjectName) and each.symbol.type.volatile)
         or (isinstance(each, tree.Dereference | tree.MemberAccess) and _points_to_volatile(each))
-        for each in everything([value])
+        for each in walk([value])
     )  # fmt: skip
 
 
@@ -117,7 +117,7 @@ def _warn_index(unit: Unit, access: tree.Dereference) -> None:
             if length is None or is_tail or 0 <= number < length:
                 return
             if number == length and isinstance(access.type, ArrayType):
-                return  # its address may be the end of the whole
-            text = f"index {number} is outside the array '{array.type}'"
-            hint = f"its indices are 0 to {length - 1}" if length else ""
+                return  # the address of the end is valid
+            text = f"array index {number} is outside the bounds of '{array.type}'"
+            hint = f"valid indices are 0 to {length - 1}" if length else ""
             unit.warning(access.location, text, hint)

@@ -139,7 +139,7 @@ REFUSED = {
     "foo": "use of undeclared identifier 'foo'",
     "outer": "use of undeclared identifier 'outer'",
     "1 +": "expected an expression",
-    "": "there is no expression",
+    "": "expected an expression",
     "n + 1": "invalid operands",
     "1 / 0": "integer division or modulo by zero",
     "*(int *)0": "the pointer is null",

@@ -1,4 +1,4 @@
-"""What the user is told: the words and the place, for one mistake after the other."""
+"""The text and location of messages for single mistakes."""
 
 from __future__ import annotations
 
@@ -20,7 +20,8 @@ ONE_ERROR = {
     "int f(void) { return 1; } int f(void) { return 2; }":
         "1:31 error: redefinition of 'f' [first at a.c:1:5]",
     "int x; int x(void);":
-        "1:12 error: redefinition of 'x', which is an object already [first at a.c:1:5]",
+        "1:12 error: redefinition of 'x' as a different kind of symbol, previously an object "
+        "[first at a.c:1:5]",
     "struct s { int a; }; struct s { int b; };":
         "1:29 error: redefinition of 'struct s' [first defined at a.c:1:8]",
     "enum { A }; enum { A };": "1:20 error: redefinition of 'A' [first at a.c:1:8]",
@@ -28,18 +29,18 @@ ONE_ERROR = {
     "int f(int a, int a) { return a; }": "1:18 error: redefinition of parameter 'a'",
     "string s;":
         "1:1 error: unknown type name 'string'"
-        " [C has no type for text: use 'char *', or an array of char]",
-    "Boolean on;": "1:1 error: unknown type name 'Boolean' [C's is 'bool', of <stdbool.h>]",
+        " [C has no string type: use 'char *' or an array of char]",
+    "Boolean on;": "1:1 error: unknown type name 'Boolean' [use 'bool' from <stdbool.h>]",
     # What is no C
     "class robot { int x; };":
-        "1:1 error: unknown type name 'class' [it belongs to C++, and crs compiles C]",
+        "1:1 error: unknown type name 'class' [this is C++, but crs compiles C]",
     "using namespace std;":
-        "1:16 error: expected ';' after 'namespace' [it belongs to C++, and crs compiles C]",
+        "1:16 error: expected ';' after 'namespace' [this is C++, but crs compiles C]",
     "int *f(void) { return new int[4]; }":
-        "1:26 error: expected ';' after 'new' [it belongs to C++, and crs compiles C]",
+        "1:26 error: expected ';' after 'new' [this is C++, but crs compiles C]",
     "void g(void); void f(void) { try { g(); } }":
         "1:34 error: function definition is not allowed here"
-        " [it belongs to C++, and crs compiles C]",
+        " [this is C++, but crs compiles C]",
     "int f(void) { int this = 1\n int y; return this; }": "1:27 error: expected ';' after '1'",
     "int f(void) { int new = 1; new new; return 0; }": "1:31 error: expected ';' after 'new'",
     # Names again
@@ -59,7 +60,7 @@ ONE_ERROR = {
     "void turn(int a)\nint f(void) { turn(1); return 0; }": "1:17 error: expected ';' after ')'",
     # What a word processor makes of a string
     "int puts(char *); int f(void) { return puts(\u201chello, %d\u201d); }":
-        "1:45 error: '\u201c' is no part of C [write \"]",
+        "1:45 error: unexpected character '\u201c' [write \"]",
     # Misspelt keywords
     "viod f(unsigned n) { }": "1:1 error: unknown type name 'viod' [did you mean 'void'?]",
     "int f(unsinged n) { return n; }":
@@ -158,7 +159,7 @@ ONE_ERROR = {
     "int f(void), a[3](void);": "1:14 error: array of functions of type 'int (void)'",
     "int f(void)[3];": "1:5 error: function cannot return an array of type 'int[3]'",
     "int f(int); float f(int);":
-        "1:19 error: conflicting types for 'f': 'float (int)' and before 'int (int)' "
+        "1:19 error: conflicting types for 'f' ('float (int)' vs 'int (int)') "
         "[first declared at a.c:1:5]",
     "extern int x; float x;":
         "1:21 error: redefinition of 'x' with a different type: 'float' and 'int' "
@@ -181,13 +182,13 @@ ONE_ERROR = {
     "int f(void) { return (1 + ); }": "1:27 error: expected an expression before ')'",
     "int f(void) { }}": "1:16 error: expected a declaration before '}'",
     "int f(void) { else return 1; }": "1:15 error: 'else' without a previous 'if'",
-    "int f(void) {": "1:13 error: unexpected end of the file [to close the '{' at a.c:1:13]",
+    "int f(void) {": "1:13 error: unexpected end of file [to close the '{' at a.c:1:13]",
     "struct { int a } v;": "1:15 error: expected ';' after 'a'",
 }  # fmt: skip
 
 
 @pytest.mark.parametrize("source", ONE_ERROR)
-def test_a_mistake_gives_one_error_at_its_place(source: str) -> None:
+def test_errors(source: str) -> None:
     assert [each for each in messages(source) if "warning" not in each] == [ONE_ERROR[source]]
 
 
@@ -231,7 +232,7 @@ ONE_WARNING = {
 
 
 @pytest.mark.parametrize("source", ONE_WARNING)
-def test_an_old_habit_gives_one_warning(source: str) -> None:
+def test_warnings(source: str) -> None:
     found = messages(source)
     assert ONE_WARNING[source] in found
     assert all("warning" in each for each in found)
@@ -255,11 +256,11 @@ QUIET = [
 
 
 @pytest.mark.parametrize("source", QUIET)
-def test_good_code_gives_no_message(source: str) -> None:
+def test_valid_code_has_no_messages(source: str) -> None:
     assert messages(source) == []
 
 
-def test_one_run_tells_of_many_mistakes() -> None:
+def test_all_errors_of_a_file_are_reported() -> None:
     source = """int f(void) { int x = ; return x; }
 int g(void) { return undefined1 + undefined2; }
 int h(void) { while (g() { } return 3 }
@@ -271,7 +272,7 @@ int i(void) { v.y = 1; if (v) v.z = 2; return k; }
     ]  # fmt: skip
 
 
-def test_of_many_errors_the_first_are_told_and_the_rest_counted() -> None:
+def test_number_of_reported_errors_is_limited() -> None:
     found = messages("\n".join(f"int f{n}(void) {{ return u{n}; }}" for n in range(100)))
     assert len(found) == 21
     assert found[-1] == "21:0 error: and 80 more errors from here on"

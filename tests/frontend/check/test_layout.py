@@ -41,7 +41,7 @@ LAYOUTS = {
 
 
 @pytest.mark.parametrize("declaration", LAYOUTS)
-def test_members_lie_where_gcc_puts_them(declaration: str) -> None:
+def test_layout_is_that_of_gcc(declaration: str) -> None:
     ctype = type_of(f"{declaration} x;")
     assert isinstance(ctype, RecordType)
     places = [
@@ -60,7 +60,7 @@ SIZES = {
 
 
 @pytest.mark.parametrize("name", SIZES)
-def test_sizeof_gives_the_size(name: str) -> None:
+def test_sizeof(name: str) -> None:
     assert type_of(f"char x[sizeof({name})];").size == SIZES[name]
 
 
@@ -90,5 +90,5 @@ SPELLINGS = {
 
 
 @pytest.mark.parametrize("declaration", SPELLINGS)
-def test_a_type_is_written_as_c_writes_it(declaration: str) -> None:
+def test_type_spelling(declaration: str) -> None:
     assert str(type_of(declaration)) == SPELLINGS[declaration]

@@ -1,4 +1,4 @@
-"""No node of pycparser's is passed over in silence: each is checked, a part, or refused."""
+"""Every node class of pycparser is checked, part of another, or refused."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def test_every_node_class_has_exactly_one_fate(node: type) -> None:
     assert [is_checked, node in PARTS, node in REFUSED].count(True) == 1
 
 
-def test_a_refused_node_is_named() -> None:
+def test_unsupported_node_is_an_error() -> None:
     unit = Unit("a.c", Diagnostics(), Location("a.c", 1, 1))
     error = refused(unit, c_ast.BitIntType(None, None))
     assert isinstance(error, CheckError)

@@ -1,4 +1,4 @@
-"""Initialisers give objects the bytes that gcc -m32 -malign-double gives them."""
+"""Initialised objects have the bytes of gcc -m32 -malign-double."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ BYTES = {
 
 
 @pytest.mark.parametrize("declaration", BYTES)
-def test_a_global_has_the_bytes_of_its_initialiser(declaration: str) -> None:
+def test_global_initialiser_bytes(declaration: str) -> None:
     data = compiled(declaration).data["x"]
     assert (data.content or bytes(data.size)).hex() == BYTES[declaration]
 
@@ -99,13 +99,13 @@ ADDRESSES = {
 
 
 @pytest.mark.parametrize("source", ADDRESSES)
-def test_an_address_in_an_initialiser_is_left_to_the_linker(source: str) -> None:
+def test_address_in_an_initialiser_is_a_relocation(source: str) -> None:
     relocations = compiled(source).data["x"].relocations
     found = [(each.offset, each.symbol, each.addend) for each in relocations]
     assert found == ADDRESSES[source]
 
 
-def test_a_local_is_filled_with_zeros_only_where_values_leave_gaps() -> None:
+def test_local_is_zeroed_only_if_its_initialiser_has_gaps() -> None:
     full = function("int f(int n) { int v[2] = {n, 1}; return v[0]; }")
     gaps = function("int f(int n) { int v[3] = {n, 1}; return v[0]; }")
     kinds = [

@@ -98,11 +98,11 @@ SHAPES = {
 
 
 @pytest.mark.parametrize("source", SHAPES)
-def test_c_becomes_these_instructions(source: str) -> None:
+def test_lowered_instructions(source: str) -> None:
     assert body(source) == SHAPES[source]
 
 
-def test_only_variables_whose_address_is_taken_lie_in_memory() -> None:
+def test_only_variables_whose_address_is_taken_are_in_memory() -> None:
     made = function(
         "void g(int *); int f(int a, int b) { int c = a, d = b, e[2]; g(&b); g(&d); g(e);"
         " { int d = c; return d; } }"
@@ -114,7 +114,7 @@ def test_only_variables_whose_address_is_taken_lie_in_memory() -> None:
     assert isinstance(places[1], Slot)
 
 
-def test_arguments_are_evaluated_from_the_last_to_the_first() -> None:
+def test_arguments_are_evaluated_right_to_left() -> None:
     made = function("int g(), h(), k(); int f(void) { return k(g(), h()); }")
     calls = [each.terminator for each in made.blocks if isinstance(each.terminator, Call)]
     assert [each.callee for each in calls] == ["h", "g", "k"]
@@ -147,11 +147,11 @@ PARAMETERS = {
 
 
 @pytest.mark.parametrize("source", PARAMETERS)
-def test_parameters_are_taken_as_callers_pass_them(source: str) -> None:
+def test_old_style_parameters_are_converted(source: str) -> None:
     assert [each.memory for each in function(source).parameters] == PARAMETERS[source]
 
 
-def test_every_statement_that_does_something_has_a_marker() -> None:
+def test_statements_have_markers() -> None:
     made = function(
         """int g(int);
 int f(int n) {
@@ -187,7 +187,7 @@ end:
     assert sorted(lines) == wanted
 
 
-def test_a_global_name_that_is_not_defined_is_listed_with_its_first_use() -> None:
+def test_undefined_names_are_listed_with_their_first_use() -> None:
     program = compiled(
         """extern int far, unused;
 int near, *pointer = &far;
@@ -201,7 +201,7 @@ int f(void) {
     assert found == {"far": "2:12", "missing": "5:19", "g": "5:34"}
 
 
-def test_statics_have_names_of_their_own() -> None:
+def test_static_names_are_unique() -> None:
     program = compiled(
         """static int a;
 static int g(void) { static int a; { static int a; return a; } }
@@ -218,25 +218,25 @@ char *s = "x", *t = "y", *u = "x";"""
     assert tentative == ["a"]
 
 
-def test_main_gives_zero_when_it_falls_off_its_end() -> None:
+def test_main_returns_zero_at_its_end() -> None:
     assert body("int main(void) { }", "main") == ["entry:", "return 0"]
     assert body("int f(void) { }") == ["entry:", "return"]
 
 
-def test_statements_share_the_registers_of_what_they_compute() -> None:
+def test_statements_share_temporary_registers() -> None:
     lines = "".join(f"i += g({number}) * a[i & 7];" for number in range(200))
     source = f"int g(int n); int a[8]; int f(int i) {{ {lines} return i; }}"
     assert len(compiled(source).functions["f"].registers) < 20
 
 
-def test_variables_without_end_are_kept_in_memory() -> None:
+def test_too_many_variables_are_kept_in_memory() -> None:
     lines = "".join(f"int v{number} = {number};" for number in range(12_000))
     function = compiled(f"int f(void) {{ {lines} return v7 + v11999; }}").functions["f"]
     assert len(function.registers) < 10_100
     assert len(function.slots) > 1_900
 
 
-def test_variables_know_their_blocks() -> None:
+def test_variables_have_their_blocks() -> None:
     source = (
         "int f(int a) {\n  for (int i = 0; i < 3; i++)\n    { int a = i; f(a); }\n  return a;\n}"
     )

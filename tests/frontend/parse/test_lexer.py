@@ -1,4 +1,4 @@
-"""The lexer gives the tokens that pycparser's parser wants, each at its place."""
+"""The lexer returns the tokens of pycparser's own lexer, with their locations."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ COMPLAINTS = {
 
 
 @pytest.mark.parametrize("text", COMPLAINTS)
-def test_what_is_no_token_is_named(text: str) -> None:
+def test_invalid_tokens_are_reported(text: str) -> None:
     diagnostics = Diagnostics()
     lex(text, lambda line, column: Location("a.c", line, column), diagnostics)
     (message,) = diagnostics.messages[:1]

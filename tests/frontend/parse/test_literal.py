@@ -1,4 +1,4 @@
-"""Numbers, characters and strings mean what gcc takes them for."""
+"""Numbers, characters and strings have the values of gcc."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ NUMBERS = {
 
 
 @pytest.mark.parametrize("text", NUMBERS)
-def test_a_number_has_its_value_and_the_first_type_that_holds_it(text: str) -> None:
+def test_number_has_its_value_and_the_first_type_that_fits(text: str) -> None:
     value, ctype = number(text)
     assert (value, ctype.name) == NUMBERS[text]
 
 
 @pytest.mark.parametrize("text", ["18446744073709551616", "0x10000000000000000", "9" * 5000])
-def test_a_number_too_large_for_every_type_is_refused(text: str) -> None:
+def test_number_too_large_for_any_type_is_an_error(text: str) -> None:
     with pytest.raises(ValueError, match="too large"):
         number(text)
 
@@ -43,7 +43,7 @@ CHARACTERS = {
 
 
 @pytest.mark.parametrize("text", CHARACTERS)
-def test_a_character_has_its_value(text: str) -> None:
+def test_character_constant_values(text: str) -> None:
     assert character(text)[0] == CHARACTERS[text]
 
 
@@ -56,11 +56,11 @@ STRINGS = {
 
 
 @pytest.mark.parametrize("text", STRINGS)
-def test_a_string_has_its_bytes(text: str) -> None:
+def test_string_literal_bytes(text: str) -> None:
     assert string(text)[0] == STRINGS[text]
 
 
 @pytest.mark.parametrize("text", [r"'\400'", r"'\x100'", "''", r"L'\x100000000'", r"'\U00110000'"])
-def test_a_character_that_is_none_is_refused(text: str) -> None:
+def test_invalid_character_constants_are_errors(text: str) -> None:
     with pytest.raises(ValueError, match=r"range|empty"):
         character(text)

@@ -1,4 +1,4 @@
-"""Instructions that can fail know the expression to blame, from its first to its last token."""
+"""Instructions that can fail have the location of their expression, from first to last token."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ BLAMED = {
 
 
 @pytest.mark.parametrize("expression", BLAMED)
-def test_the_expression_to_blame_is_known_exactly(expression: str) -> None:
+def test_instructions_have_the_span_of_their_expression(expression: str) -> None:
     source = START % expression
     found = []
     for block in function(source).blocks:

@@ -1,7 +1,7 @@
-"""Preprocessing snippets of C in tests: what comes out, and what the user is told.
+"""Preprocessing of C snippets in tests: results and messages.
 
-The snippets stand in files of `data`: each has a title after `===`, the source, and
-after `--- gives` the tokens that it becomes or after `--- says` the messages about it.
+The snippets are in files of `data`: each has a title after `===`, the source, and the expected
+tokens after `--- gives`, or the expected messages after `--- says`.
 """
 
 from __future__ import annotations
@@ -26,19 +26,19 @@ def run(source: str, options: Options | None = None) -> tuple[Preprocessed, Diag
 
 
 def tokens(text: str) -> list[str]:
-    """Return the tokens of a text, whatever the white space between them."""
+    """Return the tokens of a text, without white space."""
     return [token.text for line in text.split("\n") for token in tokenise(line, 0)]
 
 
 def result(source: str, options: Options | None = None) -> list[str]:
-    """Return the tokens that a text without errors and warnings becomes."""
+    """Return the preprocessed tokens of a text without errors and warnings."""
     program, diagnostics = run(source, options)
     assert [message.render() for message in diagnostics.messages] == []
     return tokens(program.text)
 
 
 def without_attributes(text: str) -> str:
-    """Return a text in which spaces stand for GNU attributes, which pycparser does not know."""
+    """Return a text with GNU attributes, which pycparser does not know, replaced by spaces."""
     group = r"__attribute__\s*\(\s*\((?:[^()]|\([^()]*\))*\)\s*\)"
     return re.sub(group, lambda found: re.sub(r"\S", " ", found[0]), text)
 

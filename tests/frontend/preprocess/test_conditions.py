@@ -49,44 +49,47 @@ PRELUDE = """\
 """
 
 WRONG = [
-    ("", "1:1: error: in '#if': there is no expression"),
-    ("1 +", "1:1: error: in '#if': the expression ends too early"),
+    ("", "1:1: error: in '#if': expected an expression"),
+    ("1 +", "1:1: error: in '#if': unexpected end of the expression"),
     ("1 2", "1:7: error: in '#if': expected an operator before '2'"),
     ("X = 1", "1:7: error: in '#if': expected an operator before '='"),
-    ("(1", "1:5: error: in '#if': '(' has no ')'"),
+    ("(1", "1:5: error: in '#if': missing ')' for '('"),
     ("1)", "1:6: error: in '#if': ')' without '(' before it"),
-    ("1 ? 2", "1:7: error: in '#if': '?' has no ':'"),
+    ("1 ? 2", "1:7: error: in '#if': missing ':' for '?'"),
     ("1 : 2", "1:7: error: in '#if': ':' without '?' before it"),
     ("(1 ? 2)", "1:11: error: in '#if': ')' without '(' before it"),
-    ("* 2", "1:5: error: in '#if': '*' cannot stand here in the expression"),
-    ('"a"', "1:5: error: in '#if': a string cannot stand here in the expression"),
+    ("* 2", "1:5: error: in '#if': unexpected '*' in the expression"),
+    ('"a"', "1:5: error: in '#if': unexpected string in the expression"),
     ("1 / (2 - 2)", "1:7: error: in '#if': division by zero"),
     ("1 || 2 / 0 ? 3 % 0 : 1", "1:20: error: in '#if': division by zero"),
     ("1.5", "1:5: error: in '#if': '1.5' is not an integer"),
     ("0x", "1:5: error: in '#if': '0x' is not an integer"),
     ("18446744073709551616", "1:5: error: in '#if': 18446744073709551616 is too large"),
-    ("''", "1:5: error: in '#if': an empty character constant"),
+    ("''", "1:5: error: in '#if': empty character constant"),
     ("VERSION(2)", "1:5: error: in '#if': the macro 'VERSION' is not defined"),
-    ("defined", "1:5: error: in '#if': 'defined' needs a name after it"),
-    ("defined(X", "1:5: error: in '#if': 'defined' has no ')' after the name"),
-    ("__has_include", "1:5: error: in '#if': '__has_include' needs a header in parentheses"),
-    ("__has_include(<a.h)", "1:5: error: in '#if': '__has_include' has no ')' after the header"),
-    ("__has_include(a)", "1:5: error: in '#if': '__has_include' has no ')' after the header"),
+    ("defined", "1:5: error: in '#if': 'defined' must be followed by a name"),
+    ("defined(X", "1:5: error: in '#if': missing ')' after 'defined'"),
+    (
+        "__has_include",
+        "1:5: error: in '#if': '__has_include' must be followed by a header in parentheses",
+    ),
+    ("__has_include(<a.h)", "1:5: error: in '#if': missing ')' after '__has_include'"),
+    ("__has_include(a)", "1:5: error: in '#if': missing ')' after '__has_include'"),
 ]
 
 
 @pytest.mark.parametrize("expression", HOLDS.strip().splitlines())
-def test_expressions_that_hold(expression: str) -> None:
+def test_true_conditions(expression: str) -> None:
     assert result(f"{PRELUDE}#if {expression}\nyes\n#else\nno\n#endif") == ["yes"]
 
 
 @pytest.mark.parametrize("expression", ["0", "1 - 1", "0 && 1/0", "undefined", "0 ? 1/0 : 0", "0u"])
-def test_expressions_that_do_not_hold(expression: str) -> None:
+def test_false_conditions(expression: str) -> None:
     assert result(f"#if {expression}\nyes\n#else\nno\n#endif") == ["no"]
 
 
 @pytest.mark.parametrize(("expression", "message"), WRONG)
-def test_wrong_expressions_are_reported_where_they_go_wrong(expression: str, message: str) -> None:
+def test_condition_errors(expression: str, message: str) -> None:
     assert messages(f"#if {expression}\n#endif\n") == [message]
 
 

@@ -8,29 +8,29 @@ from tests.frontend.preprocess.preprocessing import cases, messages, result, run
 
 
 @pytest.mark.parametrize(("source", "expected"), cases("directives.txt", "gives"))
-def test_what_directives_do(source: str, expected: str) -> None:
+def test_directives(source: str, expected: str) -> None:
     assert result(source) == tokens(expected)
 
 
 @pytest.mark.parametrize(("source", "expected"), cases("directives.txt", "says"))
-def test_wrong_directives_are_reported_at_their_place(source: str, expected: str) -> None:
+def test_directive_errors(source: str, expected: str) -> None:
     assert messages(source) == expected.splitlines()
 
 
-def test_a_close_directive_is_suggested() -> None:
+def test_similar_directive_is_suggested() -> None:
     _, diagnostics = run("#inclde <stdio.h>\n")
     assert diagnostics.messages[0].hint == "did you mean '#include'?"
 
 
 @pytest.mark.parametrize("ending", ["\n", "\r\n", "\r"])
-def test_every_kind_of_line_end_is_read(ending: str) -> None:
+def test_line_ends(ending: str) -> None:
     source = ending.join(["#define A \\", " 1", "int a = A; // x", "/* a", "b */ int b;", ""])
     program, diagnostics = run(source)
     assert program.text == "int a = 1;\n          int b;\n"
     assert diagnostics.lines["a.c"][2] == "int a = A; // x"
 
 
-def test_marks_of_editors_are_no_part_of_the_program() -> None:
+def test_byte_order_and_end_marks_are_ignored() -> None:
     assert result("\ufeffint a;\n\x1a") == ["int", "a", ";"]
 
 

@@ -1,4 +1,4 @@
-"""GNU words and odd spellings, put into what the parser reads."""
+"""GNU syntax and unusual spellings are rewritten for the parser."""
 
 from __future__ import annotations
 
@@ -23,23 +23,23 @@ from tests.frontend.preprocess.preprocessing import (
 @pytest.mark.parametrize(
     ("source", "expected"), cases("gnu.txt", "gives") + cases("spelling.txt", "gives")
 )
-def test_what_odd_syntax_becomes(source: str, expected: str) -> None:
+def test_gnu_syntax_is_rewritten(source: str, expected: str) -> None:
     assert result(source) == tokens(expected)
 
 
 @pytest.mark.parametrize(
     ("source", "expected"), cases("gnu.txt", "says") + cases("spelling.txt", "says")
 )
-def test_what_is_not_c_is_reported_at_its_place(source: str, expected: str) -> None:
+def test_unsupported_syntax_errors(source: str, expected: str) -> None:
     assert messages(source) == expected.splitlines()
 
 
-def test_unknown_escape_sequences_stand_for_their_character() -> None:
+def test_unknown_escape_sequences_are_their_character() -> None:
     program, _ = run(r"""char *s = "100\% \\\%"; char c = '\$';""")
     assert program.text == r"""char *s = "100% \\%"; char c = '$';""" + "\n"
 
 
-def test_bytes_that_are_not_utf8_stay_what_they_are(tmp_path: Path) -> None:
+def test_bytes_that_are_not_utf8_are_preserved(tmp_path: Path) -> None:
     path = tmp_path / "old.c"
     path.write_bytes(b'char *s = "gr\xf6\xdfe"; /* \xe9 */\nint x = 1; // \xfc\n')
     diagnostics = Diagnostics()
@@ -49,7 +49,7 @@ def test_bytes_that_are_not_utf8_stay_what_they_are(tmp_path: Path) -> None:
     assert diagnostics.lines[str(path)][0] == 'char *s = "gr��e"; /* � */'
 
 
-def test_the_parser_reads_what_is_left() -> None:
+def test_output_can_be_parsed() -> None:
     program, _ = run(
         "typedef char *va_list;\n"
         "static __inline__ int f(int n, ...) __attribute__((unused));\n"
@@ -65,6 +65,6 @@ def test_the_parser_reads_what_is_left() -> None:
     assert [type(each).__name__ for each in call.args.exprs] == ["ID", "Typename"]
 
 
-def test_a_number_of_a_hundred_thousand_digits_takes_no_time() -> None:
+def test_very_long_numbers_are_fast() -> None:
     source = f"int a = 0x{'f' * 100_000};"
     assert result(source) == tokens(source)

@@ -1,4 +1,4 @@
-"""`#include`: what is found, and what a hostile program must not read."""
+"""`#include`: the search for headers, and files that a hostile program must not read."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ SECRET = "the_content_of_a_file_that_a_program_must_not_read"
 
 @pytest.fixture
 def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Build a user's folder, with headers beside it, and a file outside of all folders."""
+    """Create a user's directory, header directories, and a file outside of all of them."""
     for name in ("user/sub", "extra", "system/sys", "outside"):
         (tmp_path / name).mkdir(parents=True)
     (tmp_path / "outside" / "secret.h").write_text(SECRET)
@@ -60,9 +60,7 @@ def first_line(diagnostics: Diagnostics) -> str:
         ('#include "../extra/a.h"', "extra"),
     ],
 )
-def test_headers_are_found_in_the_order_of_the_folders(
-    project: Path, line: str, found: str
-) -> None:
+def test_headers_are_searched_in_order(project: Path, line: str, found: str) -> None:
     program, diagnostics = run(
         line,
         user__a_h="own", extra__a_h="extra", system__a_h="system", extra__b_h="extra",
@@ -72,7 +70,7 @@ def test_headers_are_found_in_the_order_of_the_folders(
     assert bool(diagnostics.errors) == (not found)
 
 
-def test_a_header_looks_beside_itself_first(project: Path) -> None:
+def test_quoted_include_searches_the_including_directory_first(project: Path) -> None:
     program, diagnostics = run(
         '#include "sub/a.h"\nend', user__sub__a_h='#include "b.h"\nin_a', user__sub__b_h="own",
         user__b_h="not this",
@@ -82,7 +80,7 @@ def test_a_header_looks_beside_itself_first(project: Path) -> None:
     assert sorted(diagnostics.lines) == ["user/main.c", "user/sub/a.h", "user/sub/b.h"]
 
 
-def test_the_next_header_of_a_name_can_be_included(project: Path) -> None:
+def test_include_next(project: Path) -> None:
     program, _ = run(
         "#include <a.h>", extra__a_h="#include_next <a.h>\nextra", system__a_h="system"
     )
@@ -99,7 +97,7 @@ def test_guards_and_pragma_once(project: Path) -> None:
     assert tokens(program.text) == tokens('guarded 1 once "user/o.h" "user/main.c" 0')
 
 
-def test_has_include_asks_without_reading(project: Path) -> None:
+def test_has_include(project: Path) -> None:
     lines = [
         f"#if __has_include({name})\nyes\n#else\nno\n#endif\n"
         for name in ('"a.h"', "<a.h>", "<sys/linux/x.h>", '"../outside/secret.h"', '"none.h"')
@@ -109,19 +107,19 @@ def test_has_include_asks_without_reading(project: Path) -> None:
     assert program.text.split() == ["yes", "no", "no", "no", "no"]
 
 
-def test_a_call_may_go_on_behind_an_included_part(project: Path) -> None:
+def test_macro_call_may_continue_after_an_include(project: Path) -> None:
     program, _ = run('#define F(x) <x>\nF(1\n#include "a.h"\n)', user__a_h="+ 2")
     assert tokens(program.text) == tokens("<1 + 2>")
 
 
-def test_a_call_ends_with_its_file(project: Path) -> None:
+def test_macro_call_cannot_continue_after_its_file(project: Path) -> None:
     _, diagnostics = run('#define F(x) x\n#include "a.h"\n)', user__a_h="int a;\n F(1")
     assert first_line(diagnostics) == (
-        "user/a.h:2:2: error: the call of macro 'F' has no ')' at its end"
+        "user/a.h:2:2: error: unterminated call of macro 'F': missing ')'"
     )
 
 
-def test_a_condition_ends_with_its_file(project: Path) -> None:
+def test_conditional_group_must_end_in_its_file(project: Path) -> None:
     program, diagnostics = run('#include "a.h"\n#endif\nend', user__a_h="#if 1\n")
     assert [str(each.location) for each in diagnostics.errors] == [
         "user/a.h:1:1",
@@ -150,7 +148,9 @@ def test_a_condition_ends_with_its_file(project: Path) -> None:
     ],
 )
 @pytest.mark.parametrize("brackets", ['""', "<>"])
-def test_no_other_file_is_read(project: Path, name: str, brackets: str) -> None:
+def test_files_outside_the_directories_are_not_read(
+    project: Path, name: str, brackets: str
+) -> None:
     user = project / "user"
     for folder in (user, project / "system"):
         (folder / "link.h").symlink_to(project / "outside" / "secret.h")
@@ -167,16 +167,16 @@ def test_no_other_file_is_read(project: Path, name: str, brackets: str) -> None:
     assert SECRET not in told
 
 
-def test_whether_an_outside_file_exists_is_not_told(project: Path) -> None:
+def test_existence_of_outside_files_is_not_revealed(project: Path) -> None:
     texts = [
         first_line(run(f'#include "../outside/{name}.h"\n')[1]).replace(name, "NAME")
         for name in ("secret", "nothing")
     ]
     assert texts[0] == texts[1]
-    assert "lies outside the folders that a program may read" in texts[0]
+    assert "is outside the directories that a program may read" in texts[0]
 
 
-def test_a_link_inside_the_folders_is_followed(project: Path) -> None:
+def test_links_inside_the_directories_are_followed(project: Path) -> None:
     Path("extra/real.h").write_text("real")
     Path("user/link.h").symlink_to(project / "extra" / "real.h")
     program, _ = run('#include "link.h"')
@@ -187,20 +187,19 @@ def test_a_link_inside_the_folders_is_followed(project: Path) -> None:
     ("name", "hint"),
     [
         ("net/if.h", "network"),
-        ("complex.h", "crs has no complex numbers"),
+        ("complex.h", "complex numbers are not supported"),
         ("conio.h", "DOS or Windows"),
-        ("linux/serial.h", "no devices but its robot"),
+        ("linux/serial.h", "no devices but their robot"),
         ("iostream", "C++"),
         ("Nclint.h", "did you mean 'Nclient.h'?"),
         ("sys/tme.h", "did you mean 'sys/time.h'?"),
         ("something_else.h", ""),
     ],
 )
-def test_a_missing_header_is_explained(project: Path, name: str, hint: str) -> None:
+def test_missing_header_hint(project: Path, name: str, hint: str) -> None:
     _, diagnostics = run(f"\n#include <{name}>\n", system__Nclient_h="", system__sys__time_h="")
     assert first_line(diagnostics) == (
-        f"user/main.c:2:10: error: header '{name}' is not found; "
-        "looked in: extra, the headers of crs"
+        f"user/main.c:2:10: error: '{name}' file not found; searched in: extra, the headers of crs"
     )
     assert hint in diagnostics.messages[0].hint
     assert bool(hint) == bool(diagnostics.messages[0].hint)
@@ -218,23 +217,23 @@ def test_a_missing_header_is_explained(project: Path, name: str, hint: str) -> N
         ("/usr/include/sys/time.h", "sys/time.h"),
     ],
 )
-def test_a_header_of_ours_is_known_by_other_names(project: Path, name: str, meant: str) -> None:
+def test_headers_are_found_by_names_of_other_systems(project: Path, name: str, meant: str) -> None:
     ours = {"system__Nclient_h": "Nclient.h", "system__sys__time_h": "sys/time.h"}
     program, diagnostics = run(f'#include "{name}"\n', **ours)
     assert program.text.strip() == meant
     assert len(diagnostics.messages) == 1
     assert first_line(diagnostics) == (
-        f"user/main.c:1:10: warning: '{name}' is not found; '{meant}' is taken for it"
+        f"user/main.c:1:10: warning: '{name}' not found; using '{meant}'"
     )
 
 
-def test_only_the_vendors_header_is_known_below_any_path(project: Path) -> None:
+def test_only_the_vendor_header_is_found_below_any_path(project: Path) -> None:
     for name in ("../time.h", "/opt/time.h", "../system/../outside/TIME.H", "x/time.h"):
         _, diagnostics = run(f'#include "{name}"\n', system__time_h="")
         assert len(diagnostics.errors) == 1
 
 
-def test_another_name_of_a_header_is_none_to_has_include(project: Path) -> None:
+def test_has_include_knows_exact_names_only(project: Path) -> None:
     source = '#if __has_include("nclient.h")\nyes\n#else\nno\n#endif\n'
     program, diagnostics = run(source, system__Nclient_h="")
     assert (program.text.strip(), diagnostics.messages) == ("no", [])
@@ -243,20 +242,20 @@ def test_another_name_of_a_header_is_none_to_has_include(project: Path) -> None:
 @pytest.mark.parametrize(
     ("line", "message"),
     [
-        ("#include", "1:1: error: '#include' needs a header's name"),
-        ("#include a", '1:10: error: a header is named as "name.h" or <name.h>'),
-        ('#include "a', '1:10: error: a header is named as "name.h" or <name.h>'),
+        ("#include", "1:1: error: '#include' must be followed by a header's name"),
+        ("#include a", '1:10: error: write "name.h" or <name.h>'),
+        ('#include "a', '1:10: error: write "name.h" or <name.h>'),
         ('#include ""', "1:10: error: '' cannot be included"),
         ('#include "main.c" x', "1:19: warning: 'x' after '#include' is ignored"),
     ],
 )
-def test_wrong_includes_are_reported(project: Path, line: str, message: str) -> None:
+def test_include_errors(project: Path, line: str, message: str) -> None:
     _, diagnostics = run(f"{line}\n#if 0\n#endif")
     assert first_line(diagnostics) == f"user/main.c:{message}"
 
 
 @pytest.mark.parametrize("make", ["missing", "folder", "pipe"])
-def test_a_main_file_that_cannot_be_read_is_an_error(project: Path, make: str) -> None:
+def test_unreadable_main_file_is_an_error(project: Path, make: str) -> None:
     path = project / "user" / "other.c"
     if make == "folder":
         path.mkdir()

@@ -1,7 +1,7 @@
 """From the parser's coordinates back to the user's file, line and column.
 
-In these sources each interesting name is spelled once in the user's text, so where it must be
-found can be read from the source itself.
+Each name is spelled once in the user's text, so that its expected location can be found in the
+source itself.
 """
 
 from __future__ import annotations
@@ -64,14 +64,14 @@ class _Names(c_ast.NodeVisitor):
 
 
 def names(program: Preprocessed) -> dict[str, Location]:
-    """Parse a program and gives where each name first is."""
+    """Parse a program and return the first location of each name."""
     visitor = _Names(program)
     visitor.visit(CParser().parse(without_attributes(program.text)))
     return visitor.places
 
 
 def written(source: str, name: str, file: str = "a.c") -> Location:
-    """Return where a name stands in a source, from the source itself."""
+    """Return the position of a name in a source."""
     before = source[: source.index(name)]
     return Location(file, before.count("\n") + 1, len(before) - before.rfind("\n"))
 
@@ -102,29 +102,29 @@ def test_the_parser_counts_a_tab_as_one_column() -> None:
         "last_use",
     ],
 )
-def test_names_are_found_where_the_user_wrote_them(name: str) -> None:
+def test_names_have_their_source_locations(name: str) -> None:
     program, _ = run(SOURCE)
     assert names(program)[name] == written(SOURCE, name)
 
 
-def test_a_name_that_is_cut_by_a_line_end_is_found_at_its_first_part() -> None:
+def test_continued_name_has_the_location_of_its_first_part() -> None:
     program, _ = run(SOURCE)
     assert names(program)["continued"] == written(SOURCE, "con\\")
 
 
-def test_what_a_macro_put_there_is_found_at_its_call() -> None:
+def test_expansion_has_the_location_of_the_macro_call() -> None:
     program, _ = run(SOURCE)
     assert names(program)["from_body"] == written(SOURCE, "DECLARE(argument")
 
 
-def test_macros_in_macros_lead_to_the_outermost_call() -> None:
+def test_nested_expansion_has_the_location_of_the_outermost_call() -> None:
     source = "#define A(x) B(x)\n#define B(x) C + x\n#define C c1 + c2\nint i = 1 +\n  A(user);\n"
     places = names(run(source)[0])
     assert places["c1"] == places["c2"] == Location("a.c", 5, 3)
     assert places["user"] == Location("a.c", 5, 5)
 
 
-def test_headers_keep_their_own_places(tmp_path: Path) -> None:
+def test_headers_have_their_own_locations(tmp_path: Path) -> None:
     (tmp_path / "inc").mkdir()
     header = "\n\tint first;\n#include <deep.h>\nint\tlast;"
     (tmp_path / "inc" / "h.h").write_text(header)
@@ -147,12 +147,12 @@ def test_headers_keep_their_own_places(tmp_path: Path) -> None:
         assert diagnostics.lines[str(file)] == file.read_text().split("\n")
 
 
-def test_line_directives_do_not_move_places() -> None:
+def test_line_directives_do_not_change_locations() -> None:
     program, _ = run('#line 100 "gram.y"\nint x;\n')
     assert program.location(1, 5) == Location("a.c", 2, 5)
 
 
-def test_places_outside_the_text_give_the_nearest_inside() -> None:
+def test_positions_outside_the_text_are_clamped() -> None:
     program, _ = run("#define A 1\nint x;\nint y = A;\n")
     assert program.location(0, 0) == Location("a.c", 2, 1)
     assert program.location(1, 500) == Location("a.c", 2, 7)

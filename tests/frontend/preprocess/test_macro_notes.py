@@ -1,4 +1,4 @@
-"""An error in what a macro was replaced by says where the macro is defined."""
+"""An error in the expansion of a macro has a note with the macro's definition."""
 
 from __future__ import annotations
 
@@ -51,11 +51,11 @@ UNDECLARED = "error: use of undeclared identifier 'sped'"
         "int f(void) { __LINE__ = 2; return 0; }": ["1:15 error: expression is not assignable"],
     }.items(),
 )  # fmt: skip
-def test_the_macro_is_named(source: str, told: list[str]) -> None:
+def test_note_names_the_macro(source: str, told: list[str]) -> None:
     assert messages(source) == told
 
 
-def test_the_note_points_to_a_header_of_the_users_but_to_none_of_ours(tmp_path: Path) -> None:
+def test_note_for_macros_of_user_headers_only(tmp_path: Path) -> None:
     (tmp_path / "speeds.h").write_text("#define FAST 5\n")
     program = tmp_path / "main.c"
     program.write_text(
@@ -69,7 +69,7 @@ def test_the_note_points_to_a_header_of_the_users_but_to_none_of_ours(tmp_path: 
     assert note.source_line == "#define FAST 5"
 
 
-def test_a_macro_of_the_command_line_is_named_too(tmp_path: Path) -> None:
+def test_note_for_a_macro_of_the_command_line(tmp_path: Path) -> None:
     program = tmp_path / "main.c"
     program.write_text("void f(void) { FAST = 1; }\n")
     diagnostics = Diagnostics()

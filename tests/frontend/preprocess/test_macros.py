@@ -1,4 +1,4 @@
-"""Macro replacement: C17 6.10.3, its own examples first, then what gcc does where C is silent."""
+"""Macro replacement: the examples of C17 6.10.3, and gcc's behaviour where it is unspecified."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from tests.frontend.preprocess.preprocessing import cases, messages, result, run
 
 
 @pytest.mark.parametrize(("source", "expected"), cases("macros.txt", "gives"))
-def test_what_macros_become(source: str, expected: str) -> None:
+def test_macro_expansion(source: str, expected: str) -> None:
     assert result(source) == tokens(expected)
 
 
 @pytest.mark.parametrize(("source", "expected"), cases("macros.txt", "says"))
-def test_wrong_macros_are_reported_at_their_place(source: str, expected: str) -> None:
+def test_macro_errors(source: str, expected: str) -> None:
     assert messages(source) == expected.splitlines()
 
 
@@ -40,11 +40,11 @@ def test_the_same_definition_may_be_repeated(first: str, second: str) -> None:
         ("F", "F(a) a", "F(a...) a"),
     ],
 )
-def test_another_definition_is_warned_of_and_wins(name: str, first: str, second: str) -> None:
+def test_redefinition_is_a_warning_and_takes_effect(name: str, first: str, second: str) -> None:
     both = f"#define {first}\n#define {second}\n"
     assert messages(both) == [
-        f"2:9: warning: '{name}' is defined again, otherwise",
-        "1:9: note: it was defined here before",
+        f"2:9: warning: '{name}' macro redefined",
+        "1:9: note: previous definition is here",
     ]
     assert run(f"{both}{name}(7)")[0].text == run(f"#define {second}\n{name}(7)")[0].text
 
@@ -57,7 +57,7 @@ def test_options_define_and_undefine() -> None:
     assert result(text, options) == tokens("1 2 <3> GONE linux")
 
 
-def test_a_wrong_option_is_reported() -> None:
+def test_invalid_macro_option_is_an_error() -> None:
     assert messages("int a;", Options(defines=("1x=2",))) == [
-        "<command line>:1:9: error: a macro's name cannot be '1x'"
+        "<command line>:1:9: error: macro name must be an identifier, not '1x'"
     ]

@@ -1,4 +1,4 @@
-"""`-std=`: which macros are predefined, and when trigraphs are replaced."""
+"""`-std=`: predefined macros and trigraphs."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ VERSION = "__STDC_VERSION__ __STRICT_ANSI__ linux __linux__"
         ("gnu17", ["201710L", "__STRICT_ANSI__", "1", "1"]),
     ],
 )
-def test_a_standard_has_its_macros(standard: str, tokens: list[str]) -> None:
+def test_predefined_macros_of_each_standard(standard: str, tokens: list[str]) -> None:
     assert result(VERSION, Options(standard=standard)) == tokens
 
 
 @pytest.mark.parametrize("standard", STANDARDS)
-def test_trigraphs_are_those_of_strict_c_only(standard: str) -> None:
+def test_trigraphs_only_in_strict_iso_c(standard: str) -> None:
     options = Options(standard=standard)
     if options.is_strict:
         source = "??=define A 1 ??/\n + 2\nint x??(A??);"

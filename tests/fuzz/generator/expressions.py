@@ -1,4 +1,4 @@
-"""Random expressions that are defined whatever their variables hold.
+"""Random expressions that are defined for any values of their variables.
 
 Divisors are made positive, shift counts are masked, numbers are limited before they are converted
 from floating to integer types, subscripts are masked. Signed overflow wraps, by our rules and by
@@ -64,13 +64,13 @@ class Function:
 
 @dataclass
 class Expressions:
-    """What expressions are made of.
+    """Generates expressions.
 
     Attributes:
-        chance: what every choice is drawn from.
+        chance: the random number generator.
         readable: operands: variables, members, elements.
         arrays: arrays of eight elements.
-        functions: what may be called.
+        functions: functions to call.
     """
 
     chance: Random
@@ -88,7 +88,7 @@ class Expressions:
         return self.fitted(text, own, ctype)
 
     def fitted(self, text: str, own: Type, ctype: Type) -> str:
-        """Return an expression brought into a type's range, if it must be."""
+        """Return an expression limited to a type's range, if necessary."""
         if not own.is_float or ctype.is_float or ctype.rank == 0:
             return text
         most = float(min(ctype.highest, 2**62))

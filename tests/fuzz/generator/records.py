@@ -77,7 +77,7 @@ def record(source: Source, inside: list[Record], *, bits: float, word: str = "st
 
 
 def _promoted(members: list[Typed]) -> list[Typed]:
-    """Return members as operands; gcc computes in as many bits as a wide bit-field has."""
+    """Return members as operands; gcc computes in the width of a wide bit-field."""
     return [
         (f"({_wide(ctype).name}){path}", _wide(ctype))
         if ctype.name == "bit-field"
@@ -109,7 +109,7 @@ def dump_function(source: Source) -> str:
 
 
 def bit_fields(source: Source, functions: list[Function], name: str) -> None:
-    """Bit-fields: where they lie, what fits, and what stays beside them."""
+    """Bit-fields: layout, truncation, and neighbours."""
     inner = record(source, [], bits=0.8)
     outer = record(source, [inner], bits=0.6)
     dump = dump_function(source)

@@ -1,4 +1,4 @@
-"""Topics: printing, strings, numbers written and read again."""
+"""Topics: printing, strings, conversion of numbers to text and back."""
 
 from __future__ import annotations
 
@@ -118,7 +118,7 @@ def strings(source: Source, functions: list[Function], name: str) -> None:
 
 
 def numbers(source: Source, functions: list[Function], name: str) -> None:
-    """Numbers written as text and read again, by all that reads numbers."""
+    """Numbers written as text and read again by all functions that read numbers."""
     chance = source.chance
     expressions = Expressions(chance, functions=functions)
     with source.block(f"static void {name}(void)"):
