@@ -38,7 +38,7 @@ class Difference:
 
 
 def facts(view: View) -> Facts:
-    """Gives what is so where the run stands."""
+    """Return what is so where the run stands."""
     found = {}
     for number, robot in enumerate(view.names):
         for name, text in _of_robot(view, number):
@@ -61,7 +61,7 @@ def _flat(rows: Sequence[Row], above: str) -> Iterator[tuple[str, str]]:
 
 
 def differences(here: Facts, there: Facts) -> list[Difference]:
-    """Gives what is not the same, in the order of this branch."""
+    """Return what is not the same, in the order of this branch."""
     keys = dict.fromkeys([*here, *there])
     return [
         Difference(robot, name, here.get((robot, name), ""), there.get((robot, name), ""))

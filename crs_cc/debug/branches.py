@@ -74,17 +74,17 @@ class Branches:
         self._all = {FIRST: self.current}
 
     def names(self) -> tuple[str, ...]:
-        """Gives the names of all branches, in the order in which they were made."""
+        """Return the names of all branches, in the order in which they were made."""
         return tuple(self._all)
 
     def add(self, name: str) -> Branch:
-        """Makes a branch that begins here, and goes on in it.
+        """Make a branch that begins here, and goes on in it.
 
         Raises:
             DebugError: there is one of that name.
         """
         if not name.strip() or name in self._all:
-            raise DebugError(f"there is a branch '{name}' already" if name else "it needs a name")
+            raise DebugError(f"branch '{name}' already exists" if name else "a branch needs a name")
         run, here = self._run, self._run.position
         history, console = run.history.fork(here), run.console.fork()
         event_history = run.event_history.fork(here.timestep)
@@ -97,7 +97,7 @@ class Branches:
         return self.current
 
     def switch(self, name: str) -> Branch:
-        """Goes to where the user was in another branch.
+        """Go to where the user was in another branch.
 
         Raises:
             DebugError: there is no such one.
@@ -107,7 +107,7 @@ class Branches:
         return self.current
 
     def visit(self, name: str) -> None:
-        """Lets the run be in another branch, wherever it is there; `seek` has to come next.
+        """Let the run be in another branch, wherever it is there; `seek` has to come next.
 
         Raises:
             DebugError: there is no such one.
@@ -120,21 +120,21 @@ class Branches:
         self._run.enter(own.history, own.console, own.event_history)
 
     def changed(self) -> None:
-        """Forgets checkpoints behind a change."""
+        """Forget checkpoints behind a change."""
         here = self._run.position
         self.current.checkpoints[:] = [
             each for each in self.current.checkpoints if each.position <= here
         ]
 
     def keep(self, name: str, time_s: float) -> Checkpoint:
-        """Makes a checkpoint here."""
+        """Make a checkpoint here."""
         own = self.current.checkpoints
         number = max((each.number for each in own), default=0) + 1
         own.append(Checkpoint(number, name, self._run.position, time_s))
         return own[-1]
 
     def checkpoint(self, number: int) -> Checkpoint:
-        """Gives a checkpoint of this branch.
+        """Return a checkpoint of this branch.
 
         Raises:
             DebugError: there is no such one.
@@ -142,4 +142,4 @@ class Branches:
         for each in self.current.checkpoints:
             if each.number == number:
                 return each
-        raise DebugError(f"there is no checkpoint {number} in branch '{self.current.name}'")
+        raise DebugError(f"no checkpoint {number} in branch '{self.current.name}'")

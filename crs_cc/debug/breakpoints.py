@@ -53,7 +53,7 @@ class Breakpoint:
     log: str = ""
 
     def concerns(self, robot: int) -> bool:
-        """Tells whether it counts, and for this robot."""
+        """Return whether it counts, and for this robot."""
         return self.enabled and self.robot in {None, robot}
 
 
@@ -90,23 +90,23 @@ class Breakpoints:
         return self._made + 1
 
     def add(self, breakpoint_: Callable[[int], Breakpoint]) -> Breakpoint:
-        """Adds what is made of the next number."""
+        """Add what is made of the next number."""
         self._made += 1
         self._all[self._made] = breakpoint_(self._made)
         return self._all[self._made]
 
     def get(self, number: int) -> Breakpoint:
-        """Gives a breakpoint.
+        """Return a breakpoint.
 
         Raises:
             DebugError: there is no such one.
         """
         if number not in self._all:
-            raise DebugError(f"there is no breakpoint {number}")
+            raise DebugError(f"no breakpoint {number}")
         return self._all[number]
 
     def remove(self, number: int) -> None:
-        """Takes a breakpoint away.
+        """Take a breakpoint away.
 
         Raises:
             DebugError: there is no such one.
@@ -115,31 +115,31 @@ class Breakpoints:
         del self._all[number]
 
     def statements(self, robot: int) -> frozenset[int]:
-        """Gives the numbers of the statements that a robot's program must stop before."""
+        """Return the numbers of the statements that a robot's program must stop before."""
         places = [each.place for each in self._all.values() if each.concerns(robot)]
         return frozenset().union(*(each.statements.get(robot, ()) for each in places if each))
 
     def need_world(self) -> bool:
-        """Tells whether any of them waits for what happens in the world."""
+        """Return whether any of them waits for what happens in the world."""
         return any(
             each.kind == "catchpoint" and each.enabled and each.text != "exit"
             for each in self._all.values()
         )
 
     def watched(self, robot: int) -> tuple[WatchedObject, ...]:
-        """Gives what is watched in a robot's memory."""
+        """Return what is watched in a robot's memory."""
         points = [each.watch for each in self._all.values() if each.concerns(robot)]
         return tuple(each.watched for each in points if each)
 
     def watchpoint_hits(self, instant: RunEvent) -> list[BreakpointHit]:
-        """Gives the watchpoints that an instant tells of, whatever their conditions."""
+        """Return the watchpoints that an instant tells of, whatever their conditions."""
         return [
             BreakpointHit(self._all[each.access.watched.number], each.robot, watch_hit=each)
             for each in instant.accesses
         ]
 
     def breakpoint_hits(self, run: RecordedRun, instant: RunEvent) -> list[BreakpointHit]:
-        """Gives the other breakpoints that an instant meets, whatever their conditions."""
+        """Return the other breakpoints that an instant meets, whatever their conditions."""
         match instant.kind:
             case "statement":
                 return self._at_statement(run)

@@ -15,7 +15,7 @@ from crs_cc.ir.program import Block, Call, Function, Statement
 
 
 def calling(program: DebugProgram, name: str) -> frozenset[int]:
-    """Gives the numbers of the user's statements that call a function by its name."""
+    """Return the numbers of the user's statements that call a function by its name."""
     detail = program.executable.detail()
     sites = {
         (site.function, site.location): number
@@ -31,7 +31,7 @@ def calling(program: DebugProgram, name: str) -> frozenset[int]:
 
 
 def _places(function: Function, name: str) -> Iterator[Location]:
-    """Gives the places of a function's statements that call another one."""
+    """Return the places of a function's statements that call another one."""
     entry = function.blocks[0]
     begun: dict[Block, Location | None] = {entry: None}
     waiting = [entry]

@@ -60,7 +60,7 @@ class BreakpointLocation:
 def find_location(
     text: str, programs: Sequence[DebugProgram], robots: Sequence[int], here: str
 ) -> BreakpointLocation:
-    """Finds a place by what the user calls it.
+    """Find a place by what the user calls it.
 
     Args:
         text: `12`, `wander.c:12`, `turn`, `wander.c:turn`, `ws`.
@@ -73,7 +73,7 @@ def find_location(
     """
     match = _PLACE.fullmatch(text.strip())
     if match is None:
-        raise DebugError(f"'{text}' is no place: say a line, FILE:LINE, or a function")
+        raise DebugError(f"'{text}' is not a location (expected LINE, FILE:LINE or FUNCTION)")
     file = match["file"]
     sites = {robot: _sites(programs[robot]) for robot in robots}
     if match["line"]:
@@ -100,10 +100,10 @@ def _line(sites: _Sites, file: str, line: int) -> BreakpointLocation:
     lines = {each for rows in own.values() for each, _ in rows}
     if not lines:
         files = sorted({site.location.file for rows in sites.values() for site in rows})
-        raise DebugError(unknown("file with code", file, files))
+        raise DebugError(unknown("file", file, files))
     later = [each for each in lines if each >= line]
     if line < 1 or not later:
-        raise DebugError(f"{file} has no code at line {line} or behind it")
+        raise DebugError(f"{file} has no code at or after line {line}")
     found = min(later)
     statements = {
         robot: _firsts(sites[robot], [number for each, number in rows if each == found])
@@ -111,14 +111,14 @@ def _line(sites: _Sites, file: str, line: int) -> BreakpointLocation:
     }
     robot, number = next((each, min(of)) for each, of in statements.items() if of)
     site = sites[robot][number]
-    note = "" if found == line else f"line {line} has no code; moved to line {found}"
+    note = "" if found == line else f"no code at line {line}; moved to line {found}"
     return BreakpointLocation(
         statements, frozenset(), site.location, plain_name(site.function), note
     )
 
 
 def _firsts(sites: Sequence[StatementSite], numbers: Sequence[int]) -> frozenset[int]:
-    """Gives the first statement of each function among some."""
+    """Return the first statement of each function among some."""
     first: dict[str, int] = {}
     for number in sorted(numbers, key=lambda each: sites[each].location):
         first.setdefault(sites[number].function, number)
@@ -149,10 +149,10 @@ def _function(
             calls, frozenset(), None, name, f"stops before each statement that calls '{name}'"
         )
     names = sorted({plain_name(site.function) for rows in sites.values() for site in rows})
-    raise DebugError(unknown("function with code", name, names))
+    raise DebugError(unknown("function", name, names))
 
 
 def is_file(file: str, wanted: str) -> bool:
-    """Tells whether a user means a file: by its whole path, or the end of it."""
+    """Return whether a user means a file: by its whole path, or the end of it."""
     parts, own = PurePath(displayed(wanted)).parts, PurePath(displayed(file)).parts
     return bool(parts) and own[-len(parts) :] == parts

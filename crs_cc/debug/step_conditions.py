@@ -38,7 +38,7 @@ class ProgramPoint:
     statements: int
 
     def shares_line(self, other: ProgramPoint) -> bool:
-        """Tells whether both are in the same line of the same call."""
+        """Return whether both are in the same line of the same call."""
         mine, theirs = self.location, other.location
         here = (self.fp, self.entered, mine.file, mine.line)
         return here == (other.fp, other.entered, theirs.file, theirs.line)
@@ -59,12 +59,12 @@ class ActiveCalls:
 
     @classmethod
     def of(cls, stack: Iterable[StackFrame]) -> ActiveCalls:
-        """Gives those of some frames."""
+        """Return those of some frames."""
         rows = [(each.function, (each.fp, each.entered)) for each in stack]
         return cls(frozenset(name for name, _ in rows), frozenset(frame for _, frame in rows))
 
     def include(self, program_point: ProgramPoint) -> bool:
-        """Tells whether a statement belongs to one of them."""
+        """Return whether a statement belongs to one of them."""
         return (program_point.fp, program_point.entered) in self.frames or (
             program_point.fp,
             -1,
@@ -83,7 +83,7 @@ class StepCondition(Protocol):
     calls: ActiveCalls | None
 
     def reached(self, program_point: ProgramPoint) -> bool:
-        """Tells of one statement after the other whether it is what was wanted."""
+        """Return of one statement after the other whether it is what was wanted."""
 
 
 @dataclass(slots=True)
@@ -94,7 +94,7 @@ class StepToStatement:
     calls: ActiveCalls | None = None
 
     def reached(self, program_point: ProgramPoint) -> bool:
-        """Tells that it is."""
+        """Report that it is."""
         return program_point is not None
 
 
@@ -118,7 +118,7 @@ class StepToLine:
             self._seen.add(self.start.site)
 
     def reached(self, program_point: ProgramPoint) -> bool:
-        """Tells whether a new line begins."""
+        """Return whether a new line begins."""
         start = self.start
         if self.calls is not None and not self.calls.include(program_point):
             return False
@@ -140,7 +140,7 @@ class StepToCaller:
     calls: ActiveCalls | None
 
     def reached(self, program_point: ProgramPoint) -> bool:
-        """Tells whether the call has ended."""
+        """Return whether the call has ended."""
         return self.calls is None or self.calls.include(program_point)
 
 
@@ -155,7 +155,7 @@ class ReverseStepCondition:
     def __init__(
         self, robot: int, calls: ActiveCalls | None = None, *, whole_line: bool = True
     ) -> None:
-        """Takes whose program it is, the calls that count, and whether lines count."""
+        """Take whose program it is, the calls that count, and whether lines count."""
         self.robot = robot
         self.calls = calls
         self._whole_line = whole_line
@@ -163,11 +163,11 @@ class ReverseStepCondition:
         self._seen: set[int] = set()
 
     def belongs(self, program_point: ProgramPoint) -> bool:
-        """Tells whether a statement counts."""
+        """Return whether a statement counts."""
         return self.calls is None or self.calls.include(program_point)
 
     def can_advance(self, program_point: ProgramPoint) -> bool:
-        """Tells whether a statement belongs to those that are wanted, from the last one back."""
+        """Return whether a statement belongs to those that are wanted, from the last one back."""
         if self._last is None:
             self._last = program_point
         elif (

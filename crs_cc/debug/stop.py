@@ -14,10 +14,10 @@ Reason = Literal[
 """`exit` is the end of one program, `end` that of the last one; `beginning` is met backward."""
 
 WORDS: Final[dict[Reason, str]] = {
-    "start": "the run is at its beginning",
-    "beginning": "the run is at its beginning: nothing was before",
+    "start": "the run is at its start",
+    "beginning": "the run is at its start: no earlier history",
     "interrupt": "interrupted",
-    "tick": "a timestep has ended",
+    "tick": "end of timestep",
     "exit": "the program has ended",
     "end": "all programs have ended",
 }

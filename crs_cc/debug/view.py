@@ -56,7 +56,7 @@ class View:
     """
 
     def __init__(self, run: RecordedRun) -> None:
-        """Looks at the first robot."""
+        """Look at the first robot."""
         self.run = run
         self.robot = 0
         self.frame = 0
@@ -91,7 +91,7 @@ class View:
         return not self.run.can_advance
 
     def frames(self, robot: int | None = None) -> list[BacktraceFrame]:
-        """Gives a program's active functions, the innermost first."""
+        """Return a program's active functions, the innermost first."""
         robot = self.robot if robot is None else robot
         if not self.session.alive[robot] and not self.run.has_failed(robot):
             return []
@@ -114,23 +114,23 @@ class View:
         return frames
 
     def current_frame(self) -> BacktraceFrame | None:
-        """Gives the active function that the user looks at; None when there is none."""
+        """Return the active function that the user looks at; None when there is none."""
         frames = self.frames()
         return frames[self.frame] if self.frame < len(frames) else None
 
     def location(self) -> Location | None:
-        """Gives the place in the source that the user looks at."""
+        """Return the place in the source that the user looks at."""
         frame = self.current_frame()
         return None if frame is None or frame.is_library else frame.location
 
     def current_file(self, robot: int | None = None) -> str:
-        """Gives the file where the user looks, or the first one of a robot's program."""
+        """Return the file where the user looks, or the first one of a robot's program."""
         here = self.location()
         robot = self.robot if robot is None else robot
         return here.file if here else str(self.run.programs[robot].paths[0])
 
     def source(self, file: str) -> Sequence[str]:
-        """Gives the lines of a C file; none for a file that is not the user's."""
+        """Return the lines of a C file; none for a file that is not the user's."""
         for program in self.run.programs:
             lines = program.executable.detail().lines
             if file in lines:
@@ -138,7 +138,7 @@ class View:
         return ()
 
     def select_robot(self, robot: int | str) -> None:
-        """Looks at another robot, by its number or name.
+        """Look at another robot, by its number or name.
 
         Raises:
             DebugError: there is no such one.
@@ -151,33 +151,33 @@ class View:
         self.frame = self.first_own_frame()
 
     def select_frame(self, number: int) -> None:
-        """Looks at another active function.
+        """Look at another active function.
 
         Raises:
             DebugError: there is no such one.
         """
         if not 0 <= number < len(self.frames()):
-            raise DebugError(f"there is no frame {number}")
+            raise DebugError(f"no frame {number}")
         self.frame = number
 
     def active_frame(self, robot: int, frame: int | None = None) -> StackFrame | None:
-        """Gives an active function by its number; by default the one that is looked at."""
+        """Return an active function by its number; by default the one that is looked at."""
         frames = self.frames(robot)
         if frame is None:
             frame = self.frame if robot == self.robot else self.first_own_frame(robot)
         if not frames:
             return None
         if not 0 <= frame < len(frames):
-            raise DebugError(f"there is no frame {frame}")
+            raise DebugError(f"no frame {frame}")
         return frames[frame].active
 
     def first_own_frame(self, robot: int | None = None) -> int:
-        """Gives the number of the innermost active function of the user's own."""
+        """Return the number of the innermost active function of the user's own."""
         frames = self.frames(robot)
         return next((each.number for each in frames if not each.is_library), 0)
 
     def look_up(self, text: str, *, robot: int | None = None, frame: int | None = None) -> Value:
-        """Evaluates a C expression that must change nothing.
+        """Evaluate a C expression that must change nothing.
 
         Raises:
             DebugError: it means nothing here, cannot be evaluated, or changes the program.
@@ -191,21 +191,21 @@ class View:
         return found.value
 
     def variables(self, *, robot: int | None = None, frame: int | None = None) -> list[Variable]:
-        """Gives the variables of an active function, those of the innermost block first."""
+        """Return the variables of an active function, those of the innermost block first."""
         robot = self.robot if robot is None else robot
         active = self.active_frame(robot, frame)
         return [] if active is None else self.evaluator(robot).variables(active)
 
     def globals_(self, *, robot: int | None = None) -> list[Variable]:
-        """Gives the global variables of a program, by their names."""
+        """Return the global variables of a program, by their names."""
         return self.evaluator(self.robot if robot is None else robot).globals_()
 
     def vendor_state(self, robot: int | None = None) -> list[tuple[StateField, Value]]:
-        """Gives what a program was told in the vendor's `State[]`; nothing when it has it not."""
+        """Return what a program was told in the vendor's `State[]`; nothing when it has it not."""
         return self.evaluator(self.robot if robot is None else robot).inspector().vendor_state()
 
     def type_of(self, text: str) -> CType:
-        """Gives the type that an expression has, or that it names.
+        """Return the type that an expression has, or that it names.
 
         Raises:
             DebugError: it is neither an expression nor a type here.
@@ -219,7 +219,7 @@ class View:
             raise
 
     def holds(self, condition: str, robot: int) -> bool:
-        """Tells whether a condition is true in the innermost function of a program.
+        """Return whether a condition is true in the innermost function of a program.
 
         Raises:
             DebugError: it means nothing there, or cannot be evaluated.
@@ -227,7 +227,7 @@ class View:
         return self.evaluator(robot).holds(condition)
 
     def evaluator(self, robot: int) -> Evaluator:
-        """Gives what evaluates expressions in a robot's program."""
+        """Return what evaluates expressions in a robot's program."""
         program = self.run.programs[robot]
         memory = id(self.session.fleet.memory(robot))  # another one in another build
         if (robot, memory) not in self._evaluators:

@@ -112,7 +112,7 @@ class WatchSet:
     def __init__(
         self, fleet: Fleet, robot: int, watching: Callable[[Executable], Executable]
     ) -> None:
-        """Takes the robot with its debug build, and what makes the watching build of that."""
+        """Take the robot with its debug build, and what makes the watching build of that."""
         self._fleet = fleet
         self._robot = robot
         self._plain = fleet.executable(robot)
@@ -126,7 +126,7 @@ class WatchSet:
         self._places: list[tuple[Location, str]] = []
 
     def arm(self, wanted: Sequence[WatchedObject]) -> None:
-        """Watches these objects and no others; what was found of the same ones before is kept.
+        """Watch these objects and no others; what was found of the same ones before is kept.
 
         Raises:
             DebugError: there are too many, or the system gives no memory.
@@ -141,11 +141,11 @@ class WatchSet:
             self._fleet.exchange(self._robot, build)
         except OSError as error:
             self._wanted = ()
-            raise DebugError(f"nothing can be watched: {error.strerror}") from None
+            raise DebugError(f"cannot set watchpoints: {error.strerror}") from None
         self.forget()
 
     def forget(self) -> None:
-        """Begins anew where the program's memory has been changed by others: it was restored."""
+        """Begin anew where the program's memory has been changed by others: it was restored."""
         if not self._wanted:
             return
         self._over = self._ended()
@@ -153,11 +153,11 @@ class WatchSet:
         self._enter()
 
     def is_pending(self) -> bool:
-        """Tells whether there is something to `take`."""
+        """Return whether there is something to `take`."""
         return bool(self._rows) and bool(self._ranges()["hits"].any())
 
     def take(self) -> list[MemoryAccess]:
-        """Gives what happened since the last time, and forgets it."""
+        """Return what happened since the last time, and forgets it."""
         if not self.is_pending():
             return []
         found = [self._access(each) for each in self._wanted if each.number not in self._over]
@@ -176,7 +176,7 @@ class WatchSet:
         return ranges[: len(self._rows)]
 
     def _enter(self) -> None:
-        """Writes what is watched to where the program finds it."""
+        """Write what is watched to where the program finds it."""
         rows: list[tuple[int, int, int, int]] = []
         self._rows = {}
         for each in self._wanted:
@@ -198,7 +198,7 @@ class WatchSet:
         self._bound([each[:2] for each in rows])
 
     def _bound(self, parts: Sequence[tuple[int, int]]) -> None:
-        """Writes among which bytes all ranges lie, each by its first address and its size."""
+        """Write among which bytes all ranges lie, each by its first address and its size."""
         watched = self._fleet.watched[self._robot]
         for field in ("first", "span", "lowest", "highest", "grains"):
             watched[field] = 0
@@ -214,7 +214,7 @@ class WatchSet:
             watched["highest"] = max(first + size for first, size in on_stack)
 
     def _hits(self, number: int, *, header: bool) -> Records | None:
-        """Gives the range of an object, or of its frame's header, if it was hit."""
+        """Return the range of an object, or of its frame's header, if it was hit."""
         at = self._rows.get((number, header))
         row: Records | None = None if at is None else self._ranges()[at]
         return row if row is not None and row["hits"] else None
@@ -222,7 +222,7 @@ class WatchSet:
     # -- what happened -------------------------------------------------------------------------
 
     def _access(self, watched: WatchedObject) -> MemoryAccess | None:
-        """Gives what happened to an object, None for nothing that counts."""
+        """Return what happened to an object, None for nothing that counts."""
         number, frame = watched.number, watched.frame
         old, new = self._before[number], self._content(watched)
         if frame is not None:
@@ -242,7 +242,7 @@ class WatchSet:
         return MemoryAccess(watched, what, old, new, *self._place(row))
 
     def _place(self, row: Records) -> tuple[Location | None, str, str]:
-        """Gives where an access was made: the place, the function, and the library's function."""
+        """Return where an access was made: the place, the function, and the library's function."""
         detail = self._plain.detail()
         number = int(row["place"])
         if number:
@@ -270,7 +270,7 @@ class WatchSet:
         return self._fleet.memory(robot)[part].tobytes(), self._fleet.shadow(robot)[part].tobytes()
 
     def _ended(self) -> set[int]:
-        """Gives the numbers of the variables whose functions have returned."""
+        """Return the numbers of the variables whose functions have returned."""
         own = [each for each in self._wanted if each.frame is not None]
         if not own:
             return set()

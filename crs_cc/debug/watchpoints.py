@@ -44,7 +44,7 @@ class Watchpoint:
 
     @property
     def note(self) -> str:
-        """Says how long it lasts, if that is not for ever."""
+        """Return how long it lasts, if that is not for ever."""
         frame = self.watched.frame
         return f"lasts until '{plain_name(frame.function)}' returns" if frame else ""
 
@@ -52,7 +52,7 @@ class Watchpoint:
 def watchpoint(
     number: int, text: str, kind: AccessKind, evaluator: Evaluator, frame: StackFrame | None
 ) -> Watchpoint:
-    """Finds what an expression names.
+    """Find what an expression names.
 
     Args:
         number: of the watchpoint.
@@ -66,7 +66,7 @@ def watchpoint(
     """
     place = evaluator.place(text, frame)
     if not place.size:
-        raise DebugError(f"'{text}' has no bytes that could be watched")
+        raise DebugError(f"'{text}' has size 0 and cannot be watched")
     inspector = evaluator.inspector()
     if not inspector.is_accessible(place.address, place.size):
         raise DebugError(inspector.explain(place.address, place.size, False))
@@ -77,7 +77,7 @@ def watchpoint(
 
 
 def _owner(stopped: Stopped, address: int) -> StackFrame | None:
-    """Gives the activation whose variable or parameter lies at an address on the stack."""
+    """Return the activation whose variable or parameter lies at an address on the stack."""
     if address >= STACK_TOP:
         return None
     for active in stopped.stack:
@@ -88,12 +88,12 @@ def _owner(stopped: Stopped, address: int) -> StackFrame | None:
 
 
 def same_activation(one: StackFrame, other: StackFrame) -> bool:
-    """Tells whether an activation is the same, though it stands elsewhere now."""
+    """Return whether an activation is the same, though it stands elsewhere now."""
     return (one.fp, one.function, one.entered) == (other.fp, other.function, other.entered)
 
 
 def change_text(watchpoint: Watchpoint, access: MemoryAccess, inspector: MemoryInspector) -> str:
-    """Says what happened to what is watched."""
+    """Return what happened to what is watched."""
     place = access.location
     where = f" at {PurePath(place.file).name}:{place.line}" if place else ""
     by = f" by {access.library}" if access.library else ""
@@ -116,7 +116,7 @@ def _value(inspector: MemoryInspector, watchpoint: Watchpoint, content: Content)
 
 
 def _narrowed(name: str, old: Value, new: Value) -> tuple[str, Value, Value]:
-    """Gives the only part of an array or struct that has changed, if it is one."""
+    """Return the only part of an array or struct that has changed, if it is one."""
     for _ in range(_MAX_DEPTH):
         if not (old.child_count > 1 and old.child_count == new.child_count):
             break

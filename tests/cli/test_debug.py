@@ -52,7 +52,7 @@ def test_behind_the_end_the_way_leads_back(program: str, capfd: pytest.CaptureFi
     main(["debug", "--batch", "-ex", "continue", "-ex", "reverse-step", program])
     shown = capfd.readouterr().out.splitlines()
     end = shown.index(
-        "All programs have ended: robot0 exited with 3. The way leads back from here."
+        "All programs have ended: robot0 exited with 3. Step back, or quit."
     )
     assert shown[end - 1] == "3"
     assert shown[-1] == "=>    8      return sum;"

@@ -42,13 +42,13 @@ class SourceLine:
 
     @property
     def head(self) -> str:
-        """Gives what stands before the code: marks and the number."""
+        """Return what stands before the code: marks and the number."""
         mark = "=>" if self.is_current else "  "
         return f"{mark}{'*' if self.has_breakpoint else ' '}{self.number:4}  "
 
     @property
     def text(self) -> str:
-        """Gives the line as plain text.
+        """Return the line as plain text.
 
         >>> SourceLine(12, "x = 3;", is_current=True).text
         '=>   12  x = 3;'

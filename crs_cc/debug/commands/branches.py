@@ -24,7 +24,7 @@ def _checkpoint(context: CommandContext, text: str) -> Answer:
 def _restart(context: CommandContext, text: str) -> Answer:
     numbers = parse_numbers(require_argument(text, "a checkpoint's number"))
     if len(numbers) != 1:
-        raise DebugError("say one checkpoint's number")
+        raise DebugError("expected the number of one checkpoint")
     return context.move(partial(context.debugger.restart, numbers[0]))
 
 
@@ -34,26 +34,26 @@ def _info_checkpoints(context: CommandContext, text: str) -> Answer:
     for each in found:
         yield f"{each.number:<3} {_shown(each)}"
     if not found:
-        yield "There are no checkpoints."
+        yield "No checkpoints."
 
 
 def _branch(context: CommandContext, text: str) -> Answer:
-    name = require_argument(text, "a name for the branch")
+    name = require_argument(text, "a branch name")
     context.debugger.branch(name)
-    yield f"The run goes on as branch '{name}'."
+    yield f"Switched to new branch '{name}'."
 
 
 def _switch(context: CommandContext, text: str) -> Answer:
-    return context.move(partial(context.debugger.switch, require_argument(text, "a branch's name")))
+    return context.move(partial(context.debugger.switch, require_argument(text, "a branch name")))
 
 
 def _compare(context: CommandContext, text: str) -> Answer:
-    found = context.debugger.compare(require_argument(text, "a branch's name"))
+    found = context.debugger.compare(require_argument(text, "a branch name"))
     timestep = context.debugger.position.timestep
     if not found:
-        yield f"There is no difference at the start of timestep {timestep}."
+        yield f"No differences at the start of timestep {timestep}."
         return
-    yield f"At the start of timestep {timestep}, here and there:"
+    yield f"At the start of timestep {timestep}, this branch | other branch:"
     for each in found:
         yield f"{each.robot} {each.name}: {each.here or 'nothing'} | {each.there or 'nothing'}"
 
@@ -72,26 +72,26 @@ def _shown(made: Checkpoint) -> str:
 
 BRANCHES: Final = Group(
     "branches",
-    "Instants to come back to, and runs that go on in different ways.",
+    "Checkpoints, and alternative histories.",
     (
         Command(
-            "checkpoint", "[NAME]", "Keep this instant, to come back to.", _checkpoint,
+            "checkpoint", "[NAME]", "Save the current position to return to.", _checkpoint,
         ),
         Command(
-            "restart", "N", "Go to a checkpoint.", _restart, completes="checkpoint",
+            "restart", "N", "Return to a checkpoint.", _restart, completes="checkpoint",
         ),
         Command("info checkpoints", "", "List the checkpoints.", _info_checkpoints),
         Command(
-            "branch", "NAME", "Let the run go on as another one from here, and keep this one.",
+            "branch", "NAME", "Start a new branch here, and keep the current one.",
             _branch,
-            text="What is changed from here on (variables, the world) belongs to the new branch.",
+            text="Later changes (to variables, to the world) belong to the new branch.",
         ),
         Command(
-            "switch", "NAME", "Go to another branch, to where it was left.", _switch,
+            "switch", "NAME", "Switch to another branch, where it was left.", _switch,
             completes="branch",
         ),
         Command(
-            "compare", "NAME", "Tell how another branch differs from this one.", _compare,
+            "compare", "NAME", "Show how another branch differs from this one.", _compare,
             completes="branch",
         ),
         Command("info branches", "", "List the branches.", _info_branches),

@@ -19,7 +19,7 @@ def _change(context: CommandContext, text: str, *, name: str) -> Answer:
 
 CHANGES: Final = Group(
     "changes",
-    "Changes of the world, which let the run go on as another one.",
+    "Changes to the world, which start a new history.",
     tuple(
         Command(
             name, each.syntax, each.summary, partial(_change, name=name),

@@ -45,7 +45,7 @@ class Command:
 
     @property
     def usage(self) -> str:
-        """Gives the command with its arguments."""
+        """Return the command with its arguments."""
         return f"{self.name} {self.syntax}".rstrip()
 
 

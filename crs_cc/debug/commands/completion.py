@@ -40,7 +40,7 @@ class Completion:
 
 
 def complete(context: CommandContext, text: str) -> Completion:
-    """Gives what the last word of a line can become."""
+    """Return what the last word of a line can become."""
     names = sorted(matching(text.lstrip()))
     start = len(text) - len(text.lstrip())
     if names:
@@ -67,7 +67,7 @@ def _commands(_context: CommandContext, word: str) -> Iterable[str]:
 
 
 def _places(context: CommandContext, word: str) -> Iterator[str]:
-    """Gives functions and files, and behind a file its functions."""
+    """Return functions and files, and behind a file its functions."""
     file, colon, _ = word.rpartition(":")
     for name, place in functions(context):
         if not colon or is_file(place.file, file):
@@ -113,7 +113,7 @@ def _branches(context: CommandContext, _word: str) -> Iterable[str]:
 
 
 def _edits(context: CommandContext, _word: str) -> Iterable[str]:
-    """Gives what changes of the world are about: names, devices and faults."""
+    """Return what changes of the world are about: names, devices and faults."""
     return (*context.debugger.session.environment.names, *DEVICES, *FAULTS, "to", "from", "all")
 
 

@@ -49,7 +49,7 @@ def _set(context: CommandContext, text: str) -> Answer:
             words[1] if len(words) > 1 else "", "an assignment, such as speed = 3"
         )
     if "=" not in text:
-        raise DebugError("say what it is to be: set VARIABLE = EXPRESSION")
+        raise DebugError("an assignment is missing: set VARIABLE = EXPRESSION")
     context.debugger.evaluate(text)
     yield from ()
 
@@ -73,7 +73,7 @@ def _examine(context: CommandContext, text: str) -> Answer:
         address, known = context.examined
         wanted = replace(known, count=wanted.count)
     else:
-        raise DebugError("say where to look: x ADDRESS")
+        raise DebugError("an address is missing: x ADDRESS")
     if wanted.letter == "s":
         yield from _strings(context, address, wanted)
         return
@@ -84,13 +84,13 @@ def _examine(context: CommandContext, text: str) -> Answer:
 
 
 def _address(value: Value) -> int:
-    """Gives the address that a value stands for: a pointer's, a number, or that of an object."""
+    """Return the address that a value stands for: a pointer's, a number, or that of an object."""
     if isinstance(value.type, ArrayType | RecordType):
         if value.address is None:
-            raise DebugError("this lies nowhere in memory")
+            raise DebugError("expression has no address")
         return value.address
     if not isinstance(value.number, int):
-        raise DebugError(f"{value.text} is no address")
+        raise DebugError(f"{value.text} is not an address")
     return value.number & 0xFFFF_FFFF
 
 
@@ -99,7 +99,7 @@ def _strings(context: CommandContext, address: int, wanted: OutputFormat) -> Ans
     for _ in range(min(wanted.count, _MAX_STRINGS)):
         content = inspector.read(address, MAX_TEXT_LENGTH + 1)
         if not content:
-            raise DebugError(f"there is no memory at {address:#x}")
+            raise DebugError(f"cannot access memory at {address:#x}")
         yield f"{address:#010x}: {quoted(content)}"
         address += min(len(content.partition(b"\0")[0]), MAX_TEXT_LENGTH) + 1
     context.examined = address, wanted
@@ -120,20 +120,20 @@ def _display(context: CommandContext, text: str) -> Answer:
 def _undisplay(context: CommandContext, text: str) -> Answer:
     for number in parse_numbers(text) or list(context.displays):
         if context.displays.pop(number, None) is None:
-            raise DebugError(f"there is no display {number}")
+            raise DebugError(f"no display {number}")
     yield from ()
 
 
 def _info_display(context: CommandContext, text: str) -> Answer:
     reject_arguments(text)
     if not context.displays:
-        yield "There are no displays."
+        yield "No displays."
     for number, display in context.displays.items():
         yield f"{number}: {display.expression}"
 
 
 def _variable(each: Variable) -> str:
-    hidden = "  (hidden by another one of that name)" if each.is_hidden else ""
+    hidden = "  (shadowed)" if each.is_hidden else ""
     return f"{each.name} = {each.value.text}{hidden}"
 
 
@@ -142,7 +142,7 @@ def _info_locals(context: CommandContext, text: str) -> Answer:
     here = frame(context)
     found = context.debugger.view.variables(frame=here.number)
     if not found:
-        yield f"{here.function} has no variables here."
+        yield f"No locals in {here.function}."
     yield from map(_variable, found)
 
 
@@ -155,14 +155,14 @@ def _info_args(context: CommandContext, text: str) -> Answer:
         if each.scope == "parameter"
     ]
     if not found:
-        yield f"{here.function} has no arguments."
+        yield f"No arguments in {here.function}."
     yield from map(_variable, found)
 
 
 def _info_globals(context: CommandContext, text: str) -> Answer:
     found = [each for each in context.debugger.view.globals_() if text in each.name]
     if not found:
-        raise DebugError(f"no global variable has '{text}' in its name")
+        raise DebugError(f"no global variable matches '{text}'")
     yield from map(_variable, found)
 
 
@@ -171,62 +171,62 @@ _FORMATS: Final = (
     " f floating, s string, a address."
 )
 _CHANGES: Final = (
-    "Assignments and calls of functions change the program: from here on the run is another one."
+    "Assignments and function calls change the program and start a new history from here."
 )
 
 DATA: Final = Group(
     "data",
-    "Values of expressions, variables and memory.",
+    "Expressions, variables and memory.",
     (
         Command(
-            "print", "[/FMT] EXPRESSION", "Show the value of a C expression.", _print,
+            "print", "[/FMT] EXPRESSION", "Print the value of a C expression.", _print,
             ("p", "inspect"),
-            text="All operators, casts, macros and calls of the program's own functions. Beyond C:"
-            " a[2..5] and *p@4 are elements in a row, turn::count and 'map.c'::size variables of"
-            " other functions and files, $3 a value that was printed, $ the last one, $name = 7 one"
-            f" to be kept. {_FORMATS} {_CHANGES}",
+            text="All operators, casts, macros and calls of the program's functions. Extensions:"
+            " a[2..5] and *p@4 are slices, turn::count and 'map.c'::size are variables of"
+            " other functions and files, $3 is a printed value, $ the last one, $name = 7 sets"
+            f" a convenience variable. {_FORMATS} {_CHANGES}",
             completes="expression",
         ),
         Command(
-            "call", "EXPRESSION", "Evaluate a C expression, and show its value if it has one.",
+            "call", "EXPRESSION", "Evaluate a C expression, and print its value unless void.",
             _call, text=_CHANGES, completes="expression",
         ),
         Command(
-            "set", "[var] VARIABLE = EXPRESSION", "Change a variable, or memory.", _set,
+            "set", "[var] VARIABLE = EXPRESSION", "Assign to a variable or memory.", _set,
             text=_CHANGES, completes="expression",
         ),
         Command(
-            "display", "[/FMT] [EXPRESSION]", "Show a value now and at every stop.", _display,
-            text=f"Where it means nothing it is left out. {_FORMATS}",
+            "display", "[/FMT] [EXPRESSION]", "Show an expression now and at every stop.", _display,
+            text=f"Omitted where it cannot be evaluated. {_FORMATS}",
             completes="expression",
         ),
         Command(
-            "undisplay", "[N...]", "Show these values no more; without a number, none.",
+            "undisplay", "[N...]", "Delete displays; default is all.",
             _undisplay, completes="display",
         ),
-        Command("info display", "", "List what is shown at every stop.", _info_display),
+        Command("info display", "", "List the displayed expressions.", _info_display),
         Command(
-            "whatis", "EXPRESSION", "Tell the type of an expression.", _whatis,
+            "whatis", "EXPRESSION", "Print the type of an expression.", _whatis,
             completes="expression",
         ),
         Command(
-            "ptype", "EXPRESSION|TYPE", "Tell how a type is declared.", _ptype,
+            "ptype", "EXPRESSION|TYPE", "Print the definition of a type.", _ptype,
             completes="expression",
         ),
         Command(
-            "x", "[/NFU] [ADDRESS]", "Show memory.", _examine,
-            text="N units, in format F, of U: b one byte, h two, w four, g eight. "
-            + _FORMATS + " ?? has no value yet, -- belongs to no object. Without an address, what"
-            " follows.",
+            "x", "[/NFU] [ADDRESS]", "Examine memory.", _examine,
+            text="N units in format F, of size U: b one byte, h two, w four, g eight. "
+            + _FORMATS + " ?? is uninitialised, -- belongs to no object. Without ADDRESS,"
+" continue after the last.",
             repeats="on", completes="expression",
         ),
         Command(
-            "info locals", "", "Show the variables of the function that is looked at.",
+            "info locals", "", "Show the local variables of the selected frame.",
             _info_locals, ("info lo",),
         ),
-        Command("info args", "", "Show its arguments.", _info_args),
+        Command("info args", "", "Show the arguments of the selected frame.", _info_args),
         Command(
-            "info globals", "[TEXT]", "Show the global variables with TEXT in their names.",
+            "info globals", "[TEXT]", "Show the global variables whose names contain TEXT.",
             _info_globals, ("info variables",), completes="expression",
         ),
     ),

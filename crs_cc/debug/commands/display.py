@@ -20,7 +20,7 @@ class Display:
     format: OutputFormat
 
     def text(self, debugger: Debugger) -> str:
-        """Gives it as it is now.
+        """Return it as it is now.
 
         Raises:
             DebugError: it means nothing here.

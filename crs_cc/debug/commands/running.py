@@ -34,7 +34,7 @@ def _continue(context: CommandContext, text: str) -> Answer:
     if count > 1:
         hit = context.debugger.stop.breakpoints
         if not hit:
-            raise DebugError("there is no breakpoint here to be passed")
+            raise DebugError("no breakpoint at this stop to ignore")
         context.debugger.stop_points.ignore(hit[0], count - 1)
         yield f"Will ignore next {count - 1} crossings of breakpoint {hit[0]}.  Continuing."
     yield from context.move(context.debugger.resume)
@@ -86,19 +86,19 @@ _INSTANT: Final = re.compile(
 
 
 def _goto(context: CommandContext, text: str) -> Answer:
-    text = require_argument(text, "an instant, such as 12.3 or tick 120")
+    text = require_argument(text, "a time, such as 12.3 or tick 120")
     if text == "start":
         return context.move(partial(context.debugger.goto, BEGINNING))
     found = _INSTANT.fullmatch(text)
     if not found:
         raise DebugError(
-            f"'{text}' is no instant: write seconds as 12.3, or tick 120, stmt 40210, start"
+            f"'{text}' is not a time (expected 12.3 [s], tick 120, stmt 40210 or start)"
         )
     kind, number = found["kind"] or "t", found["number"]
     if kind in {"t", "time"}:
         return context.move(partial(context.debugger.goto_time, float(number)))
     if not number.isdigit():
-        raise DebugError(f"'{kind}' needs a whole number")
+        raise DebugError(f"'{kind}' needs an integer")
     is_tick = kind.startswith("ti")
     go = context.debugger.goto_timestep if is_tick else context.debugger.goto_statement
     return context.move(partial(go, int(number)))
@@ -109,88 +109,86 @@ def _when(context: CommandContext, text: str) -> Answer:
     yield when_text(context.debugger)
 
 
-_BACKWARD_TEXT: Final = (
-    "Programs and world go back together: what was there is there again, to the byte."
-)
+_BACKWARD_TEXT: Final = "Programs and world go back together and are restored to the byte."
 
-MOVING: Final = Group(
-    "moving",
-    "Going forward and backward through the run.",
+RUNNING: Final = Group(
+    "running",
+    "Forward and reverse execution.",
     (
         Command(
             "start", "", "Go to the first statement of the first program.", _start,
-            text="Breakpoints stay. What was done after an earlier moment is forgotten only when"
-            " something is changed there.",
+            text="Breakpoints are kept. Recorded history is discarded only when"
+            " the past is changed.",
         ),
-        Command("run", "", "Go to the beginning, then on to the first breakpoint.", _run, ("r",)),
+        Command("run", "", "Go to the start, then continue to the first breakpoint.", _run, ("r",)),
         Command(
-            "continue", "[N]", "Go on to the next breakpoint, watchpoint or catchpoint.",
+            "continue", "[N]", "Continue to the next breakpoint, watchpoint or catchpoint.",
             _continue, ("c", "fg"),
-            text="With N, pass the breakpoint at which the program stands N - 1 times. Ctrl-C"
-            " stops.",
+            text="With N, ignore the current breakpoint N - 1 times. Ctrl-C"
+" interrupts.",
             repeats="on",
         ),
         Command(
-            "step", "[N]", "Go to the next line, into functions that it calls.", _step, ("s",),
-            text="With N, N times. Functions of the C library count as one line.",
+            "step", "[N]", "Step to the next line, entering calls.", _step, ("s",),
+            text="With N, N times. Calls of C library functions are stepped over.",
             repeats="same",
         ),
         Command(
-            "next", "[N]", "Go to the next line of this function, over those that it calls.",
+            "next", "[N]", "Step to the next line, stepping over calls.",
             _next, ("n",), repeats="same",
         ),
         Command(
-            "stepi", "[N]", "Go to the next statement, in the same line or another.",
+            "stepi", "[N]", "Step one statement.",
             _stepi, ("si",), repeats="same",
         ),
         Command(
-            "finish", "", "Go on until this function has returned.", _finish, ("fin",),
+            "finish", "", "Continue until the current function returns.", _finish, ("fin",),
             repeats="same",
         ),
         Command(
-            "until", "[PLACE]", "Go to the next line, but out of loops instead of round again.",
+            "until", "[LOCATION]", "Like next, but do not go back to an earlier line of a loop.",
             _until, ("u",),
-            text='With a place, the same as "advance".',
+            text='With LOCATION, the same as "advance".',
             repeats="same", completes="place",
         ),
         Command(
-            "advance", "PLACE", "Go on to a line or a function, as if a breakpoint were there.",
+            "advance", "LOCATION", "Continue to a line or a function.",
             _advance, completes="place",
         ),
         Command(
-            "tick", "[N]", "Go on to the beginning of the next timestep of the world.", _tick,
+            "tick", "[N]", "Continue to the start of the next timestep.", _tick,
             repeats="same",
         ),
         Command(
-            "reverse-continue", "", "Go back to the breakpoint, watchpoint or catchpoint before.",
+            "reverse-continue", "", "Continue backward to the previous stop.",
             _reverse_continue, ("rc", "rewind"), text=_BACKWARD_TEXT, repeats="on",
         ),
         Command(
-            "reverse-step", "[N]", "Go back to the line before, into functions that were called.",
+            "reverse-step", "[N]", "Step back to the previous line, entering calls.",
             partial(_step, backward=True), ("rs",), text=_BACKWARD_TEXT, repeats="same",
         ),
         Command(
-            "reverse-next", "[N]", "Go back to the line before of this function.",
+            "reverse-next", "[N]", "Step back to the previous line, over calls.",
             partial(_next, backward=True), ("rn",), repeats="same",
         ),
         Command(
-            "reverse-stepi", "[N]", "Go back by a statement.",
+            "reverse-stepi", "[N]", "Step back one statement.",
             partial(_stepi, backward=True), ("rsi",), repeats="same",
         ),
         Command(
-            "reverse-finish", "", "Go back to where this function was called.",
+            "reverse-finish", "", "Go back to the call of the current function.",
             partial(_finish, backward=True), repeats="same",
         ),
         Command(
-            "reverse-tick", "[N]", "Go back to the beginning of the timestep before.",
+            "reverse-tick", "[N]", "Go back to the start of the previous timestep.",
             partial(_tick, backward=True), ("rt",), repeats="same",
         ),
         Command(
-            "goto", "TIME|tick N|stmt N|start", "Go to an instant, forward or backward.", _goto,
-            text="TIME is in seconds, such as 12.3; tick N the beginning of timestep N; stmt N"
-            ' before statement N of the robot\'s program, as "when" tells. Breakpoints on the way'
-            " do not stop it.",
+            "goto", "TIME|tick N|stmt N|start", "Go to a time, forward or backward.", _goto,
+            text="TIME is in seconds, such as 12.3; tick N is the start of timestep N; stmt N is"
+            ' before statement N of the robot\'s program (see "when"). Breakpoints on the way'
+            " are ignored.",
         ),
-        Command("when", "", "Tell the instant: time, timestep, statement.", _when),
+        Command("when", "", "Show the current time, timestep and statement.", _when),
     ),
 )  # fmt: skip

@@ -38,12 +38,12 @@ class Selection:
     frame: BacktraceFrame | None
 
     def head(self, debugger: Debugger) -> str:
-        """Gives the place in words: `robot0 in turn (left=3) at wander.c:40`."""
+        """Return the place in words: `robot0 in turn (left=3) at wander.c:40`."""
         name = f"{debugger.names[self.robot]} in " if len(debugger.names) > 1 else ""
         return name + frame_text(debugger, self.frame) if self.frame else ""
 
     def lines(self, debugger: Debugger, *, with_head: bool = True) -> Answer:
-        """Gives the place, and the line of C there."""
+        """Return the place, and the line of C there."""
         if self.frame is None:
             return
         if with_head:
@@ -52,7 +52,7 @@ class Selection:
 
 
 def selection(debugger: Debugger) -> Selection:
-    """Gives where the user looks now."""
+    """Return where the user looks now."""
     frames = debugger.view.frames()
     frame = next((each for each in frames if each.number == debugger.view.frame), None)
     return Selection(debugger.view.robot, frame.function if frame else "", len(frames), frame)
@@ -64,7 +64,7 @@ def stop_lines(
     known: Mapping[int, Breakpoint],
     before: Selection | None,
 ) -> Answer:
-    """Says why a run stopped, and where.
+    """Return why a run stopped, and where.
 
     Args:
         debugger: it.
@@ -78,7 +78,7 @@ def stop_lines(
     if not text and not hit and stop.reason in _SAID:
         text = f"{WORDS[stop.reason].capitalize()}."
     if stop.reason == "end":
-        text = f"All programs have ended: {_ends(debugger)}. The way leads back from here."
+        text = f"All programs have ended: {_ends(debugger)}. Step back, or quit."
     elif stop.reason == "exit" and not text:
         text = f"{debugger.names[stop.robot]} {activity(debugger.session, stop.robot)}."
     if text:
@@ -98,7 +98,7 @@ def stop_lines(
 
 
 def _ends(debugger: Debugger) -> str:
-    """Gives what became of the programs."""
+    """Return what became of the programs."""
     ends = [
         f"{name} {activity(debugger.session, robot)}"
         for robot, name in enumerate(debugger.names[:_MAX_ENDS])
@@ -112,9 +112,9 @@ def _call(place: Selection) -> tuple[int, str, int]:
 
 
 def frame_text(debugger: Debugger, frame: BacktraceFrame, robot: int | None = None) -> str:
-    """Gives an active function with its arguments, and the place in it."""
+    """Return an active function with its arguments, and the place in it."""
     if frame.is_library:
-        return f"{frame.function} (), in the library"
+        return f"{frame.function} (), in the C library"
     place, variables = frame.location, debugger.view.variables(robot=robot, frame=frame.number)
     arguments = [
         f"{each.name}={_brief(each.value.text)}"
@@ -125,26 +125,26 @@ def frame_text(debugger: Debugger, frame: BacktraceFrame, robot: int | None = No
 
 
 def _brief(value: str) -> str:
-    """Gives a value in a few words: without what is told of an address."""
+    """Return a value in a few words: without what is told of an address."""
     if value.startswith("0x"):
         value = value.split(maxsplit=1)[0]
     return value if len(value) <= _MAX_ARGUMENT_LENGTH else f"{value[:_MAX_ARGUMENT_LENGTH]}..."
 
 
 def current_line(debugger: Debugger, frame: BacktraceFrame) -> Answer:
-    """Gives the line of C where a function stands."""
+    """Return the line of C where a function stands."""
     lines, number = debugger.view.source(frame.location.file), frame.location.line
     if 0 < number <= len(lines):
         yield SourceLine(number, lines[number - 1], is_current=True)
 
 
 def when_text(debugger: Debugger) -> str:
-    """Gives the instant where a run is."""
+    """Return the instant where a run is."""
     begun = debugger.run.statements_begun(debugger.view.robot)
     stmt = f"{debugger.names[debugger.view.robot]} before stmt {begun + 1}"
     return f"t = {debugger.view.time_s:.3f} s, {position_text(debugger.position)}, {stmt}"
 
 
 def position_text(position: Position) -> str:
-    """Gives an instant without the statement."""
+    """Return an instant without the statement."""
     return f"tick {position.timestep}, round {position.round}"

@@ -30,7 +30,7 @@ _INDENT: Final = "    "
 
 
 def declared(ctype: CType, declarator: str = "") -> Iterator[str]:
-    """Gives a type as C declares it, its struct, union or enum with all that is in it.
+    """Return a type as C declares it, its struct, union or enum with all that is in it.
 
     Args:
         ctype: the type.
@@ -55,14 +55,14 @@ def declared(ctype: CType, declarator: str = "") -> Iterator[str]:
 
 
 def _has_no_name(ctype: CType) -> bool:
-    """Tells whether it is a struct or union that can be written in no other way."""
+    """Return whether it is a struct or union that can be written in no other way."""
     if isinstance(ctype, ArrayType):
         return _has_no_name(ctype.element)
     return isinstance(ctype, RecordType) and not (ctype.record.tag or ctype.record.alias)
 
 
 def _members(core: RecordType | EnumType) -> Iterator[str]:
-    """Gives what stands in the braces."""
+    """Return what stands in the braces."""
     if isinstance(core, EnumType):
         for name, value in (core.definition.constants or {}).items():
             yield f"{_INDENT}{name} = {value},"

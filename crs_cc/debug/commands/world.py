@@ -60,7 +60,7 @@ def _info_state(context: CommandContext, text: str) -> Answer:
     robot = parse_robot(text, debugger.names) if text else debugger.view.robot
     rows = vendor_state_rows(debugger.view, robot)
     if not rows:
-        raise DebugError(f"the program of {debugger.names[robot]} has no State[]")
+        raise DebugError(f"{debugger.names[robot]}'s program has no State[]")
     yield from lines(rows)
 
 
@@ -78,7 +78,7 @@ def _map(context: CommandContext, text: str) -> Answer:
 
 
 def _across_m(text: str) -> float:
-    """Gives how much of a world is to be seen.
+    """Return how much of a world is to be seen.
 
     Raises:
         DebugError: it is no length.
@@ -88,7 +88,7 @@ def _across_m(text: str) -> float:
     except ValueError as wrong:
         raise DebugError(str(wrong)) from None
     if not _LEAST_M <= across_m <= _MOST_M:
-        raise DebugError(f"what is to be seen is from {_LEAST_M:g} to {_MOST_M:g} m")
+        raise DebugError(f"the map's height must be {_LEAST_M:g} to {_MOST_M:g} m")
     return across_m
 
 
@@ -102,37 +102,37 @@ def _output(context: CommandContext, text: str) -> Answer:
 
 WORLD: Final = Group(
     "world",
-    "Robots, and the world around them.",
+    "Robots and their world.",
     (
         Command(
-            "robots", "", "List the robots: what they do, and where.", _robots,
+            "robots", "", "List the robots with their activity and position.", _robots,
             ("info robots", "info threads"),
         ),
         Command(
-            "robot", "[NAME]", "Look at another robot's program, or say which one it is.", _robot,
+            "robot", "[NAME]", "Select a robot, or show the selected one.", _robot,
             ("thread", "t"),
-            text="A robot is named as in the world, or by its number.",
+            text="NAME is the robot's name in the world, or its number.",
             completes="robot",
         ),
         Command(
-            "info robot", "[NAME]", "Tell about a robot: its pose, its sensors, its command.",
+            "info robot", "[NAME]", "Describe a robot: pose, sensors, command.",
             _info_robot, completes="robot",
         ),
         Command(
             "info state", "[NAME]",
-            "Show what a robot's program has in State[], by names and in units.",
+            "Show State[] of a robot's program with names and units.",
             _info_state, ("info State",), completes="robot",
         ),
-        Command("info world", "", "Tell about the world: its time, and what is in it.",
+        Command("info world", "", "Describe the world: its time and its objects.",
                 _info_world),
         Command(
-            "map", "[NAME [METRES]]", "Draw the world, or what is around a robot.", _map,
-            text="Around a robot, what its sonars heard last is drawn too; METRES is how much is"
-            " seen, from the top to the bottom.",
+            "map", "[NAME [METRES]]", "Draw a map of the world, or around a robot.", _map,
+            text="Around a robot, its last sonar echoes are drawn too; METRES is the height"
+            " of the map.",
             completes="robot",
         ),
         Command(
-            "output", "[ROBOT] [LINES]", "Show what the programs have written up to here.",
+            "output", "[ROBOT] [LINES]", "Show the output of the programs up to here.",
             _output, completes="robot",
         ),
     ),

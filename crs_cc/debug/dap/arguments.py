@@ -44,7 +44,7 @@ class Arguments:
 
     @classmethod
     def of(cls, values: Any) -> Self:
-        """Gives arguments as they came.
+        """Return arguments as they came.
 
         Raises:
             RefusalError: they are no object.
@@ -57,11 +57,11 @@ class Arguments:
         return self._values.get(name) is not None
 
     def names(self) -> list[str]:
-        """Gives the names of what is there."""
+        """Return the names of what is there."""
         return [name for name, value in self._values.items() if value is not None]
 
     def integer(self, name: str, default: int | None = None) -> int:
-        """Gives an integer.
+        """Return an integer.
 
         Raises:
             RefusalError: it is something else, too large, or not there and there is no default.
@@ -72,22 +72,22 @@ class Arguments:
         return value
 
     def natural(self, name: str, default: int | None = None) -> int:
-        """Gives an integer that is not negative; like `integer`."""
+        """Return an integer that is not negative; like `integer`."""
         value = self.integer(name, default)
         if value < 0:
             raise RefusalError(f"'{name}' must not be negative")
         return value
 
     def flag(self, name: str, *, default: bool | None = None) -> bool:
-        """Gives a truth value; raises like `integer`."""
+        """Return a truth value; raises like `integer`."""
         return self._value(name, bool, default)
 
     def text(self, name: str, default: str | None = None) -> str:
-        """Gives a string; raises like `integer`."""
+        """Return a string; raises like `integer`."""
         return self._value(name, str, default)
 
     def texts(self, name: str) -> list[str]:
-        """Gives a list of strings, of one where a string stands; raises like `integer`."""
+        """Return a list of strings, of one where a string stands; raises like `integer`."""
         if isinstance(self._values.get(name), str):
             return [self.text(name)]
         values = self._list(name)
@@ -96,14 +96,14 @@ class Arguments:
         return values
 
     def objects(self, name: str) -> list[Arguments]:
-        """Gives a list of objects, empty where there is none; raises like `integer`."""
+        """Return a list of objects, empty where there is none; raises like `integer`."""
         values = self._list(name)
         if not all(isinstance(value, dict) for value in values):
             raise RefusalError(f"'{name}' must be a list of objects")
         return [Arguments(value) for value in values]
 
     def object(self, name: str) -> Arguments:
-        """Gives an object, an empty one where there is none; raises like `integer`."""
+        """Return an object, an empty one where there is none; raises like `integer`."""
         value = self._values.get(name)
         if value is not None and not isinstance(value, dict):
             raise RefusalError(f"'{name}' must be an object")

@@ -31,11 +31,11 @@ class Connection:
         self._seq = 0
 
     def respond(self, request: ClientRequest, body: Message | None = None) -> None:
-        """Says that a request is fulfilled; raises like `event`."""
+        """Return that a request is fulfilled; raises like `event`."""
         self._answer(request, {"success": True, **({"body": body} if body else {})})
 
     def refuse(self, request: ClientRequest, text: str, word: str = "") -> None:
-        """Says that a request cannot be fulfilled; raises like `event`.
+        """Return that a request cannot be fulfilled; raises like `event`.
 
         Args:
             request: the request.
@@ -47,7 +47,7 @@ class Connection:
         self._answer(request, {"success": False, "message": word or text, "body": {"error": error}})
 
     def event(self, name: str, body: Message | None = None) -> None:
-        """Says that something happened.
+        """Return that something happened.
 
         Raises:
             ClientGoneError: nobody listens.

@@ -3,8 +3,8 @@
 A client takes addresses for numbers that it may count up and down. So each line has one, made of
 the robot, the function, and the line, with room before the first line.
 
->>> Address.decode(Address(2, 7, 3).encode())
-Address(robot=2, function=7, line=3)
+>>> CodeAddress.decode(CodeAddress(2, 7, 3).encode())
+CodeAddress(robot=2, function=7, line=3)
 """
 
 from __future__ import annotations
@@ -45,30 +45,30 @@ class CodeAddress:
     line: int
 
     def reaches(self, line: int) -> bool:
-        """Tells whether a line, or what stands for one, has an address in this function."""
+        """Return whether a line, or what stands for one, has an address in this function."""
         return 0 <= _MIDDLE + line < _ROOM
 
     def encode(self) -> int:
-        """Gives it as a number."""
+        """Return it as a number."""
         assert self.reaches(self.line)
         return ((self.robot + 1) * _FUNCTIONS + self.function) * _ROOM + _MIDDLE + self.line
 
     @classmethod
     def decode(cls, number: int) -> Self:
-        """Gives it from a number."""
+        """Return it from a number."""
         rest, line = divmod(number, _ROOM)
         robot, function = divmod(rest, _FUNCTIONS)
         return cls(robot - 1, function, line - _MIDDLE)
 
     @classmethod
     def read(cls, text: str) -> Self:
-        """Gives it from what a client writes.
+        """Return it from what a client writes.
 
         Raises:
             RefusalError: it is none.
         """
         if not re.fullmatch(r"0x[0-9a-fA-F]{1,16}", text):
-            raise RefusalError(f"'{text[:40]}' is no address of code")
+            raise RefusalError(f"'{text[:40]}' is not a code address")
         return cls.decode(int(text, 16))
 
 
@@ -87,7 +87,7 @@ class CodeLine:
 
 @lru_cache(maxsize=256)
 def code_of(function: Function) -> Sequence[CodeLine]:
-    """Gives the code of a function."""
+    """Return the code of a function."""
     lines: list[CodeLine] = []
     place = function.location
     for line in FunctionText(function).render().splitlines():
@@ -102,7 +102,7 @@ def code_of(function: Function) -> Sequence[CodeLine]:
 
 
 def address_of(program: DebugProgram, robot: int, name: str, location: Location) -> int:
-    """Gives the address of the first instruction of a place in a function.
+    """Return the address of the first instruction of a place in a function.
 
     Args:
         program: the robot's program.

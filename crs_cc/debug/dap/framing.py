@@ -33,7 +33,7 @@ class BadMessageError(Exception):
 
 
 def encode(message: Message) -> bytes:
-    """Gives a message as it goes over the stream.
+    """Return a message as it goes over the stream.
 
     JSON is kept to ASCII, so that whatever a program prints or a file is named can be sent.
     """
@@ -42,7 +42,7 @@ def encode(message: Message) -> bytes:
 
 
 def read_message(stream: BinaryIO) -> Message | None:
-    """Reads the next message; gives None where the stream ends between two.
+    """Read the next message; return None where the stream ends between two.
 
     Raises:
         BrokenStreamError: the header is not the protocol's, or the stream ends within a message.
@@ -58,7 +58,7 @@ def read_message(stream: BinaryIO) -> Message | None:
 
 
 def _read_size(stream: BinaryIO) -> int | None:
-    """Reads a header; gives its `Content-Length`, or None at the end of the stream."""
+    """Read a header; return its `Content-Length`, or None at the end of the stream."""
     size: int | None = None
     for number in range(MAX_LINES):
         line = stream.readline(MAX_LINE_LENGTH)
@@ -89,11 +89,11 @@ def _decode(body: bytes) -> Message:
     try:
         message = json.loads(body.decode("utf-8"), parse_constant=_refuse_constant)
     except (ValueError, RecursionError) as error:  # of decoding bytes, JSON, or too many digits
-        raise BadMessageError(f"a message is no JSON: {error}") from None
+        raise BadMessageError(f"a message is not valid JSON: {error}") from None
     if not isinstance(message, dict):
-        raise BadMessageError("a message is no JSON object")
+        raise BadMessageError("a message is not a JSON object")
     return message
 
 
 def _refuse_constant(name: str) -> NoReturn:
-    raise ValueError(f"{name} is no number in JSON")
+    raise ValueError(f"{name} is not a number in JSON")

@@ -24,27 +24,27 @@ class Handles:
         self._things: list[Any] = []
 
     def clear(self) -> None:
-        """Forgets all things: what they were has moved on."""
+        """Forget all things: what they were has moved on."""
         self._first += len(self._things)
         self._things.clear()
 
     def give(self, thing: Any) -> int:
-        """Gives a number to a thing.
+        """Return a number to a thing.
 
         Raises:
             RefusalError: too many have one.
         """
         if len(self._things) >= MAX:
-            raise RefusalError("too much is unfolded: let the program go on, or close something")
+            raise RefusalError("too many variables are expanded: collapse some, or resume")
         self._things.append(thing)
         return self._first + len(self._things) - 1
 
     def take(self, number: int) -> Any:
-        """Gives the thing with a number.
+        """Return the thing with a number.
 
         Raises:
             RefusalError: there is none, or no longer.
         """
         if not self._first <= number < self._first + len(self._things):
-            raise RefusalError("what this number stood for is gone: the programs have moved on")
+            raise RefusalError("the reference is no longer valid: the programs have moved on")
         return self._things[number - self._first]

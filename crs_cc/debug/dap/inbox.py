@@ -4,7 +4,7 @@ While programs run, nobody takes anything; then `put` calls what the engine's th
 `watched`, which lets the run be interrupted.
 
 >>> inbox = Inbox()
->>> inbox.put(Request(1, "threads", {}))
+>>> inbox.put(ClientRequest(1, "threads", {}))
 >>> inbox.close()
 >>> inbox.take().command, inbox.take()
 ('threads', None)
@@ -49,21 +49,21 @@ class Inbox:
         self._interrupt: Callable[[ClientRequest | None], None] | None = None
 
     def put(self, request: ClientRequest) -> None:
-        """Puts in a request.
+        """Put in a request.
 
         Raises:
             RefusalError: too many wait already.
         """
         with self._changed:
             if len(self._requests) >= MAX:
-                raise RefusalError(f"{MAX} requests wait already")
+                raise RefusalError(f"{MAX} requests are already pending")
             self._requests.append(request)
             self._changed.notify()
             if self._interrupt is not None:
                 self._interrupt(request)
 
     def close(self) -> None:
-        """Says that nothing more will come."""
+        """Return that nothing more will come."""
         with self._changed:
             self._closed = True
             self._changed.notify()
@@ -71,14 +71,14 @@ class Inbox:
                 self._interrupt(None)
 
     def take(self, *, wait: bool = True) -> ClientRequest | None:
-        """Gives the next request; None when none will come, or none is there to be waited for."""
+        """Return the next request; None when none will come, or none is there to be waited for."""
         with self._changed:
             while wait and not self._requests and not self._closed:
                 self._changed.wait()
             return self._requests.popleft() if self._requests else None
 
     def withdraw(self, seq: int) -> ClientRequest | None:
-        """Takes out the request with a number, if it still waits."""
+        """Take out the request with a number, if it still waits."""
         with self._changed:
             found = next((each for each in self._requests if each.seq == seq), None)
             if found is not None:
@@ -87,13 +87,13 @@ class Inbox:
 
     @property
     def closed(self) -> bool:
-        """Tells whether all has been taken that will ever come."""
+        """Return whether all has been taken that will ever come."""
         with self._changed:
             return self._closed and not self._requests
 
     @contextmanager
     def watched(self, interrupt: Callable[[ClientRequest | None], None]) -> Iterator[None]:
-        """Calls `interrupt` for what waits now, and whatever comes before the block ends.
+        """Call `interrupt` for what waits now, and whatever comes before the block ends.
 
         Args:
             interrupt: takes the request, None for the end; is called by the reading thread, too.

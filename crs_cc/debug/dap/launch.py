@@ -152,7 +152,7 @@ class Launch:
 
 
 def read_launch(arguments: Arguments) -> Launch:
-    """Reads the arguments of `launch`.
+    """Read the arguments of `launch`.
 
     Raises:
         RefusalError: an attribute is of the wrong type, or one is missing.
@@ -160,7 +160,7 @@ def read_launch(arguments: Arguments) -> Launch:
     by_name = {each.name: _values(arguments, each) for each in ATTRIBUTES}
     files = by_name["program"] + by_name["world"]
     if not files:
-        raise RefusalError("launch names neither a program nor a world")
+        raise RefusalError("launch specifies neither a program nor a world")
     line = [
         f"{each.option}={value}" if value else each.option
         for each in ATTRIBUTES
@@ -172,7 +172,7 @@ def read_launch(arguments: Arguments) -> Launch:
         line += ["--", *by_name["args"]]
     folder = arguments.text("cwd", "")
     if any("\0" in word for word in (*line, folder)):
-        raise RefusalError("launch has a NUL character in an attribute")
+        raise RefusalError("an attribute of launch contains a NUL character")
     return Launch(
         tuple(line),
         folder,
@@ -184,7 +184,7 @@ def read_launch(arguments: Arguments) -> Launch:
 
 
 def _values(arguments: Arguments, attribute: LaunchAttribute) -> list[str]:
-    """Gives what an attribute says, as words of a command line."""
+    """Return what an attribute says, as words of a command line."""
     name = attribute.name
     if name not in arguments:
         return []

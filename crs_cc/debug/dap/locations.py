@@ -44,16 +44,16 @@ class ClientLocations:
         self._has_uris = form == "uri"
 
     def know(self, files: Iterable[str]) -> None:
-        """Takes the names of the files that the programs are made of; a file keeps its number."""
+        """Take the names of the files that the programs are made of; a file keeps its number."""
         known = set(self._files)
         self._files += [file for file in dict.fromkeys(files) if file not in known]
 
     def sources(self) -> list[Message]:
-        """Gives all files that are known."""
+        """Return all files that are known."""
         return [self.source(file) for file in self._files]
 
     def source(self, file: str) -> Message:
-        """Gives a file as the client calls it."""
+        """Return a file as the client calls it."""
         name = file.rpartition("/")[2]
         if file.startswith(LIBRARY):
             self.know([file])
@@ -66,7 +66,7 @@ class ClientLocations:
         return {"name": name, "path": path.as_uri() if self._has_uris else str(path)}
 
     def key(self, source: Arguments) -> str:
-        """Gives what tells a client's source from all others, whether programs have it or not.
+        """Return what tells a client's source from all others, whether programs have it or not.
 
         Raises:
             RefusalError: it says neither a path nor a number.
@@ -80,7 +80,7 @@ class ClientLocations:
         return "" if "\0" in path else os.path.realpath(path)
 
     def file_at(self, key: str) -> str | None:
-        """Gives the name that the programs have for the source with a key; None if they have none.
+        """Return the name that the programs have for the source with a key; None if they have none.
 
         Known are the names with which the user has called them, and the library's own.
         """
@@ -89,7 +89,7 @@ class ClientLocations:
         return next((file for file in self._files if os.path.realpath(file) == key), None)
 
     def text(self, file: str, lines: Sequence[str]) -> str:
-        """Gives the text of a file.
+        """Return the text of a file.
 
         Args:
             file: its name.
@@ -100,23 +100,23 @@ class ClientLocations:
         return (SOURCES / file.removeprefix(LIBRARY)).read_text("utf-8")
 
     def line(self, line: int) -> int:
-        """Gives a line as the client counts."""
+        """Return a line as the client counts."""
         return line - 1 + self._first_line
 
     def column(self, column: int) -> int:
-        """Gives a column as the client counts; unknown ones are at the beginning."""
+        """Return a column as the client counts; unknown ones are at the beginning."""
         return max(column, 1) - 1 + self._first_column
 
     def to_line(self, line: int) -> int:
-        """Gives a client's line as we count."""
+        """Return a client's line as we count."""
         return line + 1 - self._first_line
 
     def to_column(self, column: int) -> int:
-        """Gives a client's column as we count."""
+        """Return a client's column as we count."""
         return column + 1 - self._first_column
 
     def place(self, location: Location) -> Message:
-        """Gives a place: source, line and column."""
+        """Return a place: source, line and column."""
         return {
             "source": self.source(location.file),
             "line": self.line(location.line),

@@ -32,13 +32,13 @@ class OutputEvents:
         self._begun: dict[tuple[int, int], str] = {}
 
     def begin(self, names: Sequence[str]) -> None:
-        """Forgets what was kept back; the programs of these robots will write."""
+        """Forget what was kept back; the programs of these robots will write."""
         self._names = names
         self._decoders.clear()
         self._begun.clear()
 
     def write(self, robot: int, stream: int, content: bytes) -> None:
-        """Takes what a program writes."""
+        """Take what a program writes."""
         which = robot, stream
         decoder = self._decoders.setdefault(which, codecs.getincrementaldecoder("utf-8")("replace"))
         text = self._begun.get(which, "") + decoder.decode(content)
@@ -50,14 +50,14 @@ class OutputEvents:
             self._tell(which, whole + newline)
 
     def flush(self) -> None:
-        """Tells of what has been kept back."""
+        """Return of what has been kept back."""
         for which, text in self._begun.items():
             if text:
                 self._tell(which, text)
         self._begun.clear()
 
     def say(self, text: str, category: str = "console") -> None:
-        """Tells something of our own."""
+        """Return something of our own."""
         self._connection.event("output", {"category": category, "output": f"{text}\n"})
 
     def _tell(self, which: tuple[int, int], text: str) -> None:

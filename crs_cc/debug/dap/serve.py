@@ -30,7 +30,7 @@ taken as it is used."""
 
 
 def serve_stdio(open_run: OpenRun) -> None:
-    """Serves the editor that has started this process, until it ends the session.
+    """Serve the editor that has started this process, until it ends the session.
 
     Args:
         open_run: makes a debugger of a command line of `crs debug`.
@@ -52,11 +52,11 @@ class _StandardInput(io.RawIOBase):
         self._is_over, self._over = os.pipe()
 
     def readable(self) -> bool:
-        """Tells that it can be read."""
+        """Report that it can be read."""
         return True
 
     def readinto(self, room: Any, /) -> int:
-        """Waits for bytes, and gives how many have come: none at the end."""
+        """Wait for bytes, and return how many have come: none at the end."""
         ready, _, _ = select.select([0, self._is_over], [], [])
         if self._is_over in ready:
             return 0
@@ -66,12 +66,12 @@ class _StandardInput(io.RawIOBase):
         return len(content)
 
     def end(self) -> None:
-        """Lets it end, for who waits for it, too."""
+        """Let it end, for who waits for it, too."""
         os.write(self._over, b"x")
 
 
 def serve_port(port: int, open_run: OpenRun, announce: Callable[[str], None]) -> None:
-    """Serves one editor after the other on a port of the loopback interface, until interrupted.
+    """Serve one editor after the other on a port of the loopback interface, until interrupted.
 
     Args:
         port: its number; 0 for any that is free.
@@ -107,7 +107,7 @@ def serve(
     open_run: OpenRun,
     hang_up: Callable[[], None] = lambda: None,
 ) -> None:
-    """Serves one session.
+    """Serve one session.
 
     Args:
         source: what the client says.
@@ -142,7 +142,7 @@ def serve(
 
 
 def _read(source: BinaryIO, connection: Connection, inbox: Inbox, session: EditorSession) -> None:
-    """Puts what the client wants into the inbox, until it says no more.
+    """Put what the client wants into the inbox, until it says no more.
 
     Raises:
         ClientGoneError: nobody listens.
@@ -166,7 +166,7 @@ def _read(source: BinaryIO, connection: Connection, inbox: Inbox, session: Edito
 
 
 def _request(message: Message) -> ClientRequest | None:
-    """Gives the request that a message is; None for one that answers something.
+    """Return the request that a message is; None for one that answers something.
 
     Raises:
         BadMessageError: it is neither.
@@ -175,15 +175,15 @@ def _request(message: Message) -> ClientRequest | None:
     if message.get("type") == "response":
         return None
     if message.get("type") != "request" or not isinstance(command, str):
-        raise BadMessageError("a message is no request")
+        raise BadMessageError("a message is not a request")
     if not isinstance(seq, int) or isinstance(seq, bool) or abs(seq) > MAX_INTEGER:
-        raise BadMessageError("a request has no number")
+        raise BadMessageError("a request has no 'seq'")
     arguments = message.get("arguments")
     return ClientRequest(seq, command, {} if arguments is None else arguments)
 
 
 def _sort(request: ClientRequest, connection: Connection, inbox: Inbox) -> None:
-    """Lets a request wait for its turn; one that withdraws another is fulfilled at once."""
+    """Let a request wait for its turn; one that withdraws another is fulfilled at once."""
     try:
         if request.command != "cancel":
             inbox.put(request)

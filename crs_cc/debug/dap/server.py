@@ -41,7 +41,7 @@ class Server:
         self._handlers = handlers
 
     def serve(self) -> None:
-        """Answers requests until the session is over, or no more can come.
+        """Answer requests until the session is over, or no more can come.
 
         Raises:
             ClientGoneError: nobody listens.
@@ -73,14 +73,14 @@ class Server:
             self._tell_more()
 
     def _tell_more(self) -> None:
-        """Tells what a request has brought about."""
+        """Return what a request has brought about."""
         session = self._session
         afterwards, session.afterwards = session.afterwards, None
         if afterwards is not None:
             afterwards()
 
     def _move(self, motion: Execution) -> None:
-        """Lets the programs run, and tells where they stop."""
+        """Let the programs run, and report where they stop."""
         session = self._session
         debugger = session.opened()
         session.handles.clear()
@@ -99,7 +99,7 @@ class Server:
             report_stop(session, stop)
 
     def _run(self, motion: Execution, debugger: Debugger) -> Stop:
-        """Lets the programs run until they stop, or a request wants them to."""
+        """Let the programs run until they stop, or a request wants them to."""
         session = self._session
         go = motion.go
         while True:
@@ -122,7 +122,7 @@ class Server:
 
 
 def explain(error: Exception) -> str:
-    """Gives an error in words for people."""
+    """Return an error in words for people."""
     if isinstance(error, DebugError | CrsError | OSError):
         return str(error)
     if os.environ.get("CRS_DEBUG"):

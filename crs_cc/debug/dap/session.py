@@ -87,7 +87,7 @@ class EditorSession:
         self._folder = os.getcwd()  # noqa: PTH109
 
     def meet(self, client: Arguments) -> None:
-        """Learns what a client says of itself.
+        """Learn what a client says of itself.
 
         Raises:
             RefusalError: it wants what there is not.
@@ -101,39 +101,39 @@ class EditorSession:
         return self._debugger
 
     def opened(self) -> Debugger:
-        """Gives the debugger.
+        """Return the debugger.
 
         Raises:
             RefusalError: nothing is launched.
         """
         if self._debugger is None:
-            raise RefusalError("nothing is launched")
+            raise RefusalError("no program is launched")
         return self._debugger
 
     def standing(self) -> Debugger:
-        """Gives the debugger of programs that stand still.
+        """Return the debugger of programs that stand still.
 
         Raises:
             RefusalError: they run, or nothing is launched.
         """
         debugger = self.opened()
         if self.moves:
-            raise RefusalError("the programs run: pause them first", "notStopped")
+            raise RefusalError("the programs are running: pause them first", "notStopped")
         return debugger
 
     def robot(self, arguments: Arguments) -> int:
-        """Gives the robot that a request means as a thread.
+        """Return the robot that a request means as a thread.
 
         Raises:
             RefusalError: there is no such robot.
         """
         robot = arguments.integer("threadId") - 1
         if not 0 <= robot < len(self.opened().names):
-            raise RefusalError("'threadId' is that of no robot")
+            raise RefusalError("unknown 'threadId'")
         return robot
 
     def open(self, launch: Launch) -> None:
-        """Makes a run, instead of the one before if there is one.
+        """Make a run, instead of the one before if there is one.
 
         Raises:
             RefusalError: its folder is none.
@@ -145,7 +145,7 @@ class EditorSession:
         except OSError as error:
             raise RefusalError(f"'cwd' cannot be used: {error.strerror}") from None
         for name in launch.unknown:
-            self.output.say(f"launch has no attribute '{name}': it is passed over", "important")
+            self.output.say(f"unknown attribute '{name}' of launch: ignored", "important")
         debugger = self._open_run(launch.command_line, self.output.write, self.output.say)
         self.launch, self._debugger, self.has_begun = launch, debugger, False
         self.breakpoints.debugger = debugger
@@ -157,7 +157,7 @@ class EditorSession:
             self.locations.know(program.executable.detail().lines)
 
     def begin(self) -> None:
-        """Lets the run begin: up to its first statement, or its first breakpoint."""
+        """Let the run begin: up to its first statement, or its first breakpoint."""
         launch, debugger = self.launch, self.opened()
         assert launch is not None
         self.has_begun = True
@@ -167,13 +167,13 @@ class EditorSession:
             self.motion = Execution(debugger.resume, go_on=debugger.resume)
 
     def close(self) -> None:
-        """Forgets the run."""
+        """Forget the run."""
         self._debugger = self.shell = self.breakpoints.debugger = None
         self.handles.clear()
 
     @contextmanager
     def interruptible(self, *, by_all: bool) -> Iterator[None]:
-        """Lets a request that comes in interrupt what runs in the block.
+        """Let a request that comes in interrupt what runs in the block.
 
         Args:
             by_all: whether every request does; else only those that want the programs to stop.
@@ -189,12 +189,12 @@ class EditorSession:
         debugger.forget_interrupt()  # by what came when it had stopped
 
     def report_invalidated(self) -> None:
-        """Tells that whatever the client knows of the programs may be another now."""
+        """Report that whatever the client knows of the programs may be another now."""
         if self.client.flag("supportsInvalidatedEvent", default=False):
             self.connection.event("invalidated", {"areas": ["all"]})
 
     def report_memory_written(self, reference: str, count: int) -> None:
-        """Tells that bytes of a program's memory are others now."""
+        """Report that bytes of a program's memory are others now."""
         if self.client.flag("supportsMemoryEvent", default=False):
             where = {"memoryReference": reference, "offset": 0, "count": count}
             self.connection.event("memory", where)

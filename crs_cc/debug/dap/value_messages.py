@@ -37,7 +37,7 @@ class FrameHandle:
 
 
 def requested_frame(session: EditorSession, arguments: Arguments) -> FrameHandle:
-    """Gives the active function that a request means; the one looked at where it means none.
+    """Return the active function that a request means; the one looked at where it means none.
 
     Raises:
         RefusalError: it is gone.
@@ -50,7 +50,7 @@ def requested_frame(session: EditorSession, arguments: Arguments) -> FrameHandle
         return FrameHandle(debugger.view.robot, frame.number, frame.function)
     found = session.handles.take(arguments.integer("frameId"))
     if not isinstance(found, FrameHandle):
-        raise RefusalError("'frameId' is that of no frame")
+        raise RefusalError("unknown 'frameId'")
     return found
 
 
@@ -72,7 +72,7 @@ class ExpandableValue:
 def child_messages(
     session: EditorSession, parts: ExpandableValue, start: int, count: int
 ) -> Iterator[Message]:
-    """Gives some parts of a value, as the client takes them.
+    """Return some parts of a value, as the client takes them.
 
     Args:
         session: the session.
@@ -86,7 +86,7 @@ def child_messages(
 
 
 def _unfolded(value: Value, expression: str) -> tuple[Value, str]:
-    """Gives the value whose parts are shown: of a pointer to a struct, the struct."""
+    """Return the value whose parts are shown: of a pointer to a struct, the struct."""
     if isinstance(value.type, PointerType) and isinstance(value.type.target, RecordType):
         for name, target in value.children():
             return target, child_expression(expression, name)
@@ -94,10 +94,12 @@ def _unfolded(value: Value, expression: str) -> tuple[Value, str]:
 
 
 def child_expression(expression: str, name: str) -> str:
-    """Gives the C expression for a part of a value.
+    """Return the C expression for a part of a value.
 
-    >>> part_of("row", "[2]"), part_of("*here", "x"), part_of("next", "*"), part_of("", "x")
-    ('row[2]', 'here->x', '*next', '')
+    >>> child_expression("row", "[2]"), child_expression("*here", "x")
+    ('row[2]', 'here->x')
+    >>> child_expression("next", "*"), child_expression("", "x")
+    ('*next', '')
     """
     if not expression:
         return ""
@@ -121,7 +123,7 @@ def value_message(
     text: str | None = None,
     key: str = "value",
 ) -> Message:
-    """Gives a value as the client takes it.
+    """Return a value as the client takes it.
 
     Args:
         session: the session.

@@ -91,8 +91,7 @@ class Evaluator:
     """Evaluates expressions in a robot's program.
 
     Attributes:
-        convenience_values: the values that `$name = expression` has kept; the last one that was evaluated for a
-            user may be kept as `$`, which has no name.
+        convenience_values: the values of `$name` by name; that of `$` has an empty name.
     """
 
     def __init__(
@@ -102,7 +101,7 @@ class Evaluator:
         convenience_values: dict[str, Value] | None = None,
         fields: tuple[StateField, ...] = (),
     ) -> None:
-        """Makes an evaluator.
+        """Make an evaluator.
 
         Args:
             stopped: tells where the program stands now.
@@ -125,7 +124,7 @@ class Evaluator:
         self._interpreter = Interpreter(now.program, now.compiled.addresses, self._memory, _lend)
 
     def evaluate(self, text: str, frame: StackFrame | None = None) -> Evaluation:
-        """Evaluates an expression.
+        """Evaluate an expression.
 
         Args:
             text: the expression; or a slice, or `$name = expression`, see `notation`.
@@ -155,7 +154,7 @@ class Evaluator:
         return Evaluation(value, self._memory.has_changed())
 
     def undo(self) -> None:
-        """Takes back what the last expression changed, in what is kept, too."""
+        """Take back what the last expression changed, in what is kept, too."""
         self._memory.undo()
         while self._replaced:
             name, before = self._replaced.pop()
@@ -165,7 +164,7 @@ class Evaluator:
                 self.convenience_values[name] = before
 
     def holds(self, text: str, frame: StackFrame | None = None) -> bool:
-        """Tells whether a condition is true; whatever it does is taken back.
+        """Return whether a condition is true; whatever it does is taken back.
 
         Raises:
             DebugError: as for `evaluate`.
@@ -176,7 +175,7 @@ class Evaluator:
         return bool(result)
 
     def check(self, text: str, function: str, place: Location) -> None:
-        """Finds out whether an expression will mean something at a place.
+        """Find out whether an expression will mean something at a place.
 
         Raises:
             DebugError: it does not.
@@ -185,7 +184,7 @@ class Evaluator:
             self._preparation.of(text, ExpressionContext(function, place))
 
     def type_of(self, text: str, frame: StackFrame | None = None) -> CType:
-        """Gives the type of an expression, which is not evaluated.
+        """Return the type of an expression, which is not evaluated.
 
         Raises:
             DebugError: it means nothing here.
@@ -199,7 +198,7 @@ class Evaluator:
         return self._preparation.of(text, standing).compiled.type
 
     def place(self, text: str, frame: StackFrame | None = None) -> ObjectLocation:
-        """Gives where the object lies that an expression names.
+        """Return where the object lies that an expression names.
 
         Raises:
             DebugError: it names none.
@@ -216,11 +215,11 @@ class Evaluator:
             return ObjectLocation(value.address or 0, value.type.size, value.type, depends_on)
         address, compiled = unsigned(result or 0, 32), prepared.compiled
         if not compiled.is_place or address >= SCRATCH:
-            raise DebugError(f"'{text}' is a value and no object in memory")
+            raise DebugError(f"'{text}' is a value, not an object in memory")
         return ObjectLocation(address, compiled.type.size, compiled.type, depends_on)
 
     def variables(self, frame: StackFrame | None = None) -> list[Variable]:
-        """Gives the variables of an active function, those of the innermost block first.
+        """Return the variables of an active function, those of the innermost block first.
 
         Parameters come last; variables that are declared behind the place are left out.
         """
@@ -232,11 +231,11 @@ class Evaluator:
         return variables_of(self._scopes, type_of, self.inspector(), frame)
 
     def globals_(self) -> list[Variable]:
-        """Gives the global variables of the user's own files, by their names."""
+        """Return the global variables of the user's own files, by their names."""
         return globals_of(self._scopes, self.inspector())
 
     def inspector(self) -> MemoryInspector:
-        """Gives what looks at the program's memory as it is now."""
+        """Return what looks at the program's memory as it is now."""
         return MemoryInspector(self._stopped(), self._interpreter.scratch, self._fields)
 
     # -- running -----------------------------------------------------------------------------
@@ -253,7 +252,7 @@ class Evaluator:
     def _run(
         self, text: str, stopped: Stopped, frame: StackFrame | None
     ) -> tuple[PreparedExpression, Any]:
-        """Evaluates an expression; gives it compiled, and its value or address."""
+        """Evaluate an expression; return it compiled, and its value or address."""
         known = FrameAddresses.of(stopped, frame)
         prepared = self._preparation.of(text, self._standing(stopped, frame, known))
         arguments: list[int | bytes] = []
@@ -277,11 +276,11 @@ class Evaluator:
             raise DebugError(str(wrong)) from None
         except RecursionError:
             self._memory.undo()
-            raise DebugError("too many calls inside each other") from None
+            raise DebugError("too many nested calls") from None
         return prepared, value
 
     def _pointer(self, use: Use, saved: SavedRegister | None, address: int | bytes) -> int:
-        """Gives the address of an array that a hidden pointer stands for."""
+        """Return the address of an array that a hidden pointer stands for."""
         assert isinstance(address, int)
         memory = self._stopped().memory
         if saved is not None and not saved.has_value(memory):
@@ -302,7 +301,7 @@ class Evaluator:
         return inspector.value(address, ctype)
 
     def _slice(self, wanted: Slice, frame: StackFrame | None) -> Value:
-        """Gives objects in a row as an array."""
+        """Return objects in a row as an array."""
         base = self._part(wanted.base, frame)
         first = self._whole(wanted.first, frame)
         if not wanted.last:
@@ -316,9 +315,9 @@ class Evaluator:
 
     def _row(self, ctype: CType, address: int | None, first: int, count: int) -> Value:
         if address is None or not is_complete(ctype):
-            raise DebugError("only objects in memory stand in a row")
+            raise DebugError("only objects in memory can form a slice")
         if not 0 < count <= MAX_ELEMENTS:
-            raise DebugError(f"a slice has 1 to {MAX_ELEMENTS:,} elements, not {count:,}")
+            raise DebugError(f"invalid slice length {count:,} (expected 1 to {MAX_ELEMENTS:,})")
         start = unsigned(address + first * ctype.size, 32)
         try:
             self._memory.read(start, ctype.size * count, judged=False)
@@ -328,7 +327,7 @@ class Evaluator:
         return replace(value, first=first)
 
     def _part(self, text: str, frame: StackFrame | None) -> Value:
-        """Evaluates a part of a slice, which may change nothing."""
+        """Evaluate a part of a slice, which may change nothing."""
         found = self.evaluate(text, frame)
         if found.changed:
             self._memory.undo()
@@ -338,7 +337,7 @@ class Evaluator:
     def _whole(self, text: str, frame: StackFrame | None) -> int:
         value = self._part(text, frame)
         if not isinstance(value.number, int) or isinstance(value.type, PointerType):
-            raise DebugError(f"'{text}' is no whole number")
+            raise DebugError(f"'{text}' is not an integer")
         return value.number
 
     def _explain(self, address: int, size: int, reading: bool) -> str:
@@ -346,7 +345,7 @@ class Evaluator:
 
 
 def _lend(name: str) -> Function | Data | None:
-    """Gives what the library has of a name, if it is of use without the world outside."""
+    """Return what the library has of a name, if it is of use without the world outside."""
     found = library().find(name)
     return None if found is None or not found.location.file.startswith(_PURE) else found
 
@@ -356,16 +355,16 @@ def _innermost(stopped: Stopped) -> StackFrame | None:
 
 
 def _frame_of(function: str, stopped: Stopped, frame: StackFrame | None) -> FrameAddresses:
-    """Gives the frame of a function: the nearest one outside of another, or else the innermost."""
+    """Return the frame of a function: the nearest one outside of another, or else the innermost."""
     active = [each for each in stopped.stack if each.function == function]
     if not active:
-        raise DebugError(f"'{plain_name(function)}' is not active: it has no variables now")
+        raise DebugError(f"'{plain_name(function)}' is not active: it has no variables")
     outside = [each for each in active if frame is None or each.fp >= frame.fp]
     return FrameAddresses.of(stopped, (outside or active)[0])
 
 
 def _bytes(ctype: CType, result: Any) -> bytes:
-    """Gives a value as it would lie in memory."""
+    """Return a value as it would lie in memory."""
     if isinstance(ctype, VoidType) or result is None:
         return b""
     if isinstance(ctype, FloatType):

@@ -92,7 +92,7 @@ class SourceNames:
         self._files: dict[str, FileNames | str] = {}
 
     def of(self, function: str, file: str) -> FileNames:
-        """Gives the names that the C file of a function knows.
+        """Return the names that the C file of a function knows.
 
         Args:
             function: the linker's name of the function.
@@ -109,7 +109,7 @@ class SourceNames:
         return self._file(known)
 
     def _file(self, name: str) -> FileNames:
-        """Gives what a C file knows; it is read once, even if nothing comes of that."""
+        """Return what a C file knows; it is read once, even if nothing comes of that."""
         if name not in self._files:
             try:
                 found = FileNames(self._paths[name], self._program.options)
@@ -124,7 +124,7 @@ class SourceNames:
         return names
 
     def types(self, function: str, file: str) -> TypeOf:
-        """Gives what tells the types of variables, in terms of the C file of a function.
+        """Return what tells the types of variables, in terms of the C file of a function.
 
         When the file is not any more what the program was made of they are those of the program:
         the same to people, if not to C.
@@ -135,10 +135,10 @@ class SourceNames:
             return lambda variable: variable.ctype
 
     def _change(self, found: FileNames) -> str:
-        """Says that the file is not any more what the program was made of; "" when it is."""
+        """Return that the file is not any more what the program was made of; "" when it is."""
         for file, lines in self._program.executable.detail().lines.items():
             if file in found.lines and list(found.lines[file]) != list(lines):
-                return f"{file} has changed since the program was built: what names mean is unknown"
+                return f"{file} has changed since the program was built: names cannot be resolved"
         return ""
 
 
@@ -146,14 +146,14 @@ class ExpressionCompiler:
     """Compiles expressions and keeps them."""
 
     def __init__(self, names: SourceNames, scopes: Scopes, kept: Mapping[str, Value]) -> None:
-        """Takes what names mean in files and in functions, and the values that users keep."""
+        """Take what names mean in files and in functions, and the values that users keep."""
         self._names = names
         self._scopes = scopes
         self._kept = kept
         self._known: dict[tuple[Any, ...], PreparedExpression] = {}
 
     def of(self, text: str, standing: ExpressionContext) -> PreparedExpression:
-        """Compiles an expression.
+        """Compile an expression.
 
         Raises:
             DebugError: it means nothing there.
@@ -198,7 +198,7 @@ class ExpressionCompiler:
         return PreparedExpression(compiled, tuple(use for _, use, _ in found), standing.sizes)
 
     def _type(self, names: FileNames, storage: Storage, standing: ExpressionContext) -> CType:
-        """Gives the type of what a name means."""
+        """Return the type of what a name means."""
         variable = storage.variable
         ctype = names.type_of(variable)
         if is_variably_modified(ctype):
@@ -215,7 +215,7 @@ class ExpressionCompiler:
     def _visible(
         self, standing: ExpressionContext, names: FileNames, used: set[str]
     ) -> list[tuple[str, Storage]]:
-        """Gives the variables that names mean at a place.
+        """Return the variables that names mean at a place.
 
         One whose declaration is still to come counts if its name means nothing else.
         """
@@ -235,15 +235,15 @@ class ExpressionCompiler:
         return list((later | found).items())
 
     def _outer(self, wanted: QualifiedName) -> Use:
-        """Finds `file::name` or `function::name`."""
+        """Find `file::name` or `function::name`."""
         if "." in wanted.inside:
             storage = self._scopes.static(wanted.name, wanted.inside)
             if storage is None:
-                raise DebugError(f"there is no variable '{wanted.name}' in {wanted.inside}")
+                raise DebugError(f"no variable '{wanted.name}' in {wanted.inside}")
             return Use(storage)
         functions = self._scopes.functions(wanted.inside)
         if not functions:
-            raise DebugError(f"there is no function '{wanted.inside}'")
+            raise DebugError(f"no function '{wanted.inside}'")
         for function in functions:
             for storage in self._scopes.of(function):
                 if storage.variable.name == wanted.name:
@@ -253,7 +253,7 @@ class ExpressionCompiler:
     def _value(self, wanted: ConvenienceVariable) -> Value:
         value = self._kept.get(wanted.name)
         if value is None:
-            raise DebugError(f"no value is kept as ${wanted.name}")
+            raise DebugError(f"no convenience variable ${wanted.name}")
         if not value.is_initialised or not value.content:
             raise DebugError(f"${wanted.name} has no value: it is {value.text}")
         return value

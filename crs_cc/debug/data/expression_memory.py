@@ -23,7 +23,7 @@ class Scratch:
     """
 
     def __init__(self, start: int, size: int) -> None:
-        """Takes the first address, and how many bytes there may be."""
+        """Take the first address, and how many bytes there may be."""
         self._start = start
         self._most = size
         self._bytes = bytearray()
@@ -32,7 +32,7 @@ class Scratch:
         return self._start <= address < self._start + self._most
 
     def allocate(self, size: int) -> int:
-        """Gives the address of so many bytes, all zero.
+        """Return the address of so many bytes, all zero.
 
         Raises:
             EvaluationError: there are not so many.
@@ -44,15 +44,15 @@ class Scratch:
         return self._start + first
 
     def mark(self) -> int:
-        """Gives what `release` takes."""
+        """Return what `release` takes."""
         return len(self._bytes)
 
     def release(self, mark: int) -> None:
-        """Takes back all that was handed out since a mark."""
+        """Take back all that was handed out since a mark."""
         del self._bytes[mark:]
 
     def read(self, address: int, size: int) -> bytes:
-        """Gives bytes.
+        """Return bytes.
 
         Raises:
             EvaluationError: they were not handed out.
@@ -62,7 +62,7 @@ class Scratch:
         return bytes(self._bytes[at : at + size])
 
     def write(self, address: int, content: bytes) -> None:
-        """Changes bytes.
+        """Change bytes.
 
         Raises:
             EvaluationError: they were not handed out.
@@ -72,9 +72,9 @@ class Scratch:
         self._bytes[at : at + len(content)] = content
 
     def peek(self, address: int, size: int) -> bytes:
-        """Gives bytes, as many as were handed out."""
+        """Return bytes, as many as were handed out."""
         return bytes(self._bytes[max(0, address - self._start) :][:size])
 
     def _check(self, address: int, end: int) -> None:
         if end > len(self._bytes):
-            raise EvaluationError(f"no object is at {address:#x}")
+            raise EvaluationError(f"no object at {address:#x}")

@@ -85,27 +85,27 @@ class InterpreterMemory(Protocol):
     trusting: bool
 
     def read(self, address: int, size: int, *, judged: bool = True) -> bytes:
-        """Gives bytes; they need not have values unless they are `judged`.
+        """Return bytes; they need not have values unless they are `judged`.
 
         Raises:
             EvaluationError: C may not read them.
         """
 
     def write(self, address: int, content: bytes, states: bytes = b"") -> None:
-        """Changes bytes; they have values unless `states` says otherwise.
+        """Change bytes; they have values unless `states` says otherwise.
 
         Raises:
             EvaluationError: C may not write them.
         """
 
     def states(self, address: int, size: int) -> bytes:
-        """Gives what C may do with bytes, as `ByteState`s."""
+        """Return what C may do with bytes, as `ByteState`s."""
 
     def state(self, address: int) -> int:
-        """Gives what C may do with a byte, one of `ByteState`."""
+        """Return what C may do with a byte, one of `ByteState`."""
 
     def mark(self, address: int, size: int, state: int) -> None:
-        """Says what C may do with bytes."""
+        """Return what C may do with bytes."""
 
 
 @dataclass(slots=True)
@@ -127,7 +127,7 @@ class Interpreter:
         memory: InterpreterMemory,
         lend: Lend = _nothing,
     ) -> None:
-        """Makes an interpreter.
+        """Make an interpreter.
 
         Args:
             program: a linked program.
@@ -150,7 +150,7 @@ class Interpreter:
         self._depth = 0
 
     def evaluate(self, expression: Program, name: str, arguments: Sequence[int | bytes]) -> Any:
-        """Calls a function of a small program that may use all of the large one.
+        """Call a function of a small program that may use all of the large one.
 
         Args:
             expression: the small program.
@@ -178,7 +178,7 @@ class Interpreter:
         return self._call(own, [("i32", signed(each, 32), 4) for each in passed])
 
     def scratch(self, address: int, size: int) -> bytes:
-        """Gives bytes of the scratch memory, fewer at its end."""
+        """Return bytes of the scratch memory, fewer at its end."""
         return (self._lent if address in self._lent else self._scratch).peek(address, size)
 
     def _kept(self, content: bytes) -> int:
@@ -194,7 +194,7 @@ class Interpreter:
             self._write(address + relocation.offset, value.to_bytes(4, "little"))
 
     def _known(self, name: str) -> int:
-        """Gives the address of an object or function."""
+        """Return the address of an object or function."""
         if name not in self._addresses and name not in self._program.functions:
             found = self._lend(name)
             if isinstance(found, Data):
@@ -226,7 +226,7 @@ class Interpreter:
         return struct.unpack(form, self._read(address, MEMORY_SIZE[memory], judged=judged))[0]
 
     def _copy(self, target: int, source: int, size: int) -> None:
-        """Copies bytes; those without values take that along."""
+        """Copy bytes; those without values take that along."""
         content, source = self._read(source, size, judged=False), unsigned(source, 32)
         states = self._memory.states(source, size) if source < SCRATCH else b""
         self._write(target, content, states)
@@ -244,7 +244,7 @@ class Interpreter:
     def _call(self, function: Function, arguments: list[tuple[MemoryType | None, Any, int]]) -> Any:
         self._depth += 1
         if self._depth > MAX_CALLS:
-            raise EvaluationError("too many calls inside each other")
+            raise EvaluationError("too many nested calls")
         mark, frame, trusting = self._scratch.mark(), _CallFrame(), self._memory.trusting
         try:
             self._enter(function, frame, arguments)
@@ -262,7 +262,7 @@ class Interpreter:
         frame: _CallFrame,
         arguments: list[tuple[MemoryType | None, Any, int]],
     ) -> None:
-        """Lays out the arguments as a caller does, and the slots."""
+        """Lay out the arguments as a caller does, and the slots."""
         sizes = [-(-size // 4) * 4 for _, _, size in arguments]
         wanted = sum(-(-each.size // 4) * 4 for each in function.parameters)
         at = start = self._scratch.allocate(max(sum(sizes), wanted))
@@ -296,13 +296,13 @@ class Interpreter:
             block = self._next(frame, end)
 
     def _request(self, _code: int, _message: int) -> int:
-        """Answers a request to the world outside, whose message lies at an address: refuses it."""
-        raise EvaluationError("it calls a function that needs the world outside")
+        """Answer a request to the world outside, whose message lies at an address: refuses it."""
+        raise EvaluationError("the expression calls a function that needs the simulated world")
 
     def _spend(self) -> None:
         self._left -= 1
         if self._left < 0:
-            raise EvaluationError(f"not done after {MAX_INSTRUCTIONS:,} instructions")
+            raise EvaluationError(f"evaluation exceeds {MAX_INSTRUCTIONS:,} instructions")
 
     def _next(self, frame: _CallFrame, end: Any) -> Block:
         match end:
@@ -322,7 +322,7 @@ class Interpreter:
                 frame.values[end.result] = self._request(code, message)
                 return end.then
             case SetJump() | LongJump():
-                raise EvaluationError("it calls setjmp or longjmp")
+                raise EvaluationError("the expression calls setjmp or longjmp")
             case Stop(kind=kind):
                 raise EvaluationError(kind)
         raise AssertionError(end)
@@ -332,7 +332,7 @@ class Interpreter:
         if isinstance(name, Register):
             pointer = self._value(frame, name)
             if pointer not in self._functions:
-                raise EvaluationError(f"{unsigned(pointer, 32):#x} is no function")
+                raise EvaluationError(f"{unsigned(pointer, 32):#x} is not a function's address")
             name = self._functions[pointer]
         function = self._program.functions.get(name) or self._lend(name)
         if not isinstance(function, Function) or self._is_missing(function):
@@ -343,7 +343,7 @@ class Interpreter:
         return self._call(function, arguments)
 
     def _is_missing(self, function: Function) -> bool:
-        """Tells whether a function works on what the program has not: its heap."""
+        """Return whether a function works on what the program has not: its heap."""
         return function.trusted and function.name not in self._program.functions
 
     # -- instructions ------------------------------------------------------------------------

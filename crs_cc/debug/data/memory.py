@@ -50,13 +50,13 @@ class SavedRegister:
         return self.address + self.ctype.size
 
     def has_value(self, memory: ByteArray) -> bool:
-        """Tells whether it has a value."""
+        """Return whether it has a value."""
         if self.flag is None:
             return not self.is_unset
         return not self.is_unset and bool(memory[self.flag : self.flag + 4].any())
 
     def widened(self, content: bytes) -> bytes:
-        """Gives the whole register with a value, as the program keeps it."""
+        """Return the whole register with a value, as the program keeps it."""
         ctype = self.ctype
         if not isinstance(ctype, IntegerType | FloatType | EnumType | PointerType):
             return content
@@ -81,18 +81,18 @@ class StoppedMemory:
         self._journal: list[tuple[int, bytes, bytes]] = []
 
     def begin(self, saved: Iterable[SavedRegister]) -> None:
-        """Begins an evaluation that may use these variables."""
+        """Begin an evaluation that may use these variables."""
         self._saved = {each.address: each for each in saved}
         self._journal = []
 
     def undo(self) -> None:
-        """Takes back all changes since `begin`."""
+        """Take back all changes since `begin`."""
         while self._journal:
             address, content, states = self._journal.pop()
             self._put(address, content, states)
 
     def has_changed(self) -> bool:
-        """Tells whether there are other bytes, or states, than there were at `begin`."""
+        """Return whether there are other bytes, or states, than there were at `begin`."""
         before: dict[int, tuple[int, int]] = {}
         for address, content, states in reversed(self._journal):
             known = states or _VALUED * len(content)
@@ -104,7 +104,7 @@ class StoppedMemory:
         )
 
     def read(self, address: int, size: int, *, judged: bool = True) -> bytes:
-        """Gives bytes; they need not have values unless they are `judged`.
+        """Return bytes; they need not have values unless they are `judged`.
 
         Raises:
             EvaluationError: C may not read them.
@@ -126,21 +126,21 @@ class StoppedMemory:
             raise EvaluationError(self._explain(address, size, True))
 
     def states(self, address: int, size: int) -> bytes:
-        """Gives the states of bytes, fewer at the end of the memory."""
+        """Return the states of bytes, fewer at the end of the memory."""
         if len(self._shadow):
             return self._shadow[address : address + size].tobytes()
         inside = min(address + size, MEMORY_BYTES) - max(address, NULL_SIZE)
         return _VALUED * inside if address >= NULL_SIZE else b""
 
     def _saved_at(self, address: int, size: int) -> SavedRegister | None:
-        """Gives the variable in a register that bytes belong to."""
+        """Return the variable in a register that bytes belong to."""
         for each in self._saved.values():
             if each.address <= address and address + size <= each.end:
                 return each
         return None
 
     def write(self, address: int, content: bytes, states: bytes = b"") -> None:
-        """Changes bytes; they have values unless `states` says otherwise.
+        """Change bytes; they have values unless `states` says otherwise.
 
         Raises:
             EvaluationError: C may not write them.
@@ -161,17 +161,17 @@ class StoppedMemory:
         self._change(address, content, known if is_own else states or _VALUED * size)
 
     def state(self, address: int) -> int:
-        """Gives the state of a byte."""
+        """Return the state of a byte."""
         return int(self._shadow[address]) if address < len(self._shadow) else 0
 
     def mark(self, address: int, size: int, state: int) -> None:
-        """Sets the states of bytes."""
+        """Set the states of bytes."""
         if len(self._shadow):
             content = self._memory[address : address + size].tobytes()
             self._change(address, content, bytes([state]) * len(content))
 
     def _change(self, address: int, content: bytes, states: bytes) -> None:
-        """Puts bytes, and states if there are any, and notes what was there."""
+        """Put bytes, and states if there are any, and notes what was there."""
         part = slice(address, address + len(content))
         known = self._shadow[part].tobytes() if states and len(self._shadow) else b""
         self._journal.append((address, self._memory[part].tobytes(), known))

@@ -31,7 +31,7 @@ class Variable:
 def variables_of(
     scopes: Scopes, type_of: TypeOf, inspector: MemoryInspector, active: StackFrame
 ) -> list[Variable]:
-    """Gives the variables of an active function, those of the innermost block first.
+    """Return the variables of an active function, those of the innermost block first.
 
     Parameters come last; what is declared behind the place, or does not exist there, is left out.
     """
@@ -53,7 +53,7 @@ def variables_of(
 
 
 def globals_of(scopes: Scopes, inspector: MemoryInspector) -> list[Variable]:
-    """Gives the global variables of the user's own files, by their names."""
+    """Return the global variables of the user's own files, by their names."""
     return [
         Variable(
             storage.variable.name, inspector.value(storage.at, storage.variable.ctype), storage.kind

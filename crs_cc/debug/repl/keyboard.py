@@ -21,7 +21,7 @@ _DELIMITERS: Final = " \t\n!@#$%^&*()=+[{]}|;'\",<>?"
 
 
 def _ignore() -> None:
-    """Hears of Ctrl-C where nothing runs."""
+    """Receive of Ctrl-C where nothing runs."""
 
 
 class Keyboard:
@@ -33,14 +33,14 @@ class Keyboard:
     """
 
     def __init__(self, terminal: Terminal) -> None:
-        """Takes what is written to, so that both keep out of each other's way."""
+        """Take what is written to, so that both keep out of each other's way."""
         self.is_typed = sys.stdin is not None and not sys.stdin.closed and sys.stdin.isatty()
         self.on_interrupt: Callable[[], None] = _ignore
         self._terminal = terminal
         self._is_asking = False
 
     def command(self, prompt: str) -> str | None:
-        """Asks for a command; None when there are no more. Ctrl-C drops what was typed."""
+        """Ask for a command; None when there are no more. Ctrl-C drops what was typed."""
         self._terminal.settle()
         while True:
             try:
@@ -51,7 +51,7 @@ class Keyboard:
                 self._terminal.line(Line('Type "quit" or Ctrl-D to end the debugger.'))
 
     def read(self, _robot: int, wanted: int) -> bytes:
-        """Gives what a program reads: at most so many bytes, at most one line.
+        """Return what a program reads: at most so many bytes, at most one line.
 
         Ctrl-C ends the input, and lets the program stop behind that.
         """
@@ -68,7 +68,7 @@ class Keyboard:
 
     @contextmanager
     def listening(self) -> Iterator[None]:
-        """Lets Ctrl-C break what waits for the user, and interrupt what runs."""
+        """Let Ctrl-C break what waits for the user, and interrupt what runs."""
         if threading.current_thread() is not threading.main_thread():
             yield
             return
@@ -108,7 +108,7 @@ class Keyboard:
 
 
 def offer_completion(shell: Shell) -> None:
-    """Lets the tabulator key complete what is typed, where Python has `readline`."""
+    """Let the tabulator key complete what is typed, where Python has `readline`."""
     try:
         import readline
     except ImportError:
@@ -119,7 +119,7 @@ def offer_completion(shell: Shell) -> None:
 
 
 def completer(shell: Shell, line: Callable[[], str]) -> Callable[[str, int], str | None]:
-    """Gives what readline asks for the first, second, ... word that may stand in a place."""
+    """Return what readline asks for the first, second, ... word that may stand in a place."""
     found: list[str] = []
 
     def give(word: str, number: int) -> str | None:

@@ -31,7 +31,7 @@ class Scripts:
     commands: Sequence[str] = ()
 
     def lines(self) -> Iterator[str]:
-        """Gives their lines; an empty one does not repeat the one before, as it would if typed.
+        """Return their lines; an empty one does not repeat the one before, as it would if typed.
 
         Raises:
             DebugError: a file cannot be read.
@@ -57,7 +57,7 @@ class Repl:
         debugger.stop_points.say = self._log
 
     def run(self, scripts: Scripts, *, batch: bool = False) -> int:
-        """Does what scripts say, then what the user says.
+        """Execute what scripts say, then what the user says.
 
         Args:
             scripts: these come first.
@@ -86,7 +86,7 @@ class Repl:
         except DebugError as error:
             self._refuse(str(error))
         if self._interrupted:
-            self._refuse("the script is left where it was interrupted")
+            self._refuse("script interrupted")
 
     def _refuse(self, text: str) -> None:
         self.shell.failures += 1
@@ -102,7 +102,7 @@ class Repl:
             self._do(text)
 
     def _interrupt(self) -> None:
-        """Hears Ctrl-C while something runs: that stops, and so does the script that it is in."""
+        """Receive Ctrl-C while something runs: that stops, and so does the script that it is in."""
         self._interrupted = True
         self.shell.debugger.interrupt()
 

@@ -5,7 +5,7 @@ timestep changes a few chunks, and robots that run the same program have most of
 What snapshots share as objects, they go on sharing. All that is held is counted, so that `size`
 says what would be free if everything were dropped.
 
->>> store = Store()
+>>> store = ChunkStore()
 >>> first = store.take((np.zeros(5 * CHUNK, np.uint8), "a name"))
 >>> second = store.take((np.arange(5 * CHUNK) // CHUNK == 4, "a name"))
 >>> store.size < 3 * CHUNK, store.give(second)[0].sum()
@@ -81,7 +81,7 @@ class ChunkStore:
         self._objects: dict[int, _Held] = {}
 
     def take(self, value: Any) -> Any:
-        """Takes a snapshot; gives what stands for it here."""
+        """Take a snapshot; return what stands for it here."""
         held = self._objects.get(id(value))
         if held is not None:
             held.uses += 1
@@ -103,7 +103,7 @@ class ChunkStore:
         return self._hold(value)
 
     def give(self, taken: Any) -> Any:
-        """Gives the snapshot back that something stands for; it stays here as well."""
+        """Return the snapshot back that something stands for; it stays here as well."""
         if isinstance(taken, _Chunked):
             content = b"".join(taken.chunks)
             if taken.dtype is None:
@@ -117,7 +117,7 @@ class ChunkStore:
         return taken if same else _made_of(taken, given)
 
     def drop(self, taken: Any) -> None:
-        """Forgets a snapshot, but for what others share with it."""
+        """Forget a snapshot, but for what others share with it."""
         held = self._objects.get(id(taken))
         if held is None:
             self.size -= _SMALL
@@ -161,12 +161,12 @@ class ChunkStore:
 
 @cache
 def _names(kind: Hashable) -> tuple[str, ...] | None:
-    """Gives the names of the fields of a dataclass, None for any other type."""
+    """Return the names of the fields of a dataclass, None for any other type."""
     return tuple(each.name for each in fields(kind)) if is_dataclass(kind) else None
 
 
 def _parts(value: Any) -> list[Any] | None:
-    """Gives what something is made of; None for what is not looked into."""
+    """Return what something is made of; None for what is not looked into."""
     if isinstance(value, tuple):
         return list(value)
     if isinstance(value, dict):
@@ -176,7 +176,7 @@ def _parts(value: Any) -> list[Any] | None:
 
 
 def _made_of(value: Any, parts: list[Any]) -> Any:
-    """Gives the like of something, made of other parts."""
+    """Return the like of something, made of other parts."""
     if isinstance(value, tuple):
         return tuple(parts)
     if isinstance(value, dict):

@@ -6,7 +6,7 @@ What was read is known as well: a run that goes back reads the same again, and a
 behind all that it has ever read.
 
 >>> from crs_cc.session.host import no_input
->>> console = Console(lambda robot, stream, content: print(robot, content.decode()), no_input)
+>>> console = ReplayConsole(lambda robot, stream, content: print(robot, content.decode()), no_input)
 >>> start = console.snapshot()
 >>> console.is_live = True
 >>> console.write(0, 1, b"hello")
@@ -53,7 +53,7 @@ class ReplayConsole:
     """
 
     def __init__(self, output: Output, read: Input) -> None:
-        """Takes what shows the output, and what gives the input."""
+        """Take what shows the output, and what gives the input."""
         self.is_live = self.shows_new = False
         self._show = output
         self._ask = read
@@ -66,11 +66,11 @@ class ReplayConsole:
 
     @property
     def at(self) -> int:
-        """Gives how many pieces have been written up to here."""
+        """Return how many pieces have been written up to here."""
         return self._at
 
     def write(self, robot: int, stream: int, content: bytes) -> None:
-        """Takes what a program writes.
+        """Take what a program writes.
 
         Raises:
             InternalError: it has been here before, and did not write this.
@@ -89,7 +89,7 @@ class ReplayConsole:
             self._show(robot, stream, content)
 
     def read(self, robot: int, wanted: int) -> bytes:
-        """Gives what a program reads: the same again where it has been read before."""
+        """Return what a program reads: the same again where it has been read before."""
         known, at = self._reads.setdefault(robot, []), self._read_at.get(robot, 0)
         if at == len(known):
             known.append(self._ask(robot, wanted))
@@ -99,17 +99,17 @@ class ReplayConsole:
         return known[at]
 
     def snapshot(self) -> ConsolePosition:
-        """Gives the place where the run is."""
+        """Return the place where the run is."""
         robots = range(max(self._read_at, default=-1) + 1)
         return ConsolePosition(self._at, tuple(self._read_at.get(robot, 0) for robot in robots))
 
     def restore(self, place: ConsolePosition) -> None:
-        """Goes to a place where the run has been."""
+        """Go to a place where the run has been."""
         self._at = place.written
         self._read_at = dict(enumerate(place.read))
 
     def truncate(self) -> None:
-        """Forgets the output behind this place, as it will be another one.
+        """Forget the output behind this place, as it will be another one.
 
         The input stays: it is there to be read, whatever the programs do.
         """
@@ -117,7 +117,7 @@ class ReplayConsole:
         del self._ends[self._at + 1 :], self._writers[self._at :]
 
     def fork(self) -> ReplayConsole:
-        """Gives a console of its own, as this one was at this place."""
+        """Return a console of its own, as this one was at this place."""
         other = copy.copy(self)
         other._content, other._ends = self._content[:], self._ends[:]
         other._writers, other._read_at = self._writers[:], dict(self._read_at)
@@ -126,7 +126,7 @@ class ReplayConsole:
         return other
 
     def text(self, robot: int | None = None, since: int = 0) -> bytes:
-        """Gives what has been written up to here, by one program or by all.
+        """Return what has been written up to here, by one program or by all.
 
         Args:
             robot: whose output; None for all.
@@ -137,7 +137,7 @@ class ReplayConsole:
         return b"".join(piece for writer, _, piece in self.pieces(since) if writer == robot)
 
     def pieces(self, since: int = 0) -> Iterator[tuple[int, int, bytes]]:
-        """Gives robot, stream and bytes of each piece that was written up to here."""
+        """Return robot, stream and bytes of each piece that was written up to here."""
         for at in range(since, self._at):
             yield *divmod(self._writers[at], _STREAMS), self._piece(at)
 

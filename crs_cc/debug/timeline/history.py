@@ -60,7 +60,7 @@ class History:
     """The snapshots of one run, and where the user has changed it."""
 
     def __init__(self, most_bytes: int = MAX_BYTES, robots: int = 1) -> None:
-        """Begins with no snapshot; the first one that it is given is the start.
+        """Begin with no snapshot; the first one that it is given is the start.
 
         Args:
             most_bytes: how much memory the snapshots may take, unless all are needed.
@@ -78,14 +78,14 @@ class History:
 
     @property
     def size(self) -> int:
-        """Gives the memory that the snapshots take [bytes]."""
+        """Return the memory that the snapshots take [bytes]."""
         return self._store.size
 
     def __len__(self) -> int:
         return len(self._positions)
 
     def wants(self, position: Position) -> bool:
-        """Tells whether a snapshot of the start of a timestep is worth its cost."""
+        """Return whether a snapshot of the start of a timestep is worth its cost."""
         number = bisect_right(self._positions, position)
         gap = position.timestep - self._positions[number - 1].timestep
         interval = self._interval
@@ -95,7 +95,7 @@ class History:
         return gap >= interval
 
     def keep(self, position: Position, kept: RunSnapshot) -> None:
-        """Takes a snapshot."""
+        """Take a snapshot."""
         if position in self._kept:
             self._store.drop(self._kept[position])
         else:
@@ -106,7 +106,7 @@ class History:
             self._thin()
 
     def branch(self, position: Position, kept: RunSnapshot) -> None:
-        """Takes the snapshot behind a change: all that was later is no longer so."""
+        """Take the snapshot behind a change: all that was later is no longer so."""
         first = bisect_left(self._positions, position)
         for each in self._positions[first:]:
             self._store.drop(self._kept.pop(each))
@@ -116,7 +116,7 @@ class History:
         self.keep(position, kept)
 
     def fork(self, position: Position) -> History:
-        """Gives a history of its own that has the snapshots up to an instant.
+        """Return a history of its own that has the snapshots up to an instant.
 
         Both share what they have in common, and there is room for more, half of what one has: the
         snapshots of the one that is left must not take all room from the other.
@@ -129,25 +129,25 @@ class History:
         return other
 
     def at(self, position: Position) -> RunSnapshot:
-        """Gives the snapshot of an instant of which there is one."""
+        """Return the snapshot of an instant of which there is one."""
         kept = self._store.give(self._kept[position])
         assert isinstance(kept, RunSnapshot)
         return kept
 
     def latest(self) -> Position:
-        """Gives the latest instant of which there is a snapshot."""
+        """Return the latest instant of which there is a snapshot."""
         return self._positions[-1]
 
     def places(self, before: Position) -> Sequence[Position]:
-        """Gives all instants before this one of which there are snapshots, rising."""
+        """Return all instants before this one of which there are snapshots, rising."""
         return self._positions[: bisect_left(self._positions, before)]
 
     def visit(self, position: Position) -> None:
-        """Takes note that the user is here, or just before, and not at the latest instant."""
+        """Take note that the user is here, or just before, and not at the latest instant."""
         self._user = self._here = position
 
     def before(self, position: Position) -> tuple[Position, RunSnapshot]:
-        """Gives the latest snapshot that is not later than an instant, where the user wants to be.
+        """Return the latest snapshot that is not later than an instant, where the user wants to be.
 
         What lies before it is filled in when the run comes there again.
         """
@@ -156,7 +156,7 @@ class History:
         return found, self.at(found)
 
     def back_from(self, position: Position) -> Iterator[Position]:
-        """Gives the instants of snapshots before this one, the latest first, for a walk back.
+        """Return the instants of snapshots before this one, the latest first, for a walk back.
 
         Those near are given one by one. Then some are left out: more and more, as whoever looks for
         something that far back will look further still, and every piece of the way has its price.
@@ -171,12 +171,12 @@ class History:
             reach = min(2 * reach + self._interval, self._farthest)
 
     def next_edit(self, position: Position) -> Position | None:
-        """Gives the next instant behind this one at which the user has changed something."""
+        """Return the next instant behind this one at which the user has changed something."""
         number = bisect_right(self._edits, position)
         return self._edits[number] if number < len(self._edits) else None
 
     def _thin(self) -> None:
-        """Drops snapshots until there is room."""
+        """Drop snapshots until there is room."""
         places = np.array([each.timestep + _ROUNDS * each.round for each in self._positions])
         here = self._here.timestep + _ROUNDS * self._here.round
         needed = np.array([each in self._edits for each in self._positions])

@@ -52,19 +52,19 @@ class RoundInput:
         fuel: Int64Array,
         messages: Records,
     ) -> Self:
-        """Makes it of what robots got, and the messages, of dtype `MESSAGE`, that they found."""
+        """Make it of what robots got, and the messages, of dtype `MESSAGE`, that they found."""
         content = messages.view(np.uint8)
         places = content != 0
         return cls(robots, fuel, np.packbits(places), content[places])
 
     @property
     def size(self) -> int:
-        """Gives what it takes [bytes]."""
+        """Return what it takes [bytes]."""
         arrays = self.robots, self.fuel, self.places, self.content
         return _ROUND + sum(array.nbytes for array in arrays)
 
     def give(self, fleet: Fleet) -> None:
-        """Gives it to the programs again."""
+        """Return it to the programs again."""
         messages = np.zeros(len(self.robots), MESSAGE)
         content = messages.view(np.uint8)
         content[np.unpackbits(self.places, count=len(content)).view(np.bool_)] = self.content
@@ -84,7 +84,7 @@ class InputLog:
         self._ended: dict[int, tuple[int, ...]] = {}
 
     def note(self, place: Position, pending: Int64Array, fleet: Fleet) -> None:
-        """Notes a round that begins.
+        """Record a round that begins.
 
         Args:
             place: the instant before it.
@@ -102,21 +102,21 @@ class InputLog:
             self._bytes -= self._rounds.pop(oldest).size
 
     def end(self, timestep: int, rounds: int, ended: tuple[int, ...] = ()) -> None:
-        """Notes how many rounds a timestep had, and whose programs ended with it."""
+        """Record how many rounds a timestep had, and whose programs ended with it."""
         self._counts[timestep] = rounds
         if ended:
             self._ended[timestep] = ended
 
     def ended_in(self, timestep: int) -> tuple[int, ...]:
-        """Gives the robots whose programs ended with a timestep, as they left."""
+        """Return the robots whose programs ended with a timestep, as they left."""
         return self._ended.get(timestep, ())
 
     def round_at(self, place: Position) -> RoundInput | None:
-        """Gives the round that begins at an instant; None when it is not known."""
+        """Return the round that begins at an instant; None when it is not known."""
         return self._rounds.get((place.timestep, place.round))
 
     def knows(self, begin: Position, limit: Position) -> bool:
-        """Tells whether all rounds from one instant up to another are known."""
+        """Return whether all rounds from one instant up to another are known."""
         first = begin.round
         for timestep in range(begin.timestep, limit.timestep + 1):
             is_last = timestep == limit.timestep
@@ -129,11 +129,11 @@ class InputLog:
         return True
 
     def rounds_in(self, timestep: int) -> int | None:
-        """Gives how many rounds a timestep had; None when that is not known."""
+        """Return how many rounds a timestep had; None when that is not known."""
         return self._counts.get(timestep)
 
     def forget(self, place: Position) -> None:
-        """Forgets the rounds that begin at an instant or later, as they will be other ones."""
+        """Forget the rounds that begin at an instant or later, as they will be other ones."""
         here = place.timestep, place.round + (place.robot >= 0)
         for key in [each for each in self._rounds if each >= here]:
             self._bytes -= self._rounds.pop(key).size

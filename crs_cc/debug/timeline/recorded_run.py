@@ -58,7 +58,7 @@ class RecordedRun:
         input_log: what the programs were given in it.
         programs: by robot, its program.
         interrupted: set by whoever wants `advance` to raise `InterruptedRunError`.
-        is_off_timeline: whether this is no instant of the run: programs ran past where they should, or
+        is_off_timeline: whether the state is no state of the run: programs ran too far, or
             without the world. Then only `seek` or `restore` lead on.
     """
 
@@ -71,7 +71,7 @@ class RecordedRun:
         history: History,
         **options: Any,
     ) -> None:
-        """Puts the programs into the world, and nothing has happened yet.
+        """Put the programs into the world, and nothing has happened yet.
 
         Args:
             world: the world.
@@ -113,7 +113,7 @@ class RecordedRun:
         return self.console.read(robot, wanted)
 
     def step(self, step: Step) -> None:
-        """Hears from the session what happened in a timestep."""
+        """Receive from the session what happened in a timestep."""
         self._step = step
 
     @property
@@ -131,11 +131,11 @@ class RecordedRun:
         return self.session.running > 0 or self.session.environment.awaits
 
     def name(self, robot: int) -> str:
-        """Gives a robot's name."""
+        """Return a robot's name."""
         return self.session.environment.world.robots[robot].id
 
     def time_s(self, robot: int = -1) -> float:
-        """Gives a program's clock [s], for ever that of its end; the world's while it waits."""
+        """Return a program's clock [s], for ever that of its end; the world's while it waits."""
         session = self.session
         if robot < 0:
             return session.time_s
@@ -145,13 +145,13 @@ class RecordedRun:
         return now_s if math.isfinite(now_s) else session.time_s
 
     def statements_begun(self, robot: int) -> int:
-        """Gives how many statements of a robot's program have begun."""
+        """Return how many statements of a robot's program have begun."""
         return int(self.session.fleet.slots["statements"][robot])
 
     # -- where programs stop -----------------------------------------------------------------
 
     def arm(self, marks: StopRequest) -> None:
-        """Lets programs stop at these places, and at no others.
+        """Let programs stop at these places, and at no others.
 
         Accesses to what goes on being watched are told, even if they were made before; but not if
         the run has been elsewhere since.
@@ -182,7 +182,7 @@ class RecordedRun:
     # -- going on ----------------------------------------------------------------------------
 
     def advance(self, limit: Position | None = None) -> RunEvent:
-        """Goes on to the next instant at which something can be asked.
+        """Go on to the next instant at which something can be asked.
 
         Args:
             limit: goes no further than this. When no program stops there, the run has gone astray:
@@ -226,7 +226,7 @@ class RecordedRun:
     def replay(
         self, begin: Position, limit: Position, *, needs_world: bool = False
     ) -> Iterator[RunEvent]:
-        """Goes through a piece of the past again, up to an instant.
+        """Go through a piece of the past again, up to an instant.
 
         As far as it is known what the programs were given, only they run, and the world stays where
         it is. Whatever is looked at on the way, the run is astray behind it: `seek` comes next.
@@ -260,7 +260,7 @@ class RecordedRun:
             yield instant
 
     def _recall(self, begin: Position) -> None:
-        """Takes the programs, and nothing else, back to a snapshot."""
+        """Take the programs, and nothing else, back to a snapshot."""
         session = self.session
         self._stopped.clear()
         kept = self.history.at(begin).session
@@ -271,7 +271,7 @@ class RecordedRun:
         self._look_anew()
 
     def _again(self, limit: Position) -> RunEvent | None:
-        """Lets programs go through one more round, or a piece of it; None at the limit."""
+        """Let programs go through one more round, or a piece of it; None at the limit."""
         session, place = self.session, self.position
         self._stopped.clear()
         round_ = self.input_log.round_at(place)
@@ -292,7 +292,7 @@ class RecordedRun:
         return self._with_accesses(self._answered(round_.robots))
 
     def _answered(self, robots: IndexArray) -> RunEvent:
-        """Gives what came of a round of which only the programs have run."""
+        """Return what came of a round of which only the programs have run."""
         slots = self.session.fleet.slots
         codes = slots["code"][robots]
         over = (slots["status"][robots] != SUSPENDED) | (codes == CODES["EXIT"])
@@ -304,7 +304,7 @@ class RecordedRun:
             raise InterruptedRunError
 
     def _with_accesses(self, instant: RunEvent) -> RunEvent:
-        """Adds to an instant what was done to what is watched, as far as it is to be told."""
+        """Add to an instant what was done to what is watched, as far as it is to be told."""
         found = [
             WatchHit(robot, access, self._last_before(instant, robot))
             for robot in self._marks.watched
@@ -314,7 +314,7 @@ class RecordedRun:
         return replace(instant, accesses=tuple(found)) if found else instant
 
     def _last_before(self, instant: RunEvent, robot: int) -> Position:
-        """Gives the last instant before what a program did in the round that is told of."""
+        """Return the last instant before what a program did in the round that is told of."""
         session = self.session
         round_ = session.rounds - (instant.kind == "round")
         begun = self.statements_begun(robot) - 1
@@ -326,14 +326,14 @@ class RecordedRun:
         self._begun = self.session.fleet.slots["statements"].copy()
 
     def _watching(self, executable: Executable) -> Executable:
-        """Gives the watching build of a program."""
+        """Return the watching build of a program."""
         number = id(executable)
         if number not in self._watching_builds:
             self._watching_builds[number] = build_watching(executable)
         return self._watching_builds[number]
 
     def _has_passed(self, place: Position) -> bool:
-        """Tells in a round that has just run whether a place in the middle of it is behind."""
+        """Return in a round that has just run whether a place in the middle of it is behind."""
         session = self.session
         if (session.timesteps, session.rounds) != (place.timestep, place.round):
             return False
@@ -367,7 +367,7 @@ class RecordedRun:
     # -- going anywhere ----------------------------------------------------------------------
 
     def seek(self, target: Position) -> None:
-        """Goes to an instant that the run has been at; nothing interrupts that."""
+        """Go to an instant that the run has been at; nothing interrupts that."""
         position, kept = self.history.before(target)
         if self.is_off_timeline or not position <= self.position <= target:
             self.restore(kept)
@@ -379,7 +379,7 @@ class RecordedRun:
             self._advance(target)
 
     def restore(self, kept: RunSnapshot) -> None:
-        """Goes to where a snapshot was made."""
+        """Go to where a snapshot was made."""
         self.is_off_timeline = False
         self._stopped.clear()
         self.session.restore(kept.session)
@@ -388,14 +388,14 @@ class RecordedRun:
         self._look_anew()
 
     def enter(self, history: History, console: ReplayConsole, event_history: EventHistory) -> None:
-        """Takes up another course of events; where in it, is said by `seek`."""
+        """Take up another course of events; where in it, is said by `seek`."""
         console.is_live = self.console.is_live
         self.history, self.console, self.event_history = history, console, event_history
         self.input_log = InputLog()
         self.is_off_timeline = True
 
     def changed(self) -> None:
-        """Takes note that the user has changed something: from here on the run is another."""
+        """Take note that the user has changed something: from here on the run is another."""
         self._look_anew()
         self.console.truncate()
         self.event_history.forget(self.position.timestep)
@@ -403,7 +403,7 @@ class RecordedRun:
         self.history.branch(self.position, self._kept())
 
     def _look_anew(self) -> None:
-        """Takes what is watched as it is, as not the programs have changed it."""
+        """Take what is watched as it is, as not the programs have changed it."""
         self._note_begun()
         for watches in self._watches:
             watches.forget()
@@ -414,7 +414,7 @@ class RecordedRun:
     # -- where a program stands ---------------------------------------------------------------
 
     def stopped(self, robot: int) -> Stopped:
-        """Gives a program's memory and active functions as they are; the same until it moves."""
+        """Return a program's memory and active functions as they are; the same until it moves."""
         if robot not in self._stopped:
             fleet = self.session.fleet
             failed = fleet.failure(robot).stopped if self.has_failed(robot) else None
@@ -422,34 +422,34 @@ class RecordedRun:
         return self._stopped[robot]
 
     def site(self, robot: int) -> StatementSite | None:
-        """Gives the statement that a program has stopped before, if it has."""
+        """Return the statement that a program has stopped before, if it has."""
         if self.session.halted != robot:
             return None
         number = int(self.session.fleet.slots["stopped"][robot]) - 1
         return self.programs[robot].executable.detail().compiled.statements[number]
 
     def innermost(self, robot: int) -> StackFrame | None:
-        """Gives the innermost active function of a program."""
+        """Return the innermost active function of a program."""
         stack = self.stopped(robot).stack
         return stack[0] if stack else None
 
     def any_failed(self) -> bool:
-        """Tells whether any program was stopped by an error."""
+        """Return whether any program was stopped by an error."""
         return bool((self.session.fleet.slots["status"] == FAILED).any())
 
     def is_over(self, robot: int) -> bool:
-        """Tells whether a program has begun, and has ended."""
+        """Return whether a program has begun, and has ended."""
         session = self.session
         joined_s = session.environment.state.presence.joined_s[robot]
         return math.isfinite(joined_s) and not session.alive[robot]
 
     def has_failed(self, robot: int) -> bool:
-        """Tells whether a program was stopped by an error."""
+        """Return whether a program was stopped by an error."""
         return bool(self.session.fleet.slots["status"][robot] == FAILED)
 
 
 def _posted(robots: IndexArray, codes: Int32Array) -> tuple[tuple[int, int], ...]:
-    """Gives robots with the codes of the requests that they have posted, if they have."""
+    """Return robots with the codes of the requests that they have posted, if they have."""
     return tuple(
         (robot, code) for robot, code in zip(robots.tolist(), codes.tolist(), strict=True) if code
     )

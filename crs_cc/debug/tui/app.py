@@ -95,17 +95,17 @@ class DebugApp(App[int]):
         self._asks = ""  # the robot whose program waits for input
 
     def show(self, *, headless: bool = False) -> None:
-        """Shows the screen until the user leaves; on no terminal if it is `headless`."""
+        """Show the screen until the user leaves; on no terminal if it is `headless`."""
         self.run(headless=headless)
         if self._exception is not None:
             raise self._exception
 
     def _fatal_error(self) -> None:
-        """Ends the screen after a mistake of ours, without the traceback that Textual shows."""
+        """End the screen after a mistake of ours, without the traceback that Textual shows."""
         self._close_messages_no_wait()
 
     def compose(self) -> ComposeResult:
-        """Makes the screen."""
+        """Make the screen."""
         yield StatusBar(id="status")
         yield Panes(id="panes")
         yield TimeLine(id="time")
@@ -115,7 +115,7 @@ class DebugApp(App[int]):
         yield ButtonBar(id="keys")
 
     def on_mount(self) -> None:
-        """Shows the start."""
+        """Show the start."""
         self.main.query_one("#keys", ButtonBar).buttons = tuple(
             Button(each.label, f"simulate('{each.keys.split(',')[0]}')", each.shown)
             for each in SHORTCUTS
@@ -127,18 +127,18 @@ class DebugApp(App[int]):
 
     @property
     def main(self) -> Screen[object]:
-        """Gives the screen below the page of help."""
+        """Return the screen below the page of help."""
         return self.screen_stack[0]
 
     @property
     def is_idle(self) -> bool:
-        """Tells whether the debugger has nothing to do."""
+        """Return whether the debugger has nothing to do."""
         return self._current is None and not self._orders
 
     # -- orders to the debugger ----------------------------------------------------------------
 
     def _order(self, order: BackendRequest) -> None:
-        """Passes an order on, when those before are done."""
+        """Pass an order on, when those before are done."""
         self._orders.append(order)
         self._go_on()
 
@@ -153,15 +153,15 @@ class DebugApp(App[int]):
         self.run_worker(lambda: self._do(order), thread=True, exit_on_error=False)
 
     def _do(self, order: BackendRequest) -> None:
-        """Does an order; in the debugger's thread."""
+        """Execute an order; in the debugger's thread."""
         self.post_message(RequestFinished(order, self._work.do(order)))
 
     def _hear(self, robot: str) -> None:
-        """Hears that a program waits for input; in the debugger's thread."""
+        """Receive that a program waits for input; in the debugger's thread."""
         self.post_message(InputRequested(robot))
 
     def on_request_finished(self, message: RequestFinished) -> None:
-        """Shows what came of an order."""
+        """Show what came of an order."""
         order, done = message.order, message.done
         self._current = None
         if self._slow is not None:
@@ -200,7 +200,7 @@ class DebugApp(App[int]):
         line.end_s, line.time_s, line.happened = look.end_s, look.time_s, look.events
 
     def _say_running(self) -> None:
-        """Says what runs, how far it is, and what it writes; most orders are done before."""
+        """Return what runs, how far it is, and what it writes; most orders are done before."""
         if self._current is not None and self._current.line is not None:
             line = self._current.line or "again"
             self.main.query_one(StatusBar).running = f"{line}: {self._work.time_s:.2f} s"
@@ -209,12 +209,12 @@ class DebugApp(App[int]):
     # -- what the user does --------------------------------------------------------------------
 
     def action_press(self, command: str) -> None:
-        """Does what a key stands for, unless something runs: keys held down do not pile up."""
+        """Execute what a key stands for, unless something runs: keys held down do not pile up."""
         if self._current is None:
             self._order(BackendRequest(command))
 
     def action_interrupt(self) -> None:
-        """Stops what runs; else copies what is marked."""
+        """Stop what runs; else copies what is marked."""
         if self._current is not None:
             self._orders.clear()
             self._ask_for("")
@@ -223,18 +223,18 @@ class DebugApp(App[int]):
             self.copy_to_clipboard(marked)
 
     async def action_quit(self) -> None:
-        """Leaves as soon as what runs has stopped."""
+        """Leave as soon as what runs has stopped."""
         self._leaving = True
         if self._current is None:
             self.exit(0)
         self._work.interrupt()
 
     def action_breakpoint(self) -> None:
-        """Sets a breakpoint at the marked line of the source, or removes it."""
+        """Set a breakpoint at the marked line of the source, or removes it."""
         self._toggle(self.main.query_one(SourcePane).cursor)
 
     def action_here(self) -> None:
-        """Runs to the marked line."""
+        """Run to the marked line."""
         source = self.main.query_one(SourcePane)
         self.action_press(f"advance {source.file}:{source.cursor}")
 
@@ -246,7 +246,7 @@ class DebugApp(App[int]):
             self.action_press(f"break {source.file}:{line}")
 
     def action_file(self) -> None:
-        """Shows another file of the program."""
+        """Show another file of the program."""
         files = self._look.source.files
         if files:
             shown = files.index(self.main.query_one(SourcePane).file)
@@ -254,22 +254,22 @@ class DebugApp(App[int]):
             self._look_again()
 
     def action_help(self) -> None:
-        """Shows the keys."""
+        """Show the keys."""
         if not isinstance(self.screen, HelpPage):
             self.push_screen(HelpPage())
 
     def action_pane(self, steps: int) -> None:
-        """Shows another of the lower panes."""
+        """Show another of the lower panes."""
         self.main.query_one(Panes).move(steps)
 
     def action_pick(self, name: str) -> None:
-        """Shows one of the lower panes."""
+        """Show one of the lower panes."""
         panes = self.main.query_one(Panes)
         panes.pick(name)
         panes.pane(name).focus()
 
     def action_zoom(self) -> None:
-        """Shows the pane with the focus alone, or all again."""
+        """Show the pane with the focus alone, or all again."""
         panes = self.main.query_one(Panes)
         alone = self.focused if self.focused in panes.children else self.main.query_one(SourcePane)
         for each in panes.children:
@@ -277,7 +277,7 @@ class DebugApp(App[int]):
         self.main.toggle_class("-zoomed")
 
     def action_type(self) -> None:
-        """Goes to the command line, or from there to the source."""
+        """Go to the command line, or from there to the source."""
         if isinstance(self.screen, HelpPage):
             self.pop_screen()
             return
@@ -285,32 +285,32 @@ class DebugApp(App[int]):
         (self.main.query_one(SourcePane) if line.has_focus else line).focus()
 
     def action_simulate(self, key: str) -> None:
-        """Does as if a key had been pressed."""
+        """Execute as if a key had been pressed."""
         self.simulate_key(key)
 
     # -- what the panes say --------------------------------------------------------------------
 
     def on_command_line_typed(self, message: CommandLine.Typed) -> None:
-        """Takes a command, or a line that a program waits for."""
+        """Take a command, or a line that a program waits for."""
         if self._asks:
             self._give(message.line)
         else:
             self._order(BackendRequest(message.line, is_typed=True))
 
     async def on_command_line_finished(self) -> None:
-        """Leaves, or ends the input of a program that waits for more."""
+        """Leave, or ends the input of a program that waits for more."""
         if self._asks:
             self._give(None)
         else:
             await self.action_quit()
 
     def on_input_requested(self, message: InputRequested) -> None:
-        """Lets the user type what a program reads."""
+        """Let the user type what a program reads."""
         self._ask_for(message.robot)
         self.main.query_one(CommandLine).focus()
 
     def _ask_for(self, robot: str) -> None:
-        """Takes what is typed as the input of a robot's program; as commands for an empty name."""
+        """Take what is typed as the input of a robot's program; as commands for an empty name."""
         self._asks = robot
         self.main.query_one("#prompt Label", Label).update(_reads(robot) if robot else PROMPT)
 
@@ -320,21 +320,21 @@ class DebugApp(App[int]):
         self._work.give(line)
 
     def on_source_pane_toggle(self, message: SourcePane.Toggle) -> None:
-        """Sets or removes a breakpoint."""
+        """Set or removes a breakpoint."""
         self._toggle(message.line)
 
     def on_choice_list_chosen(self, message: ChoiceList.Chosen) -> None:
-        """Looks at another frame or robot."""
+        """Look at another frame or robot."""
         what = {"stack": "frame", "robots": "robot"}[message.pane.id or ""]
         self.action_press(f"{what} {message.number}")
 
     def on_variables_pane_unfolded(self, message: VariablesPane.Unfolded) -> None:
-        """Shows the parts of a value, or no more."""
+        """Show the parts of a value, or no more."""
         (self._unfolded.add if message.is_open else self._unfolded.discard)(message.key)
         self._look_again()
 
     def on_map_pane_resized(self, message: MapPane.Resized) -> None:
-        """Draws the map anew."""
+        """Draw the map anew."""
         self._chart_size = message.width, message.height
         self._look_again()
 
@@ -343,11 +343,11 @@ class DebugApp(App[int]):
             self._order(BackendRequest())
 
     def on_time_line_press(self, message: TimeLine.Press) -> None:
-        """Takes a command of the time line's keys."""
+        """Take a command of the time line's keys."""
         self.action_press(message.command)
 
     def on_time_line_move(self, message: TimeLine.Move) -> None:
-        """Goes to a time; while something runs, only the last one that was wanted counts."""
+        """Go to a time; while something runs, only the last one that was wanted counts."""
         self._goto_s = message.time_s
         self._pursue()
 
@@ -358,5 +358,5 @@ class DebugApp(App[int]):
 
 
 def _reads(robot: str) -> str:
-    """Gives the prompt for what a program reads."""
+    """Return the prompt for what a program reads."""
     return f"{robot} reads: "

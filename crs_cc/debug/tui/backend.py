@@ -56,23 +56,23 @@ class Backend(Protocol):
     """The debugger's side of the screen; `do` is called in a thread of its own."""
 
     def do(self, order: BackendRequest) -> BackendReply:
-        """Does an order; raises nothing."""
+        """Execute an order; raises nothing."""
 
     def interrupt(self) -> None:
-        """Makes what is being done come to an end; from any thread."""
+        """Make what is being done come to an end; from any thread."""
 
     @property
     def time_s(self) -> float:
         """How far the run is [s], also while it goes on; from any thread."""
 
     def listen(self, asked: Callable[[str], None]) -> None:
-        """Says whom to tell that a robot's program, by its name, waits for a line of input."""
+        """Return whom to tell that a robot's program, by its name, waits for a line of input."""
 
     def give(self, line: str | None) -> None:
-        """Gives the program that waits a line; None for the end of its input."""
+        """Return the program that waits a line; None for the end of its input."""
 
     def take_output(self) -> tuple[OutputLine, ...]:
-        """Gives what programs have written since this was last asked for."""
+        """Return what programs have written since this was last asked for."""
 
     def complete(self, line: str) -> Sequence[str]:
-        """Gives what a line that has been begun may become; does not touch the run."""
+        """Return what a line that has been begun may become; does not touch the run."""

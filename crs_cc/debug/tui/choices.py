@@ -27,7 +27,7 @@ class ChoiceList(OptionList):
 
         @property
         def control(self) -> ChoiceList:
-            """Gives the list that it was picked from."""
+            """Return the list that it was picked from."""
             return self.pane
 
     def __init__(self, title: str, **arguments: str) -> None:
@@ -36,7 +36,7 @@ class ChoiceList(OptionList):
         self._choices: tuple[ListEntry, ...] = ()
 
     def show(self, choices: tuple[ListEntry, ...]) -> None:
-        """Shows these choices."""
+        """Show these choices."""
         if choices == self._choices:
             return
         self._choices = choices
@@ -45,7 +45,7 @@ class ChoiceList(OptionList):
         self.highlighted = current[0] if current else None
 
     def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
-        """Says which one was picked."""
+        """Return which one was picked."""
         event.stop()
         self.post_message(self.Chosen(self, self._choices[event.option_index].number))
 

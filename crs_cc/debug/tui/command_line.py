@@ -48,7 +48,7 @@ class CommandLine(Input):
         self._at = 0
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
-        """Passes a line on, and remembers it."""
+        """Pass a line on, and remembers it."""
         event.stop()
         line = event.value
         if line.strip() and self._history[-1:] != [line]:
@@ -58,13 +58,13 @@ class CommandLine(Input):
         self.post_message(self.Typed(line))
 
     def action_remember(self, direction: int) -> None:
-        """Brings back an earlier line, or a later one."""
+        """Bring back an earlier line, or a later one."""
         self._at = min(max(0, self._at + direction), len(self._history))
         self.value = self._history[self._at] if self._at < len(self._history) else ""
         self.cursor_position = len(self.value)
 
     def action_complete(self) -> None:
-        """Completes as far as it is certain; in an empty line goes on to the next pane."""
+        """Complete as far as it is certain; in an empty line goes on to the next pane."""
         if not self.value:
             self.screen.focus_next()
             return
@@ -75,7 +75,7 @@ class CommandLine(Input):
             self.cursor_position = len(self.value)
 
     def action_finish(self) -> None:
-        """Says that nothing more comes; deletes to the right in a line with something in it."""
+        """Return that nothing more comes; deletes to the right in a line with something in it."""
         if self.value:
             self.action_delete_right()
         else:
@@ -95,7 +95,7 @@ class _Completions(Suggester):
 
 
 def _common(texts: Sequence[str]) -> str:
-    """Gives how all of them begin.
+    """Return how all of them begin.
 
     >>> _common(["reverse-next", "reverse-step"])
     'reverse-'

@@ -48,7 +48,7 @@ class Controller:
     def __init__(
         self, debugger: Debugger, streams: ProgramStreams, scripts: Iterable[str] = ()
     ) -> None:
-        """Takes a debugger.
+        """Take a debugger.
 
         Args:
             debugger: the debugger.
@@ -64,7 +64,7 @@ class Controller:
         self._look = ScreenData()
 
     def interrupt(self) -> None:
-        """Makes what is being done come to an end; from any thread."""
+        """Make what is being done come to an end; from any thread."""
         self._is_interrupted = True
         self.shell.debugger.interrupt()
         self._streams.end()
@@ -75,26 +75,26 @@ class Controller:
         return self.shell.debugger.session.time_s
 
     def listen(self, asked: Callable[[str], None]) -> None:
-        """Says whom to tell that a robot's program, by its name, waits for a line of input."""
+        """Return whom to tell that a robot's program, by its name, waits for a line of input."""
         self._streams.asks = lambda robot: asked(self.shell.debugger.names[robot])
 
     def give(self, line: str | None) -> None:
-        """Gives the program that waits a line; None for the end of its input."""
+        """Return the program that waits a line; None for the end of its input."""
         self._streams.give(b"" if line is None else f"{line}\n".encode())
 
     def take_output(self) -> tuple[OutputLine, ...]:
-        """Gives what has been written since this was last asked for."""
+        """Return what has been written since this was last asked for."""
         return tuple(written(self.shell.debugger.names, self._streams.take()))
 
     def complete(self, line: str) -> Sequence[str]:
-        """Gives what a line may become; while something runs, by the names of commands alone."""
+        """Return what a line may become; while something runs, by the names of commands alone."""
         if self._works:
             return list(matching(line))
         completion = complete(self.shell.context, line)
         return [line[: completion.start] + word for word in completion.words]
 
     def do(self, order: BackendRequest) -> BackendReply:
-        """Does an order; whatever goes wrong is a line of the answer."""
+        """Execute an order; whatever goes wrong is a line of the answer."""
         self._works = True
         self._streams.take()  # the look before has shown it
         debugger = self.shell.debugger
@@ -147,7 +147,7 @@ class Controller:
                 if self.shell.has_ended:
                     return
                 if self._is_interrupted:
-                    yield Line("the script is left where it was interrupted", "error")
+                    yield Line("script interrupted", "error")
                     return
                 yield from self.shell.execute(line or "#")
         except DebugError as error:  # a script that cannot be read

@@ -35,16 +35,16 @@ class ConsoleLog(RichLog):
         self._wrapped_at = 0
 
     def echo(self, line: str, prompt: str = PROMPT) -> None:
-        """Shows what was typed."""
+        """Show what was typed."""
         self._add(Text(prompt + printable(line), _ECHO))
 
     def answer(self, text: Text) -> None:
-        """Shows what a command says."""
+        """Show what a command says."""
         if text.plain:
             self._add(text)
 
     def error(self, line: str) -> None:
-        """Shows what is wrong with a command."""
+        """Show what is wrong with a command."""
         self._add(Text(printable(line), _ERROR))
 
     def _add(self, text: Text) -> None:
@@ -52,7 +52,7 @@ class ConsoleLog(RichLog):
         self.write(text)
 
     def on_resize(self, event: events.Resize) -> None:
-        """Wraps the lines anew."""
+        """Wrap the lines anew."""
         width = event.size.width
         if self._wrapped_at not in {0, width}:
             self.clear()
@@ -74,7 +74,7 @@ class OutputLog(RichLog):
         self._lines: tuple[OutputLine, ...] = ()
 
     def show(self, lines: tuple[OutputLine, ...]) -> None:
-        """Shows what was written; less than before when the run has gone back."""
+        """Show what was written; less than before when the run has gone back."""
         known = len(self._lines)
         if lines[:known] != self._lines:
             self.clear()
@@ -83,7 +83,7 @@ class OutputLog(RichLog):
         self._lines = lines
 
     def add(self, lines: tuple[OutputLine, ...]) -> None:
-        """Shows what is being written."""
+        """Show what is being written."""
         for line in lines[-_MAX_LINES:]:
             self.write(_written(line))
         self._lines += lines

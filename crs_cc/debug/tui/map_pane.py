@@ -26,9 +26,9 @@ class MapPane(Widget, can_focus=True):
         self.border_title = "map"
 
     def render(self) -> Text:
-        """Gives the map."""
+        """Return the map."""
         return self.chart
 
     def on_resize(self) -> None:
-        """Asks for a map of the new size."""
+        """Ask for a map of the new size."""
         self.post_message(self.Resized(*self.content_size))

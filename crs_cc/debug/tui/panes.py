@@ -30,7 +30,7 @@ class Panes(Container):
     """The grid."""
 
     def compose(self) -> ComposeResult:
-        """Makes the panes, in the order of the grid's cells."""
+        """Make the panes, in the order of the grid's cells."""
         yield SourcePane(id="source", classes="pane")
         yield ButtonBar(id="tabs")
         yield MapPane(id="chart", classes="pane lower")
@@ -41,20 +41,20 @@ class Panes(Container):
         yield ChoiceList("robots", id="robots", classes="pane lower")
 
     def on_mount(self) -> None:
-        """Shows the first of the lower panes."""
+        """Show the first of the lower panes."""
         self.pick(LOWER[0])
 
     @property
     def picked(self) -> str:
-        """Gives which of the lower panes is shown where there is room for one."""
+        """Return which of the lower panes is shown where there is room for one."""
         return next(name for name in LOWER if self.pane(name).has_class("-shown"))
 
     def pane(self, name: str) -> Widget:
-        """Gives a pane."""
+        """Return a pane."""
         return self.query_one(f"#{name}")
 
     def pick(self, name: str) -> None:
-        """Shows one of the lower panes where there is room for one."""
+        """Show one of the lower panes where there is room for one."""
         buttons = []
         for each in LOWER:
             self.pane(each).set_class(each == name, "-shown")
@@ -62,11 +62,11 @@ class Panes(Container):
         self.query_one("#tabs", ButtonBar).buttons = tuple(buttons)
 
     def move(self, steps: int) -> None:
-        """Shows the lower pane so many further on."""
+        """Show the lower pane so many further on."""
         self.pick(LOWER[(LOWER.index(self.picked) + steps) % len(LOWER)])
 
     def show(self, look: ScreenData, *, moved: bool) -> None:
-        """Shows a stopped run.
+        """Show a stopped run.
 
         Args:
             look: what there is to see.

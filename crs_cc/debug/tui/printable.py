@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 def printable(text: str) -> str:
-    r"""Gives a line of text with pictures of its control characters.
+    r"""Return a line of text with pictures of its control characters.
 
     >>> printable("a\x1b[31m\r")
     'a␛[31m␍'

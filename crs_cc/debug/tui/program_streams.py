@@ -32,18 +32,18 @@ class ProgramStreams:
         self._written: deque[Piece] = deque(maxlen=_MAX)
 
     def write(self, robot: int, stream: int, content: bytes) -> None:
-        """Takes what a program writes."""
+        """Take what a program writes."""
         self._written.append((robot, stream, content))
 
     def take(self) -> list[Piece]:
-        """Gives what has been written since this was last asked for."""
+        """Return what has been written since this was last asked for."""
         taken = []
         while self._written:
             taken.append(self._written.popleft())
         return taken
 
     def read(self, robot: int, wanted: int) -> bytes:
-        """Gives what a program reads, at most as much as it wants; waits for the user."""
+        """Return what a program reads, at most as much as it wants; waits for the user."""
         left = self._left.pop(robot, b"")
         if not left:
             self._is_asking = True
@@ -55,10 +55,10 @@ class ProgramStreams:
         return left[:wanted]
 
     def give(self, content: bytes) -> None:
-        """Takes what the user has typed; nothing for the end of the input."""
+        """Take what the user has typed; nothing for the end of the input."""
         self._lines.put(content)
 
     def end(self) -> None:
-        """Lets a program that waits find the end of its input."""
+        """Let a program that waits find the end of its input."""
         if self._is_asking:
             self.give(b"")

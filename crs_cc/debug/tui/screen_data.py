@@ -1,4 +1,4 @@
-"""What the screen shows of a stopped run: plain data, made by `build_snapshot`, shown by the panes."""
+"""What the panes show of a stopped run, as plain data; `build_snapshot` makes it."""
 
 from __future__ import annotations
 

@@ -66,11 +66,11 @@ class SourcePane(ScrollView, can_focus=True):
 
     @property
     def file(self) -> str:
-        """Gives the name of the file that is shown."""
+        """Return the name of the file that is shown."""
         return self._look.file
 
     def show(self, look: SourceData) -> None:
-        """Shows a file; moves to the current line where that has changed."""
+        """Show a file; moves to the current line where that has changed."""
         before, self._look = self._look, look
         if (look.file, look.lines) != (before.file, before.lines):
             self._coloured = _colour(look.file, tuple(look.lines))
@@ -85,7 +85,7 @@ class SourcePane(ScrollView, can_focus=True):
         self.refresh()
 
     def reveal(self, line: int) -> None:
-        """Scrolls so that a line is in sight, with some around it."""
+        """Scroll so that a line is in sight, with some around it."""
         height = self.scrollable_content_region.height
         if not height:
             return
@@ -97,7 +97,7 @@ class SourcePane(ScrollView, can_focus=True):
             self.scroll_to(y=max(0, last if near else top - height // 3), animate=False)
 
     def on_resize(self) -> None:
-        """Keeps the marked line in sight."""
+        """Keep the marked line in sight."""
         self.reveal(self.cursor)
 
     @property
@@ -105,7 +105,7 @@ class SourcePane(ScrollView, can_focus=True):
         return _MARKS + len(str(max(1, len(self._coloured)))) + 2
 
     def render_line(self, y: int) -> Strip:
-        """Gives a line as it is on the screen."""
+        """Return a line as it is on the screen."""
         scroll_x, scroll_y = self.scroll_offset
         number = scroll_y + y + 1
         width = self.scrollable_content_region.width
@@ -137,7 +137,7 @@ class SourcePane(ScrollView, can_focus=True):
         return self.rich_style
 
     def on_click(self, event: events.Click) -> None:
-        """Marks a line, or sets or removes a breakpoint in the gutter."""
+        """Mark a line, or sets or removes a breakpoint in the gutter."""
         place = event.get_content_offset(self)
         if place is None:
             return
@@ -149,16 +149,16 @@ class SourcePane(ScrollView, can_focus=True):
             self.post_message(self.Toggle(line))
 
     def action_move(self, lines: int) -> None:
-        """Moves the mark."""
+        """Move the mark."""
         self._mark(min(max(1, self.cursor + lines), max(1, len(self._coloured))))
         self.reveal(self.cursor)
 
     def action_page(self, pages: int) -> None:
-        """Moves the mark by a screenful."""
+        """Move the mark by a screenful."""
         self.action_move(pages * max(1, self.scrollable_content_region.height - 1))
 
     def action_breakpoint(self) -> None:
-        """Asks for a breakpoint at the mark, or for the one there to go."""
+        """Ask for a breakpoint at the mark, or for the one there to go."""
         self.post_message(self.Toggle(self.cursor))
 
     def _mark(self, line: int) -> None:
@@ -168,7 +168,7 @@ class SourcePane(ScrollView, can_focus=True):
 
 @lru_cache(maxsize=64)
 def _colour(file: str, lines: tuple[str, ...]) -> list[Text]:
-    """Gives the lines in C's colours, tabs as spaces."""
+    """Return the lines in C's colours, tabs as spaces."""
     plain = [printable(line.expandtabs(_TAB)) for line in lines]
     if not file.endswith((".c", ".h")) or len(plain) > _MAX_COLOURED:
         return [Text(line) for line in plain]
@@ -180,7 +180,7 @@ def _colour(file: str, lines: tuple[str, ...]) -> list[Text]:
 
 
 def _foreground(style: Style | str) -> Style:
-    """Gives a style without its background."""
+    """Return a style without its background."""
     if isinstance(style, str):
         return Style()
     return Style(color=style.color, bold=style.bold, italic=style.italic)

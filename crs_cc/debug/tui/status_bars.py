@@ -51,7 +51,7 @@ class ButtonBar(Widget):
     buttons: reactive[tuple[Button, ...]] = reactive(())
 
     def render_line(self, _y: int) -> Strip:
-        """Gives the bar."""
+        """Return the bar."""
         strip = Strip([])
         for each in self.buttons:
             longer = Strip([*strip, *_button(each)])
@@ -62,7 +62,7 @@ class ButtonBar(Widget):
         return strip.apply_style(self.rich_style)
 
     async def on_click(self, event: events.Click) -> None:
-        """Does what the word under the pointer says."""
+        """Execute what the word under the pointer says."""
         left = 0
         for each in self.buttons:
             right = left + Strip(_button(each)).cell_length
@@ -85,7 +85,7 @@ class StatusBar(Widget):
     running: reactive[str] = reactive("")
 
     def render(self) -> Text:
-        """Gives the line: why, then when, as far as there is room."""
+        """Return the line: why, then when, as far as there is room."""
         text = Text(no_wrap=True, overflow="ellipsis")
         if self.running:
             text.append(" running ", _RUNNING)

@@ -39,7 +39,7 @@ class VariablesPane(Tree[ValueRow]):
         self._rows: tuple[ValueRow, ...] = ()
 
     def show(self, rows: tuple[ValueRow, ...], *, moved: bool = True) -> None:
-        """Shows these rows.
+        """Show these rows.
 
         Args:
             rows: groups of values; those with parts in them are unfolded.
@@ -82,7 +82,7 @@ class VariablesPane(Tree[ValueRow]):
         return text
 
     def _return_to(self, key: Key, line: int, top: float) -> None:
-        """Puts the cursor where it was: on the same value, or else in the same line."""
+        """Put the cursor where it was: on the same value, or else in the same line."""
         for node in _nodes(self.root):
             if node.data is not None and node.data.key == key:
                 line = node.line
@@ -90,11 +90,11 @@ class VariablesPane(Tree[ValueRow]):
         self.scroll_to(y=top, animate=False)
 
     def on_tree_node_expanded(self, event: Tree.NodeExpanded[ValueRow]) -> None:
-        """Asks for the parts of a value that has been unfolded."""
+        """Ask for the parts of a value that has been unfolded."""
         self._tell(event.node, is_open=True)
 
     def on_tree_node_collapsed(self, event: Tree.NodeCollapsed[ValueRow]) -> None:
-        """Says that the parts of a value are not to be seen any more."""
+        """Return that the parts of a value are not to be seen any more."""
         self._tell(event.node, is_open=False)
 
     def _tell(self, node: TreeNode[ValueRow], *, is_open: bool) -> None:

@@ -47,7 +47,7 @@ class EventHistory:
         self._farthest_m: FloatArray = np.zeros(0)  # that each robot drives in a timestep
 
     def hear(self, step: Step, environment: Environment) -> None:
-        """Takes what happened in a timestep that has just ended, unless it is known."""
+        """Take what happened in a timestep that has just ended, unless it is known."""
         if step.cycle < self.timesteps:
             return
         self.timesteps = step.cycle + 1
@@ -58,7 +58,7 @@ class EventHistory:
             self._take_poses(step.cycle, environment)
 
     def note(self, timestep: int, happening: WorldEvent) -> None:
-        """Takes something else that happened in a timestep, once."""
+        """Take something else that happened in a timestep, once."""
         if (timestep, happening) not in self._happened:
             self._add(timestep, happening)
 
@@ -80,11 +80,11 @@ class EventHistory:
             self._poses = [each for each in self._poses if each[0] % self._stride == 0]
 
     def world_events(self) -> Sequence[WorldEvent]:
-        """Gives what has happened, by time; also ahead of where the run is."""
+        """Return what has happened, by time; also ahead of where the run is."""
         return sorted((each for _, each in self._happened), key=lambda each: each.time_s)
 
     def contacts(self, timestep: int) -> list[tuple[int, float, float]]:
-        """Gives the robot and the place [m] of what was touched before a timestep."""
+        """Return the robot and the place [m] of what was touched before a timestep."""
         return [
             (each.robot, *each.place)
             for at, each in self._happened
@@ -92,7 +92,7 @@ class EventHistory:
         ]
 
     def paths(self, timestep: int) -> list[FloatArray]:
-        """Gives where each robot has been [m] before a timestep, (n, 2) each.
+        """Return where each robot has been [m] before a timestep, (n, 2) each.
 
         A row of NaN parts places between which it did not drive, but was carried.
         """
@@ -112,13 +112,13 @@ class EventHistory:
         return np.insert(path[:, 1:], jumps + 1, np.nan, axis=0)
 
     def forget(self, timestep: int) -> None:
-        """Forgets a timestep and all behind it, as they will be others."""
+        """Forget a timestep and all behind it, as they will be others."""
         self.timesteps = min(self.timesteps, timestep)
         self._happened = [each for each in self._happened if each[0] < timestep]
         self._poses = [each for each in self._poses if each[0] < timestep]
 
     def fork(self, timestep: int) -> EventHistory:
-        """Gives one of its own that knows the timesteps before this one."""
+        """Return one of its own that knows the timesteps before this one."""
         other = copy.copy(self)
         other.forget(timestep)
         return other

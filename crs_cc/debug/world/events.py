@@ -8,7 +8,7 @@ another one are caught by its name, too: `message` catches `message-lost`.
 >>> from crs_cc.sim.files.world_xml import empty_world
 >>> environment = Environment(empty_world(), seed=1)
 >>> step = environment.step()
->>> [each.text for each in happenings(step, environment.world, ["tick", "collision"])]
+>>> [each.text for each in world_events(step, environment.world, ["tick", "collision"])]
 ['timestep 0 ended']
 """
 
@@ -34,16 +34,16 @@ if TYPE_CHECKING:
 
 KINDS: Final = {
     "tick": "a timestep ended",
-    "collision": "a robot began to touch something",
-    "bumper": "a switch of a robot's bumper was pressed or released",
-    "bumper-pressed": "a switch was pressed",
-    "bumper-released": "a switch was released",
-    "message": "a message was sent, arrived or got lost; a way of messages was shut or opened",
+    "collision": "a robot started to touch an object",
+    "bumper": "a bumper switch was pressed or released",
+    "bumper-pressed": "a bumper switch was pressed",
+    "bumper-released": "a bumper switch was released",
+    "message": "a message was sent, delivered or lost; a link was shut or opened",
     "message-sent": "a program sent a message",
-    "message-arrived": "a message came into an inbox, as it was sent",
-    "message-corrupted": "a message came into an inbox with other bytes than were sent",
-    "message-lost": "a message never came into an inbox",
-    "message-way": "a way of messages was shut or opened",
+    "message-arrived": "a message was delivered intact",
+    "message-corrupted": "a message was delivered corrupted",
+    "message-lost": "a message was lost",
+    "message-way": "a link was shut or opened",
     **{kind: text for kind, text in events.KINDS.items() if kind != "message"},
 }
 """The kinds of happenings, and what each means; the names of catchpoints."""
@@ -75,18 +75,18 @@ class WorldEvent:
 
 
 def check_event_kind(name: str) -> str:
-    """Gives the name of a kind of happenings.
+    """Return the name of a kind of happenings.
 
     Raises:
         DebugError: there is no such kind.
     """
     if name not in KINDS:
-        raise DebugError(unknown("kind of happenings", name, ("exit", *KINDS)))
+        raise DebugError(unknown("event kind", name, ("exit", *KINDS)))
     return name
 
 
 def is_of(kind: str, wanted: Iterable[str]) -> bool:
-    """Tells whether a kind is among those wanted, or a part of one of them.
+    """Return whether a kind is among those wanted, or a part of one of them.
 
     >>> is_of("message-lost", ["message"]), is_of("message-lost", ["message-sent"])
     (True, False)
@@ -95,7 +95,7 @@ def is_of(kind: str, wanted: Iterable[str]) -> bool:
 
 
 def world_events(step: Step, world: WorldModel, wanted: Sequence[str]) -> list[WorldEvent]:
-    """Gives what happened in a timestep, by time.
+    """Return what happened in a timestep, by time.
 
     Args:
         step: the timestep, which has ended.
@@ -116,7 +116,7 @@ def world_events(step: Step, world: WorldModel, wanted: Sequence[str]) -> list[W
 
 
 def _collisions(step: Step, world: WorldModel) -> Iterator[WorldEvent]:
-    """Gives the contacts that began: somewhere in the timestep, they are felt at its end."""
+    """Return the contacts that began: somewhere in the timestep, they are felt at its end."""
     contacts, end_s = step.contacts, step.time_s + world.timestep_s
     rows = (contacts.robot, contacts.other, contacts.x_m, contacts.y_m)
     for robot, other, x_m, y_m in zip(*(row.tolist() for row in rows), strict=True):
@@ -135,14 +135,14 @@ def _bumpers(step: Step, world: WorldModel) -> Iterator[WorldEvent]:
 
 
 def switches(bits: int, model: RobotModel) -> Iterator[str]:
-    """Gives the names of switches of a robot, from the bits of `State[33]`."""
+    """Return the names of switches of a robot, from the bits of `State[33]`."""
     for switch in model.bumpers:
         if bits >> switch.bit & 1:
             yield f"bumper {switch.bit} ({side(switch.bearing_rad)})"
 
 
 def side(bearing_rad: float) -> str:
-    """Gives a direction as seen from a robot in words.
+    """Return a direction as seen from a robot in words.
 
     >>> [side(math.radians(angle)) for angle in (0, 90, 45, 180, -90, 315)]
     ['ahead', 'left', 'ahead left', 'behind', 'right', 'ahead right']

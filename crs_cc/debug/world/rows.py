@@ -28,7 +28,7 @@ class Row:
 
 
 def lines(rows: Sequence[Row], depth: int = 0) -> Iterator[str]:
-    """Gives rows as lines of text, those below others indented, the texts one below the other."""
+    """Return rows as lines of text, those below others indented, the texts one below the other."""
     width = max((len(row.name) for row in rows), default=0)
     for row in rows:
         yield f"{'  ' * depth}{row.name:{width}}  {row.text}".rstrip()
@@ -36,17 +36,17 @@ def lines(rows: Sequence[Row], depth: int = 0) -> Iterator[str]:
 
 
 def length(value_m: float) -> str:
-    """Gives a length in words."""
+    """Return a length in words."""
     return f"{_zero(value_m, 3):.3f} m"
 
 
 def angle(value_rad: float) -> str:
-    """Gives an angle in words."""
+    """Return an angle in words."""
     return f"{_zero(math.degrees(value_rad), 1):.1f} deg"
 
 
 def instant(time_s: float) -> str:
-    """Gives an instant in words.
+    """Return an instant in words.
 
     >>> instant(0.05), instant(math.inf)
     ('0.050 s', 'never')
@@ -55,11 +55,11 @@ def instant(time_s: float) -> str:
 
 
 def pose_text(x_m: float, y_m: float, heading_rad: float) -> str:
-    """Gives a pose in words: x, y and the heading from 0 to 360 degrees."""
+    """Return a pose in words: x, y and the heading from 0 to 360 degrees."""
     heading_deg = round(math.degrees(heading_rad) % 360.0, 1) % 360.0
     return f"{_zero(x_m, 3):.3f}, {_zero(y_m, 3):.3f} m, {heading_deg:.1f} deg"
 
 
 def _zero(value: float, places: int) -> float:
-    """Gives a number that is not shown as -0."""
+    """Return a number that is not shown as -0."""
     return round(value, places) + 0.0

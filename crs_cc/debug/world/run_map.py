@@ -17,7 +17,7 @@ _MAX_PATHS: Final = 30  # more are a tangle
 def run_map(
     view: View, columns: int, rows: int, *, robot: int = -1, across_m: float | None = None
 ) -> world_map.WorldMap:
-    """Draws a run as it stands.
+    """Draw a run as it stands.
 
     Args:
         view: the run.

@@ -56,7 +56,7 @@ class StateField:
     meaning: str = ""
 
     def text(self, value: int) -> str:
-        """Gives a number in words: with its unit, and what it is in metres or degrees."""
+        """Return a number in words: with its unit, and what it is in metres or degrees."""
         if self.nothing is not None and value == self.nothing:
             return self.word
         if self.bits:
@@ -76,7 +76,7 @@ class StateField:
 
 @lru_cache(maxsize=4)
 def state_fields(dialect: Dialect, *, synchro: bool = False) -> tuple[StateField, ...]:
-    """Gives the numbers of `State[]` by their indices.
+    """Return the numbers of `State[]` by their indices.
 
     Args:
         dialect: whose it is: the vendor's, or that of the CRS report.
@@ -96,7 +96,7 @@ def state_fields(dialect: Dialect, *, synchro: bool = False) -> tuple[StateField
 
 
 def _fields() -> Iterator[StateField]:
-    """Gives what the vendor's table says; some indices have two names."""
+    """Return what the vendor's table says; some indices have two names."""
     for row in STATE:
         unit = _UNIT.search(row.meaning)
         first, series = int(row.value), _NAME.fullmatch(row.name)
@@ -108,7 +108,7 @@ def _fields() -> Iterator[StateField]:
 
 
 def _special(each: StateField) -> StateField:
-    """Gives a number with what stands for nothing in it, and whether it is bits."""
+    """Return a number with what stands for nothing in it, and whether it is bits."""
     if "SONAR" in each.name:
         return replace(each, nothing=_NO_ECHO, word="no echo")
     if "_IR_" in each.name:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def state_rows(told: Iterable[tuple[StateField, Value]]) -> list[Row]:
-    """Gives the numbers that a program has in its `State[]` as rows."""
+    """Return the numbers that a program has in its `State[]` as rows."""
     return [
         Row(
             f"[{each.index}] {each.name}",
@@ -26,7 +26,7 @@ def state_rows(told: Iterable[tuple[StateField, Value]]) -> list[Row]:
 
 
 def vendor_state_rows(view: View, robot: int) -> list[Row]:
-    """Gives what a robot's program has in its `State[]`; nothing for a program without one.
+    """Return what a robot's program has in its `State[]`; nothing for a program without one.
 
     What the robot has no device for is left out, unless it is not 0.
     """
@@ -41,7 +41,7 @@ def vendor_state_rows(view: View, robot: int) -> list[Row]:
 
 
 def _devices(model: RobotModel) -> dict[str, object]:
-    """Gives what some robots do not have, by a part of the names of its numbers."""
+    """Return what some robots do not have, by a part of the names of its numbers."""
     return {
         "STATE_IR_": model.infrared,
         "_TURRET": model.drive.turret,

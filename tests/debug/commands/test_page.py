@@ -64,19 +64,19 @@ to any file but those of `save breakpoints`.
 
 
 def cell(text: str) -> str:
-    """Gives text that does not end a table's cell."""
+    """Return text that does not end a table's cell."""
     return text.replace("|", "\\|")
 
 
 def row(command: Command) -> str:
-    """Gives a row of a table."""
+    """Return a row of a table."""
     names = ", ".join(f"`{each}`" for each in command.aliases)
     said = " ".join(filter(None, [command.summary, command.text]))
     return f"| `{cell(command.usage)}` | {names} | {cell(said)} |"
 
 
 def page() -> str:
-    """Gives the text of the page."""
+    """Return the text of the page."""
     lines = []
     for group in GROUPS:
         lines += [f"## {group.name.capitalize()}\n", f"{group.summary}\n"]

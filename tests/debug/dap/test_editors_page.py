@@ -188,7 +188,7 @@ def page() -> str:
 
 
 def schema_of(attribute: LaunchAttribute) -> dict[str, Any]:
-    """Gives the JSON schema of an attribute."""
+    """Return the JSON schema of an attribute."""
     made: dict[str, Any] = {"type": attribute.kind, "description": attribute.meaning}
     if attribute.kind == "array":
         made |= {"type": ["array", "string"], "items": {"type": "string"}}
@@ -200,7 +200,7 @@ def schema_of(attribute: LaunchAttribute) -> dict[str, Any]:
 
 
 def extension() -> dict[str, Any]:
-    """Gives the manifest of the extension, which is all that there is of it."""
+    """Return the manifest of the extension, which is all that there is of it."""
     properties = {each.name: schema_of(each) for each in ATTRIBUTES}
     return {
         "name": "crs-debug",
