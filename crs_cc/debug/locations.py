@@ -1,6 +1,6 @@
-"""Where a program can stop, in the words of a user: a line, a function, a call of the robot.
+"""Breakpoint locations as users write them: a line, a function, a call of the robot.
 
-A line without code stands for the next one that has some. A line or a function stops before its
+A line without code means the next one with code. A line or a function stops before its
 first statement; a function of the robot (`ws`, `get_sn`) when its request is posted; another one of
 the library before each statement that calls it.
 """
@@ -44,10 +44,10 @@ class BreakpointLocation:
 
     Attributes:
         statements: by robot, the numbers of the statements before which it stops.
-        codes: the requests that it stops behind, when it is a function of the robot.
-        location: the place in the source; None for a function of the library.
+        codes: the requests after which it stops, for a function of the robot.
+        location: the location in the source; None for a function of the library.
         function: the name of the function.
-        note: what the user should know: that it is not where he said.
+        note: a remark for the user: that the location was moved.
     """
 
     statements: Mapping[int, frozenset[int]]
@@ -60,16 +60,16 @@ class BreakpointLocation:
 def find_location(
     text: str, programs: Sequence[DebugProgram], robots: Sequence[int], here: str
 ) -> BreakpointLocation:
-    """Find a place by what the user calls it.
+    """Resolve a location as the user writes it.
 
     Args:
         text: `12`, `wander.c:12`, `turn`, `wander.c:turn`, `ws`.
         programs: by robot, its program.
-        robots: whose programs are meant.
-        here: the file that a line without one is in.
+        robots: the robots whose programs it refers to.
+        here: the file of a line without one.
 
     Raises:
-        DebugError: there is no such place.
+        DebugError: there is no such location.
     """
     match = _PLACE.fullmatch(text.strip())
     if match is None:
@@ -153,6 +153,6 @@ def _function(
 
 
 def is_file(file: str, wanted: str) -> bool:
-    """Return whether a user means a file: by its whole path, or the end of it."""
+    """Return whether a name refers to a file: its whole path, or the end of it."""
     parts, own = PurePath(displayed(wanted)).parts, PurePath(displayed(file)).parts
     return bool(parts) and own[-len(parts) :] == parts

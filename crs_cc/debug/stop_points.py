@@ -112,7 +112,7 @@ class StopPoints:
         return self.breakpoints.add(lambda number: Breakpoint(number, kind, text, place, **options))
 
     def remove(self, number: int) -> None:
-        """Take a breakpoint away.
+        """Remove a breakpoint.
 
         Raises:
             DebugError: there is no such one.
@@ -193,7 +193,7 @@ class StopPoints:
         return self._view.evaluator(robot).holds(own.condition, same)
 
     def describe_hit(self, hit: BreakpointHit) -> str:
-        """Return what happened to what is watched."""
+        """Return a description of an access."""
         assert hit.watch_hit is not None
         assert hit.breakpoint.watch is not None
         return change_text(

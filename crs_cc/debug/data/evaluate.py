@@ -219,7 +219,7 @@ class Evaluator:
         return ObjectLocation(address, compiled.type.size, compiled.type, depends_on)
 
     def variables(self, frame: StackFrame | None = None) -> list[Variable]:
-        """Return the variables of an active function, those of the innermost block first.
+        """Return the variables of a frame, those of the innermost block first.
 
         Parameters come last; variables that are declared behind the place are left out.
         """

@@ -31,7 +31,7 @@ class Variable:
 def variables_of(
     scopes: Scopes, type_of: TypeOf, inspector: MemoryInspector, active: StackFrame
 ) -> list[Variable]:
-    """Return the variables of an active function, those of the innermost block first.
+    """Return the variables of a frame, those of the innermost block first.
 
     Parameters come last; what is declared behind the place, or does not exist there, is left out.
     """

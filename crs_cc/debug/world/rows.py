@@ -17,7 +17,7 @@ class Row:
     """One row.
 
     Attributes:
-        name: what it is about.
+        name: what differs.
         text: what there is to say, with units; one line.
         children: rows for those who want to know more.
     """
