@@ -100,7 +100,7 @@ class Branches:
         """Switch to another branch, where the user left it.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         self.visit(name)
         self._run.seek(self.current.position)
@@ -110,7 +110,7 @@ class Branches:
         """Switch to another branch without a position; `seek` must follow.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         if name not in self._all:
             raise DebugError(unknown("branch", name, self.names()))
@@ -137,7 +137,7 @@ class Branches:
         """Return a checkpoint of this branch.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         for each in self.current.checkpoints:
             if each.number == number:

@@ -99,7 +99,7 @@ class Breakpoints:
         """Return a breakpoint.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         if number not in self._all:
             raise DebugError(f"no breakpoint {number}")
@@ -109,7 +109,7 @@ class Breakpoints:
         """Remove a breakpoint.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         self.get(number)
         del self._all[number]

@@ -77,7 +77,7 @@ class Debugger:
         files: Mapping[str, bytes] | None = None,
         client: Client = "nclient",
     ) -> None:
-        """Load the programs into the robots, at the start of the run; for the arguments see `Session`."""
+        """Load the programs into the robots; for the arguments see `Session`."""
         self.run = RecordedRun(
             world,
             programs,
@@ -179,7 +179,7 @@ class Debugger:
         return self.stop
 
     def _returned(self, frame: BacktraceFrame) -> str:
-        """Return the value of a call that has ended, if its `return` shows it; else an empty string."""
+        """Return the value of a call that has ended if its `return` shows it, else ""."""
         here, robot = self.position, self.view.robot
         call = ActiveCalls.of([frame.active])
         spots = self.navigator.program_points_back(robot, call.functions)
@@ -398,7 +398,7 @@ class Debugger:
         """Return to a checkpoint.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         return self.goto(self.branches.checkpoint(number).position)
 
@@ -414,7 +414,7 @@ class Debugger:
         """Switch to another branch, where the user left it.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         self.branches.switch(name)
         return self._arrive(self.navigator.stop("goto"))

@@ -1,4 +1,4 @@
-"""What a run stops at: breakpoints, watchpoints and catchpoints, with their conditions."""
+"""Breakpoints, watchpoints and catchpoints of a run, with their conditions."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ _BRACES: Final = re.compile(r"\{([^{}]*)\}")
 
 
 class StopPoints:
-    """A run with all that the user wants it to stop at.
+    """The breakpoints, watchpoints and catchpoints of a run.
 
     Attributes:
         breakpoints: all breakpoints, watchpoints and catchpoints.
-        say: takes what log points say.
+        say: receives the messages of log points.
     """
 
     def __init__(self, view: View) -> None:
@@ -38,12 +38,12 @@ class StopPoints:
         """Add a breakpoint.
 
         Args:
-            place: see `places.find_place`.
+            place: see `locations.find_location`.
             options: further attributes of the `Breakpoint`: `condition`, `ignore`, `temporary`,
                 `robot`, `log`.
 
         Raises:
-            DebugError: there is no such place, or the condition is no expression there.
+            DebugError: there is no such location, or the condition is invalid there.
         """
         robot = options.get("robot")
         here = self._view.current_file(robot)
@@ -52,7 +52,7 @@ class StopPoints:
         return self._add("breakpoint", place, found, options)
 
     def add_catchpoint(self, what: str, **options: Any) -> Breakpoint:
-        """Add a catchpoint for a kind of happenings, or for the `exit` of a program.
+        """Add a catchpoint for an event kind, or for the `exit` of a program.
 
         Raises:
             DebugError: there is no such kind.
@@ -67,16 +67,16 @@ class StopPoints:
     ) -> Breakpoint:
         """Add a watchpoint for an object in the memory of a robot.
 
-        Forward, the run stops before the next statement behind an access; backward, before the
+        Forward, the run stops before the next statement after an access; backward, before the
         statement that made it.
 
         Args:
-            expression: what names the object, looked at from where the user is.
+            expression: the object, in the scope of the selected frame.
             kind: which accesses count: `write`, `read`, both (`access`), or those that `change` it.
             options: further attributes of the `Breakpoint`.
 
         Raises:
-            DebugError: it names no object, or there are too many to be watched.
+            DebugError: it names no object, or too many are watched.
         """
         robot = self._view.robot if options.get("robot") is None else options["robot"]
         if kind not in KINDS:
@@ -93,7 +93,7 @@ class StopPoints:
         )
 
     def _make_room(self, robot: int) -> None:
-        """Find out whether one more object can be watched."""
+        """Check that one more object can be watched."""
         if len(self.breakpoints.watched(robot)) >= MAX:
             name = self._view.names[robot]
             raise DebugError(
@@ -115,15 +115,15 @@ class StopPoints:
         """Remove a breakpoint.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         self.breakpoints.remove(number)
 
     def enable(self, number: int, *, on: bool = True) -> None:
-        """Let a breakpoint count, or not.
+        """Enable or disable a breakpoint.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         own = self.breakpoints.get(number)
         if on and own.watch and not own.enabled and own.robot is not None:
@@ -131,25 +131,25 @@ class StopPoints:
         own.enabled = on
 
     def ignore(self, number: int, count: int) -> None:
-        """Pass over the next hits of a breakpoint.
+        """Ignore the next hits of a breakpoint.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         self.breakpoints.get(number).ignore = max(0, count)
 
     def set_condition(self, number: int, condition: str) -> None:
-        """Let a breakpoint stop only where a condition is true; an empty one always is.
+        """Set the condition of a breakpoint; an empty one removes it.
 
         Raises:
-            DebugError: there is no such one, or the condition is no expression there.
+            DebugError: there is no such breakpoint, or the condition is invalid there.
         """
         own = self.breakpoints.get(number)
         self._check(own.place, condition)
         own.condition = condition
 
     def _check(self, place: BreakpointLocation | None, condition: str) -> None:
-        """Find out whether a condition will mean something where it is asked for."""
+        """Check that a condition is valid where it will be evaluated."""
         if not condition or place is None:
             return
         for robot, numbers in place.statements.items():
@@ -159,7 +159,7 @@ class StopPoints:
                 self._view.evaluator(robot).check(condition, site.function, site.location)
 
     def accepts(self, hit: BreakpointHit, counts: bool) -> tuple[bool, str]:
-        """Return whether a breakpoint that was met stops the run, and what to say then."""
+        """Return whether a hit stops the run, and a remark."""
         own = hit.breakpoint
         if hit.watch_hit and hit.watch_hit.access.what == "return":
             return True, ""
@@ -182,11 +182,11 @@ class StopPoints:
         """Return the robot in whose program a breakpoint's expressions are evaluated."""
         if hit.robot >= 0:
             return hit.robot
-        own = hit.breakpoint.robot  # what was met is of no robot
+        own = hit.breakpoint.robot  # the event belongs to no robot
         return self._view.robot if own is None else own
 
     def _holds(self, own: Breakpoint, robot: int) -> bool:
-        """Return whether a condition is true: that of a variable's watchpoint in its function."""
+        """Return whether a condition is true; that of a local variable's watchpoint in its function."""
         frame = own.watch.watched.frame if own.watch else None
         stack = self._run.stopped(robot).stack if frame else ()
         same = next((each for each in stack if frame and same_activation(each, frame)), None)
@@ -214,4 +214,4 @@ class StopPoints:
 
 
 def _unheard(_text: str) -> None:
-    """Take what nobody wants to hear."""
+    """Discard a message."""

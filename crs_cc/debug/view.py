@@ -141,7 +141,7 @@ class View:
         """Select a robot by number or name.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         names = self.names
         number = names.index(robot) if robot in names else robot
@@ -154,7 +154,7 @@ class View:
         """Select a frame by number.
 
         Raises:
-            DebugError: there is no such one.
+            DebugError: it does not exist.
         """
         if not 0 <= number < len(self.frames()):
             raise DebugError(f"no frame {number}")

@@ -14,8 +14,8 @@ started last, one before, is the one to go back to; if it was the last one of a 
 value the access used, `MemoryAccess.location` is that of the access itself.
 
 A watch on a local variable lasts as long as the function's activation, which is identified by
-its frame and by how many statements had started when it was entered (`StackFrame.entered`). So it is
-active again when the run goes back into it, and inactive before it.
+its frame and by how many statements had started when it was entered (`StackFrame.entered`). So it
+is active again when the run goes back into it, and inactive before it.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""Messages on a stream of bytes: a header with `Content-Length`, an empty line, JSON.
+"""Message framing: a header with `Content-Length`, an empty line, JSON.
 
-A stream whose headers cannot be understood is of no more use, as nobody knows where the next
-message begins: `BrokenStreamError`. Where just one message is no JSON the next can be read:
+After a malformed header the stream is unusable, as the start of the next message is
+unknown: `BrokenStreamError`. If a message is not valid JSON the next can still be read:
 `BadMessageError`.
 
 >>> import io
@@ -25,24 +25,24 @@ Message = dict[str, Any]
 
 
 class BrokenStreamError(Exception):
-    """What comes is not the protocol; nothing that follows can be read."""
+    """The stream violates the protocol; nothing that follows can be read."""
 
 
 class BadMessageError(Exception):
-    """One message is not what it should be."""
+    """A message is malformed."""
 
 
 def encode(message: Message) -> bytes:
-    """Return a message as it goes over the stream.
+    """Return the encoded message.
 
-    JSON is kept to ASCII, so that whatever a program prints or a file is named can be sent.
+    JSON is restricted to ASCII, so that any output or file name can be sent.
     """
     body = json.dumps(message, separators=(",", ":")).encode("ascii")
     return b"Content-Length: %d\r\n\r\n%b" % (len(body), body)
 
 
 def read_message(stream: BinaryIO) -> Message | None:
-    """Read the next message; return None where the stream ends between two.
+    """Read the next message; return None at the end of the stream.
 
     Raises:
         BrokenStreamError: the header is not the protocol's, or the stream ends within a message.

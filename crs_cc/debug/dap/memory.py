@@ -1,4 +1,4 @@
-"""Requests for bytes of a program's memory. An address is told together with the robot."""
+"""Requests for a program's memory; a memory reference names the robot and an address."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _MAX_WRITTEN: Final = 128  # bytes at once, as each is a part of one expression;
 
 
 def reference_of(robot: int, address: int) -> str:
-    """Return what a client calls an address.
+    """Return the memory reference of an address.
 
     >>> reference_of(1, 4096)
     '1:0x1000'
@@ -29,10 +29,10 @@ def reference_of(robot: int, address: int) -> str:
 
 
 def _address(session: EditorSession, arguments: Arguments) -> tuple[int, int]:
-    """Return the robot and the address that a request means.
+    """Return the robot and the address of a request.
 
     Raises:
-        RefusalError: it means none.
+        RefusalError: its memory reference is invalid.
     """
     found = _REFERENCE.fullmatch(arguments.text("memoryReference"))
     if found is None or int(found[1]) >= len(session.opened().names):
@@ -41,7 +41,7 @@ def _address(session: EditorSession, arguments: Arguments) -> tuple[int, int]:
 
 
 def read_memory(session: EditorSession, arguments: Arguments) -> Message:
-    """Return bytes, as many as there are."""
+    """Return bytes, as many as exist."""
     robot, address = _address(session, arguments)
     count = arguments.natural("count")
     memory = session.standing().session.fleet.memory(robot)
@@ -55,7 +55,7 @@ def read_memory(session: EditorSession, arguments: Arguments) -> Message:
 
 
 def write_memory(session: EditorSession, arguments: Arguments) -> Message:
-    """Change bytes that C may change; from there on the run is another."""
+    """Write bytes that C may write."""
     robot, address = _address(session, arguments)
     try:
         content = base64.b64decode(arguments.text("data"), validate=True)

@@ -44,7 +44,7 @@ CAPABILITIES: Final[Message] = {
 
 
 def initialize(session: EditorSession, arguments: Arguments) -> Message:
-    """Return what we can, and learns what the client can."""
+    """Exchange capabilities with the client."""
     if session.launch is not None:
         raise RefusalError("'initialize' must be the first request, and the only one of its kind")
     session.meet(arguments)
@@ -52,7 +52,7 @@ def initialize(session: EditorSession, arguments: Arguments) -> Message:
 
 
 def launch(session: EditorSession, arguments: Arguments) -> None:
-    """Make a run; nothing moves before `configurationDone`."""
+    """Create a run; it starts with `configurationDone`."""
     if session.launch is not None:
         raise RefusalError("a program is already launched")
     wanted = read_launch(arguments)
@@ -68,7 +68,7 @@ def attach(_session: EditorSession, _arguments: Arguments) -> None:
 
 
 def configuration_done(session: EditorSession, _arguments: Arguments) -> None:
-    """Let the run begin."""
+    """Start the run."""
     session.standing()
     if session.has_begun:
         raise RefusalError("the run has already started")
@@ -76,7 +76,7 @@ def configuration_done(session: EditorSession, _arguments: Arguments) -> None:
 
 
 def restart(session: EditorSession, arguments: Arguments) -> None:
-    """Compile the programs again, and begins anew."""
+    """Compile the programs again and restart."""
     if session.launch is None:
         raise RefusalError("no program is launched")
     has_news = "arguments" in arguments

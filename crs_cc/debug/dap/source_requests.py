@@ -1,4 +1,4 @@
-"""Requests for texts: of C files, and of code."""
+"""Requests for sources and disassembly."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ _MAX_INSTRUCTIONS: Final = 10_000  # in one answer; chosen by us
 
 
 def loaded_sources(session: EditorSession, _arguments: Arguments) -> Message:
-    """Return the files that the programs are made of."""
+    """Return the source files of the programs."""
     session.opened()
     return {"sources": session.locations.sources()}
 
 
 def source(session: EditorSession, arguments: Arguments) -> Message:
-    """Return the text of a file that is no file of the client's: one of the C library."""
+    """Return the text of a file that the client does not have: one of the C library."""
     asked = arguments.object("source") if "source" in arguments else arguments
     file = session.locations.file_at(session.locations.key(asked))
     if file is None:
@@ -34,7 +34,7 @@ def source(session: EditorSession, arguments: Arguments) -> Message:
 
 
 def disassemble(session: EditorSession, arguments: Arguments) -> Message:
-    """Return lines of code, as many as are wanted: those outside of the function are said to be."""
+    """Return lines of code; those outside of the function are marked as invalid."""
     start = CodeAddress.read(arguments.text("memoryReference"))
     count = arguments.natural("instructionCount")
     if count > _MAX_INSTRUCTIONS:
@@ -64,10 +64,10 @@ def _instruction(session: EditorSession, address: int, row: CodeLine | None) -> 
 
 
 def _function(session: EditorSession, address: CodeAddress) -> Function:
-    """Return the function that an address lies in.
+    """Return the function that contains an address.
 
     Raises:
-        RefusalError: it lies in none.
+        RefusalError: there is none.
     """
     programs = session.opened().run.programs
     if 0 <= address.robot < len(programs):

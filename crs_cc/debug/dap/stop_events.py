@@ -1,4 +1,4 @@
-"""What the client is told when a run has stopped, or has ended."""
+"""Events for a run that has stopped or ended."""
 
 from __future__ import annotations
 
@@ -42,12 +42,12 @@ _SAID: Final[dict[Reason, str]] = {
 
 
 def thread_of(robot: int) -> int:
-    """Return the number that a robot has as a thread; 0 is none for some clients."""
+    """Return the thread ID of a robot; some clients reserve 0."""
     return robot + 1
 
 
 def report_stop(session: EditorSession, stop: Stop) -> None:
-    """Report that a run has stopped; or that it has ended, when nobody wants to look at that."""
+    """Report that a run has stopped; or that it has ended, if no stop is wanted there."""
     launch, debugger = session.launch, session.opened()
     assert launch is not None
     if stop.reason == "end" and not (launch.stop_at_end and launch.debugs):

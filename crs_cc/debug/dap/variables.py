@@ -1,4 +1,4 @@
-"""What stands in scopes: variables, `State[]`, a robot, the world; and which C names these have."""
+"""The contents of scopes: variables, `State[]`, robot, world; and C expressions for them."""
 
 from __future__ import annotations
 
@@ -34,11 +34,11 @@ _MAX: Final = 10_000  # parts in one answer; chosen by us
 
 @dataclass(frozen=True, slots=True)
 class ScopeHandle:
-    """What can be looked at from an active function.
+    """A scope of a stack frame.
 
     Attributes:
-        name: which of it.
-        at: the function.
+        name: its name.
+        at: the frame.
     """
 
     name: str
@@ -53,7 +53,7 @@ class RowsHandle:
 
 
 def scopes_at(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
-    """Return the scopes of an active function, or of a program without one."""
+    """Return the scopes of a frame, or of a program without one."""
     hints = {"Locals": "locals"}
     for name in _SCOPES:
         if at.frame is None and name == "Locals":
@@ -69,7 +69,7 @@ def scopes_at(session: EditorSession, at: FrameHandle) -> Iterator[Message]:
 
 
 def variables(session: EditorSession, arguments: Arguments) -> Message:
-    """Return what stands in a scope, or the parts of a value."""
+    """Return the variables of a scope, or the parts of a value."""
     thing = session.handles.take(arguments.integer("variablesReference"))
     start, count = arguments.natural("start", 0), arguments.natural("count", 0)
     wanted = arguments.text("filter", "")
@@ -95,7 +95,7 @@ def variables(session: EditorSession, arguments: Arguments) -> Message:
 
 
 def expression_of(session: EditorSession, arguments: Arguments) -> tuple[FrameHandle, str]:
-    """Return the C expression for what has a name in something with parts, and where it holds.
+    """Return the C expression for a named part of a variable, and its scope.
 
     Raises:
         RefusalError: there is none.

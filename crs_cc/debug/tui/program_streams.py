@@ -32,7 +32,7 @@ class ProgramStreams:
         self._written: deque[Piece] = deque(maxlen=_MAX)
 
     def write(self, robot: int, stream: int, content: bytes) -> None:
-        """Take what a program writes."""
+        """Write output of a program."""
         self._written.append((robot, stream, content))
 
     def take(self) -> list[Piece]:
