@@ -1,4 +1,4 @@
-"""What stands behind a command's name, taken apart."""
+"""Parsing of command arguments."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ _OF_ROBOT: Final = re.compile(r"(?:^|\s)(?:robot|thread)\s+(\S+)\s*$")
 
 @dataclass(frozen=True, slots=True)
 class OutputFormat:
-    """How to show a value: what stands behind the `/` of `print/x` and `x/4xw`.
+    """An output format: what follows the `/` of `print/x` and `x/4xw`.
 
     Attributes:
         letter: `x` hexadecimal, `d` signed, `u` unsigned, `o` octal, `t` binary, `c` character,
-            `f` floating, `s` string, `a` address; empty for what the type says.
-        count: how many [units], for `x`.
-        size: bytes of a unit, 0 for what the type says.
+            `f` floating, `s` string, `a` address; empty for the default of the type.
+        count: the number of units, for `x`.
+        size: the size of a unit [bytes], 0 for the default of the type.
     """
 
     letter: str = ""
@@ -36,10 +36,10 @@ class OutputFormat:
 
 
 def parse_format(text: str) -> tuple[OutputFormat, str]:
-    """Take `/FMT` off the front of an argument.
+    """Parse `/FMT` at the start of an argument; return it and the rest.
 
     Raises:
-        DebugError: it is no format.
+        DebugError: it is malformed.
 
     >>> parse_format("/4xw &count")
     (OutputFormat(letter='x', count=4, size=4), '&count')
@@ -60,10 +60,10 @@ def parse_format(text: str) -> tuple[OutputFormat, str]:
 
 
 def parse_count(text: str) -> int:
-    """Return how often to do something: 1 if nothing is said.
+    """Return a repeat count; the default is 1.
 
     Raises:
-        DebugError: it is no such number.
+        DebugError: it is not a count.
 
     >>> parse_count("3"), parse_count("")
     (3, 1)
@@ -78,10 +78,10 @@ def _count(digits: str) -> int:
 
 
 def parse_numbers(text: str, newest: int | None = None) -> list[int]:
-    """Return numbers, and those of ranges, in their order; `$` is the newest one.
+    """Return a list of numbers and ranges, expanded in order; `$` is the newest.
 
     Raises:
-        DebugError: there is something else.
+        DebugError: it is malformed.
 
     >>> parse_numbers("1 4-6")
     [1, 4, 5, 6]
@@ -103,10 +103,10 @@ def parse_numbers(text: str, newest: int | None = None) -> list[int]:
 
 @dataclass(frozen=True, slots=True)
 class BreakpointArguments:
-    """Where to stop: what stands behind `break`.
+    """The arguments of `break`.
 
     Attributes:
-        place: the place, or the expression that is watched.
+        place: the location, or the expression to watch.
         robot: the robot's name or number, empty for all of them.
         condition: the condition, empty for none.
     """
@@ -117,7 +117,7 @@ class BreakpointArguments:
 
 
 def parse_breakpoint_arguments(text: str) -> BreakpointArguments:
-    """Return place, robot and condition.
+    """Return location, robot and condition.
 
     >>> parse_breakpoint_arguments("wander.c:12 robot 1 if x > 3")
     BreakpointArguments(place='wander.c:12', robot='1', condition='x > 3')
@@ -151,7 +151,7 @@ def parse_robot(text: str, names: Sequence[str]) -> int:
 
 
 def require_argument(text: str, what: str) -> str:
-    """Return an argument that has to be there.
+    """Return a required argument.
 
     Raises:
         DebugError: it is empty.
@@ -163,10 +163,10 @@ def require_argument(text: str, what: str) -> str:
 
 
 def reject_arguments(text: str) -> None:
-    """Make sure that nothing stands behind a command.
+    """Check that a command has no arguments.
 
     Raises:
-        DebugError: something does.
+        DebugError: it has.
     """
     if text.strip():
         raise DebugError(f"unexpected argument '{text.strip()}'")

@@ -1,4 +1,4 @@
-"""Commands about instants to come back to, and runs that the user has changed."""
+"""Commands for checkpoints and branches."""
 
 from __future__ import annotations
 

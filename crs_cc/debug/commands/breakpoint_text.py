@@ -1,4 +1,4 @@
-"""Breakpoints in words."""
+"""Descriptions of breakpoints."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _ACCESSES: Final[dict[AccessKind, str]] = {
 
 
 def name_of(one: Breakpoint) -> str:
-    """Return what a breakpoint is called.
+    """Return the name of a breakpoint.
 
     >>> name_of(Breakpoint(3, "watchpoint", "speed", temporary=True))
     'Temporary watchpoint 3'
@@ -27,7 +27,7 @@ def name_of(one: Breakpoint) -> str:
 
 
 def described(one: Breakpoint) -> str:
-    """Return where a breakpoint is, in words."""
+    """Return a description of where a breakpoint is."""
     location = one.place.location if one.place else None
     if one.watch is not None:
         return f"{one.text}, {_ACCESSES[one.watch.watched.kind]}"

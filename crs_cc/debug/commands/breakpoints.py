@@ -1,4 +1,4 @@
-"""Commands about where to stop: lines, functions, values, and what happens in the world."""
+"""Commands for breakpoints, watchpoints and catchpoints."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def _break(context: CommandContext, text: str, *, temporary: bool = False) -> An
 
 
 def _here(context: CommandContext) -> str:
-    """Return the line where the user looks."""
+    """Return the current line as a location."""
     place = context.debugger.view.location()
     if place is None:
         raise DebugError("no current line: specify a location")
@@ -199,7 +199,7 @@ _NUMBERS: Final = (
 
 
 def _kinds() -> str:
-    """Return the kinds of happenings that can be caught, each with its meaning."""
+    """Return the event kinds with their meanings."""
     *first, last = (f"{kind} ({meaning})" for kind, meaning in KINDS.items())
     return f"{', '.join(first)} or {last}"
 

@@ -1,4 +1,4 @@
-"""Commands that change the world: those of `debug.edits`."""
+"""Commands that change the world: those of `world.edits`."""
 
 from __future__ import annotations
 

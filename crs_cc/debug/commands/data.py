@@ -1,4 +1,4 @@
-"""Commands about values: of expressions, of variables, of memory."""
+"""Commands for expressions, variables and memory."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def _examine(context: CommandContext, text: str) -> Answer:
 
 
 def _address(value: Value) -> int:
-    """Return the address that a value stands for: a pointer's, a number, or that of an object."""
+    """Return the address that a value denotes: a pointer, an integer, or that of an object."""
     if isinstance(value.type, ArrayType | RecordType):
         if value.address is None:
             raise DebugError("expression has no address")

@@ -1,4 +1,4 @@
-r"""From printf's words to those of log points: `"x is %d\n", x` becomes `x is {x}`."""
+r"""Conversion of printf formats to log messages: `"x is %d\n", x` becomes `x is {x}`."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ _ESCAPES: Final = {"n": "\n", "t": "\t", '"': '"', "\\": "\\", "'": "'"}
 
 
 def log_text(literal: str, expressions: Sequence[str]) -> str:
-    r"""Return the text of a log point with the expressions in braces.
+    r"""Return the message of a log point with the expressions in braces.
 
     Raises:
-        DebugError: the format is no string, or there are too few or too many expressions.
+        DebugError: the format is not a string, or the number of expressions is wrong.
 
     >>> log_text(r'"%d of %s\n"', ["left + 1", "name"])
     '{left + 1} of {name}'

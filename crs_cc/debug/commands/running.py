@@ -1,4 +1,4 @@
-"""Commands that move the run: forward, backward, and to an instant."""
+"""Commands for forward and reverse execution."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Commands from files, and into files."""
+"""Commands for script files."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ _WATCHES: Final = {"change": "watch", "write": "wwatch", "read": "rwatch", "acce
 
 
 def read_script(path: Path) -> list[str]:
-    """Return the lines of a file of commands.
+    """Return the lines of a script.
 
     Raises:
-        DebugError: it cannot be read, or is no text.
+        DebugError: it cannot be read, or is not text.
     """
     try:
         with os.fdopen(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as file:  # or a pipe waits
@@ -72,7 +72,7 @@ def _save_breakpoints(context: CommandContext, text: str) -> Answer:
 
 
 def _written(context: CommandContext, one: Breakpoint) -> Iterator[str]:
-    """Return the commands that make a breakpoint again."""
+    """Return the commands that recreate a breakpoint."""
     yield _command(context, one)
     if one.condition:
         yield f"condition $ {one.condition}"
@@ -95,9 +95,9 @@ def _command(context: CommandContext, one: Breakpoint) -> str:
 
 
 def _write(path: Path, content: str) -> None:
-    """Write a file of breakpoints, over nothing but such a file.
+    """Write a file of breakpoints; overwrite only such files.
 
-    A script may ask for it that came with somebody else's program, so no other file is at risk.
+    Scripts come with other people's programs, so no other file may be at risk.
     """
     if path.suffix != _ENDING:
         raise DebugError(f"the name of a file of breakpoints must end with {_ENDING}")

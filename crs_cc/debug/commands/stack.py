@@ -1,4 +1,4 @@
-"""Commands about where programs stand: active functions, and lines of C."""
+"""Commands for stack frames and source."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _MAX_FUNCTIONS: Final = 200
 
 
 def frames(context: CommandContext) -> list[BacktraceFrame]:
-    """Return the active functions of the robot that the user looks at.
+    """Return the stack frames of the selected robot.
 
     Raises:
         DebugError: there are none.
@@ -59,7 +59,7 @@ def _backtrace(context: CommandContext, text: str) -> Answer:
 
 
 def _shown(found: list[BacktraceFrame]) -> Iterator[BacktraceFrame]:
-    """Return the functions of the user's, and those of the library that they have called."""
+    """Return the user's frames, and those of library functions that they have called."""
     for each, caller in zip(found, [*found[1:], None], strict=True):
         if not each.is_library or (caller is not None and not caller.is_library):
             yield each
@@ -128,7 +128,7 @@ def _lines_with_breakpoints(context: CommandContext, file: str) -> set[int]:
 
 
 def _range(context: CommandContext, text: str) -> tuple[str, int, int]:
-    """Return the file, and the first and the last line, that are wanted."""
+    """Return the file and the first and last line to list."""
     listed = context.listing
     if not text and listed is not None:
         return listed.file, listed.last + 1, listed.last + _LINES
@@ -152,7 +152,7 @@ def _range(context: CommandContext, text: str) -> tuple[str, int, int]:
 
 
 def _listed(context: CommandContext, text: str) -> Location:
-    """Return the place that lines are listed around: a line with or without code, a function."""
+    """Return the location to list lines around: a line with or without code, a function."""
     file, _, line = text.strip().rpartition(":")
     if line.isascii() and line.isdigit() and len(line) < 9:
         known = file or context.debugger.view.current_file()
@@ -178,10 +178,10 @@ def _here(context: CommandContext) -> Location:
 
 
 def find_line(context: CommandContext, text: str) -> Location:
-    """Return the line that a place means.
+    """Return the line of a location.
 
     Raises:
-        DebugError: there is no such line, or function.
+        DebugError: there is no such line or function.
     """
     debugger = context.debugger
     file = debugger.view.current_file()
@@ -192,7 +192,7 @@ def find_line(context: CommandContext, text: str) -> Location:
 
 
 def functions(context: CommandContext) -> Iterator[tuple[str, Location]]:
-    """Return the names of the functions of the user's that this robot runs, and where they are."""
+    """Return names and locations of the user's functions in the selected robot's program."""
     program = context.debugger.run.programs[context.debugger.view.robot].executable.program
     for name, function in program.functions.items():
         if not in_library(function.location):

@@ -115,17 +115,17 @@ NAMES: Final = _named(COMMANDS)
 _SHORTENED: Final = {"!"} | {
     name for name, each in NAMES.items() if each.name != name and each.name.startswith(name)
 }
-"""Names that nobody needs to be offered."""
+"""Aliases that completion does not offer."""
 
 PREFIXES: Final = tuple(sorted({name.split()[0] for name in NAMES if " " in name}))
-"""The words that others follow: `info`, `save`."""
+"""Prefixes of subcommands: `info`, `save`."""
 
 
 def find(text: str) -> tuple[Command, str]:
-    """Return the command that a line means, and its arguments.
+    """Return the command of a line, and its arguments.
 
     Raises:
-        DebugError: there is none, or several could be meant.
+        DebugError: it is undefined or ambiguous.
     """
     first, rest = _word(text)
     singles = {name: name for name in NAMES if " " not in name}
@@ -147,7 +147,7 @@ def _word(text: str) -> tuple[str, str]:
 
 
 def _choose(word: str, names: dict[str, str], before: str) -> str:
-    """Return the one that a word, or the beginning of one, means."""
+    """Return the name that a word is or abbreviates."""
     if word in names:
         return names[word]
     if not before and word == "i":
@@ -167,7 +167,7 @@ def _after(before: str) -> str:
 
 
 def matching(beginning: str) -> Iterator[str]:
-    """Return the names of commands that begin so, those of two words word by word."""
+    """Return the names of commands with a prefix; subcommands only after the first word."""
     for name in sorted({*NAMES, *PREFIXES} - _SHORTENED):
         if name.startswith(beginning) and (" " not in name or " " in beginning):
             yield name

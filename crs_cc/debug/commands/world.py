@@ -78,10 +78,10 @@ def _map(context: CommandContext, text: str) -> Answer:
 
 
 def _across_m(text: str) -> float:
-    """Return how much of a world is to be seen.
+    """Return the height of a map.
 
     Raises:
-        DebugError: it is no length.
+        DebugError: it is not a valid length.
     """
     try:
         across_m = LENGTH.parse(text)

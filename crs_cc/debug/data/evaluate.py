@@ -187,7 +187,7 @@ class Evaluator:
         """Return the type of an expression, which is not evaluated.
 
         Raises:
-            DebugError: it means nothing here.
+            DebugError: it is invalid here.
         """
         stopped = self._stopped()
         frame = frame or _innermost(stopped)

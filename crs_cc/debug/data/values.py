@@ -60,7 +60,7 @@ class Value:
     """A value.
 
     Attributes:
-        inspector: what looks at the program.
+        inspector: the inspector of the program.
         type: its C type.
         content: its bytes; those of a bit-field are those of an object of its type.
         states: the `ByteState`s of these bytes; none when all have values.

@@ -32,7 +32,7 @@ class HelpPage(ModalScreen[None]):
     ]
 
     def compose(self) -> ComposeResult:
-        """Make the page."""
+        """Create the widgets."""
         table = Table.grid(padding=(0, 2))
         for row in help_rows():
             table.add_row(*row)

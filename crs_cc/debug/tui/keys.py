@@ -1,7 +1,7 @@
 """Keyboard shortcuts: the table for bindings, button bar and help page.
 
-Function keys work everywhere, letters where nobody is typing. Terminals differ in what they keep
-for themselves (F1, F10 and F11 often), so whatever can be done has a letter and a command, too.
+Function keys work everywhere, letters outside the command line. Terminals reserve some keys
+(often F1, F10 and F11), so every action has a letter and a command, too.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ class Shortcut:
 
     Attributes:
         keys: Textual's names of the keys that work everywhere, with commas between them.
-        letter: the key for it while nobody is typing.
-        shown: how the first of the keys is called.
-        label: one word for the bar at the bottom; empty to leave it out there.
-        command: the debugger's command, or empty where `action` does it.
+        letter: the key for it outside the command line.
+        shown: the display name of the first key.
+        label: its label in the button bar; empty to omit it there.
+        command: the debugger's command, or empty if `action` does it.
         action: the screen's own action.
-        meaning: for the page of help.
+        meaning: its description on the help page.
     """
 
     keys: str = ""

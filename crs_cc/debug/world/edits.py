@@ -56,7 +56,7 @@ class Edit:
     Attributes:
         syntax: the words behind its name, those that may be left out in brackets.
         summary: what it does, in a line.
-        text: what else there is to say.
+        text: further help.
         do: does it with the words behind its name; gives what it did, in a sentence.
     """
 
