@@ -1,8 +1,8 @@
 """The debugger: forward and reverse execution of programs and their world.
 
-Read `engine` first: the operations of the debugger, without a user interface. It owns a `view` (the
-selected robot and frame), `stop_points` (breakpoints of all kinds) and a `navigator`. `errors` has the
-errors a user can make, `program` what the debugger needs of a program.
+Read `engine` first: the operations of the debugger, without a user interface. It owns a `view`
+(the selected robot and frame), `stop_points` (breakpoints of all kinds) and a `navigator`.
+`errors` has the error that users see, `program` a program with its debug build.
 
 - `timeline/`: a recorded run, which can be moved to any `Position`. A `RunEvent` is what the run has
   advanced to; a `Stop` reports it to the user.

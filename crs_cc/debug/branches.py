@@ -30,7 +30,7 @@ class Checkpoint:
     Attributes:
         number: from 1 in each branch.
         name: the user's name for it; may be empty.
-        position: the instant.
+        position: the position.
         time_s: the clock of the robot selected then [s].
     """
 

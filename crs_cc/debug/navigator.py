@@ -47,7 +47,7 @@ class _StopCandidate:
     """A reason to stop in the past.
 
     Attributes:
-        stop: what it was.
+        stop: its stop.
         target: the position to move to: for an access, before it, maybe before the whole round.
         function: the function that it is about, see `Stop`.
     """

@@ -186,7 +186,7 @@ class StopPoints:
         return self._view.robot if own is None else own
 
     def _holds(self, own: Breakpoint, robot: int) -> bool:
-        """Return whether a condition is true; that of a local variable's watchpoint in its function."""
+        """Return whether a condition is true; for a local variable's watchpoint, in its frame."""
         frame = own.watch.watched.frame if own.watch else None
         stack = self._run.stopped(robot).stack if frame else ()
         same = next((each for each in stack if frame and same_activation(each, frame)), None)

@@ -77,7 +77,7 @@ class View:
 
     @property
     def position(self) -> Position:
-        """Where the run is."""
+        """The position of the run."""
         return self.run.position
 
     @property

@@ -72,7 +72,7 @@ class WatchedObject:
         number: its number.
         kind: which accesses count.
         address: its first byte.
-        size: [bytes].
+        size: its size [bytes].
         frame: the activation whose variable it is; None if it is static.
     """
 

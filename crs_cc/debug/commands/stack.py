@@ -38,7 +38,7 @@ def frames(context: CommandContext) -> list[BacktraceFrame]:
 
 
 def frame(context: CommandContext) -> BacktraceFrame:
-    """Return the active function that the user looks at.
+    """Return the selected frame.
 
     Raises:
         DebugError: there is none.

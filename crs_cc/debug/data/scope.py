@@ -32,16 +32,16 @@ VariableKind = Literal["parameter", "local", "static", "global"]
 
 @dataclass(frozen=True, slots=True)
 class Storage:
-    """Where a variable lies.
+    """The storage of a variable.
 
     Attributes:
         variable: the variable.
-        kind: "static" is one that a function keeps.
-        at: its address; of one in a frame, how far from the frame's lower end.
-        in_frame: whether it lies in a frame.
-        register: the register that it lives in while the program runs.
-        flag: where it stands, from the frame's lower end, whether the register has a value.
-        passed: where it was passed, from the frame's lower end, if it is a parameter.
+        kind: its kind; "static" is local to a function.
+        at: its address; in a frame, the offset from the frame's lower end.
+        in_frame: whether it is in a frame.
+        register: its register while the program runs.
+        flag: the offset of the register's initialised flag.
+        passed: the offset where it was passed, if it is a parameter.
     """
 
     variable: Variable
@@ -55,13 +55,13 @@ class Storage:
     def is_visible(self, place: Location) -> bool:
         """Return whether the name means this variable at a place, if no inner one has it.
 
-        A function that has no room for its frame stands before its parameters.
+        A function without room for its frame is before its parameters.
         """
         return self.kind == "parameter" or self.variable.is_visible(place)
 
 
 def is_own(location: Location) -> bool:
-    """Return whether a place is in the user's files, and not in the library's or its headers."""
+    """Return whether a location is in the user's files, not in the library or its headers."""
     return not in_library(location) and not location.file.startswith(_SYSTEM)
 
 
@@ -91,7 +91,7 @@ class Scopes:
         return sorted(self._globals, key=lambda each: (each.variable.name, each.variable.location))
 
     def extents(self, function: str) -> tuple[Storage, ...]:
-        """Return what the sizes of types are kept in that only the running program knows."""
+        """Return the hidden variables that hold the sizes of variably modified types."""
         if function not in self._extents:
             found = frame_storage(self._compiled.info(function))
             self._extents[function] = tuple(each for each in found if each.variable.name == EXTENT)
@@ -138,7 +138,7 @@ def _order(storage: Storage) -> tuple[Location, Location, Location]:
 
 
 def frame_storage(info: FunctionInfo) -> Iterator[Storage]:
-    """Return what lies in the frames of a function; one that lies twice counts at the last."""
+    """Return the variables in the frames of a function; one stored twice counts at the last place."""
     passed: dict[tuple[str, Location], int] = {}
     for parameter, offset in zip(info.function.parameters, info.frame.parameters, strict=True):
         variable = parameter.variable or parameter.place.variable
@@ -161,7 +161,7 @@ class FrameAddresses:
 
     Attributes:
         sp: its lower end.
-        place: where the function stands: variables that are declared behind it have no values.
+        place: the current location: variables that are declared later are uninitialised.
         unset: the registers that surely have none either.
     """
 
@@ -184,7 +184,7 @@ class FrameAddresses:
 
     @property
     def has_no_room(self) -> bool:
-        """Whether the stack was too small: then there is nothing but what was passed."""
+        """Whether the stack was too small: then only passed arguments exist."""
         return 0 < self.sp < NULL_SIZE or self.sp < 0
 
     def address(self, storage: Storage) -> int:
@@ -211,7 +211,7 @@ class FrameAddresses:
     def sizes(self, extents: Iterable[Storage], memory: ByteArray) -> dict[Location, int]:
         """Return the sizes of types that only the running program knows, by their lengths' places.
 
-        Two of one place, which come from one macro, cannot be told from each other.
+        Two at one location, which come from one macro, cannot be distinguished.
         """
         found: dict[Location, int] = {}
         twice: set[Location] = set()

@@ -1,7 +1,7 @@
-"""Values of a stopped program: a line of text each, and their parts when somebody asks for them.
+"""Values of a stopped program: a line of text each, and their parts on demand.
 
-A value holds the bytes that were there when it was made. Behind pointers it looks into the memory
-as that is now, so it is of use until the program goes on.
+A value holds the bytes at its creation. Pointers are followed in the
+current memory, so it is valid until the program resumes.
 """
 
 from __future__ import annotations
@@ -64,9 +64,9 @@ class Value:
         type: its C type.
         content: its bytes; those of a bit-field are those of an object of its type.
         states: the `ByteState`s of these bytes; none when all have values.
-        address: where it lies; None for a value that was computed, and for a bit-field.
+        address: its address; None for a computed value, and for a bit-field.
         first: the number of its first element, if it is a slice of an array.
-        fields: what the numbers of `State[]` are called and mean, if these are some of them.
+        fields: the fields of `State[]`, if it is part of that.
     """
 
     inspector: ValueReader

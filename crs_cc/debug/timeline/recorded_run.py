@@ -118,7 +118,7 @@ class RecordedRun:
 
     @property
     def position(self) -> Position:
-        """Where the run is."""
+        """The position of the run."""
         session = self.session
         if session.halted is None:
             return Position(session.timesteps, session.rounds)

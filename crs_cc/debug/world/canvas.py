@@ -1,8 +1,8 @@
-"""A drawing in characters: cells of 2 by 4 dots, which are braille patterns, each in one style.
+"""A canvas of characters: braille cells of 2 by 4 dots, each in one style.
 
 A cell of a terminal is twice as high as it is wide, so dots lie as far apart in both directions.
-Places are counted in dots from the upper left corner, x to the right and y down; what lies outside
-is left out. Where things of different styles share a cell, the one with the highest rank gives it
+Coordinates are in dots from the upper left corner, x to the right and y down; anything outside
+is clipped. If objects of different styles share a cell, the one with the highest rank determines
 its style.
 
 >>> canvas = Canvas(columns=3, rows=1)
@@ -46,8 +46,8 @@ class Canvas:
     """A drawing, empty at first.
 
     Attributes:
-        columns: how many cells it is wide.
-        rows: how many cells it is high.
+        columns: its width [cells].
+        rows: its height [cells].
     """
 
     def __init__(self, columns: int, rows: int) -> None:
@@ -69,7 +69,7 @@ class Canvas:
             ends: x and y of both ends of each, (n, 4).
             style: their style, or that of each.
             rank: their rank.
-            gap: one of so many dots is drawn.
+            gap: draw only one of so many dots.
         """
         numbers = self._numbers(style, len(ends))
         seen, ends = clipped(ends, ACROSS * self.columns, DOWN * self.rows)
@@ -121,7 +121,7 @@ class Canvas:
                 self._rank[row, place], self._style[row, place] = rank, self._number(style)
 
     def is_free(self, column: int, row: int, length: int) -> bool:
-        """Return whether there is room for a text, and nothing there."""
+        """Return whether cells are free for a text."""
         inside = 0 <= row < self.rows and 0 <= column <= self.columns - length
         return inside and bool((self._rank[row, column : column + length] < 0).all())
 
@@ -155,7 +155,7 @@ class Canvas:
 
 
 def clipped(ends: FloatArray, width: float, height: float) -> tuple[IndexArray, FloatArray]:
-    """Return the parts of lines that lie in the rectangle from 0, 0 to width, height.
+    """Return the parts of lines inside the rectangle from 0, 0 to width, height.
 
     Source: Liang and Barsky, "A new concept and method for line clipping", 1984.
 

@@ -1,7 +1,7 @@
-"""Changes that a user makes in the world, in a few words: `move robot0 to 1 2 90`.
+"""Changes to the world by commands: `move robot0 to 1 2 90`.
 
-Each is checked whole before anything changes. Numbers are in metres and degrees, or have a unit as
-in world files. `EDITS` has them all; the help is made of it.
+Each is validated before anything changes. Numbers are in metres and degrees, or have a unit as
+in world files. `EDITS` is the table of changes; the help is generated from it.
 
 >>> from crs_cc.sim.engine.environment import Environment
 >>> from crs_cc.sim.files.world_xml import empty_world
@@ -46,7 +46,7 @@ _VALUES: Final = (
 )  # fmt: skip
 
 FAULTS: Final = (*_VALUES, "dead", "for")
-"""The words that say what is wrong with a device, and when."""
+"""The keywords of faults and their times."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,10 +54,10 @@ class Edit:
     """A kind of change.
 
     Attributes:
-        syntax: the words behind its name, those that may be left out in brackets.
+        syntax: its arguments, optional ones in brackets.
         summary: what it does, in a line.
         text: further help.
-        do: does it with the words behind its name; gives what it did, in a sentence.
+        do: makes it, given the arguments; returns a description.
     """
 
     syntax: str
@@ -67,14 +67,14 @@ class Edit:
 
 
 def edit(environment: Environment, text: str) -> str:
-    """Change the world, and return what was done, in a sentence.
+    """Change the world; return a description of the change.
 
     Args:
         environment: the world, anywhere in a timestep.
         text: a change, as `EDITS` has them.
 
     Raises:
-        DebugError: it cannot be done, and why; then nothing has changed.
+        DebugError: it is invalid or impossible; nothing has changed.
     """
     words = text.replace("=", " ").split()
     if not words:
@@ -134,7 +134,7 @@ def _remove(environment: Environment, words: Words) -> str:
 
 
 def _name(environment: Environment, name: str) -> str:
-    """Return the name of what can be carried, and refuses others."""
+    """Return the name of a robot or movable object; refuse others."""
     known = (*(robot.id for robot in environment.world.robots), *environment.pushables)
     if name not in known:
         if name in environment.names:
@@ -144,7 +144,7 @@ def _name(environment: Environment, name: str) -> str:
 
 
 def _pose(environment: Environment, name: str, heading_rad: float) -> Pose:
-    """Return where something is that can be carried, turned to a heading."""
+    """Return the position of a movable object with a new heading."""
     x_m, y_m = environment.state.bodies.position_m[environment.names.index(name)].tolist()
     return Pose(x_m, y_m, heading_rad)
 
@@ -174,7 +174,7 @@ def _degrade(environment: Environment, words: Words) -> str:
 
 
 def _faults(words: Words) -> dict[str, str]:
-    """Return the attributes of a `<degradation>` that words stand for."""
+    """Return the attributes of a `<degradation>` for some words."""
     attributes: dict[str, str] = {}
     left = list(words)
     while left:
@@ -218,7 +218,7 @@ def _heal(environment: Environment, words: Words) -> str:
 
 
 def _concerns(each: Degradation, robot: Robot, text: str) -> bool:
-    """Return whether a degradation is one of a device or of its element."""
+    """Return whether a degradation concerns a device or its element."""
     device, _, element = text.partition(".")
     if device not in DEVICES:
         raise ValueError(unknown("device", device, tuple(DEVICES)))
@@ -279,7 +279,7 @@ def _open(environment: Environment, words: Words) -> str:
 
 
 def _way(words: Words, name: str) -> dict[str, str]:
-    """Return the way of messages that words stand for: `radio from robot0 to robot1`."""
+    """Return the link that words describe: `radio from robot0 to robot1`."""
     left, way = list(words), {}
     if left and left[0] not in ("from", "to", "all"):
         way["channel"] = left.pop(0)
@@ -350,4 +350,4 @@ EDITS: Final = {
         _open,
     ),
 }
-"""All changes, by the word that they begin with."""
+"""All changes by name."""
